@@ -1,0 +1,90 @@
+// Every message to the user goes through here: code, place, other places, what to do.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// Index of a file in a SourceMap.
+enum class FileId : std::uint32_t { none = 0xffffffffU };
+
+/// A place in a file. Lines and columns count from 1, columns in code points; line 0 means the whole file.
+struct Span {
+  FileId file = FileId::none;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+  std::uint32_t length = 0;  // code points on that line
+};
+
+/// The texts that spans point into. A file is added once and stays.
+class SourceMap {
+ public:
+  /// `name` as the user wrote it; `text` may be cut short (only what can be shown).
+  FileId add(std::string name, std::string text);
+  [[nodiscard]] const std::string& name(FileId file) const;
+  [[nodiscard]] const std::string& text(FileId file) const;
+  /// Line `line` (from 1) without its end; empty where there is none.
+  [[nodiscard]] std::string_view line(FileId file, std::uint32_t line) const;
+
+ private:
+  struct File {
+    std::string name;
+    std::string text;
+    std::vector<std::size_t> line_starts;
+  };
+  std::vector<File> files_;
+};
+
+enum class Severity : std::uint8_t { error, warning };
+
+/// One problem. `code` is stable ("E0201"), `message` lower case with `identifiers` in backticks.
+struct Diagnostic {
+  struct Note {
+    std::string message;
+    Span span;          // file == none: no place
+    std::string label;  // text under the carets
+  };
+
+  Severity severity = Severity::error;
+  std::string code;
+  std::string message;
+  Span span;
+  std::string label;
+  std::vector<Note> notes;
+  std::string help;
+  bool io = false;  // true: could not read or write (exit code 3)
+};
+
+/// All problems of a run, in the order found.
+class Diagnostics {
+ public:
+  /// Adds an error and returns it, so that label, notes and help can be set.
+  Diagnostic& error(std::string code, Span span, std::string message);
+  Diagnostic& warning(std::string code, Span span, std::string message);
+  /// An error of reading or writing.
+  Diagnostic& io_error(std::string code, Span span, std::string message);
+
+  [[nodiscard]] bool has_errors() const { return errors_ > 0; }
+  [[nodiscard]] std::size_t error_count() const { return errors_; }
+  [[nodiscard]] bool has_io_errors() const { return io_errors_ > 0; }
+  [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
+
+ private:
+  std::vector<Diagnostic> all_;
+  std::size_t errors_ = 0;
+  std::size_t io_errors_ = 0;
+};
+
+/// As rustc prints them; `color` adds terminal colours. Ends with a line that counts the errors.
+std::string render_text(const Diagnostics& diagnostics, const SourceMap& sources, bool color);
+/// One JSON array, one object a diagnostic.
+std::string render_json(const Diagnostics& diagnostics, const SourceMap& sources);
+
+/// The candidate nearest to `word` (Damerau-Levenshtein, at most a third of the letters wrong, case
+/// ignored at no cost), or empty.
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,61 @@
+// YAML text as a tree in which everything knows its place. Nothing outside read/ sees yaml-cpp.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+
+enum class NodeKind : std::uint8_t { null, scalar, sequence, map };
+
+/// A node of the tree. Maps keep their order and have no duplicate keys.
+struct Node {
+  struct Entry;
+
+  NodeKind kind = NodeKind::null;
+  Span span;         // a scalar: its text; a map or sequence: its first token
+  std::string tag;   // explicit tag such as "!!python/tuple" in full ("tag:yaml.org,2002:python/tuple"), else empty
+  std::string text;  // scalars
+  bool quoted = false;
+  std::vector<Node> items;     // sequences
+  std::vector<Entry> entries;  // maps
+
+  [[nodiscard]] bool is_null() const { return kind == NodeKind::null; }
+  [[nodiscard]] bool is_scalar() const { return kind == NodeKind::scalar; }
+  [[nodiscard]] bool is_sequence() const { return kind == NodeKind::sequence; }
+  [[nodiscard]] bool is_map() const { return kind == NodeKind::map; }
+  /// The value under `key`, or nullptr.
+  [[nodiscard]] const Node* find(std::string_view key) const;
+};
+
+struct Node::Entry {
+  std::string key;
+  Span key_span;
+  Node value;
+};
+
+/// Limits on what is read; past them there is an error, not a long wait.
+struct ReadLimits {
+  std::size_t max_bytes = 16U << 20U;
+  std::size_t max_nodes = 2'000'000;  // aliases expanded
+  std::size_t max_depth = 64;
+};
+
+/// Reads a YAML file of exactly one document. On a problem adds errors and returns a null node:
+/// unreadable or too large file, not UTF-8, control characters, syntax, duplicate key, key that is
+/// not a plain scalar, unknown alias, more than one document, too deep, too many nodes, empty file.
+/// `tags`: whether explicit tags are accepted (EAGERx files carry Python's).
+enum class Tags : std::uint8_t { refuse, accept };
+Node read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
+                    Tags tags = Tags::refuse, const ReadLimits& limits = {});
+/// The same for text in memory; `name` stands for the file name in messages.
+Node read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
+                    Diagnostics& diagnostics, Tags tags = Tags::refuse,
+                    const ReadLimits& limits = {});
+
+}  // namespace eagerx::gen

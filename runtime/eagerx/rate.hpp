@@ -1,0 +1,33 @@
+// Exact rates and ticks. Run-time code counts integers; seconds appear only when a callback asks.
+#pragma once
+
+#include <cstdint>
+
+namespace eagerx {
+
+/// Position of a message in its channel, or of a tick in its node, since the last reset; from 0.
+/// 64 bits: at 10 kHz they last for 58 million years.
+using Seq = std::uint64_t;
+
+/// A rate of Num/Den Hz in lowest terms, known to the compiler.
+template <std::uint64_t Num, std::uint64_t Den = 1>
+struct Rate {
+  static_assert(Num > 0 && Den > 0, "a rate is a positive fraction");
+  static constexpr std::uint64_t num = Num;
+  static constexpr std::uint64_t den = Den;
+  static constexpr double hz = static_cast<double>(Num) / static_cast<double>(Den);
+  static constexpr double period_s = static_cast<double>(Den) / static_cast<double>(Num);
+
+  /// Time of tick or message `n` in seconds since the reset: n / rate, rounded once (twice for den > 1).
+  template <class Real>
+  static constexpr Real seconds(Seq n) {
+    return static_cast<Real>(n * Den) / static_cast<Real>(Num);
+  }
+};
+
+/// The tick a callback runs at: `n` = 0, 1, 2, … since the last reset.
+struct Tick {
+  Seq n;
+};
+
+}  // namespace eagerx

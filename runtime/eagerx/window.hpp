@@ -1,0 +1,108 @@
+// What a callback sees of a connection: the last messages, oldest first, without a copy.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
+
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+
+namespace eagerx {
+
+/// Where message `seq` lives in a ring of `Capacity` places. No head is stored anywhere.
+template <std::uint32_t Capacity>
+constexpr std::uint32_t ring_position(Seq seq) {
+  static_assert(Capacity > 0);
+  if constexpr (std::has_single_bit(Capacity)) {
+    return static_cast<std::uint32_t>(seq) & (Capacity - 1U);
+  } else {
+    return static_cast<std::uint32_t>(seq % Capacity);
+  }
+}
+
+/// The messages an input holds at a tick. `MaxSize` is the most there can be (the window of the
+/// connection, or, for window 0, the most that arrive between two ticks); `AlwaysFull` says that
+/// there are never fewer. Valid until the callback returns.
+template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
+          bool AlwaysFull>
+class Window {
+ public:
+  using value_type = Message;
+  using Source = SourceRate;
+  static constexpr std::uint32_t kMaxSize = MaxSize;
+  static constexpr bool kAlwaysFull = AlwaysFull;
+
+  /// `end`: messages received so far; `held`: how many of them the window holds.
+  constexpr Window(const Message* ring, Seq end, Seq held) : ring_(ring), end_(end) {
+    if constexpr (!AlwaysFull) size_.value = static_cast<std::uint32_t>(held);
+  }
+
+  constexpr std::uint32_t size() const {
+    if constexpr (AlwaysFull) {
+      return MaxSize;
+    } else {
+      return size_.value;
+    }
+  }
+  constexpr bool empty() const { return size() == 0; }
+
+  /// Message `i`, 0 is the oldest. `i < size()`.
+  constexpr const Message& operator[](std::uint32_t i) const {
+    return ring_[ring_position<Capacity>(seq(i))];
+  }
+  constexpr const Message& front() const { return (*this)[0]; }
+  constexpr const Message& back() const { return ring_[ring_position<Capacity>(end_ - 1)]; }
+
+  /// Sequence number of message `i` in its channel.
+  constexpr Seq seq(std::uint32_t i) const { return end_ - size() + i; }
+  /// Time at which message `i` was sent, in seconds since the reset (a delay is not added).
+  template <class Real>
+  constexpr Real sent_s(std::uint32_t i) const {
+    return SourceRate::template seconds<Real>(seq(i));
+  }
+
+ private:
+  struct Size {
+    std::uint32_t value;
+  };
+  struct Nothing {};
+
+  const Message* ring_;
+  Seq end_;
+  [[no_unique_address]] std::conditional_t<AlwaysFull, Nothing, Size> size_{};
+};
+
+/// An observation as EAGERx gives it to an agent: always `W` messages. Missing ones at the front are
+/// copies of the oldest; without any message they are NaN (0 for integers, which have no NaN).
+template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t W, bool AlwaysFull>
+class PaddedWindow {
+ public:
+  using value_type = Message;
+  using Source = SourceRate;
+  constexpr PaddedWindow(const Message* ring, Seq end, Seq held) : window_(ring, end, held) {}
+
+  static constexpr std::uint32_t size() { return W; }
+  constexpr const Message& operator[](std::uint32_t i) const {
+    if constexpr (AlwaysFull) {
+      return window_[i];
+    } else {
+      const std::uint32_t missing = W - window_.size();
+      if (missing == W) return kMissing;
+      return window_[i < missing ? 0 : i - missing];
+    }
+  }
+  constexpr const Message& back() const { return (*this)[W - 1]; }
+  /// How many of the messages are real.
+  constexpr std::uint32_t received() const { return window_.size(); }
+  /// The same without padding.
+  constexpr const auto& unpadded() const { return window_; }
+
+ private:
+  static constexpr Message kMissing =
+      filled<Message>(std::numeric_limits<ScalarOf<Message>>::quiet_NaN());
+  Window<Message, SourceRate, Capacity, W, AlwaysFull> window_;
+};
+
+}  // namespace eagerx
