@@ -19,7 +19,8 @@ struct Node {
 
   NodeKind kind = NodeKind::null;
   Span span;         // a scalar: its text; a map or sequence: its first token
-  std::string tag;   // explicit tag such as "!!python/tuple" in full ("tag:yaml.org,2002:python/tuple"), else empty
+  std::string tag;   // explicit tag such as "!!python/tuple" in full
+                     // ("tag:yaml.org,2002:python/tuple"), else empty
   std::string text;  // scalars
   bool quoted = false;
   std::vector<Node> items;     // sequences

@@ -36,6 +36,9 @@ struct MessageTraits<Array<T, Shape...>> {
   using Scalar = T;
   static constexpr std::size_t size = Array<T, Shape...>::kSize;
 };
+// Overload resolution of element() looks at const messages too.
+template <class Message>
+struct MessageTraits<const Message> : MessageTraits<Message> {};
 
 template <class Message>
 using ScalarOf = typename MessageTraits<Message>::Scalar;

@@ -10,9 +10,14 @@
 
 namespace eagerx {
 
+/// A trace that also wants to see what every callback is given has
+/// `static constexpr bool kInputs = true` and `inputs(const char* node, Seq tick, const Inputs& inputs)`,
+/// where `inputs.for_each(f)` calls f(name, window) for each.
+template <class Trace>
+inline constexpr bool traces_inputs = requires { requires Trace::kInputs; };
+
 /// Costs nothing.
 struct NoTrace {
-  static constexpr bool kInputs = false;  // the program does not report inputs either
   void episode(std::uint32_t /*index*/) {}
   template <class Message>
   void operator()(std::uint32_t /*channel*/, Seq /*seq*/, const Message& /*message*/) {}
@@ -33,7 +38,6 @@ constexpr std::uint64_t canonical_bits(T value) {
 /// 64-bit hash of all episodes so far. Equal on every target for the same graph, seed and agent.
 class HashTrace {
  public:
-  static constexpr bool kInputs = false;
   void episode(std::uint32_t index) { fold(0x8000000000000000U | index); }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {

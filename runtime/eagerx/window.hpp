@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include <eagerx/cursor.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 
@@ -34,10 +35,15 @@ class Window {
   static constexpr std::uint32_t kMaxSize = MaxSize;
   static constexpr bool kAlwaysFull = AlwaysFull;
 
-  /// `end`: messages received so far; `held`: how many of them the window holds.
+  /// The last `held` of `end` messages.
   constexpr Window(const Message* ring, Seq end, Seq held) : ring_(ring), end_(end) {
     if constexpr (!AlwaysFull) size_.value = static_cast<std::uint32_t>(held);
   }
+  constexpr Window(const Message* ring, Received received)
+      : Window(ring, received.end, received.held) {}
+  /// The last `MaxSize` of `end` messages.
+  constexpr Window(const Message* ring, Seq end)
+      : Window(ring, end, end < MaxSize ? end : Seq{MaxSize}) {}
 
   constexpr std::uint32_t size() const {
     if constexpr (AlwaysFull) {
@@ -82,6 +88,7 @@ class PaddedWindow {
   using value_type = Message;
   using Source = SourceRate;
   constexpr PaddedWindow(const Message* ring, Seq end, Seq held) : window_(ring, end, held) {}
+  constexpr PaddedWindow(const Message* ring, Seq end) : window_(ring, end) {}
 
   static constexpr std::uint32_t size() { return W; }
   constexpr const Message& operator[](std::uint32_t i) const {

@@ -1,0 +1,29 @@
+// The commands of eagerx-gen.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// Exit codes, the same for all commands.
+enum ExitCode : int { kDone = 0, kProblems = 1, kWrongUsage = 2, kInputOutput = 3, kInternal = 4 };
+
+struct Options {
+  std::string graph;
+  std::string output;                // empty: generated/<name of the graph>
+  std::vector<std::string> targets;  // empty: linux-sim
+  std::string engine, real;          // empty: the graph's
+  std::vector<std::string> paths;    // folders of the user's own entities and targets
+  std::string depfile;
+  std::string entity;                // info
+  bool json = false;                 // --diagnostics=json
+  bool quiet = false;
+};
+
+int generate_command(const Options& options);
+int check_command(const Options& options);
+int info_command(const Options& options);
+int schema_command();
+
+}  // namespace eagerx::gen

@@ -1,0 +1,111 @@
+// eagerx-gen generate and check.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
+#include "generator/emit/emit.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<const Target*> find_targets(Run& run, const Options& options) {
+  std::vector<const Target*> result;
+  const std::vector<std::string> wanted = options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
+  std::vector<std::string> known;
+  for (const auto& [id, target] : run.library.targets) known.push_back(id);
+  for (const auto& id : wanted) {
+    const auto found = run.library.targets.find(id);
+    if (found != run.library.targets.end()) {
+      result.push_back(&found->second);
+      continue;
+    }
+    auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));
+    const std::string near = nearest(id, known);
+    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}`?", near);
+  }
+  return result;
+}
+
+/// Everything that the output was made from, in the form that make and ninja read.
+std::string depfile_text(const Run& run, const Options& options) {
+  const auto escaped = [](const std::string& path) {
+    std::string result;
+    for (const char c : fs::absolute(path).lexically_normal().string()) {
+      if (c == ' ' || c == '#') result += '\\';
+      if (c == '$') result += '$';
+      result += c;
+    }
+    return result;
+  };
+  const std::string target = options.depfile.ends_with(".d") ? options.depfile.substr(0, options.depfile.size() - 2) : options.depfile;
+  std::vector<std::string> inputs = {options.graph};
+  for (const auto& [id, entity] : run.library.entities) inputs.push_back(entity.path);
+  if (run.network) inputs.push_back(run.graph->agent.path);
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(run.root) / "templates", ignored)) {
+    if (entry.is_regular_file(ignored)) inputs.push_back(entry.path().string());
+  }
+  for (const auto& [id, item] : run.library.targets) {
+    for (const auto& [file, output] : item.templates) inputs.push_back(file);
+  }
+  std::sort(inputs.begin() + 1, inputs.end());
+  std::string text = escaped(target) + ":";
+  for (const auto& input : inputs) text += " \\\n  " + escaped(input);
+  return text + "\n";
+}
+
+bool write_depfile(Run& run, const Options& options) {
+  if (options.depfile.empty()) return true;
+  std::FILE* file = std::fopen(options.depfile.c_str(), "wb");
+  const std::string text = depfile_text(run, options);
+  const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool closed = file != nullptr && std::fclose(file) == 0;
+  if (!written || !closed) run.diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`", options.depfile));
+  return written && closed;
+}
+
+void print_next_steps(const Run& run, const std::string& folder, const WriteResult& result) {
+  fmt::print("{}: {} files written, {} unchanged\n", folder, result.written, result.unchanged);
+  fmt::print("build and run it:\n  cmake -S {0} -B {0}/build && cmake --build {0}/build && {0}/build/{1} --help\n", folder, run.graph->name);
+}
+
+}  // namespace
+
+int generate_command(const Options& options) {
+  Run run;
+  if (!make(run, options)) return finish(run, options);
+  const std::vector<const Target*> targets = find_targets(run, options);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  const std::string folder = options.output.empty() ? "generated/" + run.graph->name : options.output;
+  EmitOptions emit_options;
+  emit_options.templates = (fs::path(run.root) / "templates").string();
+  emit_options.targets = targets;
+  emit_options.version = EAGERX_GEN_VERSION;
+  emit_options.builtin_root = run.root;
+  emit_options.output = fs::absolute(folder).lexically_normal().string();
+  auto files = emit(*run.plan, run.network, emit_options, run.diagnostics);
+  if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
+  const auto result = write_files(folder, std::move(*files), run.diagnostics);
+  if (!result || !write_depfile(run, options)) return finish(run, options);
+  if (!options.quiet) print_next_steps(run, folder, *result);
+  return finish(run, options);
+}
+
+int check_command(const Options& options) {
+  Run run;
+  if (make(run, options)) find_targets(run, options);
+  const int code = finish(run, options);
+  if (code == kDone && !options.quiet) {
+    fmt::print("{}: {} nodes, {} rates, {} messages a step at most in memory; no problems\n", options.graph, run.graph->nodes.size(), run.plan->rates.size(),
+               run.plan->rings.size());
+  }
+  return code;
+}
+
+}  // namespace eagerx::gen

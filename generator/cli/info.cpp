@@ -1,0 +1,132 @@
+// eagerx-gen info: what there is, and what one entity takes.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/emit/namer.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string text_of(const Node& node) {
+  if (node.is_scalar()) return node.text;
+  std::vector<std::string> items;
+  for (const auto& item : node.items) items.push_back(text_of(item));
+  return fmt::format("[{}]", fmt::join(items, ", "));
+}
+
+std::string space_of(const SpaceSpec& space) {
+  if (space.like) return "like " + space.like->value;
+  std::string text = space.dtype ? space.dtype->value : "any dtype";
+  text += space.shape ? " " + text_of(*space.shape) : ", any shape";
+  if (space.low) text += " from " + text_of(*space.low);
+  if (space.high) text += " to " + text_of(*space.high);
+  return text;
+}
+
+void print_ports(const char* title, const std::vector<PortManifest>& ports) {
+  if (ports.empty()) return;
+  fmt::print("\n{}\n", title);
+  for (const auto& port : ports) {
+    std::string more;
+    if (!port.unit.empty()) more += " " + port.unit;
+    if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
+    if (port.window) more += fmt::format(", window {}", *port.window);
+    if (port.skip.value_or(false)) more += ", skip";
+    fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
+    if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
+  }
+}
+
+std::string_view type_of(const Parameter& parameter) {
+  switch (parameter.type) {
+    case Parameter::Type::integer:
+      return "int";
+    case Parameter::Type::number:
+      return "float";
+    case Parameter::Type::boolean:
+      return "bool";
+    case Parameter::Type::text:
+      return "string";
+    case Parameter::Type::keyword:
+      return "choice";
+    case Parameter::Type::integers:
+      return "ints";
+    case Parameter::Type::numbers:
+      return "floats";
+  }
+  return "";
+}
+
+void print_parameters(const std::vector<Parameter>& parameters) {
+  if (parameters.empty()) return;
+  fmt::print("\nconfig\n");
+  for (const auto& parameter : parameters) {
+    std::string more = std::string(type_of(parameter));
+    if (!parameter.options.empty()) more = fmt::format("{}", fmt::join(parameter.options, " | "));
+    if (!parameter.unit.empty()) more += " " + parameter.unit;
+    if (parameter.low) more += fmt::format(", at least {}", *parameter.low);
+    if (parameter.high) more += fmt::format(", at most {}", *parameter.high);
+    more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback)) : " (required)";
+    fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
+  }
+}
+
+void print_entity(const Entity& entity) {
+  fmt::print("{} ({})\n{}\n", entity.id.value, to_string(entity.kind), entity.summary);
+  if (!entity.description.empty()) fmt::print("\n{}", entity.description);
+  if (!entity.eagerx_ids.empty()) fmt::print("\nin EAGERx: {}\n", fmt::join(entity.eagerx_ids, ", "));
+  if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
+  for (const auto& implementation : entity.object_engines) fmt::print("\nimplemented for: {}\n", implementation.engine.value);
+  print_parameters(entity.config);
+  print_ports("sensors", entity.sensors);
+  print_ports("actuators", entity.actuators);
+  print_ports("inputs", entity.inputs);
+  print_ports("outputs", entity.outputs);
+  print_ports("states", entity.states);
+  if (!entity.cpp.include.empty()) fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
+}
+
+void print_all(const Library& library) {
+  for (const EntityKind kind : {EntityKind::object, EntityKind::node, EntityKind::processor, EntityKind::engine, EntityKind::engine_node, EntityKind::engine_state}) {
+    fmt::print("{}s\n", to_string(kind));
+    for (const auto& id : library.ids(kind)) fmt::print("  {:<22} {}\n", id, library.find(id)->summary);
+  }
+  fmt::print("targets\n");
+  for (const auto& [id, target] : library.targets) fmt::print("  {:<22} {}\n", id, target.summary);
+}
+
+}  // namespace
+
+int info_command(const Options& options) {
+  Run run;
+  load(run, options);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (options.entity.empty()) {
+    print_all(run.library);
+    return finish(run, options);
+  }
+  if (const Entity* entity = run.library.find(options.entity)) {
+    print_entity(*entity);
+    return finish(run, options);
+  }
+  if (const auto target = run.library.targets.find(options.entity); target != run.library.targets.end()) {
+    fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary, target->second.description);
+    return finish(run, options);
+  }
+  std::vector<std::string> known;
+  for (const auto& [id, entity] : run.library.entities) known.push_back(id);
+  for (const auto& [id, target] : run.library.targets) known.push_back(id);
+  auto& problem = run.diagnostics.error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity));
+  const std::string near = nearest(options.entity, known);
+  problem.help = near.empty() ? "`eagerx-gen info` lists what there is" : fmt::format("did you mean `{}`?", near);
+  return finish(run, options);
+}
+
+int schema_command() {
+  fmt::print("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+  return kDone;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,32 @@
+#include "generator/cli/paths.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_root(const fs::path& folder) {
+  std::error_code error;
+  return fs::is_directory(folder / "models", error) && fs::is_directory(folder / "templates", error);
+}
+
+}  // namespace
+
+std::string data_root() {
+  if (const char* home = std::getenv("EAGERX_HOME"); home != nullptr && *home != '\0') {
+    return is_root(home) ? fs::absolute(home).lexically_normal().string() : std::string();
+  }
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const std::array candidates = {program.parent_path() / "../share/eagerx-gen", fs::path(EAGERX_BUILT_FROM)};
+  for (const auto& candidate : candidates) {
+    if (is_root(candidate)) return candidate.lexically_normal().string();
+  }
+  return {};
+}
+
+}  // namespace eagerx::gen

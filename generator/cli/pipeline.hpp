@@ -1,0 +1,32 @@
+// The way from a graph file to a plan, with everything that was read on the way.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "generator/cli/commands.hpp"
+#include "generator/plan/plan.hpp"
+#include "generator/policy/network.hpp"
+
+namespace eagerx::gen {
+
+/// One run of the generator. Graph and plan point into the library and stay where they are.
+struct Run {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  std::string root;  // of the built-in models, targets, templates
+  Library library;
+  std::optional<GraphSpec> spec;
+  std::optional<Graph> graph;
+  std::optional<Network> network;
+  std::optional<Plan> plan;
+};
+
+/// Loads the library for a command that has no graph.
+void load(Run& run, const Options& options);
+/// read → spec → resolve → plan, and the policy. True if there was no problem.
+bool make(Run& run, const Options& options);
+/// Prints what was found to the standard error and returns the exit code.
+int finish(const Run& run, const Options& options);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,115 @@
+#include "generator/cli/write.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kList = "eagerx-gen.files";
+
+std::optional<std::string> read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Paths of an earlier run; anything that points out of the folder is not ours.
+std::vector<std::string> earlier_files(const fs::path& folder) {
+  std::vector<std::string> result;
+  std::istringstream lines(read(folder / kList).value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    const fs::path path = fs::path(line).lexically_normal();
+    if (!line.empty() && path.is_relative() && *path.begin() != "..") result.push_back(line);
+  }
+  return result;
+}
+
+class Writer {
+ public:
+  Writer(const fs::path& folder, Diagnostics& diagnostics) : folder_(folder), diagnostics_(diagnostics) {}
+  ~Writer() {
+    std::error_code ignored;
+    for (const auto& [temporary, path] : pending_) fs::remove(temporary, ignored);
+  }
+  Writer(const Writer&) = delete;
+  Writer& operator=(const Writer&) = delete;
+
+  std::optional<WriteResult> run(const std::vector<GeneratedFile>& files) {
+    const std::vector<std::string> earlier = earlier_files(folder_);
+    for (const auto& file : files) {
+      if (!prepare(file)) return std::nullopt;
+    }
+    for (const auto& [temporary, path] : pending_) {
+      std::error_code error;
+      fs::rename(temporary, path, error);
+      if (error) return fail(path, error.message());
+    }
+    result_.written = pending_.size();
+    pending_.clear();
+    remove_stale(earlier, files);
+    return result_;
+  }
+
+ private:
+  bool prepare(const GeneratedFile& file) {
+    const fs::path path = folder_ / file.path;
+    if (read(path) == file.text) {
+      ++result_.unchanged;
+      return true;
+    }
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    if (error) return fail(path.parent_path(), error.message()).has_value();
+    if (fs::is_directory(path, error)) return fail(path, "it is a folder").has_value();
+    const fs::path temporary = path.parent_path() / fmt::format(".{}.{}", path.filename().string(), getpid());
+    pending_.emplace_back(temporary, path);
+    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
+    out << file.text;
+    out.close();
+    return out ? true : fail(path, std::strerror(errno)).has_value();
+  }
+
+  void remove_stale(const std::vector<std::string>& earlier, const std::vector<GeneratedFile>& files) {
+    std::set<std::string> made;
+    for (const auto& file : files) made.insert(file.path);
+    for (const auto& path : earlier) {
+      std::error_code ignored;
+      if (!made.contains(path) && fs::remove(folder_ / path, ignored)) ++result_.removed;
+    }
+  }
+
+  std::optional<WriteResult> fail(const fs::path& path, const std::string& why) {
+    diagnostics_.io_error("E0901", {}, fmt::format("cannot write `{}`: {}", path.string(), why));
+    return std::nullopt;
+  }
+
+  fs::path folder_;
+  Diagnostics& diagnostics_;
+  std::vector<std::pair<fs::path, fs::path>> pending_;
+  WriteResult result_;
+};
+
+}  // namespace
+
+std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files, Diagnostics& diagnostics) {
+  std::sort(files.begin(), files.end(), [](const GeneratedFile& a, const GeneratedFile& b) { return a.path < b.path; });
+  std::string list = std::string(kList) + "\n";
+  for (const auto& file : files) list += file.path + "\n";
+  files.push_back({kList, list});
+  return Writer(folder, diagnostics).run(files);
+}
+
+}  // namespace eagerx::gen

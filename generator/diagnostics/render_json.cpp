@@ -1,0 +1,48 @@
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "generator/diagnostics/diagnostics.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Object, or null where there is no place. Line 0: the whole file.
+Json to_json(const Span& span, const SourceMap& sources) {
+  if (span.file == FileId::none) return nullptr;
+  return Json{{"file", sources.name(span.file)},
+              {"line", span.line},
+              {"column", span.column},
+              {"length", span.length}};
+}
+
+Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
+  Json notes = Json::array();
+  for (const Diagnostic::Note& note : diagnostic.notes) {
+    notes.push_back(Json{
+        {"message", note.message}, {"span", to_json(note.span, sources)}, {"label", note.label}});
+  }
+  return Json{{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
+              {"code", diagnostic.code},
+              {"message", diagnostic.message},
+              {"span", to_json(diagnostic.span, sources)},
+              {"label", diagnostic.label},
+              {"notes", notes},
+              {"help", diagnostic.help},
+              {"io", diagnostic.io}};
+}
+
+}  // namespace
+
+std::string render_json(const Diagnostics& diagnostics, const SourceMap& sources) {
+  Json result = Json::array();
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    result.push_back(to_json(diagnostic, sources));
+  }
+  // File names are bytes; what is not UTF-8 in them becomes U+FFFD instead of an exception.
+  constexpr int kIndent = 2;
+  return result.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,107 @@
+#include "generator/emit/emit.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "generator/emit/names.hpp"
+#include "generator/emit/policy_view.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Emitter {
+ public:
+  Emitter(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options, Diagnostics& diagnostics)
+      : plan_(plan), network_(network), options_(options), diagnostics_(diagnostics), names_(plan) {}
+
+  std::optional<std::vector<GeneratedFile>> run() {
+    const std::string folder = plan_.graph->name + "/";
+    add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
+    const fs::path here = fs::path(options_.output) / plan_.graph->name;
+    View io = io_view(plan_, names_, {options_.builtin_root, here.string()});  // decides which nodes share an Io
+    add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
+    View program = program_view(plan_, names_);
+    program.set("group", partial("cpp/group.mustache"));
+    add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
+    add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view(plan_, names_, network_));
+    if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", policy_view(*network_));
+    add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
+    for (const Target* target : options_.targets) add_target(*target);
+    if (failed_) return std::nullopt;
+    return std::move(files_);
+  }
+
+ private:
+  /// What every template may name.
+  void add_common(View& view) const {
+    const std::size_t dot = options_.version.find('.');
+    view.set("name", plan_.graph->name);
+    view.set("namespace", plan_.graph->name);
+    view.set("header", plan_.graph->name + "/graph.hpp");
+    view.set("file", view.get("file") != nullptr ? *view.get("file") : View(plan_.graph->file_name));
+    view.set("version", options_.version);
+    view.set("major", options_.version.substr(0, dot));
+    view.set("minor", options_.version.substr(dot + 1, options_.version.find('.', dot + 1) - dot - 1));
+  }
+
+  void add(const std::string& path, const std::string& template_file, View view) {
+    add_rendered(path, (fs::path(options_.templates) / template_file).string(), std::move(view));
+  }
+
+  void add_rendered(const std::string& path, const std::string& template_path, View view) {
+    add_common(view);
+    auto text = render_file(template_path, view, diagnostics_);
+    failed_ = failed_ || !text;
+    if (text) files_.push_back({path, std::move(*text)});
+  }
+
+  View partial(const std::string& template_file) {
+    const std::string path = (fs::path(options_.templates) / template_file).string();
+    auto text = read_template(path);
+    if (!text) diagnostics_.io_error("E0501", {}, fmt::format("cannot read the template `{}`", path));
+    failed_ = failed_ || !text;
+    return View(kainjow::mustache::partial([shared = text.value_or("")] { return shared; }));
+  }
+
+  View cmake_view() const {
+    View view(View::type::object);
+    View targets(View::type::list);
+    for (const Target* target : options_.targets) {
+      View item(View::type::object);
+      item.set("id", target->id.value);
+      item.set("toolchain", target->toolchain.empty() ? View(false) : View(target->toolchain));
+      targets.push_back(std::move(item));
+    }
+    view.set("targets", std::move(targets));
+    view.set("first", options_.targets.front()->id.value);
+    return view;
+  }
+
+  void add_target(const Target& target) {
+    for (const auto& [file, output] : target.templates) {
+      View view(View::type::object);
+      view.set("target", target.id.value);
+      add_rendered(target.id.value + "/" + output, file, std::move(view));
+    }
+  }
+
+  const Plan& plan_;
+  const std::optional<Network>& network_;
+  const EmitOptions& options_;
+  Diagnostics& diagnostics_;
+  ProgramNames names_;
+  std::vector<GeneratedFile> files_;
+  bool failed_ = false;
+};
+
+}  // namespace
+
+std::optional<std::vector<GeneratedFile>> emit(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options,
+                                               Diagnostics& diagnostics) {
+  return Emitter(plan, network, options, diagnostics).run();
+}
+
+}  // namespace eagerx::gen

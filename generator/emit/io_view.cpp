@@ -1,0 +1,315 @@
+// messages.hpp and io.hpp: what goes in and out of the program and of each node.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "generator/emit/names.hpp"
+#include "generator/emit/types.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+View object() { return View(View::type::object); }
+View list() { return View(View::type::list); }
+
+std::string int_type(std::int64_t value) {
+  const bool small = value >= std::numeric_limits<std::int32_t>::min() && value <= std::numeric_limits<std::int32_t>::max();
+  return small ? "int" : "std::int64_t";
+}
+
+struct CppValue {
+  std::string type, value;
+};
+
+struct ConfigWriter {
+  const Parameter& parameter;
+
+  CppValue operator()(std::int64_t value) const { return {int_type(value), fmt::format("{}", value)}; }
+  CppValue operator()(double value) const { return {"double", double_literal(value)}; }
+  CppValue operator()(bool value) const { return {"bool", value ? "true" : "false"}; }
+  CppValue operator()(const std::string& value) const {
+    if (parameter.type == Parameter::Type::keyword) return {"auto", parameter.cpp_class + "::" + value};
+    return {"const char*", string_literal(value)};
+  }
+  CppValue operator()(const std::vector<std::int64_t>& values) const {
+    std::string type = "int";
+    for (const std::int64_t value : values) {
+      if (int_type(value) != "int") type = "std::int64_t";
+    }
+    return {fmt::format("std::array<{}, {}>", type, values.size()), fmt::format("{{{}}}", fmt::join(values, ", "))};
+  }
+  CppValue operator()(const std::vector<double>& values) const {
+    std::vector<std::string> literals;
+    for (const double value : values) literals.push_back(double_literal(value));
+    return {fmt::format("std::array<double, {}>", values.size()), fmt::format("{{{}}}", fmt::join(literals, ", "))};
+  }
+};
+
+View config_view(const Config& config) {
+  View views = list();
+  for (const auto& item : config) {
+    const CppValue cpp = std::visit(ConfigWriter{*item.parameter}, item.value);
+    View view = object();
+    view.set("key", item.parameter->name.value);
+    view.set("type", cpp.type);
+    view.set("value", cpp.value);
+    view.set("comment", item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+/// All of a node's Io but its name, as one text: nodes with the same text share one struct.
+std::string structure_of(const Plan& plan, std::size_t n, const ProgramNames& names) {
+  const GraphNode& node = plan.graph->nodes[n];
+  std::string text = node.entity->id.value + "|" + node.rate_hz.to_string();
+  for (const auto& item : node.config) text += "|" + std::visit(ConfigWriter{*item.parameter}, item.value).value;
+  for (std::size_t i = 0; i < node.inputs.size(); ++i) text += "|" + node.inputs[i].name + window_type(plan, n, i);
+  for (const auto& output : node.outputs) text += "|" + output.name + message_type(output.raw);
+  for (const auto& state : node.states) text += "|" + state.name + message_type(state.space);
+  if (node.object) text += "|" + names.simulator_type[*node.object];
+  return text;
+}
+
+View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
+  const GraphNode& node = plan.graph->nodes[n];
+  View view = object();
+  view.set("node", node.name);
+  view.set("entity", node.entity->id.value);
+  view.set("rate", node.rate_hz.to_string());
+  view.set("rate_type", rate_type(node.rate_hz));
+  view.set("place", names.place(node.span));
+  view.set("type", names.io[n]);
+  view.set("config", config_view(node.config));
+  View inputs = list();
+  for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+    const Input& input = node.inputs[i];
+    View port = object();
+    port.set("type", window_type(plan, n, i));
+    port.set("field", input.name);
+    port.set("comment", fmt::format("  // {}", input.space.describe()));
+    inputs.push_back(std::move(port));
+  }
+  view.set("no_inputs", node.inputs.empty());
+  view.set("inputs", std::move(inputs));
+  View outputs = list();
+  for (const auto& output : node.outputs) {
+    View port = object();
+    port.set("type", message_type(output.raw));
+    port.set("field", output.name);
+    outputs.push_back(std::move(port));
+  }
+  view.set("outputs", std::move(outputs));
+  view.set("has_ports", node.role != NodeRole::engine);
+  View states = list();
+  for (const auto& state : node.states) {
+    View field = object();
+    field.set("field", state.name);
+    field.set("type", message_type(state.space));
+    states.push_back(std::move(field));
+  }
+  view.set("states", std::move(states));
+  view.set("has_simulator", node.object.has_value());
+  view.set("simulator", node.object ? names.simulator_type[*node.object] : "");
+  return view;
+}
+
+View simulators_view(const Plan& plan, const ProgramNames& names) {
+  View views = list();
+  for (std::size_t i = 0; i < plan.graph->objects.size(); ++i) {
+    const Object& item = plan.graph->objects[i];
+    View view = object();
+    view.set("object", item.name);
+    view.set("entity", item.entity->id.value);
+    view.set("engine", item.implementation->engine.value);
+    view.set("place", names.place(item.span));
+    view.set("type", names.simulator_type[i]);
+    view.set("simulator", plan.graph->engine().entity->simulator.name);
+    view.set("model", item.implementation->model.name);
+    view.set("config", config_view(item.config));
+    views.push_back(std::move(view));
+  }
+  return views;
+}
+
+View engine_states_view(const Plan& plan, const ProgramNames& names) {
+  View views = list();
+  for (std::size_t i = 0; i < plan.graph->objects.size(); ++i) {
+    const Object& item = plan.graph->objects[i];
+    for (std::size_t s = 0; s < item.states.size(); ++s) {
+      const State& state = item.states[s];
+      View view = object();
+      view.set("state", item.name + "." + state.name);
+      view.set("entity", state.engine_state->id.value);
+      view.set("place", names.place(state.span));
+      view.set("type", names.engine_state_type[i][s]);
+      view.set("message", message_type(state.space));
+      view.set("simulator", names.simulator_type[i]);
+      view.set("class", state.engine_state->cpp.name);
+      view.set("config", config_view(state.config));
+      views.push_back(std::move(view));
+    }
+  }
+  return views;
+}
+
+View processor_view(const Processor& processor, const std::string& type, const std::string& where, const ProgramNames& names) {
+  View view = object();
+  view.set("where", where);
+  view.set("entity", processor.entity->id.value);
+  view.set("place", names.place(processor.span));
+  view.set("type", type);
+  view.set("class", processor.entity->cpp.name);
+  view.set("input", message_type(processor.input));
+  view.set("output", message_type(processor.output));
+  view.set("config", config_view(processor.config));
+  return view;
+}
+
+View processors_view(const Plan& plan, const ProgramNames& names) {
+  View views = list();
+  for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n) {
+    const GraphNode& node = plan.graph->nodes[n];
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+      const std::string owner = node.role == NodeRole::environment ? "observations" : node.name;
+      if (node.inputs[i].processor) views.push_back(processor_view(*node.inputs[i].processor, names.input_processor[n][i], owner + "." + node.inputs[i].name, names));
+    }
+    for (std::size_t o = 0; o < node.outputs.size(); ++o) {
+      if (node.outputs[o].processor) views.push_back(processor_view(*node.outputs[o].processor, names.output_processor[n][o], node.name + "." + node.outputs[o].name, names));
+    }
+  }
+  return views;
+}
+
+/// Collects the headers of entities, each once, sorted.
+class Includes {
+ public:
+  explicit Includes(const IncludePaths& paths) : paths_(paths) {}
+
+  void add(const Entity& entity, const CppClass& cpp) {
+    if (cpp.include.empty()) return;
+    if (entity.include_root == paths_.builtin_root) {
+      headers_.insert("<" + cpp.include + ">");
+      return;
+    }
+    const auto header = std::filesystem::path(entity.include_root) / cpp.include;
+    headers_.insert("\"" + header.lexically_relative(paths_.here).generic_string() + "\"");
+  }
+  void add(const std::optional<Processor>& processor) {
+    if (processor) add(*processor->entity, processor->entity->cpp);
+  }
+
+  [[nodiscard]] View view() const {
+    View views = list();
+    for (const auto& header : headers_) {
+      View view = object();
+      view.set("include", header);
+      views.push_back(std::move(view));
+    }
+    return views;
+  }
+
+ private:
+  const IncludePaths& paths_;
+  std::set<std::string> headers_;
+};
+
+View includes_view(const Plan& plan, const IncludePaths& paths) {
+  const Graph& graph = *plan.graph;
+  Includes includes(paths);
+  for (const auto& node : graph.nodes) {
+    if (node.entity != nullptr) includes.add(*node.entity, node.entity->cpp);
+    for (const auto& input : node.inputs) includes.add(input.processor);
+    for (const auto& output : node.outputs) includes.add(output.processor);
+  }
+  includes.add(*graph.engine().entity, graph.engine().entity->simulator);
+  for (const auto& item : graph.objects) {
+    includes.add(*item.entity, item.implementation->model);
+    for (const auto& state : item.states) includes.add(*state.engine_state, state.engine_state->cpp);
+  }
+  return includes.view();
+}
+
+View port_view(const std::string& type, const std::string& field, const Space& space, const std::string& place) {
+  View view = object();
+  view.set("type", type);
+  view.set("field", field);
+  view.set("space", space.describe());
+  view.set("place", place);
+  return view;
+}
+
+}  // namespace
+
+View messages_view(const Plan& plan, const ProgramNames& names) {
+  const Graph& graph = *plan.graph;
+  View view = object();
+  View actions = list(), observations = list(), states = list();
+  for (const auto& action : graph.environment().outputs) actions.push_back(port_view(message_type(action.space), action.name, action.space, names.place(action.span)));
+  for (std::size_t i = 0; i < graph.environment().inputs.size(); ++i) {
+    const Input& input = graph.environment().inputs[i];
+    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i), input.name, input.space, names.place(input.span)));
+  }
+  for (std::size_t i = 0; i < graph.objects.size(); ++i) {
+    for (std::size_t s = 0; s < graph.objects[i].states.size(); ++s) {
+      const State& state = graph.objects[i].states[s];
+      states.push_back(port_view(message_type(state.space), names.object_state[i][s], state.space, names.place(state.span)));
+    }
+  }
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    for (std::size_t s = 0; s < graph.nodes[n].states.size(); ++s) {
+      const State& state = graph.nodes[n].states[s];
+      if (!state.settable) continue;
+      states.push_back(port_view(message_type(state.space), names.node_state[n][s], state.space, names.place(state.span)));
+    }
+  }
+  view.set("actions", std::move(actions));
+  view.set("observations", std::move(observations));
+  view.set("no_observations", graph.environment().inputs.empty());
+  view.set("states", std::move(states));
+  return view;
+}
+
+View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
+  View view = object();
+  view.set("simulators", simulators_view(plan, names));
+  view.set("engine_states", engine_states_view(plan, names));
+  view.set("processors", processors_view(plan, names));
+  view.set("includes", includes_view(plan, paths));
+  view.set("real", plan.graph->double_precision ? "double" : "float");
+
+  View channels = list();
+  for (std::size_t c = 0; c < plan.channels.size(); ++c) {
+    View item = object();
+    item.set("constant", names.channel[plan.channels[c].node][plan.channels[c].output]);
+    item.set("number", fmt::format("{}", c));
+    channels.push_back(std::move(item));
+  }
+  view.set("channels", std::move(channels));
+
+  std::map<std::string, std::size_t> first_of;  // structure → the node that its Io is named after
+  std::map<std::size_t, std::size_t> shared;    // that node → how many others use it
+  std::vector<std::size_t> own;
+  for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
+    const auto [place, added] = first_of.try_emplace(structure_of(plan, n, names), n);
+    if (added) {
+      own.push_back(n);
+    } else {
+      names.io[n] = names.io[place->second];
+      ++shared[place->second];
+    }
+  }
+  View nodes = list();
+  for (const std::size_t n : own) {
+    View node = node_view(plan, n, names);
+    node.set("others", shared[n] == 0 ? "" : fmt::format(", and {} more alike", shared[n]));
+    nodes.push_back(std::move(node));
+  }
+  view.set("nodes", std::move(nodes));
+  return view;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,45 @@
+// The C++ names of everything in a plan, given once and used by every template.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emit/namer.hpp"
+#include "generator/emit/render.hpp"
+#include "generator/plan/plan.hpp"
+#include "generator/policy/network.hpp"
+
+namespace eagerx::gen {
+
+struct ProgramNames {
+  explicit ProgramNames(const Plan& plan);
+
+  std::vector<std::string> io;           // of nodes: "SmoothIo"; nodes of equal structure share one
+  std::vector<std::string> node_member;  // "smooth_"
+  std::vector<std::string> ring_member;  // "smooth_filtered_"
+  std::vector<std::string> due, counter;  // of rates: "k30Hz", "n30Hz_"
+  std::vector<std::string> simulator_type, simulator_member;  // of objects
+  std::vector<std::vector<std::string>> engine_state_type;    // of objects' states
+  std::vector<std::vector<std::string>> output_processor, input_processor;  // types, by node and port
+  std::vector<std::vector<std::string>> cursor, fresh;        // members, by node and input
+  std::vector<std::vector<std::string>> node_state, object_state;  // fields of States
+  std::vector<std::vector<std::string>> channel;              // constants, by node and output
+
+  /// "graph.yaml:14:5"
+  [[nodiscard]] std::string place(Span span) const;
+
+ private:
+  std::string file_name_;
+};
+
+/// What the templates of one program are rendered with; `names.io` is set by io_view.
+View messages_view(const Plan& plan, const ProgramNames& names);
+/// Where headers are: those below `builtin_root` in angle brackets, others relative to `here`.
+struct IncludePaths {
+  std::string builtin_root, here;
+};
+View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths);
+View program_view(const Plan& plan, const ProgramNames& names);
+View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network);
+
+}  // namespace eagerx::gen

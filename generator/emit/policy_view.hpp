@@ -1,0 +1,15 @@
+// What templates/cpp/policy.hpp.mustache shows of a network.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+
+#include "generator/policy/network.hpp"
+
+namespace eagerx::gen {
+
+/// Keys: file, format, inputs, outputs, parameters, bytes, layers (each: number, inputs, outputs,
+/// activation, weights, biases, input, output, hidden). The template also needs `namespace`, the
+/// graph's.
+kainjow::mustache::data policy_view(const Network& network);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,372 @@
+// program.hpp: memory, schedule and the body of a slot.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/emit/names.hpp"
+#include "generator/emit/types.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+// Functions of more nodes take the optimiser more than linear time (RECIPES: chunks of 32 halve the compile
+// time of 1,000 nodes); below 100 nodes one function is easier to read.
+constexpr std::size_t kMostNodesInOneFunction = 100;
+constexpr std::size_t kChunk = 32;
+
+View object() { return View(View::type::object); }
+View list() { return View(View::type::list); }
+
+std::string joined(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
+
+class ProgramView {
+ public:
+  ProgramView(const Plan& plan, const ProgramNames& names) : plan_(plan), graph_(*plan.graph), names_(names) {}
+
+  View make() {
+    View view = object();
+    view.set("engine", graph_.engine().entity->id.value);
+    view.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
+    view.set("environment_due", names_.due[environment_rate()]);
+    view.set("environment_tick", names_.counter[environment_rate()] + " - 1");
+    add_rates(view);
+    add_schedule(view);
+    add_reset(view);
+    add_actions(view);
+    add_phase(view, "before", plan_.before);
+    add_phase(view, "after", plan_.after);
+    view.set("after_unused", plan_.after.empty());
+    view.set("after_used", !plan_.after.empty());
+    add_observation(view);
+    add_memory(view);
+    return view;
+  }
+
+ private:
+  std::size_t environment_rate() const { return plan_.nodes[Graph::kEnvironment].rate; }
+  std::string seq_of(std::size_t n) const { return names_.counter[plan_.nodes[n].rate] + " - 1"; }
+
+  void add_rates(View& view) const {
+    View rates = list(), counters = list();
+    for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
+      View rate = object();
+      rate.set("due", names_.due[r]);
+      rate.set("counter", names_.counter[r]);
+      rate.set("bit", fmt::format("{}", r));
+      View counter = object();
+      counter.set("counter", names_.counter[r]);
+      rates.push_back(std::move(rate));
+      counters.push_back(std::move(counter));
+    }
+    view.set("rates", std::move(rates));
+    view.set("counters", std::move(counters));
+    view.set("rate_count", fmt::format("{}", plan_.rates.size()));
+    view.set("due_type", plan_.rates.size() <= 32 ? "std::uint32_t" : "std::uint64_t");
+  }
+
+  std::string mask_names(std::uint64_t mask) const {
+    std::vector<std::string> bits;
+    for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
+      if ((mask >> r & 1U) != 0) bits.push_back(names_.due[r]);
+    }
+    return fmt::format("{}", fmt::join(bits, " | "));
+  }
+  std::string constant(std::uint64_t mask) const { return fmt::format("eagerx::Constant<{}>{{}}", mask_names(mask)); }
+
+  void add_schedule(View& view) const {
+    const Schedule& schedule = plan_.schedule;
+    const bool constants = schedule.form == ScheduleForm::constants;
+    const bool table = schedule.form == ScheduleForm::table;
+    view.set("is_constants", constants);
+    view.set("is_table", table);
+    view.set("is_countdown", schedule.form == ScheduleForm::countdown);
+    view.set("is_runtime", !constants);
+    view.set("schedule", constants ? (schedule.masks.size() == 1 ? std::string("a step is one slot") : fmt::format("a step is {} slots, written out", schedule.masks.size()))
+                                   : (table ? fmt::format("the {} slots of the hyperperiod are a table of masks", schedule.masks.size())
+                                            : std::string("the next slot is found by a countdown of every rate")));
+    view.set("all", constants ? constant(schedule.masks.front()) : "");
+    add_runs(view, constants);
+    add_table(view, table);
+    std::vector<std::string> periods;
+    for (const auto& rate : plan_.rates) periods.push_back(fmt::format("{}", rate.period));
+    view.set("periods", "{" + joined(periods) + "}");
+  }
+
+  /// The slots after the environment's own, equal neighbours as one loop.
+  void add_runs(View& view, bool constants) const {
+    View runs = list();
+    const auto& masks = plan_.schedule.masks;
+    for (std::size_t i = 1; constants && i < masks.size();) {
+      std::size_t end = i;
+      while (end < masks.size() && masks[end] == masks[i]) ++end;
+      View run = object();
+      run.set("due", constant(masks[i]));
+      run.set("once", end - i == 1);
+      run.set("loop", end - i > 1);
+      run.set("count", fmt::format("{}", end - i));
+      runs.push_back(std::move(run));
+      i = end;
+    }
+    view.set("has_slot", constants && masks.size() > 1);
+    view.set("runs", std::move(runs));
+  }
+
+  void add_table(View& view, bool table) const {
+    const auto& masks = plan_.schedule.masks;
+    const std::size_t bits = plan_.rates.size();
+    view.set("mask_type", bits <= 8 ? "std::uint8_t" : (bits <= 16 ? "std::uint16_t" : (bits <= 32 ? "std::uint32_t" : "std::uint64_t")));
+    view.set("slot_type", masks.size() <= 255 ? "std::uint8_t" : "std::uint16_t");
+    view.set("slots", fmt::format("{}", masks.size()));
+    View lines = list();
+    constexpr std::size_t kInLine = 16;
+    for (std::size_t i = 0; table && i < masks.size(); i += kInLine) {
+      std::string text;
+      for (std::size_t k = i; k < std::min(i + kInLine, masks.size()); ++k) text += fmt::format("{}{},", k == i ? "" : " ", masks[k]);
+      View line = object();
+      line.set("line", text);
+      lines.push_back(std::move(line));
+    }
+    view.set("mask_lines", std::move(lines));
+  }
+
+  void add_reset(View& view) const {
+    View simulators = list(), engine_states = list(), resets = list();
+    bool uses_states = false;
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
+      View simulator = object();
+      simulator.set("member", names_.simulator_member[i]);
+      simulators.push_back(std::move(simulator));
+      for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
+        View state = object();
+        state.set("field", names_.object_state[i][s]);
+        state.set("type", names_.engine_state_type[i][s]);
+        state.set("simulator", names_.simulator_member[i]);
+        engine_states.push_back(std::move(state));
+        uses_states = true;
+      }
+    }
+    for (const std::size_t n : all_nodes()) {
+      const GraphNode& node = graph_.nodes[n];
+      std::vector<std::string> states;
+      for (std::size_t s = 0; s < node.states.size(); ++s) {
+        states.push_back(node.states[s].settable ? "states." + names_.node_state[n][s] : "{}");
+        uses_states = uses_states || node.states[s].settable;
+      }
+      View reset = object();
+      reset.set("call", fmt::format("{}.reset({{{}}}{})", names_.node_member[n], joined(states), simulator_argument(n)));
+      resets.push_back(std::move(reset));
+    }
+    view.set("simulators", std::move(simulators));
+    view.set("engine_states", std::move(engine_states));
+    view.set("resets", std::move(resets));
+    view.set("uses_states", uses_states);
+    view.set("ignores_states", !uses_states);
+    add_cursors(view);
+  }
+
+  void add_cursors(View& view) const {
+    View cursors = list();
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
+        const Reception& reception = plan_.nodes[n].receptions[i];
+        const std::string where = fmt::format("{}.{}", graph_.nodes[n].name, graph_.nodes[n].inputs[i].name);
+        const auto add = [&](const std::string& member, const std::string& type, const std::string& x) {
+          View cursor = object();
+          cursor.set("member", member);
+          cursor.set("type", type);
+          cursor.set("x", x);
+          cursor.set("where", where);
+          cursors.push_back(std::move(cursor));
+        };
+        const std::string x = fmt::format("{}", reception.x);
+        if (reception.count == Reception::Count::delayed) {
+          add(names_.cursor[n][i], fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b), x);
+        } else if (reception.count == Reception::Count::skipped) {
+          add(names_.cursor[n][i], fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b, reception.off), x);
+        }
+        if (!names_.fresh[n][i].empty()) add(names_.fresh[n][i], "eagerx::NewMessages", "");
+      }
+    }
+    view.set("has_cursors", cursors.is_non_empty_list());
+    view.set("cursors", std::move(cursors));
+  }
+
+  /// The engine, then everything in the order in which it runs.
+  std::vector<std::size_t> all_nodes() const {
+    std::vector<std::size_t> nodes = {Graph::kEngine};
+    for (const auto* phase : {&plan_.before, &plan_.after}) {
+      for (const std::size_t n : *phase) {
+        if (n != Graph::kEngine) nodes.push_back(n);
+      }
+    }
+    return nodes;
+  }
+
+  std::string simulator_argument(std::size_t n) const {
+    const auto& item = graph_.nodes[n].object;
+    return item ? ", " + names_.simulator_member[*item] : "";
+  }
+
+  /// Rings that hold a channel as the processor of one of its readers converts it.
+  View conversions(std::size_t n, std::size_t output) const {
+    View views = list();
+    for (std::size_t r = plan_.channels.size(); r < plan_.rings.size(); ++r) {  // behind the channels' own
+      const Ring& ring = plan_.rings[r];
+      if (ring.node != n || ring.output != output) continue;
+      View view = object();
+      view.set("target", ring_place(plan_, names_, r, seq_of(n)));
+      view.set("processor", names_.input_processor[*ring.reader_node][*ring.reader_input]);
+      view.set("source", ring_place(plan_, names_, plan_.nodes[n].rings[output], seq_of(n)));
+      views.push_back(std::move(view));
+    }
+    return views;
+  }
+
+  std::string channel(std::size_t n, std::size_t output) const { return "channel::" + names_.channel[n][output]; }
+
+  void add_actions(View& view) const {
+    View actions = list();
+    for (std::size_t a = 0; a < graph_.environment().outputs.size(); ++a) {
+      const Output& output = graph_.environment().outputs[a];
+      View action = object();
+      action.set("field", output.name);
+      action.set("place", names_.place(output.span));
+      action.set("ring", ring_place(plan_, names_, plan_.nodes[Graph::kEnvironment].rings[a], seq_of(Graph::kEnvironment)));
+      action.set("conversions", conversions(Graph::kEnvironment, a));
+      action.set("channel", channel(Graph::kEnvironment, a));
+      action.set("seq", seq_of(Graph::kEnvironment));
+      actions.push_back(std::move(action));
+    }
+    view.set("actions", std::move(actions));
+  }
+
+  void add_phase(View& view, const std::string& phase, const std::vector<std::size_t>& nodes) const {
+    View calls = list(), chunks = list();
+    const bool cut = graph_.nodes.size() > kMostNodesInOneFunction;
+    for (std::size_t i = 0; cut && i < nodes.size(); i += kChunk) {
+      const std::string function = fmt::format("{}_{}", phase, i / kChunk);
+      View call = object();
+      call.set("call", function);
+      calls.push_back(std::move(call));
+      View chunk = object();
+      chunk.set("function", function);
+      chunk.set("groups", groups({nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes.begin() + static_cast<std::ptrdiff_t>(std::min(i + kChunk, nodes.size()))}));
+      chunks.push_back(std::move(chunk));
+    }
+    view.set(phase + "_calls", std::move(calls));
+    view.set(phase + "_chunks", std::move(chunks));
+    view.set(phase + "_groups", cut ? list() : groups(nodes));
+  }
+
+  /// Neighbours of one rate under one condition.
+  View groups(const std::vector<std::size_t>& nodes) const {
+    View views = list();
+    for (std::size_t i = 0; i < nodes.size();) {
+      const std::size_t rate = plan_.nodes[nodes[i]].rate;
+      View group = object();
+      group.set("due", names_.due[rate]);
+      View blocks = list();
+      for (; i < nodes.size() && plan_.nodes[nodes[i]].rate == rate; ++i) blocks.push_back(block(nodes[i]));
+      group.set("blocks", std::move(blocks));
+      views.push_back(std::move(group));
+    }
+    return views;
+  }
+
+  View block(std::size_t n) const {
+    const GraphNode& node = graph_.nodes[n];
+    View view = object();
+    const bool engine = node.role == NodeRole::engine;
+    view.set("is_engine", engine);
+    view.set("is_node", !engine);
+    view.set("node", node.name);
+    view.set("label", string_literal(node.name));
+    view.set("entity", node.entity->id.value);
+    view.set("place", names_.place(node.span));
+    view.set("member", names_.node_member[n]);
+    view.set("seq", seq_of(n));
+    view.set("counter", names_.counter[plan_.nodes[n].rate]);
+    view.set("io", names_.io[n]);
+    engine ? add_engine(view, n) : add_node(view, n);
+    return view;
+  }
+
+  void add_engine(View& view, std::size_t n) const {
+    std::vector<std::string> simulators = {fmt::format("eagerx::Tick{{{}}}", seq_of(n))};
+    simulators.insert(simulators.end(), names_.simulator_member.begin(), names_.simulator_member.end());
+    view.set("simulators", joined(simulators));
+    view.set("ring", ring_place(plan_, names_, plan_.nodes[n].rings.front(), seq_of(n)));
+    view.set("channel", channel(n, 0));
+  }
+
+  void add_node(View& view, std::size_t n) const {
+    const GraphNode& node = graph_.nodes[n];
+    std::vector<std::string> inputs, outputs;
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) inputs.push_back(window_argument(plan_, names_, n, i));
+    View raw = list(), published = list();
+    for (std::size_t o = 0; o < node.outputs.size(); ++o) {
+      const Output& output = node.outputs[o];
+      const std::string ring = ring_place(plan_, names_, plan_.nodes[n].rings[o], seq_of(n));
+      const std::string local = "raw_" + output.name;
+      View message = object();
+      message.set("ring", ring);
+      message.set("channel", channel(n, o));
+      message.set("seq", seq_of(n));
+      message.set("conversions", conversions(n, o));
+      message.set("converted", output.processor.has_value());
+      message.set("processor", names_.output_processor[n][o]);
+      message.set("local", local);
+      published.push_back(std::move(message));
+      outputs.push_back(output.processor ? local : ring);
+      if (!output.processor) continue;
+      View variable = object();
+      variable.set("type", message_type(output.raw));
+      variable.set("local", local);
+      raw.push_back(std::move(variable));
+    }
+    view.set("inputs", "{" + joined(inputs) + "}");
+    view.set("outputs", "{" + joined(outputs) + "}");
+    view.set("raw", std::move(raw));
+    view.set("published", std::move(published));
+    view.set("arguments", fmt::format("eagerx::Tick{{{}}}, in, out{}", seq_of(n), simulator_argument(n)));
+  }
+
+  void add_observation(View& view) const {
+    std::vector<std::string> windows;
+    for (std::size_t i = 0; i < graph_.environment().inputs.size(); ++i) windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
+    view.set("observation", "{" + joined(windows) + "}");
+  }
+
+  void add_memory(View& view) const {
+    View rings = list(), members = list();
+    for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
+      const Ring& ring = plan_.rings[r];
+      View item = object();
+      item.set("type", message_type(ring.space));
+      item.set("member", names_.ring_member[r]);
+      item.set("capacity", fmt::format("{}", ring.capacity));
+      item.set("comment", ring.needed > 1 ? fmt::format("  // {} needs {}", ring.why, ring.needed) : "");
+      rings.push_back(std::move(item));
+    }
+    const auto add = [&](const std::string& type, const std::string& member) {
+      View item = object();
+      item.set("type", type);
+      item.set("member", member);
+      members.push_back(std::move(item));
+    };
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) add(names_.simulator_type[i], names_.simulator_member[i]);
+    for (const std::size_t n : all_nodes()) add(fmt::format("{}<{}>", graph_.nodes[n].entity->cpp.name, names_.io[n]), names_.node_member[n]);
+    view.set("rings", std::move(rings));
+    view.set("members", std::move(members));
+  }
+
+  const Plan& plan_;
+  const Graph& graph_;
+  const ProgramNames& names_;
+};
+
+}  // namespace
+
+View program_view(const Plan& plan, const ProgramNames& names) { return ProgramView(plan, names).make(); }
+
+}  // namespace eagerx::gen

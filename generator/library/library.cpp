@@ -1,0 +1,119 @@
+#include "generator/library/library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+const PortManifest* find_port(const std::vector<PortManifest>& ports, std::string_view name) {
+  const auto found = std::find_if(ports.begin(), ports.end(),
+                                  [&](const PortManifest& port) { return port.name.value == name; });
+  return found == ports.end() ? nullptr : &*found;
+}
+
+/// Manifests below `folder`, sorted, so that the order of a directory listing never matters.
+std::vector<std::string> find_manifests(const std::string& folder, Diagnostics& diagnostics) {
+  std::vector<std::string> result;
+  std::error_code error;
+  fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
+    if (walk.depth() > 8) walk.disable_recursion_pending();
+    if (walk->path().filename() == "manifest.yaml") result.push_back(walk->path().string());
+  }
+  if (error) {
+    diagnostics.io_error("E0301", {}, fmt::format("cannot read the folder `{}`: {}", folder, error.message()));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+template <class Item>
+void add(std::map<std::string, Item>& items, Item item, Diagnostics& diagnostics) {
+  const auto [place, added] = items.try_emplace(item.id.value, item);
+  if (added) return;
+  auto& problem = diagnostics.error("E0302", item.id.span, fmt::format("`{}` is defined twice", item.id.value));
+  problem.notes.push_back({"first here", place->second.id.span, ""});
+}
+
+/// Headers are included relative to the parent of the library folder: `<models/nodes/…>`.
+void set_include_root(Entity& entity, const fs::path& root) {
+  entity.include_root = root.string();
+  const auto relative = [&](CppClass& cpp) {
+    if (cpp.include.empty()) return;
+    cpp.include = fs::path(cpp.include).lexically_relative(root).generic_string();
+  };
+  relative(entity.cpp);
+  relative(entity.simulator);
+  for (auto& implementation : entity.object_engines) relative(implementation.model);
+}
+
+}  // namespace
+
+const PortManifest* Entity::input(std::string_view name) const { return find_port(inputs, name); }
+const PortManifest* Entity::output(std::string_view name) const { return find_port(outputs, name); }
+const PortManifest* Entity::sensor(std::string_view name) const { return find_port(sensors, name); }
+const PortManifest* Entity::actuator(std::string_view name) const { return find_port(actuators, name); }
+const PortManifest* Entity::state(std::string_view name) const { return find_port(states, name); }
+
+const Entity* Library::find(const std::string& id) const {
+  const auto found = entities.find(id);
+  return found == entities.end() ? nullptr : &found->second;
+}
+
+std::vector<std::string> Library::ids(EntityKind kind) const {
+  std::vector<std::string> result;
+  for (const auto& [id, entity] : entities) {
+    if (entity.kind == kind) result.push_back(id);
+  }
+  return result;
+}
+
+std::string_view to_string(EntityKind kind) {
+  switch (kind) {
+    case EntityKind::node:
+      return "node";
+    case EntityKind::engine:
+      return "engine";
+    case EntityKind::engine_node:
+      return "engine node";
+    case EntityKind::engine_state:
+      return "engine state";
+    case EntityKind::object:
+      return "object";
+    case EntityKind::processor:
+      return "processor";
+  }
+  return "";
+}
+
+Library load_library(const std::vector<std::string>& folders, SourceMap& sources, Diagnostics& diagnostics) {
+  Library library;
+  std::vector<std::string> done;
+  for (const auto& folder : folders) {
+    const fs::path root = fs::absolute(folder).lexically_normal();
+    const std::string key = (root.has_filename() ? root : root.parent_path()).string();
+    if (std::find(done.begin(), done.end(), key) != done.end()) continue;
+    done.push_back(key);
+    for (const auto& path : find_manifests(key, diagnostics)) {
+      const Node tree = read_yaml_file(path, sources, diagnostics);
+      if (tree.is_null()) continue;
+      const Node* kind = tree.find("kind");
+      if (kind != nullptr && kind->text == "target") {
+        if (auto target = read_target_manifest(tree, path, diagnostics)) add(library.targets, *target, diagnostics);
+        continue;
+      }
+      if (auto entity = read_entity_manifest(tree, path, diagnostics)) {
+        set_include_root(*entity, fs::path(key).parent_path());
+        add(library.entities, *entity, diagnostics);
+      }
+    }
+  }
+  return library;
+}
+
+}  // namespace eagerx::gen

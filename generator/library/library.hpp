@@ -1,0 +1,104 @@
+// Entities and targets, as their manifests describe them. This is all the generator knows about them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/spec/graph_spec.hpp"
+
+namespace eagerx::gen {
+
+enum class EntityKind : std::uint8_t { node, engine, engine_node, engine_state, object, processor };
+
+/// One parameter of an entity.
+struct Parameter {
+  enum class Type : std::uint8_t { integer, number, boolean, text, keyword, integers, numbers };
+  Spanned<std::string> name;
+  Type type = Type::number;
+  std::string unit, about;
+  std::optional<Node> fallback;  // `default:`; without it the parameter must be given
+  std::optional<double> low, high;
+  std::vector<std::string> options;  // keyword
+  std::string cpp_class;             // keyword: the C++ enumeration
+};
+
+/// An input, output, sensor, actuator or state.
+struct PortManifest {
+  Spanned<std::string> name;
+  SpaceSpec space;
+  std::string unit, about;
+  std::optional<Node> rate;  // sensors and actuators; may be `$(config x)`
+  std::optional<std::uint32_t> window;
+  std::optional<Rational> delay_s;
+  std::optional<bool> skip;
+};
+
+/// A C++ class and the header that defines it, as generated code includes it.
+struct CppClass {
+  std::string name;
+  std::string include;  // empty: none besides the entity's own
+};
+
+/// How an object is made on one engine.
+struct ObjectEngine {
+  Spanned<std::string> engine;
+  CppClass model;
+  std::vector<EntitySpec> nodes;
+  std::vector<ConnectionSpec> connections;
+  std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
+};
+
+struct Entity {
+  EntityKind kind = EntityKind::node;
+  Spanned<std::string> id;
+  std::vector<std::string> eagerx_ids;
+  std::string summary, description;
+  CppClass cpp;
+  CppClass simulator;                // engines
+  std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
+  std::vector<Parameter> config;
+  std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
+  std::vector<ObjectEngine> object_engines;
+  std::string path;                  // of the manifest, as messages show it
+  std::string include_root;          // folder that the include is relative to
+
+  [[nodiscard]] const PortManifest* input(std::string_view name) const;
+  [[nodiscard]] const PortManifest* output(std::string_view name) const;
+  [[nodiscard]] const PortManifest* sensor(std::string_view name) const;
+  [[nodiscard]] const PortManifest* actuator(std::string_view name) const;
+  [[nodiscard]] const PortManifest* state(std::string_view name) const;
+};
+
+/// A board or system that generated programs run on.
+struct Target {
+  Spanned<std::string> id;
+  std::string summary, description;
+  std::vector<std::pair<std::string, std::string>> templates;  // template file (full path) → output name
+  std::string cmake, toolchain;
+  std::vector<std::string> run;
+};
+
+struct Library {
+  std::map<std::string, Entity> entities;
+  std::map<std::string, Target> targets;
+
+  [[nodiscard]] const Entity* find(const std::string& id) const;
+  [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
+};
+
+std::string_view to_string(EntityKind kind);
+
+/// Reads every manifest.yaml below the folders, in the order of their paths. Codes: E0301 a folder that
+/// cannot be read, E0302 an id defined twice, E02xx what is wrong in a manifest.
+Library load_library(const std::vector<std::string>& folders, SourceMap& sources, Diagnostics& diagnostics);
+
+/// Typed form of one manifest.
+std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics);
+std::optional<Target> read_target_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics);
+
+/// The table for manifests of this kind ("node", "engine", …, "target"); nullptr if there is none.
+const Format* manifest_format(std::string_view kind);
+std::vector<std::string> manifest_kinds();
+
+}  // namespace eagerx::gen

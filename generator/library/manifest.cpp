@@ -1,0 +1,210 @@
+// One manifest, from tree to struct.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/library/library.hpp"
+#include "generator/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_at(const Node& node, const char* key) {
+  const Node* value = node.find(key);
+  return value != nullptr ? value->text : std::string();
+}
+
+std::vector<std::string> texts_at(const Node& node, const char* key) {
+  std::vector<std::string> result;
+  if (const Node* list = node.find(key)) {
+    for (const auto& item : list->items) result.push_back(item.text);
+  }
+  return result;
+}
+
+std::optional<Node> node_at(const Node& node, const char* key) {
+  const Node* value = node.find(key);
+  return value != nullptr ? std::optional<Node>(*value) : std::nullopt;
+}
+
+Parameter::Type parameter_type(const std::string& word) {
+  if (word == "int") return Parameter::Type::integer;
+  if (word == "float") return Parameter::Type::number;
+  if (word == "bool") return Parameter::Type::boolean;
+  if (word == "string") return Parameter::Type::text;
+  if (word == "enum") return Parameter::Type::keyword;
+  return word == "ints" ? Parameter::Type::integers : Parameter::Type::numbers;
+}
+
+std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostics) {
+  std::vector<Parameter> result;
+  const Node* map = root.find("config");
+  if (map == nullptr) return result;
+  for (const auto& entry : map->entries) {
+    Parameter parameter;
+    parameter.name = {entry.key, entry.key_span};
+    parameter.type = parameter_type(text_at(entry.value, "type"));
+    parameter.unit = text_at(entry.value, "unit");
+    parameter.about = text_at(entry.value, "about");
+    parameter.fallback = node_at(entry.value, "default");
+    if (const Node* low = entry.value.find("low")) parameter.low = parse_number(low->text);
+    if (const Node* high = entry.value.find("high")) parameter.high = parse_number(high->text);
+    parameter.options = texts_at(entry.value, "options");
+    parameter.cpp_class = text_at(entry.value, "class");
+    const bool keyword = parameter.type == Parameter::Type::keyword;
+    if (keyword != !parameter.options.empty() || keyword != !parameter.cpp_class.empty()) {
+      diagnostics.error("E0206", entry.key_span,
+                        fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
+    }
+    result.push_back(std::move(parameter));
+  }
+  return result;
+}
+
+std::vector<PortManifest> read_ports(const Node& root, const char* key) {
+  std::vector<PortManifest> result;
+  const Node* map = root.find(key);
+  if (map == nullptr) return result;
+  for (const auto& entry : map->entries) {
+    PortManifest port;
+    port.name = {entry.key, entry.key_span};
+    port.space.span = entry.key_span;
+    if (const Node* space = entry.value.find("space")) port.space = read_space(*space);
+    port.unit = text_at(entry.value, "unit");
+    port.about = text_at(entry.value, "about");
+    port.rate = node_at(entry.value, "rate");
+    if (const Node* window = entry.value.find("window")) {
+      port.window = static_cast<std::uint32_t>(parse_int(window->text).value_or(1));
+    }
+    if (const Node* delay = entry.value.find("delay")) port.delay_s = Rational::parse(delay->text);
+    if (const Node* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
+    result.push_back(std::move(port));
+  }
+  return result;
+}
+
+/// `tick` is the engine's own message: its space is always the same.
+void complete_tick(std::vector<PortManifest>& inputs) {
+  for (auto& input : inputs) {
+    if (input.name.value != "tick") continue;
+    Node shape;
+    shape.kind = NodeKind::sequence;
+    shape.span = input.name.span;
+    input.space.dtype = Spanned<std::string>{"int64", input.name.span};
+    input.space.shape = shape;
+  }
+}
+
+std::vector<EntitySpec> read_entities(const Node& root, const char* key, Diagnostics& diagnostics) {
+  std::vector<EntitySpec> result;
+  const Node* map = root.find(key);
+  if (map == nullptr) return result;
+  for (const auto& entry : map->entries) {
+    result.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
+  }
+  return result;
+}
+
+/// The include is the header's full path here; load_library makes it relative to its root.
+CppClass read_cpp(const Node& node, const fs::path& folder) {
+  CppClass result;
+  result.name = text_at(node, "class");
+  const std::string header = text_at(node, "header");
+  if (!header.empty()) {
+    result.include = (folder / header).lexically_normal().string();
+  }
+  return result;
+}
+
+EntityKind entity_kind(const std::string& word) {
+  if (word == "engine") return EntityKind::engine;
+  if (word == "engine_node") return EntityKind::engine_node;
+  if (word == "engine_state") return EntityKind::engine_state;
+  if (word == "object") return EntityKind::object;
+  return word == "processor" ? EntityKind::processor : EntityKind::node;
+}
+
+PortManifest only_port(const Node& root, const char* key) {
+  PortManifest port;
+  port.name = {key, root.span};
+  port.space.span = root.span;
+  if (const Node* space = root.find(key)) port.space = read_space(*space);
+  return port;
+}
+
+bool check_manifest(const Node& root, Diagnostics& diagnostics) {
+  const Node* kind = root.is_map() ? root.find("kind") : nullptr;
+  if (kind == nullptr || manifest_format(kind->text) == nullptr) {
+    diagnostics.error("E0202", kind != nullptr ? kind->span : root.span, "a manifest begins with its `kind`").help =
+        fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "));
+    return false;
+  }
+  return check(root, *manifest_format(kind->text), diagnostics);
+}
+
+}  // namespace
+
+std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics) {
+  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::size_t errors_before = diagnostics.error_count();
+  const fs::path folder = fs::path(path).parent_path();
+  Entity entity;
+  entity.kind = entity_kind(root.find("kind")->text);
+  entity.id = {root.find("id")->text, root.find("id")->span};
+  entity.eagerx_ids = texts_at(root, "eagerx");
+  entity.summary = text_at(root, "summary");
+  entity.description = text_at(root, "description");
+  entity.path = path;
+  entity.cpp = read_cpp(root, folder);
+  entity.config = read_parameters(root, diagnostics);
+  entity.inputs = read_ports(root, "inputs");
+  complete_tick(entity.inputs);
+  entity.outputs = read_ports(root, "outputs");
+  entity.states = read_ports(root, "states");
+  entity.sensors = read_ports(root, "sensors");
+  entity.actuators = read_ports(root, "actuators");
+  if (entity.kind == EntityKind::engine_state || entity.kind == EntityKind::engine_node) {
+    entity.engines = texts_at(root, "engines");
+  }
+  if (entity.kind == EntityKind::engine_state) entity.states = {only_port(root, "space")};
+  if (entity.kind == EntityKind::processor) {
+    entity.inputs = {only_port(root, "input")};
+    entity.outputs = {only_port(root, "output")};
+  }
+  if (const Node* simulator = root.find("simulator")) entity.simulator = read_cpp(*simulator, folder);
+  if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
+    for (const auto& entry : root.find("engines")->entries) {
+      ObjectEngine implementation;
+      implementation.engine = {entry.key, entry.key_span};
+      implementation.model = read_cpp(*entry.value.find("model"), folder);
+      implementation.nodes = read_entities(entry.value, "nodes", diagnostics);
+      implementation.connections = read_connections(entry.value.find("connections"));
+      implementation.states = read_entities(entry.value, "states", diagnostics);
+      entity.object_engines.push_back(std::move(implementation));
+    }
+  }
+  if (diagnostics.error_count() != errors_before) return std::nullopt;
+  return entity;
+}
+
+std::optional<Target> read_target_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics) {
+  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  Target target;
+  target.id = {root.find("id")->text, root.find("id")->span};
+  target.summary = text_at(root, "summary");
+  target.description = text_at(root, "description");
+  if (const Node* templates = root.find("templates")) {
+    for (const auto& entry : templates->entries) {
+      target.templates.emplace_back((fs::path(path).parent_path() / entry.key).string(), entry.value.text);
+    }
+  }
+  target.cmake = text_at(root, "cmake");
+  target.toolchain = text_at(root, "toolchain");
+  target.run = texts_at(root, "run");
+  return target;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,134 @@
+// The tables of manifests, one for each kind.
+#include <array>
+
+#include "generator/library/library.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Fields = std::vector<Field>;
+
+Fields operator+(Fields left, const Fields& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+FormatPtr texts() { return format::list("a list of texts", format::text("a text")); }
+
+FormatPtr parameter_format() {
+  return format::record(
+      "a parameter",
+      {{"type", format::keyword({"int", "float", "bool", "string", "enum", "ints", "floats"}), true, "type"},
+       {"about", format::text("a text"), true, "what it means, in one line"},
+       {"unit", format::text("a unit"), false, "unit"},
+       {"default", format::any("a value"), false, "value if it is not given; without it, it must be"},
+       {"low", format::number("a number"), false, "lowest value, inclusive"},
+       {"high", format::number("a number"), false, "highest value, inclusive"},
+       {"options", texts(), false, "the choices of an enum"},
+       {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"}});
+}
+
+Fields port_fields() {
+  return {{"space", space_format(Reference::accept, true), false, "what its messages may hold"},
+          {"unit", format::text("a unit"), false, "unit"},
+          {"about", format::text("a text"), false, "what it means, in one line"}};
+}
+
+Fields connection_defaults() {
+  return {{"window", format::integer("a number of messages", 0, 1'000'000), false, "default window"},
+          {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
+          {"skip", format::boolean(), false, "default skip"}};
+}
+
+FormatPtr ports(const std::string& what, const Fields& fields) {
+  return format::map(what, format::record("one of the " + what, fields));
+}
+
+Fields common(const std::string& kind) {
+  // Boards have names such as mps2-an386; an entity's id is a name.
+  const FormatPtr id = kind == "target" ? format::text("an id") : format::name("an id");
+  return {{"kind", format::keyword({kind}), true, "kind of entity"},
+          {"id", id, true, "what graphs write as `type:`, or `--target`"},
+          {"eagerx", texts(), false, "ids of EAGERx that it stands for"},
+          {"summary", format::text("a text"), true, "one line"},
+          {"description", format::text("a text"), false, "equations, units, sources"}};
+}
+
+Fields cpp() {
+  return {{"header", format::text("a header beside the manifest"), true, "header beside the manifest"},
+          {"class", format::text("a C++ class template"), true, "C++ class template over its Io"}};
+}
+
+Fields config() { return {{"config", format::map("parameters", parameter_format()), false, "parameters"}}; }
+Fields engines() { return {{"engines", texts(), false, "engines it works with (default: all)"}}; }
+Fields states() { return {{"states", ports("states", port_fields()), false, "what can be set at a reset"}}; }
+
+Fields node_ports() {
+  return Fields{{"inputs", ports("inputs", port_fields() + connection_defaults()), false, "inputs"},
+                {"outputs", ports("outputs", port_fields()), false, "outputs"}} +
+         states();
+}
+
+FormatPtr object_engine_format() {
+  const FormatPtr engine_state = format::record(
+      "an engine state", {{"type", format::name("the id of an engine state"), true, "its id"},
+                          {"config", config_format(), false, "its parameters"}});
+  return format::map(
+      "implementations",
+      format::record("an implementation",
+                     {{"model",
+                       format::record("a model", {{"header", format::text("a header"), true, "header beside the manifest"},
+                                                  {"class", format::text("a C++ class template"), true, "what the engine simulates"}}),
+                       true, "what the engine simulates"},
+                      {"nodes", engine_nodes_format(), false, "engine nodes"},
+                      {"connections", connections_format(), false, "connections between them, `sensors` and `actuators`"},
+                      {"states", format::map("states", engine_state), false, "engine states"}}));
+}
+
+Fields object_ports() {
+  const FormatPtr rate = format::one_of("a rate in Hz or `$(config NAME)`",
+                                        {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
+  const Fields rated = port_fields() + Fields{{"rate", rate, true, "Hz"}};
+  return Fields{{"sensors", ports("sensors", rated), false, "sensors"},
+                {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
+         states() + Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};
+}
+
+FormatPtr target_format() {
+  return format::record("a target",
+                        common("target") +
+                            Fields{{"templates", format::file_map("a mapping from template files to the files they become"), false, "files made for each graph"},
+                                   {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
+                                   {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
+                                   {"run", texts(), false, "command that runs an image"}});
+}
+
+}  // namespace
+
+std::vector<std::string> manifest_kinds() {
+  return {"node", "engine", "engine_node", "engine_state", "object", "processor", "target"};
+}
+
+const Format* manifest_format(std::string_view kind) {
+  const Fields space = {{"space", space_format(Reference::accept, true), false, "what it takes"}};
+  static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
+      {"node", format::record("a node", common("node") + cpp() + config() + node_ports())},
+      {"engine", format::record("an engine",
+                                common("engine") + cpp() + config() + states() +
+                                    Fields{{"simulator",
+                                            format::record("a simulator", {{"class", format::text("a C++ class template"), true, "class template over a model"},
+                                                                           {"header", format::text("a header"), false, "header beside the manifest"}}),
+                                            true, "what holds an object's state"}})},
+      {"engine_node", format::record("an engine node", common("engine_node") + cpp() + engines() + config() + node_ports())},
+      {"engine_state", format::record("an engine state", common("engine_state") + cpp() + engines() + config() + space)},
+      {"object", format::record("an object", common("object") + config() + object_ports())},
+      {"processor", format::record("a processor",
+                                   common("processor") + cpp() + config() +
+                                       Fields{{"input", space_format(Reference::accept, false), false, "what it takes"},
+                                              {"output", space_format(Reference::accept, true), true, "what it gives"}})},
+      {"target", target_format()}};
+  const auto found = kFormats.find(kind);
+  return found == kFormats.end() ? nullptr : found->second.get();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,150 @@
+#include "generator/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "generator/plan/order.hpp"
+#include "generator/plan/receptions.hpp"
+#include "generator/plan/schedule.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::uint64_t kMaxRingBytes = std::uint64_t{1} << 30U;
+// A power of two saves a division at every access; above this many wasted bytes the exact size is better.
+constexpr std::uint64_t kMaxWastedBytes = 256;
+
+std::uint64_t bytes_of(const Space& space) {
+  switch (space.dtype) {
+    case Dtype::float64:
+    case Dtype::int64:
+    case Dtype::uint64:
+      return 8 * space.size();
+    case Dtype::float32:
+    case Dtype::int32:
+    case Dtype::uint32:
+      return 4 * space.size();
+    case Dtype::int16:
+    case Dtype::uint16:
+      return 2 * space.size();
+    default:
+      return space.size();
+  }
+}
+
+class Planner {
+ public:
+  Planner(const Graph& graph, Diagnostics& diagnostics) : graph_(graph), diagnostics_(diagnostics) { plan_.graph = &graph; }
+
+  std::optional<Plan> run() {
+    const std::size_t errors_before = diagnostics_.error_count();
+    auto rates = find_rates(graph_, diagnostics_);
+    if (!rates) return std::nullopt;
+    plan_.rates = std::move(*rates);
+    assign_rates();
+    order();
+    add_channels();
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) receive(n);
+    size_rings();
+    plan_.schedule = make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate, graph_.nodes.size());
+    if (diagnostics_.error_count() != errors_before) return std::nullopt;
+    return std::move(plan_);
+  }
+
+ private:
+  void assign_rates() {
+    for (const auto& node : graph_.nodes) {
+      const auto rate = std::find_if(plan_.rates.begin(), plan_.rates.end(), [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
+      PlannedNode planned;
+      planned.rate = static_cast<std::size_t>(rate - plan_.rates.begin());
+      plan_.nodes.push_back(std::move(planned));
+    }
+  }
+
+  void order() {
+    std::vector<std::size_t> rate_of;
+    for (const auto& node : plan_.nodes) rate_of.push_back(node.rate);
+    Order order = order_nodes(graph_, rate_of);
+    place_.assign(graph_.nodes.size(), 0);
+    std::size_t place = 0;
+    for (const std::size_t n : order.before) place_[n] = place++;
+    place_[Graph::kEnvironment] = place++;
+    for (const std::size_t n : order.after) place_[n] = place++;
+    plan_.before = std::move(order.before);
+    plan_.after = std::move(order.after);
+  }
+
+  void add_channels() {
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      for (std::size_t o = 0; o < graph_.nodes[n].outputs.size(); ++o) {
+        const Output& output = graph_.nodes[n].outputs[o];
+        plan_.channels.push_back({graph_.nodes[n].name + "/" + output.name, n, o});
+        plan_.nodes[n].rings.push_back(plan_.rings.size());
+        Ring ring;
+        ring.node = n;
+        ring.output = o;
+        ring.space = output.space;
+        plan_.rings.push_back(std::move(ring));
+      }
+    }
+    std::sort(plan_.channels.begin(), plan_.channels.end(), [](const Channel& a, const Channel& b) { return a.name < b.name; });
+  }
+
+  void receive(std::size_t n) {
+    const GraphNode& node = graph_.nodes[n];
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+      const Input& input = node.inputs[i];
+      std::uint64_t needed = 1;
+      const bool source_first = place_[input.source_node] < place_[n];
+      auto reception = plan_reception(input, graph_.nodes[input.source_node].rate_hz, node.rate_hz, source_first, needed, diagnostics_);
+      if (!reception) reception.emplace();
+      reception->ring = input.processor ? add_converted_ring(n, i) : plan_.nodes[input.source_node].rings[input.source_output];
+      Ring& ring = plan_.rings[reception->ring];
+      if (needed > ring.needed || ring.why.empty()) {
+        ring.needed = std::max(ring.needed, needed);
+        ring.why = node.name + "." + input.name;
+      }
+      plan_.nodes[n].receptions.push_back(*reception);
+    }
+  }
+
+  /// Every receiver has its own processor, so a converted message needs a place of its own.
+  std::size_t add_converted_ring(std::size_t n, std::size_t i) {
+    const Input& input = graph_.nodes[n].inputs[i];
+    Ring ring;
+    ring.node = input.source_node;
+    ring.output = input.source_output;
+    ring.reader_node = n;
+    ring.reader_input = i;
+    ring.space = input.processor->output;
+    plan_.rings.push_back(std::move(ring));
+    return plan_.rings.size() - 1;
+  }
+
+  void size_rings() {
+    for (auto& ring : plan_.rings) {
+      const std::uint64_t bytes = bytes_of(ring.space);
+      const std::uint64_t power = std::bit_ceil(ring.needed);
+      ring.capacity = (power - ring.needed) * bytes <= kMaxWastedBytes ? power : ring.needed;
+      if (ring.capacity <= kMaxRingBytes / bytes && ring.capacity < (std::uint64_t{1} << 31U)) continue;
+      diagnostics_.error("E0403", graph_.nodes[ring.node].span,
+                         fmt::format("`{}.{}` would need a ring of {} messages of {} bytes for `{}`", graph_.nodes[ring.node].name,
+                                     graph_.nodes[ring.node].outputs[ring.output].name, ring.needed, bytes, ring.why))
+          .help = "shorten the delay or the window; a ring may have 1 GiB";
+    }
+  }
+
+  const Graph& graph_;
+  Diagnostics& diagnostics_;
+  Plan plan_;
+  std::vector<std::size_t> place_;
+};
+
+}  // namespace
+
+std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics) { return Planner(graph, diagnostics).run(); }
+
+}  // namespace eagerx::gen

@@ -1,0 +1,85 @@
+// The graph in time and memory: who runs when, in what order, and where every message lives.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/resolve/graph.hpp"
+
+namespace eagerx::gen {
+
+/// All nodes of one rate share a counter and a bit of the due mask.
+struct RateClass {
+  Rational rate_hz;
+  std::uint64_t period = 1;  // in quanta of the grid
+};
+
+/// Storage of one channel, or of one channel as an input's processor converts it.
+struct Ring {
+  std::size_t node = 0;
+  std::size_t output = 0;
+  std::optional<std::size_t> reader_node, reader_input;  // of the processor
+  Space space;
+  std::uint64_t needed = 1;    // messages that must be kept
+  std::uint64_t capacity = 1;  // messages that are kept: a power of two, or exact where messages are large
+  std::string why;             // the input that needs the most
+};
+
+/// How an input knows the number of messages it has received. With source rate / own rate = a/b in lowest
+/// terms and x = ceil(b · source rate · delay) (SEMANTICS §3 in exact arithmetic):
+struct Reception {
+  enum class Count : std::uint8_t {
+    ticks,         // all that were sent: the source's counter
+    ticks_before,  // all that were sent before this slot (skip, one rate divides the other)
+    delayed,       // max(1, floor((a n - x) / b) + 1) at tick n
+    skipped,       // the sum of max(0, min(cum(n + off) - cum(n + off - 1), cum(n) + 1))
+  };
+  Count count = Count::ticks;
+  std::size_t ring = 0;
+  std::int64_t a = 1, b = 1, x = 0, off = 0;
+  std::uint64_t max_size = 1;  // most messages in the window
+  bool always_full = true;
+};
+
+/// A node in the plan; receptions match the node's inputs.
+struct PlannedNode {
+  std::size_t rate = 0;  // index of its RateClass
+  std::vector<Reception> receptions;
+  std::vector<std::size_t> rings;  // of its outputs
+};
+
+/// A published output; its index is its number in the trace.
+struct Channel {
+  std::string name;
+  std::size_t node = 0, output = 0;
+};
+
+enum class ScheduleForm : std::uint8_t {
+  constants,  // masks known to the compiler: one specialisation a distinct mask
+  table,      // one mask a slot in a table
+  countdown,  // hyperperiod too long for a table: one countdown a rate
+};
+
+struct Schedule {
+  ScheduleForm form = ScheduleForm::constants;
+  std::vector<std::uint64_t> masks;  // one a slot of the hyperperiod; empty for countdown
+  std::optional<std::uint64_t> slots;  // of the hyperperiod, if it can be counted
+};
+
+struct Plan {
+  const Graph* graph = nullptr;
+  std::vector<RateClass> rates;  // fastest first; bit i of a mask is rates[i]
+  std::vector<PlannedNode> nodes;
+  std::vector<std::size_t> before, after;  // nodes in data-flow order, up to and from the environment
+  std::vector<Ring> rings;
+  std::vector<Channel> channels;
+  Schedule schedule;
+};
+
+/// Plans a resolved graph. Problems, E04xx: E0401 an input that would stay empty for ever, E0402 a number that
+/// does not fit, E0403 a limit that is passed.
+std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

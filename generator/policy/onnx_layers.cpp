@@ -1,0 +1,207 @@
+// Operators that compute: dense layers and activations.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "generator/policy/onnx_value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+
+OnnxConstant transpose(OnnxConstant constant) {
+  std::swap(constant.dims[0], constant.dims[1]);
+  constant.transposed = !constant.transposed;
+  return constant;
+}
+
+/// True if `bias` adds one value, or `outputs` in order, to a result of shape `result`.
+bool fits_as_bias(const OnnxValue& bias, const Dims& result, std::int64_t outputs) {
+  const std::int64_t count = element_count(bias.constant.dims).value_or(0);
+  const std::optional<Dims> sum = broadcast(result, bias.constant.dims);
+  return !bias.constant.transposed && (count == 1 || count == outputs) && sum &&
+         element_count(*sum) == outputs;
+}
+
+/// A constant times data of `length` values: `weights` [outputs, inputs] and the result's shape.
+OnnxValue product(const OnnxCall& call, const OnnxValue& data, OnnxDense dense, Dims result) {
+  const Dims& dims = dense.weights.dims;
+  const std::int64_t length = element_count(*data.shape).value_or(0);
+  if (dims[1] != length || dims[0] < 1 || length < 1) {
+    return call.other(
+        {"E0618",
+         fmt::format("multiplies {} values by tensor `{}`, which takes {}, in {}", length,
+                     printable(dense.weights.tensor->name()), dims[1], call.who()),
+         "the layers of the file do not fit together: export the actor again"});
+  }
+  return call.data_after(data.step, std::move(dense), std::move(result));
+}
+
+/// [1, K] (or [K, 1] where `transposed`): the shape of one observation as a row.
+bool is_row(const Dims& dims, bool transposed) {
+  return dims.size() == 2 && dims[transposed ? 1 : 0] == 1;
+}
+
+OnnxValue gemm(const OnnxCall& call) {
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  const OnnxValue& c = call.input(2);
+  const bool trans_a = call.integer("transA", 0) != 0;
+  const bool trans_b = call.integer("transB", 0) != 0;
+  const bool data_left = a.kind == Kind::data && b.kind == Kind::constant;
+  const bool data_right = a.kind == Kind::constant && b.kind == Kind::data;
+  if (!data_left && !data_right) return call.misused("without exactly one constant matrix");
+  const OnnxValue& data = data_left ? a : b;
+  const OnnxValue& matrix = data_left ? b : a;
+  // y = x B is W = B^T; y = A x is W = A.
+  const bool transposed = data_left ? !trans_b : trans_a;
+  if (matrix.constant.dims.size() != 2 || !is_row(*data.shape, data_left ? trans_a : !trans_b)) {
+    return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
+                                    show(*a.shape), show(*b.shape)));
+  }
+  OnnxDense dense;
+  dense.weights = transposed ? transpose(matrix.constant) : matrix.constant;
+  dense.scale = call.real("alpha", 1.0F);
+  dense.bias_scale = call.real("beta", 1.0F);
+  const std::int64_t outputs = dense.weights.dims[0];
+  Dims result = data_left ? Dims{1, outputs} : Dims{outputs, 1};
+  if (c.kind != Kind::absent) {
+    if (c.kind != Kind::constant) return call.misused("with a bias that is not constant", result);
+    if (!fits_as_bias(c, result, outputs)) {
+      return call.other({"E0618",
+                         fmt::format("adds bias `{}` of shape {} to {} values in {}",
+                                     printable(c.constant.tensor->name()), show(c.constant.dims),
+                                     outputs, call.who()),
+                         "the layers of the file do not fit together: export the actor again"});
+    }
+    dense.bias = c.constant;
+  }
+  return product(call, data, std::move(dense), std::move(result));
+}
+
+OnnxValue matmul(const OnnxCall& call) {
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  const bool data_left = a.kind == Kind::data && b.kind == Kind::constant;
+  const bool data_right = a.kind == Kind::constant && b.kind == Kind::data;
+  if (!data_left && !data_right) return call.misused("without exactly one constant matrix");
+  const OnnxValue& data = data_left ? a : b;
+  const OnnxConstant& matrix = (data_left ? b : a).constant;
+  Dims result = *data.shape;
+  // Left [..., 1, K] or [K]; right [K, 1] or [K]: one vector, not a batch of them.
+  const std::size_t along = data_left ? result.size() - 1 : 0;
+  const bool vector = !result.empty() && element_count(result) == result[along];
+  if (matrix.dims.size() != 2 || !vector || (data_right && result.size() > 2)) {
+    return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
+                                    show(*a.shape), show(*b.shape)));
+  }
+  OnnxDense dense;
+  dense.weights = data_left ? transpose(matrix) : matrix;
+  result[along] = dense.weights.dims[0];
+  return product(call, data, std::move(dense), std::move(result));
+}
+
+/// True if every value of the (small) constant is zero.
+bool is_zero(const OnnxConstant& constant) {
+  PolicyProblem ignored;
+  const auto values = read_floats(constant, ignored);
+  return values && std::all_of(values->begin(), values->end(), [](float v) { return v == 0.0F; });
+}
+
+/// The bias of a MatMul. Anything else that is added would be another rounding than the file's.
+OnnxValue add(const OnnxCall& call) {
+  const bool data_left = call.input(0).kind == Kind::data;
+  const OnnxValue& data = call.input(data_left ? 0 : 1);
+  const OnnxValue& addend = call.input(data_left ? 1 : 0);
+  const std::optional<Dims> sum = broadcast(call.input(0).shape, call.input(1).shape);
+  if (data.kind != Kind::data || addend.kind != Kind::constant) {
+    return call.misused("that does not add a constant to a layer", sum);
+  }
+  const std::int64_t outputs = element_count(*data.shape).value_or(0);
+  if (!sum || !fits_as_bias(addend, *data.shape, outputs)) {
+    return call.misused(
+        fmt::format("that adds shape {} to {}", show(addend.constant.dims), show(*data.shape)));
+  }
+  if (is_zero(addend.constant)) {
+    OnnxValue same = data;
+    same.shape = sum;
+    return same;
+  }
+  if (data.step >= 0) {
+    const OnnxStep step = call.state().steps[static_cast<std::size_t>(data.step)];
+    if (const auto* dense = std::get_if<OnnxDense>(&step.what); dense != nullptr && !dense->bias) {
+      OnnxDense biased = *dense;
+      biased.bias = addend.constant;
+      return call.data_after(step.before, std::move(biased), *sum);
+    }
+  }
+  return call.misused("that adds a constant to something that is not a product", sum);
+}
+
+OnnxValue activation(const OnnxCall& call, Activation kind) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  return call.data_after(x.step, kind, *x.shape);
+}
+
+OnnxValue relu(const OnnxCall& call) {
+  return activation(call, Activation::relu);
+}
+OnnxValue tanh_operator(const OnnxCall& call) {
+  return activation(call, Activation::tanh);
+}
+
+/// One bound of a Clip: nothing if there is none, or NaN-free value; `known` is false if computed.
+struct Bound {
+  std::optional<float> value;
+  bool known = true;
+};
+
+Bound bound_of(const OnnxCall& call, std::size_t i, std::string_view name) {
+  constexpr std::int64_t kBoundsAreInputs = 11;
+  if (call.opset() < kBoundsAreInputs) {
+    const onnx::AttributeProto* found = call.attribute(name);
+    return {found != nullptr ? std::optional<float>(found->f()) : std::nullopt, true};
+  }
+  const OnnxValue& input = call.input(i);
+  if (input.kind == Kind::absent) return {};
+  PolicyProblem ignored;
+  if (input.kind != Kind::constant || element_count(input.constant.dims) != 1) return {{}, false};
+  const auto values = read_floats(input.constant, ignored);
+  return values ? Bound{values->front(), true} : Bound{{}, false};
+}
+
+OnnxValue clip(const OnnxCall& call) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  const OnnxValue& x = call.input(0);
+  const Bound low = bound_of(call, 1, "min");
+  const Bound high = bound_of(call, 2, "max");
+  const bool no_high = high.known && (!high.value || *high.value >= kLargest);
+  const bool no_low = low.known && (!low.value || *low.value <= -kLargest);
+  if (x.kind == Kind::data && no_high && no_low) return x;
+  if (x.kind == Kind::data && no_high && low.known && *low.value == 0.0F) return relu(call);
+  return call.other({"E0613", fmt::format("clips values in {}", call.who()),
+                     "export the actor without clipping its action"},
+                    x.shape);
+}
+
+OnnxValue dropout(const OnnxCall& call) {
+  const auto training = integers_of(call.input(2));
+  const bool given = call.input(2).kind != Kind::absent;
+  if (given && (!training || training->empty() || training->front() != 0)) {
+    return call.misused("in training mode", call.input(0).shape);
+  }
+  return call.input(0);
+}
+
+}  // namespace
+
+std::vector<OnnxOperatorEntry> layer_operators() {
+  return {{"Gemm", gemm},          {"MatMul", matmul}, {"Add", add},        {"Relu", relu},
+          {"Tanh", tanh_operator}, {"Clip", clip},     {"Dropout", dropout}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,117 @@
+#include "generator/policy/onnx_network.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kMaxLayers = 256;
+constexpr std::int64_t kMaxParameters = std::int64_t{16} << 20U;  // as many as the file can hold
+
+constexpr const char* kExportHelp =
+    "export the actor alone: Linear layers with ReLU, Tanh or nothing after them";
+
+/// The bias as `outputs` values, with its factor applied; NaN and infinity are caught later.
+std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t outputs,
+                                            PolicyProblem& problem) {
+  std::vector<float> bias(outputs, 0.0F);
+  if (!dense.bias) return bias;
+  const std::optional<std::vector<float>> values = read_floats(*dense.bias, problem);
+  if (!values) return std::nullopt;
+  for (std::size_t i = 0; i < outputs; ++i) {
+    bias[i] = dense.bias_scale * (values->size() == 1 ? values->front() : (*values)[i]);
+  }
+  return bias;
+}
+
+std::optional<DenseLayer> make_layer(const OnnxDense& dense, PolicyProblem& problem) {
+  std::optional<std::vector<float>> weights = read_floats(dense.weights, problem);
+  if (!weights) return std::nullopt;
+  for (float& weight : *weights) weight *= dense.scale;
+  DenseLayer layer;
+  layer.outputs = static_cast<std::uint32_t>(dense.weights.dims[0]);
+  layer.inputs = static_cast<std::uint32_t>(dense.weights.dims[1]);
+  std::optional<std::vector<float>> bias = read_bias(dense, layer.outputs, problem);
+  if (!bias) return std::nullopt;
+  for (const std::vector<float>* values : {&*weights, &*bias}) {
+    for (const float value : *values) {
+      if (std::isfinite(value)) continue;
+      problem = {"E0616",
+                 fmt::format("has a layer whose factors turn `{}` into NaN or infinity",
+                             printable(dense.weights.tensor->name())),
+                 "export the actor again"};
+      return std::nullopt;
+    }
+  }
+  layer.weights = std::move(*weights);
+  layer.bias = std::move(*bias);
+  return layer;
+}
+
+/// The steps from the observation to `last`; nothing if they are too many or too large.
+std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>& steps,
+                                                    std::int32_t last, PolicyProblem& problem) {
+  std::vector<const OnnxStep*> path;
+  std::int64_t parameters = 0;
+  for (std::int32_t at = last; at >= 0; at = path.back()->before) {
+    path.push_back(&steps[static_cast<std::size_t>(at)]);
+    if (const auto* dense = std::get_if<OnnxDense>(&path.back()->what); dense != nullptr) {
+      parameters +=
+          element_count(dense->weights.dims).value_or(kMaxParameters) + dense->weights.dims[0];
+    }
+    if (parameters > kMaxParameters || path.size() > 2 * kMaxLayers) {
+      problem = {
+          "E0619",
+          fmt::format("has more than {} layers or {} parameters", kMaxLayers, kMaxParameters),
+          "use a smaller network"};
+      return std::nullopt;
+    }
+  }
+  return std::vector<const OnnxStep*>(path.rbegin(), path.rend());
+}
+
+/// Puts `activation` on the last layer. Only relu after relu changes nothing.
+bool activate(std::vector<DenseLayer>& layers, Activation activation, const std::string& node,
+              PolicyProblem& problem) {
+  Activation* before = layers.empty() ? nullptr : &layers.back().activation;
+  const bool same = before != nullptr && *before == activation && activation == Activation::relu;
+  if (before == nullptr || (*before != Activation::identity && !same)) {
+    problem = {"E0613", fmt::format("has an activation that follows no layer (node `{}`)", node),
+               kExportHelp};
+    return false;
+  }
+  *before = activation;
+  return true;
+}
+
+}  // namespace
+
+std::optional<std::vector<DenseLayer>> make_layers(
+    const std::vector<OnnxStep>& steps, std::int32_t last,
+    std::unordered_set<const onnx::TensorProto*>& used, PolicyProblem& problem) {
+  const auto path = path_to(steps, last, problem);
+  if (!path) return std::nullopt;
+  std::vector<DenseLayer> layers;
+  for (const OnnxStep* step : *path) {
+    if (const auto* activation = std::get_if<Activation>(&step->what); activation != nullptr) {
+      if (!activate(layers, *activation, step->node, problem)) return std::nullopt;
+      continue;
+    }
+    const auto& dense = std::get<OnnxDense>(step->what);
+    std::optional<DenseLayer> layer = make_layer(dense, problem);
+    if (!layer) return std::nullopt;
+    layers.push_back(std::move(*layer));
+    used.insert(dense.weights.tensor);
+    if (dense.bias) used.insert(dense.bias->tensor);
+  }
+  if (layers.empty()) {
+    problem = {"E0620", "has no layer between its input and its first output", kExportHelp};
+    return std::nullopt;
+  }
+  return layers;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,298 @@
+// Operators that move, name or shape values, and those that compute shapes.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "generator/policy/onnx_value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Integers = std::vector<std::int64_t>;
+
+constexpr std::size_t kMaxRank = 8;
+
+OnnxValue integers_value(Integers integers) {
+  OnnxValue value;
+  value.kind = Kind::integers;
+  value.shape = Dims{static_cast<std::int64_t>(integers.size())};
+  value.integers = std::move(integers);
+  return value;
+}
+
+OnnxValue constant_value(const OnnxCall& call, const onnx::TensorProto& tensor) {
+  PolicyProblem problem;
+  const std::optional<OnnxConstant> constant = make_constant(tensor, problem);
+  if (!constant) return call.other(problem);
+  OnnxValue value;
+  value.kind = Kind::constant;
+  value.shape = constant->dims;
+  value.constant = *constant;
+  return value;
+}
+
+/// The same values in the same order under another shape.
+OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional<Dims>& shape) {
+  if (!shape || !x.shape || shape->size() > kMaxRank ||
+      element_count(*shape) != element_count(*x.shape)) {
+    return call.misused("that changes the number of values", shape);
+  }
+  if (x.kind != Kind::data && x.kind != Kind::constant && x.kind != Kind::other) return x;
+  if (x.kind == Kind::constant && x.constant.transposed) {
+    return call.misused("on a transposed constant", shape);
+  }
+  OnnxValue value = x;
+  value.shape = shape;
+  if (value.kind == Kind::constant) value.constant.dims = *shape;
+  return value;
+}
+
+OnnxValue identity(const OnnxCall& call) {
+  if (call.input(0).kind == Kind::absent) return call.misused("without an input");
+  return call.input(0);
+}
+
+OnnxValue cast(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind == Kind::absent) return call.misused("without an input");
+  const std::int64_t to = call.integer("to", 0);
+  if (x.kind == Kind::data && to != onnx::TensorProto::FLOAT) {
+    const int type = to > 0 && to < 100 ? static_cast<int>(to) : 0;
+    return call.misused(
+        fmt::format("to {}", onnx::TensorProto::DataType_IsValid(type)
+                                 ? onnx::TensorProto::DataType_Name(
+                                       static_cast<onnx::TensorProto::DataType>(type))
+                                 : "an unknown type"),
+        x.shape);
+  }
+  return x;
+}
+
+OnnxValue constant(const OnnxCall& call) {
+  if (const auto* value = call.attribute("value"); value != nullptr && value->has_t()) {
+    return constant_value(call, value->t());
+  }
+  if (const auto* ints = call.attribute("value_ints"); ints != nullptr) {
+    return integers_value({ints->ints().begin(), ints->ints().end()});
+  }
+  if (const auto* integer = call.attribute("value_int"); integer != nullptr) {
+    return integers_value({integer->i()});
+  }
+  onnx::TensorProto tensor;
+  tensor.set_name(call.node().output_size() > 0 ? call.node().output(0) : "");
+  tensor.set_data_type(onnx::TensorProto::FLOAT);
+  if (const auto* number = call.attribute("value_float"); number != nullptr) {
+    tensor.add_float_data(number->f());
+  } else if (const auto* numbers = call.attribute("value_floats"); numbers != nullptr) {
+    tensor.add_dims(numbers->floats_size());
+    *tensor.mutable_float_data() = numbers->floats();
+  } else {
+    return call.misused("whose value is not a plain tensor");
+  }
+  call.state().made.push_back(std::move(tensor));
+  return constant_value(call, call.state().made.back());
+}
+
+OnnxValue flatten(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  std::optional<Dims> shape;
+  if (x.shape) {
+    const auto rank = static_cast<std::int64_t>(x.shape->size());
+    std::int64_t axis = call.integer("axis", 1);
+    if (axis < -rank || axis > rank) return call.misused("with an axis that is not there");
+    if (axis < 0) axis += rank;
+    const auto middle = x.shape->begin() + axis;
+    const auto total = [](auto first, auto last) {
+      return std::accumulate(first, last, std::int64_t{1}, std::multiplies<>());
+    };
+    shape = Dims{total(x.shape->begin(), middle), total(middle, x.shape->end())};
+  }
+  return reshaped(call, x, shape);
+}
+
+/// The shape that `wanted` (with 0 for "as it is" and one -1 for "the rest") gives `from`.
+std::optional<Dims> resolve_shape(const Dims& from, Dims wanted, bool allow_zero) {
+  std::int64_t known = 1;
+  std::optional<std::size_t> open;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    if (wanted[i] == 0 && !allow_zero) {
+      if (i >= from.size()) return std::nullopt;
+      wanted[i] = from[i];
+    }
+    if (wanted[i] == -1) {
+      if (open) return std::nullopt;
+      open = i;
+      continue;
+    }
+    if (wanted[i] < 0 || (wanted[i] > 0 && known > kMaxElements / wanted[i])) return std::nullopt;
+    known *= wanted[i];
+  }
+  const std::int64_t count = element_count(from).value_or(0);
+  if (open) {
+    if (known == 0 || count % known != 0) return std::nullopt;
+    wanted[*open] = count / known;
+  }
+  return wanted;
+}
+
+OnnxValue reshape(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const std::optional<Integers> wanted = call.integers(1, "shape");
+  if (!wanted || !x.shape) return call.misused("to a shape that is not constant");
+  return reshaped(call, x, resolve_shape(*x.shape, *wanted, call.integer("allowzero", 0) != 0));
+}
+
+/// Axes of a Squeeze or Unsqueeze, sorted, counted from the front; nothing if they are out of
+/// range.
+std::optional<Integers> axes_of(const OnnxCall& call, std::size_t rank) {
+  std::optional<Integers> axes = call.integers(1, "axes");
+  if (!axes || axes->size() > kMaxRank) return std::nullopt;
+  for (std::int64_t& axis : *axes) {
+    const auto limit = static_cast<std::int64_t>(rank);
+    if (axis < -limit || axis >= limit) return std::nullopt;
+    if (axis < 0) axis += limit;
+  }
+  std::sort(axes->begin(), axes->end());
+  return axes;
+}
+
+OnnxValue squeeze(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (!x.shape) return reshaped(call, x, std::nullopt);
+  const std::optional<Integers> axes = axes_of(call, x.shape->size());
+  const bool all = call.input(1).kind == Kind::absent && call.attribute("axes") == nullptr;
+  if (!axes && !all) return call.misused("with axes that are not there");
+  Dims shape;
+  for (std::size_t i = 0; i < x.shape->size(); ++i) {
+    const bool named =
+        axes && std::binary_search(axes->begin(), axes->end(), static_cast<std::int64_t>(i));
+    if (!(named || (all && (*x.shape)[i] == 1))) shape.push_back((*x.shape)[i]);
+  }
+  return reshaped(call, x, shape);
+}
+
+OnnxValue unsqueeze(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const std::optional<Integers> given = call.integers(1, "axes");
+  if (!x.shape || !given || given->size() > kMaxRank) {
+    return call.misused("with axes that are not constant");
+  }
+  const std::optional<Integers> axes = axes_of(call, x.shape->size() + given->size());
+  if (!axes) return call.misused("with axes that are not there");
+  Dims shape = *x.shape;
+  for (const std::int64_t axis : *axes) {
+    if (static_cast<std::size_t>(axis) > shape.size()) return call.misused("with equal axes");
+    shape.insert(shape.begin() + axis, 1);
+  }
+  return reshaped(call, x, shape);
+}
+
+OnnxValue expand(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const std::optional<Integers> wanted = call.integers(1, "shape");
+  if (!wanted || !x.shape) return call.misused("to a shape that is not constant");
+  return reshaped(call, x, broadcast(x.shape, Dims(*wanted)));
+}
+
+OnnxValue transpose(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (!x.shape) return call.misused("of an unknown shape");
+  const std::size_t rank = x.shape->size();
+  Integers order(rank);
+  std::iota(order.rbegin(), order.rend(), 0);  // reversed is the default
+  if (const auto* perm = call.attribute("perm"); perm != nullptr) {
+    order.assign(perm->ints().begin(), perm->ints().end());
+  }
+  Integers sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < rank; ++i) {
+    if (sorted.size() != rank || sorted[i] != static_cast<std::int64_t>(i)) {
+      return call.misused("with axes that are not there");
+    }
+  }
+  Dims shape;
+  std::int64_t last = -1;
+  bool in_order = true;  // axes of size one may go anywhere
+  for (const std::int64_t axis : order) {
+    const std::int64_t dim = (*x.shape)[static_cast<std::size_t>(axis)];
+    shape.push_back(dim);
+    if (dim == 1) continue;
+    in_order = in_order && axis > last;
+    last = axis;
+  }
+  if (in_order) return reshaped(call, x, shape);
+  if (x.kind != Kind::constant || rank != 2) return call.misused("that reorders values", shape);
+  OnnxValue value = x;
+  value.shape = shape;
+  value.constant.dims = shape;
+  value.constant.transposed = !value.constant.transposed;
+  return value;
+}
+
+OnnxValue concat(const OnnxCall& call) {
+  if (call.input_count() == 1) return identity(call);
+  Integers all;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    const std::optional<Integers> part = integers_of(call.input(i));
+    if (!part || all.size() + part->size() > kMaxRank) return call.misused("of several values");
+    all.insert(all.end(), part->begin(), part->end());
+  }
+  return integers_value(std::move(all));
+}
+
+OnnxValue shape_of(const OnnxCall& call) {
+  const std::optional<Dims>& shape = call.input(0).shape;
+  if (!shape) return call.misused("of an unknown shape");
+  const auto rank = static_cast<std::int64_t>(shape->size());
+  const auto position = [&](std::string_view name, std::int64_t otherwise) {
+    const std::int64_t at = call.integer(name, otherwise);
+    return std::clamp<std::int64_t>(at < 0 ? at + rank : at, 0, rank);
+  };
+  const std::int64_t start = position("start", 0);
+  const std::int64_t end = std::max(start, position("end", rank));
+  return integers_value({shape->begin() + start, shape->begin() + end});
+}
+
+OnnxValue gather(const OnnxCall& call) {
+  const std::optional<Integers> from = integers_of(call.input(0));
+  const std::optional<Integers> indices = integers_of(call.input(1));
+  if (!from || !indices || call.integer("axis", 0) != 0) {
+    return call.misused("on values that are not a shape");
+  }
+  Integers picked;
+  const auto size = static_cast<std::int64_t>(from->size());
+  for (const std::int64_t index : *indices) {
+    if (index < -size || index >= size) return call.misused("with an index that is not there");
+    picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
+  }
+  return integers_value(std::move(picked));
+}
+
+OnnxValue constant_of_shape(const OnnxCall& call) {
+  std::optional<Dims> shape = integers_of(call.input(0));
+  if (shape && (shape->size() > kMaxRank || !element_count(*shape))) shape.reset();
+  return call.misused("on the way to the action", std::move(shape));
+}
+
+}  // namespace
+
+std::vector<OnnxOperatorEntry> shape_operators() {
+  return {{"Identity", identity},
+          {"Cast", cast},
+          {"Constant", constant},
+          {"Flatten", flatten},
+          {"Reshape", reshape},
+          {"Squeeze", squeeze},
+          {"Expand", expand},
+          {"Unsqueeze", unsqueeze},
+          {"Transpose", transpose},
+          {"Concat", concat},
+          {"Shape", shape_of},
+          {"Gather", gather},
+          {"ConstantOfShape", constant_of_shape}};
+}
+
+}  // namespace eagerx::gen

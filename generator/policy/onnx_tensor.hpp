@@ -1,0 +1,41 @@
+// Tensors of an ONNX file: sizes checked before anything is believed, values read on demand.
+#pragma once
+
+#include <onnx/onnx_pb.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/policy/formats.hpp"
+
+namespace eagerx::gen {
+
+using Dims = std::vector<std::int64_t>;  // each at least 0, product below kMaxElements
+
+inline constexpr std::int64_t kMaxElements = std::int64_t{1} << 40U;
+
+/// Product of `dims`; nothing for a negative dimension or more than kMaxElements.
+std::optional<std::int64_t> element_count(const Dims& dims);
+
+/// "[64, 3]".
+std::string show(const Dims& dims);
+
+/// A constant of the file, without a copy of its values.
+struct OnnxConstant {
+  const onnx::TensorProto* tensor = nullptr;
+  Dims dims;                // as seen after a transposition
+  bool transposed = false;  // two dimensions only: values lie in the order of the swapped dims
+};
+
+/// Checks type, dims and amount of data (not the values); or sets `problem`.
+std::optional<OnnxConstant> make_constant(const onnx::TensorProto& tensor, PolicyProblem& problem);
+
+/// The values in row-major order of `constant.dims`, converted to float where that is exact.
+std::optional<std::vector<float>> read_floats(const OnnxConstant& constant, PolicyProblem& problem);
+
+/// The values of a small integer tensor (a shape, axes); nothing if it is something else.
+std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant);
+
+}  // namespace eagerx::gen

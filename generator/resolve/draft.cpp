@@ -1,0 +1,95 @@
+#include "generator/resolve/draft.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::uint64_t kMaxElements = 1U << 28U;  // of one message; more is surely a mistake
+
+Dtype dtype_of(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(Dtype::boolean); ++i) {
+    if (to_string(static_cast<Dtype>(i)) == name) return static_cast<Dtype>(i);
+  }
+  return Dtype::float32;
+}
+
+std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics& diagnostics) {
+  std::vector<std::uint64_t> shape;
+  std::uint64_t elements = 1;
+  for (const auto& item : node.items) {
+    const auto dimension = parse_int(item.text);
+    if (!dimension || *dimension < 1 || static_cast<std::uint64_t>(*dimension) > kMaxElements / elements) {
+      diagnostics.error("E0325", item.span, fmt::format("`{}` is no size of a message", item.text)).label =
+          fmt::format("a message has 1 to {} elements", kMaxElements);
+      return std::nullopt;
+    }
+    elements *= static_cast<std::uint64_t>(*dimension);
+    shape.push_back(static_cast<std::uint64_t>(*dimension));
+  }
+  return shape;
+}
+
+std::vector<double> bounds_of(const std::optional<Node>& node, const References& references, Diagnostics& diagnostics) {
+  if (!node) return {};
+  return numbers_of(substitute(*node, references, diagnostics), diagnostics).value_or(std::vector<double>{});
+}
+
+}  // namespace
+
+DraftInput* DraftNode::input(std::string_view name) {
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const DraftInput& i) { return i.name == name; });
+  return found == inputs.end() ? nullptr : &*found;
+}
+
+DraftOutput* DraftNode::output(std::string_view name) {
+  const auto found = std::find_if(outputs.begin(), outputs.end(), [&](const DraftOutput& o) { return o.name == name; });
+  return found == outputs.end() ? nullptr : &*found;
+}
+
+PartialSpace partial_space(const SpaceSpec& spec, const References& references, Diagnostics& diagnostics) {
+  PartialSpace result;
+  result.span = spec.span;
+  if (spec.dtype) result.dtype = dtype_of(spec.dtype->value);
+  if (spec.shape) result.shape = shape_of(substitute(*spec.shape, references, diagnostics), diagnostics);
+  result.low = bounds_of(spec.low, references, diagnostics);
+  result.high = bounds_of(spec.high, references, diagnostics);
+  if (spec.like) result.like = spec.like->value;
+  const bool scalar_bounds = result.low.size() <= 1 || result.high.size() <= 1 || result.low.size() == result.high.size();
+  if (!scalar_bounds) {
+    diagnostics.error("E0326", spec.span, fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
+  }
+  for (std::size_t i = 0; scalar_bounds && !result.low.empty() && !result.high.empty() && i < std::max(result.low.size(), result.high.size()); ++i) {
+    const double low = result.low[result.low.size() == 1 ? 0 : i];
+    const double high = result.high[result.high.size() == 1 ? 0 : i];
+    if (low <= high) continue;
+    diagnostics.error("E0326", spec.span, fmt::format("`low` ({}) is above `high` ({})", low, high));
+    break;
+  }
+  return result;
+}
+
+PartialSpace overlay(PartialSpace base, const PartialSpace& over) {
+  if (over.dtype) base.dtype = over.dtype;
+  if (over.shape) base.shape = over.shape;
+  if (!over.low.empty()) base.low = over.low;
+  if (!over.high.empty()) base.high = over.high;
+  if (over.like) base.like = over.like;
+  base.span = over.span;
+  return base;
+}
+
+ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over) {
+  if (over.window) base.window = over.window;
+  if (over.delay_s) base.delay_s = over.delay_s;
+  if (over.skip) base.skip = over.skip;
+  if (over.processor) base.processor = over.processor;
+  return base;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,146 @@
+// The graph with every name bound: what runs, with spaces, parameters and connections known and checked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "generator/library/library.hpp"
+
+namespace eagerx::gen {
+
+enum class Dtype : std::uint8_t { float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64, boolean };
+std::string_view to_string(Dtype dtype);
+bool is_floating(Dtype dtype);
+/// Lowest and highest value of the type (of float32 and float64 too).
+double lowest_of(Dtype dtype);
+double highest_of(Dtype dtype);
+
+/// What a message may hold. Bounds are empty (unbounded), one for all elements, or one for each.
+struct Space {
+  Dtype dtype = Dtype::float32;
+  std::vector<std::uint64_t> shape;
+  std::vector<double> low, high;
+  [[nodiscard]] std::uint64_t size() const;
+  /// "float32 [2]"
+  [[nodiscard]] std::string describe() const;
+};
+
+/// A parameter's value, checked against its manifest.
+struct ConfigValue {
+  const Parameter* parameter = nullptr;
+  std::variant<std::int64_t, double, bool, std::string, std::vector<std::int64_t>, std::vector<double>> value;
+};
+using Config = std::vector<ConfigValue>;  // in the order of the manifest
+
+struct Processor {
+  const Entity* entity = nullptr;
+  Config config;
+  Space input, output;
+  Span span;
+};
+
+/// An output: `raw` is what the callback writes, `space` what is published after the processor.
+struct Output {
+  std::string name;
+  Space raw, space;
+  std::optional<Processor> processor;
+  Span span;
+};
+
+/// An input and the connection that feeds it.
+struct Input {
+  std::string name;
+  std::size_t source_node = 0;
+  std::size_t source_output = 0;
+  Space space;  // as the callback sees it, after the processor
+  std::optional<Processor> processor;
+  std::uint32_t window = 1;
+  Rational delay_s;
+  bool skip = false;
+  Span span;
+};
+
+/// How a state gets its value at a reset. Vectors hold one value for each element.
+struct Random {
+  RandomSpec::Kind kind = RandomSpec::Kind::value;
+  std::vector<double> first, second;         // value; low, high; mean, std
+  std::vector<std::vector<double>> choices;  // choice
+  Span span;
+};
+
+/// A state of a node or an object.
+struct State {
+  std::string name;
+  Space space;
+  bool settable = true;          // named in the graph; a node also has states that nobody sets
+  std::optional<Random> random;  // without: only set through the program's interface
+  // objects only: the engine state that carries it out
+  const Entity* engine_state = nullptr;
+  Config config;
+  Span span;
+};
+
+enum class NodeRole : std::uint8_t { environment, engine, node, engine_node };
+
+/// Everything that ticks.
+struct GraphNode {
+  std::string name;  // "smooth", "pendulum/theta", "environment", "engine"
+  NodeRole role = NodeRole::node;
+  const Entity* entity = nullptr;  // null for the environment
+  Rational rate_hz;
+  Config config;
+  std::vector<Input> inputs;
+  std::vector<Output> outputs;
+  std::vector<State> states;
+  std::optional<std::size_t> object;  // engine nodes: whose
+  Span span;
+};
+
+struct Object {
+  std::string name;
+  const Entity* entity = nullptr;
+  const ObjectEngine* implementation = nullptr;
+  Config config;
+  std::vector<State> states;
+  Span span;
+};
+
+struct Agent {
+  AgentSpec::Kind kind = AgentSpec::Kind::zero;
+  std::string file;                       // as written
+  std::string path;                       // where it is
+  std::vector<std::size_t> observations;  // policy: inputs of the environment, in the policy's order
+  std::optional<bool> squashed;           // policy: as written, else decided by the network
+  Span span;
+};
+
+struct Graph {
+  std::string name;
+  std::string path, file_name;  // of the graph file; file_name without folders
+  bool double_precision = false;
+  std::vector<GraphNode> nodes;  // [0] environment, [1] engine, then the others in the order written
+  std::vector<Object> objects;
+  Agent agent;
+  std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
+  Span span;
+
+  static constexpr std::size_t kEnvironment = 0;
+  static constexpr std::size_t kEngine = 1;
+  [[nodiscard]] const GraphNode& environment() const { return nodes[kEnvironment]; }
+  [[nodiscard]] const GraphNode& engine() const { return nodes[kEngine]; }
+};
+
+/// What the command line may say besides the graph.
+struct ResolveOptions {
+  std::string engine;  // empty: the graph's
+  std::string real;    // empty: the graph's
+};
+
+/// Binds every name. All problems are reported, E03xx; nullopt if there was any.
+std::optional<Graph> resolve(const GraphSpec& spec, const Library& library, const ResolveOptions& options,
+                             Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

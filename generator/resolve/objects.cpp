@@ -1,0 +1,307 @@
+// Objects become the engine nodes that implement them on the chosen engine; nothing of an object remains
+// but its states and its simulator.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "generator/resolve/draft.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// "sensors.theta" → {"sensors", "theta"}
+std::pair<std::string, std::string> split(const std::string& port) {
+  const std::size_t dot = port.find('.');
+  return {port.substr(0, dot), dot == std::string::npos ? "" : port.substr(dot + 1)};
+}
+
+/// Builds one object. Its engine nodes are drafted on their own first, pruned, and then moved to the graph.
+class ObjectBuilder {
+ public:
+  ObjectBuilder(Draft& draft, const EntitySpec& spec, const Entity& entity, const ObjectEngine& implementation)
+      : draft_(draft), spec_(spec), entity_(entity), implementation_(implementation) {}
+
+  void build() {
+    collect_references();
+    select();
+    draft_engine_nodes();
+    connect_inside();
+    mark_needed();
+    move_to_graph();
+  }
+
+ private:
+  struct Link {  // inside the object, between engine nodes
+    std::size_t from, to;
+  };
+
+  Diagnostics& diagnostics() { return draft_.diagnostics; }
+
+  const ComponentSpec* component(const std::optional<std::vector<ComponentSpec>>& components, const std::string& name) const {
+    if (!components) return nullptr;
+    const auto found = std::find_if(components->begin(), components->end(), [&](const ComponentSpec& c) { return c.name.value == name; });
+    return found == components->end() ? nullptr : &*found;
+  }
+
+  void add_rates(const char* kind, const std::vector<PortManifest>& ports, const std::optional<std::vector<ComponentSpec>>& chosen) {
+    for (const auto& port : ports) {
+      Node rate = substitute(*port.rate, references_, diagnostics());
+      const ComponentSpec* set = component(chosen, port.name.value);
+      if (set != nullptr && set->rate) {
+        rate.text = set->rate->value.to_string();
+        rate.span = set->rate->span;
+      }
+      references_[fmt::format("{} {} rate", kind, port.name.value)] = rate;
+    }
+  }
+
+  void collect_references() {
+    references_ = references_of(entity_, spec_.config);
+    add_rates("sensors", entity_.sensors, spec_.sensors);
+    add_rates("actuators", entity_.actuators, spec_.actuators);
+  }
+
+  /// Sensors and actuators in use: the connected ones and the listed ones.
+  void select() {
+    const auto note = [&](const Spanned<std::string>& port, bool sends, std::set<std::string>& into) {
+      auto [owner, name] = split(port.value);
+      if (owner != spec_.name.value) return;
+      const std::string kind = sends ? "sensors." : "actuators.";
+      if (name.starts_with(kind)) name = name.substr(kind.size());
+      into.insert(name);
+    };
+    for (const auto& connection : draft_.spec.connections) {
+      note(connection.from, true, sensors_);
+      note(connection.to, false, actuators_);
+    }
+    list(spec_.sensors, entity_.sensors, "sensor", sensors_);
+    list(spec_.actuators, entity_.actuators, "actuator", actuators_);
+  }
+
+  void list(const std::optional<std::vector<ComponentSpec>>& chosen, const std::vector<PortManifest>& ports, std::string_view what,
+            std::set<std::string>& into) {
+    if (!chosen) return;
+    std::vector<std::string> known;
+    for (const auto& port : ports) known.push_back(port.name.value);
+    for (const auto& item : *chosen) {
+      into.insert(item.name.value);
+      if (std::find(known.begin(), known.end(), item.name.value) != known.end()) continue;
+      auto& problem = diagnostics().error("E0307", item.name.span, fmt::format("`{}` has no {} `{}`", entity_.id.value, what, item.name.value));
+      const std::string near = nearest(item.name.value, known);
+      problem.help = near.empty() ? fmt::format("it has {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}`?", near);
+    }
+  }
+
+  void draft_engine_nodes() {
+    for (const auto& spec : implementation_.nodes) {
+      DraftNode node;
+      node.node.name = spec_.name.value + "/" + spec.name.value;
+      node.node.role = NodeRole::engine_node;
+      node.node.span = spec_.name.span;
+      node.node.object = draft_.objects.size();
+      node.node.rate_hz = rate_of(substitute(spec.rate->value, references_, diagnostics()), diagnostics()).value_or(Rational{});
+      const Entity* entity = find_entity(draft_.library, spec.type, EntityKind::engine_node, diagnostics());
+      node.node.entity = entity;
+      if (entity != nullptr) add_ports(node, spec, *entity);
+      nodes_.push_back(std::move(node));
+    }
+  }
+
+  void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {
+    const auto settings = substitute(spec.config, references_, diagnostics());
+    node.node.config = resolve_config(entity, settings, spec.type.span, diagnostics());
+    const References references = references_of(entity, settings);
+    if (!entity.engines.empty() && std::find(entity.engines.begin(), entity.engines.end(), implementation_.engine.value) == entity.engines.end()) {
+      diagnostics().error("E0308", spec.type.span, fmt::format("`{}` does not work on `{}`", entity.id.value, implementation_.engine.value)).help =
+          fmt::format("it works on {}", fmt::join(entity.engines, ", "));
+    }
+    for (const auto& port : entity.inputs) {
+      node.inputs.push_back({port.name.value, spec_.name.span, partial_space(port.space, references, diagnostics()),
+                             ConnectionSettings{port.window, port.delay_s, port.skip, std::nullopt}, std::nullopt});
+      if (port.name.value == "tick") node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
+    }
+    for (const auto& port : entity.outputs) {
+      node.outputs.push_back({port.name.value, spec_.name.span, partial_space(port.space, references, diagnostics()), std::nullopt});
+    }
+  }
+
+  std::optional<std::size_t> find_node(const std::string& name, const Spanned<std::string>& port) {
+    for (std::size_t i = 0; i < implementation_.nodes.size(); ++i) {
+      if (implementation_.nodes[i].name.value == name) return i;
+    }
+    diagnostics().error("E0309", port.span, fmt::format("there is no engine node `{}` here", name));
+    return std::nullopt;
+  }
+
+  /// Index of a port by name, reported if it does not exist.
+  template <class Ports>
+  std::optional<std::size_t> find_port(const Ports& ports, const std::string& name, const Spanned<std::string>& port) {
+    for (std::size_t i = 0; i < ports.size(); ++i) {
+      if (ports[i].name == name) return i;
+    }
+    diagnostics().error("E0307", port.span, fmt::format("`{}` does not exist", port.value));
+    return std::nullopt;
+  }
+
+  void connect_inside() {
+    for (const auto& connection : implementation_.connections) {
+      const auto [from, from_port] = split(connection.from.value);
+      const auto [to, to_port] = split(connection.to.value);
+      if (from == "actuators") {
+        connect_actuator(connection, from_port, to, to_port);
+        continue;
+      }
+      const auto source = find_node(from, connection.from);
+      const auto output = source ? find_port(nodes_[*source].outputs, from_port, connection.from) : std::nullopt;
+      if (!output) continue;
+      if (to == "sensors") {
+        connect_sensor(connection, to_port, *source, *output);
+        continue;
+      }
+      const auto target = find_node(to, connection.to);
+      const auto input = target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
+      if (!input) continue;
+      DraftInput& port = nodes_[*target].inputs[*input];
+      port.settings = overlay(port.settings, settings_of(connection));
+      port.edge = DraftEdge{*source, *output, connection.span};  // made a graph index when it moves
+      links_.push_back({*source, *target});
+    }
+  }
+
+  void connect_actuator(const ConnectionSpec& connection, const std::string& name, const std::string& to, const std::string& to_port) {
+    const PortManifest* actuator = entity_.actuator(name);
+    const auto target = find_node(to, connection.to);
+    const auto input = target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
+    if (actuator == nullptr) diagnostics().error("E0307", connection.from.span, fmt::format("`{}` has no actuator `{}`", entity_.id.value, name));
+    if (actuator == nullptr || !input) return;
+    DraftInput& port = nodes_[*target].inputs[*input];
+    port.settings = overlay(port.settings, {actuator->window, actuator->delay_s, actuator->skip, std::nullopt});
+    port.settings = overlay(port.settings, settings_of(connection));
+    port.declared = overlay(port.declared, partial_space(actuator->space, references_, diagnostics()));
+    if (const ComponentSpec* set = component(spec_.actuators, name); set != nullptr && set->space) {
+      port.declared = overlay(port.declared, partial_space(*set->space, {}, diagnostics()));
+    }
+    actuator_targets_.push_back({name, *target, *input});
+  }
+
+  void connect_sensor(const ConnectionSpec& connection, const std::string& name, std::size_t source, std::size_t output) {
+    const PortManifest* sensor = entity_.sensor(name);
+    if (sensor == nullptr) {
+      diagnostics().error("E0307", connection.to.span, fmt::format("`{}` has no sensor `{}`", entity_.id.value, name));
+      return;
+    }
+    if (!sensors_.contains(name)) return;
+    DraftOutput& port = nodes_[source].outputs[output];
+    port.declared = overlay(port.declared, partial_space(sensor->space, references_, diagnostics()));
+    if (const ComponentSpec* set = component(spec_.sensors, name)) {
+      port.processor = set->processor;
+      if (set->space) port.declared = overlay(port.declared, partial_space(*set->space, {}, diagnostics()));
+    }
+    sensor_sources_.push_back({name, source, output});
+  }
+
+  /// EAGERx's rule: ancestors of used sensors, targets of used actuators, descendants of those that are
+  /// synchronised with the engine, and what these need.
+  void mark_needed() {
+    needed_.assign(nodes_.size(), false);
+    for (const auto& source : sensor_sources_) need(source.node);
+    std::vector<bool> reached(nodes_.size(), false);
+    for (const auto& target : actuator_targets_) {
+      if (actuators_.contains(target.name)) reach(target.node, reached);
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (reached[i] && nodes_[i].input("tick") != nullptr) need(i);
+    }
+    for (const auto& target : actuator_targets_) {
+      if (actuators_.contains(target.name)) need(target.node);
+    }
+  }
+
+  void need(std::size_t index) {
+    if (needed_[index]) return;
+    needed_[index] = true;
+    for (const auto& link : links_) {
+      if (link.to == index) need(link.from);
+    }
+  }
+
+  void reach(std::size_t index, std::vector<bool>& reached) {
+    if (reached[index]) return;
+    reached[index] = true;
+    for (const auto& link : links_) {
+      if (link.from == index) reach(link.to, reached);
+    }
+  }
+
+  void move_to_graph() {
+    DraftObject object{spec_.name.value, &entity_, {}, {}};
+    std::vector<std::size_t> place(nodes_.size(), 0);
+    std::size_t next = draft_.nodes.size();
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (needed_[i]) place[i] = next++;
+    }
+    for (const auto& source : sensor_sources_) object.sensors[source.name] = {place[source.node], source.port};
+    for (const auto& target : actuator_targets_) {
+      if (needed_[target.node]) object.actuators[target.name].push_back({place[target.node], target.port});
+    }
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (!needed_[i]) continue;
+      for (auto& input : nodes_[i].inputs) {
+        if (input.edge && input.name != "tick") input.edge->node = place[input.edge->node];
+      }
+      draft_.nodes.push_back(std::move(nodes_[i]));
+    }
+    draft_.objects.push_back(std::move(object));
+  }
+
+  struct Outside {  // a sensor or actuator and the port it stands for
+    std::string name;
+    std::size_t node, port;
+  };
+
+  Draft& draft_;
+  const EntitySpec& spec_;
+  const Entity& entity_;
+  const ObjectEngine& implementation_;
+  References references_;
+  std::set<std::string> sensors_, actuators_;
+  std::vector<DraftNode> nodes_;
+  std::vector<Link> links_;
+  std::vector<Outside> sensor_sources_, actuator_targets_;
+  std::vector<bool> needed_;
+};
+
+const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span, Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const auto& implementation : entity.object_engines) {
+    if (implementation.engine.value == engine) return &implementation;
+    known.push_back(implementation.engine.value);
+  }
+  auto& problem = diagnostics.error("E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
+  problem.help = known.empty() ? "it has no implementation at all" : fmt::format("choose one of {} as the engine", fmt::join(known, ", "));
+  return nullptr;
+}
+
+}  // namespace
+
+void add_objects(Draft& draft) {
+  const Entity* engine = draft.nodes[Graph::kEngine].node.entity;
+  for (const auto& spec : draft.spec.objects) {
+    const Entity* entity = find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);
+    const ObjectEngine* implementation = nullptr;
+    if (entity != nullptr && engine != nullptr) {
+      implementation = find_implementation(*entity, engine->id.value, spec.type.span, draft.diagnostics);
+    }
+    Object object{spec.name.value, entity, implementation, {}, {}, spec.name.span};
+    if (entity != nullptr) object.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
+    draft.graph.objects.push_back(std::move(object));
+    if (implementation != nullptr) {
+      ObjectBuilder(draft, spec, *entity, *implementation).build();
+    } else {
+      draft.objects.push_back({spec.name.value, entity, {}, {}});
+    }
+  }
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,195 @@
+// How states get their values at a reset, checked against their spaces.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/resolve/draft.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+double bound(const std::vector<double>& bounds, std::size_t i, double otherwise) {
+  if (bounds.empty()) return otherwise;
+  return bounds.size() == 1 ? bounds[0] : bounds[i];
+}
+
+/// float32 bounds are written as decimals: 3.14 is allowed where the bound is float32(3.14), and back.
+double rounded(const Space& space, double value) {
+  return space.dtype == Dtype::float32 ? static_cast<double>(static_cast<float>(value)) : value;
+}
+
+class RandomReader {
+ public:
+  RandomReader(const Space& space, const RandomSpec& spec, Diagnostics& diagnostics)
+      : space_(space), spec_(spec), diagnostics_(diagnostics) {}
+
+  std::optional<Random> read() {
+    Random random;
+    random.kind = spec_.kind;
+    random.span = spec_.span;
+    switch (spec_.kind) {
+      case RandomSpec::Kind::value:
+        random.first = values(*spec_.first, true);
+        break;
+      case RandomSpec::Kind::choice:
+        for (const auto& item : spec_.first->items) random.choices.push_back(values(item, true));
+        break;
+      case RandomSpec::Kind::normal:
+        random.first = values(*spec_.first, true);
+        random.second = values(*spec_.second, false);
+        require(random.second, [](double std) { return std >= 0.0; }, "`std` must not be negative");
+        break;
+      case RandomSpec::Kind::uniform:
+      case RandomSpec::Kind::log_uniform:
+        read_range(random);
+        break;
+    }
+    return good_ ? std::optional<Random>(std::move(random)) : std::nullopt;
+  }
+
+ private:
+  std::vector<double> values(const Node& node, bool in_space) {
+    auto result = numbers_of(node, diagnostics_);
+    if (!result) {
+      good_ = false;
+      return {};
+    }
+    const std::uint64_t size = space_.size();
+    if (result->size() == 1) result->assign(size, result->front());
+    if (result->size() != size) return fail("E0327", node.span, fmt::format("expected {} values, found {}", size, result->size()));
+    for (std::size_t i = 0; in_space && i < size; ++i) {
+      const double value = rounded(space_, (*result)[i]);
+      const double low = rounded(space_, bound(space_.low, i, lowest_of(space_.dtype)));
+      const double high = rounded(space_, bound(space_.high, i, highest_of(space_.dtype)));
+      if (value >= low && value <= high) continue;
+      return fail("E0327", node.span, fmt::format("`{}` is outside of the space of the state: {} to {}", (*result)[i], low, high));
+    }
+    return *result;
+  }
+
+  void read_range(Random& random) {
+    if (spec_.first) {
+      random.first = values(*spec_.first, true);
+      random.second = values(*spec_.second, true);
+    } else if (space_.low.empty() || space_.high.empty()) {
+      fail("E0327", spec_.span, "the space of this state has no bounds to draw from");
+      return;
+    } else {
+      for (std::size_t i = 0; i < space_.size(); ++i) {
+        random.first.push_back(bound(space_.low, i, 0.0));
+        random.second.push_back(bound(space_.high, i, 0.0));
+      }
+    }
+    for (std::size_t i = 0; good_ && i < random.first.size(); ++i) {
+      if (!std::isfinite(random.first[i]) || !std::isfinite(random.second[i])) {
+        fail("E0327", spec_.span, "a range to draw from must be finite");
+      } else if (random.first[i] > random.second[i]) {
+        fail("E0327", spec_.span, fmt::format("`low` ({}) is above `high` ({})", random.first[i], random.second[i]));
+      }
+    }
+    if (spec_.kind != RandomSpec::Kind::log_uniform) return;
+    require(random.first, [](double low) { return low > 0.0; }, "a log-uniform range begins above 0");
+  }
+
+  template <class Test>
+  void require(const std::vector<double>& numbers, Test&& test, const char* message) {
+    if (good_ && !std::all_of(numbers.begin(), numbers.end(), test)) fail("E0327", spec_.span, message);
+  }
+
+  std::vector<double> fail(const char* code, Span span, std::string message) {
+    diagnostics_.error(code, span, std::move(message));
+    good_ = false;
+    return {};
+  }
+
+  const Space& space_;
+  const RandomSpec& spec_;
+  Diagnostics& diagnostics_;
+  bool good_ = true;
+};
+
+std::optional<Space> state_space(const PortManifest& port, const References& references, Diagnostics& diagnostics) {
+  const PartialSpace partial = partial_space(port.space, references, diagnostics);
+  if (!partial.dtype || !partial.shape) {
+    diagnostics.error("E0312", port.name.span, fmt::format("the space of the state `{}` is not known", port.name.value)).help =
+        "give its dtype and shape in the manifest";
+    return std::nullopt;
+  }
+  return Space{*partial.dtype, *partial.shape, partial.low, partial.high};
+}
+
+/// The states that the user named, each with its space and how it is drawn.
+std::vector<State> read_states(const Entity& entity, const EntitySpec& spec, Diagnostics& diagnostics) {
+  std::vector<State> result;
+  const References references = references_of(entity, spec.config);
+  for (const auto& state_spec : spec.states) {
+    const PortManifest* port = entity.state(state_spec.name.value);
+    if (port == nullptr) {
+      std::vector<std::string> known;
+      for (const auto& state : entity.states) known.push_back(state.name.value);
+      auto& problem = diagnostics.error("E0307", state_spec.name.span, fmt::format("`{}` has no state `{}`", entity.id.value, state_spec.name.value));
+      const std::string near = nearest(state_spec.name.value, known);
+      problem.help = near.empty() ? (known.empty() ? "it has no states" : fmt::format("it has {}", fmt::join(known, ", "))) : fmt::format("did you mean `{}`?", near);
+      continue;
+    }
+    const auto space = state_space(*port, references, diagnostics);
+    if (!space) continue;
+    State state{state_spec.name.value, *space, true, std::nullopt, nullptr, {}, state_spec.name.span};
+    if (state_spec.random) {
+      state.random = RandomReader(*space, *state_spec.random, diagnostics).read();
+    }
+    result.push_back(std::move(state));
+  }
+  return result;
+}
+
+/// The class of a node has a member for each of its states, also for those that the graph leaves alone.
+void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config, Diagnostics& diagnostics) {
+  for (const auto& port : node.entity->states) {
+    const bool named = std::any_of(node.states.begin(), node.states.end(), [&](const State& s) { return s.name == port.name.value; });
+    if (named) continue;
+    const auto space = state_space(port, references_of(*node.entity, config), diagnostics);
+    if (space) node.states.push_back({port.name.value, *space, false, std::nullopt, nullptr, {}, port.name.span});
+  }
+}
+
+void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spec, State& state) {
+  const auto& known = object.implementation->states;
+  const auto found = std::find_if(known.begin(), known.end(), [&](const EntitySpec& s) { return s.name.value == state.name; });
+  if (found == known.end()) {
+    draft.diagnostics.error("E0308", state.span, fmt::format("`{}` has no state `{}` on `{}`", object.entity->id.value, state.name, object.implementation->engine.value));
+    return;
+  }
+  state.engine_state = find_entity(draft.library, found->type, EntityKind::engine_state, draft.diagnostics);
+  if (state.engine_state == nullptr) return;
+  const References references = references_of(*object.entity, spec.config);
+  state.config = resolve_config(*state.engine_state, substitute(found->config, references, draft.diagnostics), found->type.span, draft.diagnostics);
+}
+
+}  // namespace
+
+void resolve_states(Draft& draft) {
+  for (auto& node : draft.nodes) {
+    if (node.node.entity == nullptr) continue;
+    if (node.node.role == NodeRole::engine_node) {
+      add_unnamed_states(node.node, {}, draft.diagnostics);
+      continue;
+    }
+    const auto spec = std::find_if(draft.spec.nodes.begin(), draft.spec.nodes.end(), [&](const EntitySpec& s) { return s.name.value == node.node.name; });
+    const bool engine = node.node.role == NodeRole::engine;
+    const bool other_engine = engine && node.node.entity->id.value != draft.spec.engine.type.value;  // of the command line
+    if (!other_engine) {
+      node.node.states = read_states(*node.node.entity, engine ? draft.spec.engine : *spec, draft.diagnostics);
+    }
+    add_unnamed_states(node.node, engine ? draft.spec.engine.config : spec->config, draft.diagnostics);
+  }
+  for (std::size_t i = 0; i < draft.graph.objects.size(); ++i) {
+    Object& object = draft.graph.objects[i];
+    if (object.entity == nullptr || object.implementation == nullptr) continue;
+    object.states = read_states(*object.entity, draft.spec.objects[i], draft.diagnostics);
+    for (auto& state : object.states) bind_engine_state(draft, object, draft.spec.objects[i], state);
+  }
+}
+
+}  // namespace eagerx::gen

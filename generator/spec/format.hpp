@@ -1,0 +1,87 @@
+// The table that says what a file may contain. One table checks the file, explains it, and becomes the
+// JSON schema that editors complete from.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/read/tree.hpp"
+
+namespace eagerx::gen {
+
+struct Format;
+using FormatPtr = std::shared_ptr<const Format>;
+
+/// One key of a record.
+struct Field {
+  std::string name;
+  FormatPtr format;
+  bool required = false;
+  std::string about;
+};
+
+/// What a value may look like.
+struct Format {
+  enum class Kind : std::uint8_t {
+    any,      // checked later, against a manifest
+    text,     // any scalar
+    name,     // an identifier that is also one in C++
+    port,     // names joined by dots
+    integer,
+    decimal,  // kept exact; fractions such as 1/3 too
+    number,
+    boolean,
+    keyword,
+    list,
+    map,     // names chosen by the user
+    record,  // names chosen by us
+    one_of,  // the first option that takes the kind of node it meets
+  };
+
+  Kind kind = Kind::any;
+  std::string what;                   // "a rate in Hz", completes "expected …"
+  std::vector<std::string> keywords;  // keyword
+  FormatPtr item;                     // list, map
+  std::vector<Field> fields;          // record
+  std::vector<FormatPtr> options;     // one_of
+  std::optional<double> low;          // integer, decimal, number
+  std::optional<double> high;
+  bool low_exclusive = false;
+  std::size_t min_items = 0;          // list
+  bool file_names = false;            // map: keys are file names instead of identifiers
+};
+
+namespace format {
+FormatPtr any(std::string what);
+FormatPtr text(std::string what);
+FormatPtr name(std::string what);
+FormatPtr port(std::string what);
+FormatPtr integer(std::string what, std::optional<double> low = {}, std::optional<double> high = {});
+FormatPtr decimal(std::string what, double low, bool low_exclusive);
+FormatPtr number(std::string what);
+FormatPtr boolean();
+FormatPtr keyword(std::vector<std::string> words);
+FormatPtr list(std::string what, FormatPtr item, std::size_t min_items = 0);
+FormatPtr map(std::string what, FormatPtr item);
+FormatPtr file_map(std::string what);
+FormatPtr record(std::string what, std::vector<Field> fields);
+FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
+}  // namespace format
+
+/// Checks `node` against `format`; every problem is reported. True if there was none.
+/// Codes: E0201 unknown key, E0202 missing key, E0203 wrong type, E0204 value out of range or not a
+/// choice, E0205 not a name.
+bool check(const Node& node, const Format& format, Diagnostics& diagnostics);
+
+/// The format as JSON schema (draft-07).
+std::string json_schema(const Format& format, const std::string& title, const std::string& id);
+
+/// True if `text` is an identifier and no C++ keyword.
+bool is_identifier(std::string_view text);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,131 @@
+// What the user wrote, typed but not yet looked up: no entity, space or port has been checked.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/read/rational.hpp"
+#include "generator/read/tree.hpp"
+#include "generator/spec/format.hpp"
+
+namespace eagerx::gen {
+
+/// A value and where it was written.
+template <class T>
+struct Spanned {
+  T value{};
+  Span span;
+};
+
+/// A key with a value that only a manifest can judge.
+struct Setting {
+  std::string name;
+  Span span;
+  Node value;
+};
+
+/// Parts of a space; what is missing comes from the other end of a connection or from a manifest.
+struct SpaceSpec {
+  Span span;
+  std::optional<Spanned<std::string>> like;  // an input (manifests) or a port (actions)
+  std::optional<Spanned<std::string>> dtype;
+  std::optional<Node> shape;
+  std::optional<Node> low;
+  std::optional<Node> high;
+};
+
+struct ProcessorSpec {
+  Spanned<std::string> type;
+  std::vector<Setting> config;
+};
+
+/// How a state gets its value at a reset.
+struct RandomSpec {
+  enum class Kind : std::uint8_t { value, uniform, normal, log_uniform, choice };
+  Kind kind = Kind::uniform;
+  Span span;
+  std::optional<Node> first;   // value; low; mean; list of choices
+  std::optional<Node> second;  // high; std
+};
+
+/// A sensor, actuator, input, output, action or observation that the user named, with what was set.
+struct ComponentSpec {
+  Spanned<std::string> name;
+  std::optional<Spanned<Rational>> rate;
+  std::optional<SpaceSpec> space;
+  std::optional<ProcessorSpec> processor;
+  std::optional<Spanned<std::uint32_t>> window;
+  std::optional<Spanned<Rational>> delay_s;
+  std::optional<Spanned<bool>> skip;
+};
+
+struct StateSpec {
+  Spanned<std::string> name;
+  std::optional<RandomSpec> random;  // without: only the program's interface sets it
+};
+
+/// An engine, object or node of the graph, or an engine node of a manifest.
+struct EntitySpec {
+  Spanned<std::string> name;
+  Spanned<std::string> type;
+  std::optional<Spanned<Node>> rate;  // a decimal, in manifests also `$(…)`
+  std::vector<Setting> config;
+  std::vector<StateSpec> states;
+  std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs, outputs;  // absent: as connected
+};
+
+struct ConnectionSpec {
+  Span span;
+  Spanned<std::string> from;
+  Spanned<std::string> to;
+  std::optional<Spanned<std::uint32_t>> window;
+  std::optional<Spanned<Rational>> delay_s;
+  std::optional<Spanned<bool>> skip;
+  std::optional<ProcessorSpec> processor;
+};
+
+struct AgentSpec {
+  enum class Kind : std::uint8_t { zero, random, csv, policy };
+  Kind kind = Kind::zero;
+  Span span;
+  Spanned<std::string> file;
+  std::vector<Spanned<std::string>> observations;  // order of the policy's inputs; empty: by name
+  std::optional<Spanned<std::string>> output;      // squashed | raw
+};
+
+struct GraphSpec {
+  FileId file = FileId::none;
+  std::string path;
+  Spanned<std::string> name;
+  Spanned<Rational> rate;
+  std::string real = "float";
+  std::vector<Spanned<std::string>> library;
+  EntitySpec engine;
+  std::vector<EntitySpec> objects;
+  std::vector<EntitySpec> nodes;
+  std::vector<ComponentSpec> actions;
+  std::vector<ComponentSpec> observations;
+  std::vector<ConnectionSpec> connections;
+  AgentSpec agent;
+};
+
+/// The table of the graph file.
+const Format& graph_format();
+
+/// Typed form of a tree; all problems are reported. nullopt if there was any.
+std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& path,
+                                         Diagnostics& diagnostics);
+
+// Pieces that manifests are written in too.
+enum class Reference : std::uint8_t { refuse, accept };  // whether `$(config x)` may stand for a number
+FormatPtr space_format(Reference references, bool like);
+FormatPtr connections_format();
+FormatPtr engine_nodes_format();
+FormatPtr config_format();
+SpaceSpec read_space(const Node& node);
+std::vector<Setting> read_config(const Node* node);
+std::vector<ConnectionSpec> read_connections(const Node* node);
+EntitySpec read_entity(const std::string& name, Span span, const Node& node, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,36 @@
+// One element of an array.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <type_traits>
+
+namespace eagerx::models {
+
+/// Every tick: observation [] := element `idx` of the last observation_array [n]; zero as long as
+/// none has come (skipped connections).
+template <class Io>
+class FloatOutput {
+ public:
+  using Simulator = typename Io::Simulator;
+
+  void reset(const typename Io::States& /*states*/, Simulator& /*simulator*/) {}
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out,
+                Simulator& /*simulator*/) {
+    using Message = std::remove_cvref_t<decltype(out.observation)>;
+    constexpr auto kIndex = static_cast<std::size_t>(Io::Config::idx);
+    static_assert(kIndex < size_of<Source>,
+                  "FloatOutput: `idx` is beyond the end of `observation_array`");
+    element(out.observation, 0) =
+        in.observation_array.empty()
+            ? ScalarOf<Message>{}
+            : static_cast<ScalarOf<Message>>(element(in.observation_array.back(), kIndex));
+  }
+
+ private:
+  using Source = typename decltype(Io::Inputs::observation_array)::value_type;
+};
+
+}  // namespace eagerx::models

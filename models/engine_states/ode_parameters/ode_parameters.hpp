@@ -1,0 +1,37 @@
+// Sets parameters of an object simulated by OdeEngine.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/message.hpp>
+
+namespace eagerx::models {
+
+/// At a reset: parameter indices[i] := value[i]. The value has shape [n] for n indices, or [] for
+/// one. The other parameters keep the model's defaults.
+template <class Io>
+struct OdeParameters {
+  static void reset(const typename Io::State& value, typename Io::Simulator& simulator) {
+    static_assert(size_of<typename Io::State> == kCount,
+                  "OdeParameters: the state must have as many elements as `indices`");
+    static_assert(indices_exist(),
+                  "OdeParameters: an element of `indices` is not a parameter of the model");
+    for (std::size_t i = 0; i < kCount; ++i) {
+      simulator.parameters[static_cast<std::size_t>(Io::Config::indices[i])] =
+          static_cast<typename Io::Simulator::Real>(element(value, i));
+    }
+  }
+
+ private:
+  static constexpr std::size_t kCount = Io::Config::indices.size();
+
+  static constexpr bool indices_exist() {
+    for (const auto index : Io::Config::indices) {
+      if (index < 0 || static_cast<std::size_t>(index) >= Io::Simulator::Model::kParameters) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace eagerx::models

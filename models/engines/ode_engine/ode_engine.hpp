@@ -1,0 +1,101 @@
+// The engine that integrates ordinary differential equations.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <limits>
+#include <models/engines/ode_engine/dopri5.hpp>
+#include <models/engines/ode_engine/ode_model.hpp>
+#include <models/engines/ode_engine/ode_simulator.hpp>
+#include <models/engines/ode_engine/rk4.hpp>
+
+namespace eagerx::models {
+
+enum class OdeMethod : std::uint8_t { rk4, dopri5 };
+
+/// Advances every object's OdeSimulator by one period of the engine, with its input held constant.
+///
+/// No callback throws or stops. What could not be integrated as asked is counted in the simulator's
+/// faults(), and the simulation goes on, as EAGERx's does after odeint's warning:
+///   dopri5, more than `mxstep` steps tried, or the tolerances not met in the shortest step (also
+///     because the derivative is NaN or infinite): the state is the last one that met the
+///     tolerances. The object is then late by what was not integrated.
+///   rk4: the state after the tick is not finite. It is published as it is.
+template <class Io>
+class OdeEngine {
+ public:
+  void reset(const typename Io::States& /*states*/) {}
+
+  template <class... Simulators>
+  void callback(const Tick& /*tick*/, Simulators&... simulators) {
+    (advance(simulators), ...);
+  }
+
+ private:
+  using Config = typename Io::Config;
+  static constexpr std::uint32_t kDefaultMaxSteps = 500;  // odeint's, for mxstep 0
+
+  template <class Simulator>
+  static void advance(Simulator& simulator) {
+    const OdeDerivative<typename Simulator::Model> derivative(simulator.parameters,
+                                                              simulator.input);
+    if constexpr (Config::method == OdeMethod::rk4) {
+      advance_rk4(derivative, simulator);
+    } else {
+      advance_dopri5(derivative, simulator);
+    }
+  }
+
+  template <class Derivative, class Simulator>
+  static void advance_rk4(const Derivative& derivative, Simulator& simulator) {
+    using Real = typename Simulator::Real;
+    static_assert(Config::substeps >= 1, "OdeEngine: `substeps` must be at least 1");
+    constexpr Real kStep = static_cast<Real>(Io::Rate::period_s / Config::substeps);
+    auto x = simulator.state;
+    for (int i = 0; i < Config::substeps; ++i) x = rk4_step(derivative, x, kStep);
+    simulator.state = x;
+    if (!all_finite(x)) simulator.add_fault();
+  }
+
+  template <class Derivative, class Simulator>
+  static void advance_dopri5(const Derivative& derivative, Simulator& simulator) {
+    using Real = typename Simulator::Real;
+    constexpr Real kPeriod = static_cast<Real>(Io::Rate::period_s);
+    constexpr auto kSettings = dopri5_settings<Real>();
+    const auto outcome = dopri5(derivative, simulator.state, kPeriod, simulator.step_s, kSettings);
+    if (outcome != Dopri5Outcome::done) simulator.add_fault();
+  }
+
+  /// The configuration with odeint's meaning of 0, and tolerances that Real can resolve.
+  template <class Real>
+  static constexpr Dopri5Settings<Real> dopri5_settings() {
+    constexpr auto kLeastRtol = 10.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
+    constexpr auto kLeastAtol = static_cast<double>(std::numeric_limits<Real>::min());
+    constexpr double kHmax = Config::hmax;
+    static_assert(Config::hmin >= 0.0 && kHmax >= 0.0,
+                  "OdeEngine: `hmin` and `hmax` must not be negative");
+    static_assert(kHmax == 0.0 || Config::hmin <= kHmax,
+                  "OdeEngine: `hmin` must not be above `hmax`");
+    static_assert(Config::mxstep >= 0, "OdeEngine: `mxstep` must not be negative");
+    return {
+        .rtol = static_cast<Real>(eagerx::max(double{Config::rtol}, kLeastRtol)),
+        .atol = static_cast<Real>(eagerx::max(double{Config::atol}, kLeastAtol)),
+        .shortest_s = static_cast<Real>(Config::hmin),
+        .longest_s = static_cast<Real>(kHmax > 0.0 ? kHmax : Io::Rate::period_s),
+        .max_tries =
+            Config::mxstep > 0 ? static_cast<std::uint32_t>(Config::mxstep) : kDefaultMaxSteps,
+    };
+  }
+
+  template <class Real, std::size_t N>
+  static constexpr bool all_finite(const Array<Real, N>& x) {
+    bool finite = true;
+    for (std::size_t i = 0; i < N; ++i) finite = finite && eagerx::isfinite(x[i]);
+    return finite;
+  }
+};
+
+}  // namespace eagerx::models

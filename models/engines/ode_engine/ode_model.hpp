@@ -1,0 +1,69 @@
+// What a model of an ordinary differential equation offers to OdeEngine.
+#pragma once
+
+#include <concepts>
+#include <eagerx/message.hpp>
+
+namespace eagerx::models {
+
+/// A model dx/dt = f(x, u, p) with constant input u and parameters p during an engine tick. It has
+///   using Real = …;                                    // float or double
+///   static constexpr std::size_t kStates, kInputs, kParameters;  // sizes of x, u, p, at least 1
+///   static Array<Real, kParameters> default_parameters();
+///   static Array<Real, kStates> derivative(const Array<Real, kParameters>& p,
+///                                          const Array<Real, kInputs>& u,
+///                                          Array<Real, kStates> x);
+/// or, where products of p and u are worth computing once for each engine tick and not in each
+/// stage of the integrator, instead of the last one:
+///   struct Coefficients {…};
+///   static Coefficients precompute(const Array<Real, kParameters>& p,
+///                                  const Array<Real, kInputs>& u);
+///   static Array<Real, kStates> derivative(const Coefficients& c, Array<Real, kStates> x);
+/// x is taken by value so that a small state stays in registers where the compiler does not inline.
+template <class Model>
+concept OdeModel = (Model::kStates > 0) && (Model::kInputs > 0) && (Model::kParameters > 0) &&
+                   std::same_as<decltype(Model::default_parameters()),
+                                Array<typename Model::Real, Model::kParameters>>;
+
+template <class Model>
+concept HasCoefficients = requires {
+  typename Model::Coefficients;
+};
+
+template <class Model>
+using OdeState = Array<typename Model::Real, Model::kStates>;
+template <class Model>
+using OdeInputs = Array<typename Model::Real, Model::kInputs>;
+template <class Model>
+using OdeParameterSet = Array<typename Model::Real, Model::kParameters>;
+
+/// f(x) of a model with its parameters and input held constant: what the integrators see.
+template <OdeModel Model>
+class OdeDerivative {
+ public:
+  constexpr OdeDerivative(const OdeParameterSet<Model>& parameters, const OdeInputs<Model>& input)
+      : parameters_(parameters), input_(input) {}
+  [[gnu::always_inline]] constexpr OdeState<Model> operator()(const OdeState<Model>& x) const {
+    return Model::derivative(parameters_, input_, x);
+  }
+
+ private:
+  OdeParameterSet<Model> parameters_;
+  OdeInputs<Model> input_;
+};
+
+template <OdeModel Model>
+requires HasCoefficients<Model>
+class OdeDerivative<Model> {
+ public:
+  constexpr OdeDerivative(const OdeParameterSet<Model>& parameters, const OdeInputs<Model>& input)
+      : coefficients_(Model::precompute(parameters, input)) {}
+  [[gnu::always_inline]] constexpr OdeState<Model> operator()(const OdeState<Model>& x) const {
+    return Model::derivative(coefficients_, x);
+  }
+
+ private:
+  typename Model::Coefficients coefficients_;
+};
+
+}  // namespace eagerx::models

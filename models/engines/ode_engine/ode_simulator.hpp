@@ -1,0 +1,41 @@
+// What OdeEngine keeps for each object.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <models/engines/ode_engine/ode_model.hpp>
+
+namespace eagerx::models {
+
+/// State, input and parameters of one object. All bytes are zero until the first reset().
+template <OdeModel ModelType>
+class OdeSimulator {
+ public:
+  using Model = ModelType;
+  using Real = typename Model::Real;
+
+  OdeState<Model> state{};              // [kStates]
+  OdeInputs<Model> input{};             // [kInputs], constant during an engine tick
+  OdeParameterSet<Model> parameters{};  // [kParameters]
+  Real step_s{};                        // adaptive methods: size of the next step, 0: not known yet
+
+  /// State and input zero, parameters the model's defaults. The faults stay.
+  void reset() {
+    state = {};
+    input = {};
+    parameters = Model::default_parameters();
+    step_s = {};
+  }
+
+  /// Engine ticks that could not be integrated as asked, since the start of the program; saturates.
+  /// See OdeEngine for what happens to the state.
+  std::uint32_t faults() const { return faults_; }
+  void add_fault() {
+    if (faults_ != std::numeric_limits<std::uint32_t>::max()) ++faults_;
+  }
+
+ private:
+  std::uint32_t faults_ = 0;
+};
+
+}  // namespace eagerx::models

@@ -1,0 +1,48 @@
+// Between observations, a policy's numbers, and actions.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include <eagerx/message.hpp>
+#include <eagerx/space.hpp>
+
+namespace eagerx {
+
+/// Writes the messages of an observation, oldest first, each flat, to `input` from `position` on, and moves
+/// `position` behind them: the order of Gymnasium's flatten().
+template <class Observed, std::size_t N>
+void flatten(const Observed& window, float (&input)[N], std::size_t& position) {
+  using Message = typename Observed::value_type;
+  for (std::uint32_t w = 0; w < window.size(); ++w) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      input[position++] = static_cast<float>(element(window[w], i));
+    }
+  }
+}
+
+/// Reads the next elements of an action from `output`.
+template <class Message, std::size_t N>
+Message unflatten(const float (&output)[N], std::size_t& position) {
+  Message action{};
+  for (std::size_t i = 0; i < size_of<Message>; ++i) {
+    element(action, i) = static_cast<ScalarOf<Message>>(output[position++]);
+  }
+  return action;
+}
+
+/// From -1…1 to the action's bounds, as Stable-Baselines3 does for squashed policies (SAC, TD3):
+/// low + 0.5 (x + 1) (high - low).
+template <class Message>
+Message unscaled(Message action, const Space<Message>& space) {
+  using Scalar = ScalarOf<Message>;
+  for (std::size_t i = 0; i < size_of<Message>; ++i) {
+    const Scalar low = element(space.low, i);
+    const Scalar high = element(space.high, i);
+    Scalar& x = element(action, i);
+    x = low + (Scalar(0.5) * (x + Scalar(1))) * (high - low);
+  }
+  return action;
+}
+
+}  // namespace eagerx

@@ -1,0 +1,98 @@
+// How many messages an input has received, where that is not simply its source's counter. Additions only;
+// with source rate / own rate = A/B in lowest terms and x = ceil(B · source rate · delay).
+#pragma once
+
+#include <cstdint>
+
+#include <eagerx/rate.hpp>
+
+namespace eagerx {
+
+/// All messages received up to a tick, and how many of them the window holds.
+struct Received {
+  Seq end;
+  Seq held;
+};
+
+/// floor((A n - x) / B) for n, n + 1, … without dividing again.
+template <std::int64_t A, std::int64_t B>
+class FloorSequence {
+ public:
+  constexpr void start(std::int64_t n, std::int64_t x) {
+    const std::int64_t numerator = A * n - x;
+    value_ = numerator >= 0 ? numerator / B : -((B - 1 - numerator) / B);
+    rest_ = numerator - value_ * B;
+  }
+  constexpr void advance() {
+    value_ += A / B;
+    rest_ += A % B;
+    if (rest_ >= B) {
+      rest_ -= B;
+      ++value_;
+    }
+  }
+  constexpr std::int64_t value() const { return value_; }
+
+ private:
+  std::int64_t value_ = 0;
+  std::int64_t rest_ = 0;
+};
+
+/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n, the first whatever the delay.
+template <std::int64_t A, std::int64_t B>
+class DelayCursor {
+ public:
+  constexpr void reset(std::int64_t x) { sent_.start(0, x); }
+  /// Messages by this tick; the next call is for the next tick.
+  constexpr Seq take() {
+    const std::int64_t total = sent_.value() + 1;
+    sent_.advance();
+    return total < 1 ? 1 : static_cast<Seq>(total);
+  }
+
+ private:
+  FloorSequence<A, B> sent_;
+};
+
+/// A skipped input: nothing at tick 0, then max(0, min(c(n + Off) - c(n + Off - 1), c(n) + 1)) more at each
+/// tick, with c(n) = floor((A n - x) / B).
+template <std::int64_t A, std::int64_t B, std::int64_t Off>
+class SkipCursor {
+ public:
+  constexpr void reset(std::int64_t x) {
+    sent_.start(0, x);
+    ahead_.start(Off, x);
+    total_ = 0;
+  }
+  constexpr Seq take() {
+    const Seq now = total_;
+    const std::int64_t before = ahead_.value();
+    sent_.advance();
+    ahead_.advance();
+    const std::int64_t most = sent_.value() + 1;
+    const std::int64_t arriving = ahead_.value() - before < most ? ahead_.value() - before : most;
+    if (arriving > 0) total_ += static_cast<Seq>(arriving);
+    return now;
+  }
+
+ private:
+  FloorSequence<A, B> sent_;
+  FloorSequence<A, B> ahead_;
+  Seq total_ = 0;
+};
+
+/// What is new since the last tick, for window 0.
+class NewMessages {
+ public:
+  constexpr void reset() { seen_ = 0; }
+  constexpr Received take(Seq total) {
+    const Seq fresh = total - seen_;
+    seen_ = total;
+    return {total, fresh};
+  }
+
+ private:
+  Seq seen_ = 0;
+};
+
+}  // namespace eagerx

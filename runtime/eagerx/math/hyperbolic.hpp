@@ -1,0 +1,75 @@
+// Hyperbolic functions and the logistic function.
+#pragma once
+
+#include <eagerx/math/basic.hpp>
+#include <eagerx/math/exponential.hpp>
+#include <eagerx/math/vocabulary.hpp>
+
+namespace eagerx {
+namespace detail {
+
+template <class T>
+struct HyperbolicConstants;
+template <>
+struct HyperbolicConstants<float> {
+  static constexpr float kTanhIsOne = 10.0F;   // tanh is 1 from here on
+  static constexpr float kSinhIsX = 0x1p-13F;  // sinh(x) is x up to here
+  static constexpr float kOverflow = 89.5F;    // sinh and cosh are infinite from here on
+};
+template <>
+struct HyperbolicConstants<double> {
+  static constexpr double kTanhIsOne = 20.0;
+  static constexpr double kSinhIsX = 0x1p-28;
+  static constexpr double kOverflow = 710.5;
+};
+
+}  // namespace detail
+
+/// Hyperbolic tangent. Largest measured error: 2.7 ulp (float), 2.5 (double).
+template <Floating R>
+constexpr R tanh(R x) {
+  using T = LaneOf<R>;
+  const R a = min(abs(x), R(detail::HyperbolicConstants<T>::kTanhIsOne));
+  const auto parts = detail::exponential_parts(a + a, R(T(0)));
+  const R scale = detail::power_of_two_lanes<R>(parts.n);
+  const R expm1 = scale * parts.expm1 + (scale - R(T(1)));  // e^2a - 1
+  return select(x == x, copysign(expm1 / (expm1 + R(T(2))), x), x);
+}
+
+/// Hyperbolic sine. Largest measured error: 2.5 ulp. Infinite where the result is too large.
+template <Floating R>
+constexpr R sinh(R x) {
+  using T = LaneOf<R>;
+  using Constants = detail::HyperbolicConstants<T>;
+  const R a = min(abs(x), R(Constants::kOverflow));
+  const auto parts = detail::exponential_parts(a, R(T(0)));
+  // A quarter of e^a - 1, so that it overflows only when the result does.
+  const R scale = detail::power_of_two_lanes<R>(parts.n - BitsOf<R>(2));
+  const R quarter = scale * parts.expm1 + (scale - R(T(0.25)));
+  const R half_sinh = quarter + quarter / (R(T(4)) * quarter + R(T(1)));
+  const R sinh_a = select(a < R(Constants::kSinhIsX), a, half_sinh + half_sinh);
+  return select(x == x, copysign(sinh_a, x), x);
+}
+
+/// Hyperbolic cosine. Largest measured error: 1.6 ulp. Infinite where the result is too large.
+template <Floating R>
+constexpr R cosh(R x) {
+  using T = LaneOf<R>;
+  const R a = min(abs(x), R(detail::HyperbolicConstants<T>::kOverflow));
+  const auto parts = detail::exponential_parts(a, R(T(0)));
+  const R scale = detail::power_of_two_lanes<R>(parts.n - BitsOf<R>(2));
+  const R quarter = scale * parts.expm1 + scale;  // of e^a
+  const R half_cosh = quarter + R(T(0.0625)) / quarter;
+  return select(x == x, half_cosh + half_cosh, x);
+}
+
+/// 1 / (1 + e^-x), the logistic function. Largest measured error: 2.5 ulp. Never overflows.
+template <Floating R>
+constexpr R sigmoid(R x) {
+  using T = LaneOf<R>;
+  const R e = exp(-abs(x));
+  const R numerator = select(x < R(T(0)), e, R(T(1)));
+  return select(x == x, numerator / (R(T(1)) + e), x);
+}
+
+}  // namespace eagerx

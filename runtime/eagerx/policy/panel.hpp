@@ -1,0 +1,16 @@
+// Panels of outputs: sums that run over the inputs side by side. Three ways to the same bits:
+// vector lanes where the machine has exact ones, Cortex-M registers, plain loops. Each provides,
+// for w [Panels][In][width], b and y [Panels * width] and x [In]:
+//   full_panels<In, Panels>(w, b, x, y)    panels eight wide
+//   tail_panel<In, Width>(w, b, x, y)      one panel 1, 2, 4 or 8 wide
+//   tanh_all<Out>(y)                       y = tanh(y)
+#pragma once
+
+// 32-bit NEON flushes denormals to zero, so it does not count as exact.
+#if defined(__SSE2__) || defined(__aarch64__) || defined(__wasm_simd128__)
+#include <eagerx/policy/panel_lanes.hpp>
+#elif defined(__thumb2__) && defined(__ARM_FP) && __ARM_ARCH_PROFILE == 'M' && defined(__GNUC__)
+#include <eagerx/policy/panel_cortex_m.hpp>
+#else
+#include <eagerx/policy/panel_scalar.hpp>
+#endif

@@ -1,0 +1,148 @@
+# eagerx_add_graph(TARGET <name> GRAPH <file> [ENGINE <name>] [BOARD <target>] [PATHS <folder>...]
+#                  [OUTPUT <folder>])
+#
+# Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
+# weight file changes.
+#   ENGINE  the engine instead of the one the graph names
+#   BOARD   a folder of targets/, linux-sim without it. When the board needs another compiler than this build
+#           has, <name> is built in a build tree of its own with the board's toolchain file.
+#   PATHS   your own folders of entities and targets, searched first
+#   OUTPUT  where the generated sources go, <build>/<name>.eagerx without it
+# The target property EAGERX_IMAGE is the program's file; EAGERX_SOURCES is OUTPUT.
+include_guard(GLOBAL)
+
+function(eagerx_add_graph)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;GRAPH;ENGINE;BOARD;OUTPUT" "PATHS")
+  if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
+    message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
+                        "takes TARGET GRAPH [ENGINE] [BOARD] [PATHS...] [OUTPUT]")
+  endif()
+  if(NOT arg_TARGET OR NOT arg_GRAPH)
+    message(FATAL_ERROR "eagerx_add_graph: TARGET and GRAPH are needed")
+  endif()
+  if(NOT TARGET eagerx::eagerx-gen)
+    message(FATAL_ERROR "eagerx_add_graph: the package eagerx_gen was built without its generator")
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_GRAPH BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+  if(NOT EXISTS ${arg_GRAPH})
+    message(FATAL_ERROR "eagerx_add_graph: there is no graph file ${arg_GRAPH}")
+  endif()
+  if(NOT arg_BOARD)
+    set(arg_BOARD linux-sim)
+  endif()
+  if(NOT arg_OUTPUT)
+    set(arg_OUTPUT ${arg_TARGET}.eagerx)
+  endif()
+  cmake_path(ABSOLUTE_PATH arg_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
+  set(paths)
+  foreach(path IN LISTS arg_PATHS)
+    cmake_path(ABSOLUTE_PATH path BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    list(APPEND paths ${path})
+  endforeach()
+
+  _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
+  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${arg_BOARD} "${arg_ENGINE}" "${paths}")
+  if(toolchain AND NOT CMAKE_CROSSCOMPILING)
+    _eagerx_build_with_toolchain(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder} ${toolchain})
+  else()
+    _eagerx_build_here(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder})
+    foreach(path IN LISTS paths)
+      cmake_path(GET path PARENT_PATH parent) # headers are included as <folder/…>
+      target_include_directories(${arg_TARGET} PRIVATE ${parent})
+    endforeach()
+  endif()
+  set_target_properties(${arg_TARGET} PROPERTIES EAGERX_SOURCES ${arg_OUTPUT})
+endfunction()
+
+# Folder of a board, and its toolchain file if it has one.
+function(_eagerx_find_board folder_variable toolchain_variable board paths)
+  set(folders ${paths})
+  list(TRANSFORM folders APPEND /targets)
+  find_path(
+    folder manifest.yaml
+    PATHS ${folders} ${paths} ${EAGERX_TARGETS_DIR}
+    PATH_SUFFIXES ${board}
+    NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH NO_CACHE)
+  if(NOT folder)
+    message(FATAL_ERROR "eagerx_add_graph: there is no target `${board}` in ${paths} ${EAGERX_TARGETS_DIR}")
+  endif()
+  set(${folder_variable} ${folder} PARENT_SCOPE)
+  set(${toolchain_variable} "" PARENT_SCOPE)
+
+  file(STRINGS ${folder}/manifest.yaml name REGEX "^toolchain:")
+  if(name)
+    string(REGEX REPLACE "^toolchain:[ \t\"']*([^ \t\"'#]*).*$" "\\1" name "${name}")
+    set(folders ${paths})
+    list(TRANSFORM folders APPEND /toolchains)
+    find_file(
+      file ${name}
+      PATHS ${folders} ${EAGERX_TOOLCHAINS_DIR}
+      NO_DEFAULT_PATH NO_CMAKE_FIND_ROOT_PATH NO_CACHE)
+    if(NOT file)
+      message(FATAL_ERROR "eagerx_add_graph: there is no toolchain file `${name}`, which ${folder} names")
+    endif()
+    set(${toolchain_variable} ${file} PARENT_SCOPE)
+  endif()
+endfunction()
+
+# The rule that runs the generator. Sources are written only when they change; the stamp always is. So the
+# stamp is the output, and whatever is compiled depends on it.
+function(_eagerx_generate stamp_variable target graph output board engine paths)
+  set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp)
+  set(options --target ${board} --depfile ${stamp}.d)
+  if(engine)
+    list(APPEND options --engine ${engine})
+  endif()
+  foreach(path IN LISTS paths)
+    list(APPEND options --path ${path})
+  endforeach()
+  add_custom_command(
+    OUTPUT ${stamp}
+    BYPRODUCTS ${output}/CMakeLists.txt ${output}/${board}/main.cpp
+    COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} ${options}
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    DEPENDS ${graph} eagerx::eagerx-gen $<TARGET_FILE:eagerx::eagerx-gen>
+    DEPFILE ${stamp}.d
+    COMMENT "Generating ${target} from ${graph}"
+    VERBATIM)
+  set(${stamp_variable} ${stamp} PARENT_SCOPE)
+endfunction()
+
+# A program for the compiler of this build.
+function(_eagerx_build_here target stamp output board board_folder)
+  set(main ${output}/${board}/main.cpp)
+  set_source_files_properties(${main} PROPERTIES GENERATED TRUE OBJECT_DEPENDS ${stamp})
+  add_executable(${target} ${main} ${stamp})
+  target_include_directories(${target} PRIVATE ${output})
+  target_link_libraries(${target} PRIVATE eagerx::runtime)
+  include(${board_folder}/target.cmake)
+  eagerx_configure_target(${target})
+  set_target_properties(${target} PROPERTIES EAGERX_IMAGE $<TARGET_FILE:${target}>)
+endfunction()
+
+# A program for another compiler: the generated tree is a project of its own.
+function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain)
+  set(build ${CMAKE_CURRENT_BINARY_DIR}/${target}.build)
+  set(image ${build}/${target}.elf)
+  cmake_path(GET board_folder PARENT_PATH targets_folder)
+  add_custom_command(
+    OUTPUT ${stamp}.configured
+    COMMAND
+      ${CMAKE_COMMAND} -S ${output} -B ${build} -G ${CMAKE_GENERATOR} --toolchain ${toolchain}
+      -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
+      -DEAGERX_TARGET=${board} -DEAGERX_TARGETS_PATH=${targets_folder} -DEAGERX_IMAGE_NAME=${target}.elf
+      -Deagerx_gen_DIR=${EAGERX_PACKAGE_DIR}
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}.configured
+    DEPENDS ${stamp} ${toolchain}
+    COMMENT "Configuring ${target} for ${board}"
+    VERBATIM)
+  # Always asks the inner build: only that knows the headers it was compiled from.
+  add_custom_target(
+    ${target} ALL
+    COMMAND ${CMAKE_COMMAND} --build ${build}
+    DEPENDS ${stamp}.configured
+    BYPRODUCTS ${image}
+    COMMENT "Building ${target} for ${board}"
+    VERBATIM)
+  set_target_properties(${target} PROPERTIES EAGERX_IMAGE ${image})
+endfunction()

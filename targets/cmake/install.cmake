@@ -1,0 +1,45 @@
+# Install rules and the CMake package `eagerx_gen`, which also works from the build tree
+# (-Deagerx_gen_DIR=<build>) and with add_subdirectory.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(cmake_files ${CMAKE_CURRENT_LIST_DIR})
+set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/eagerx_gen)
+set(share_dir ${CMAKE_INSTALL_DATADIR}/eagerx-gen)
+
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx DESTINATION ${share_dir}/runtime)
+foreach(folder models targets toolchains templates)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${share_dir})
+
+set(package_targets eagerx_runtime)
+if(TARGET eagerx-gen)
+  list(APPEND package_targets eagerx-gen)
+  if(NOT TARGET eagerx::eagerx-gen)
+    add_executable(eagerx::eagerx-gen ALIAS eagerx-gen)
+  endif()
+endif()
+install(TARGETS ${package_targets} EXPORT eagerx_gen RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(EXPORT eagerx_gen NAMESPACE eagerx:: FILE eagerx_gen-targets.cmake DESTINATION ${package_dir})
+export(EXPORT eagerx_gen NAMESPACE eagerx:: FILE ${PROJECT_BINARY_DIR}/eagerx_gen-targets.cmake)
+
+# The same file twice: the installed one finds its data beside itself, the build tree's in the sources.
+set(EAGERX_CONFIG_SHARE_DIR "\${CMAKE_CURRENT_LIST_DIR}/../../eagerx-gen")
+configure_file(${cmake_files}/eagerx_gen-config.cmake.in ${PROJECT_BINARY_DIR}/installed/eagerx_gen-config.cmake
+               @ONLY)
+set(EAGERX_CONFIG_SHARE_DIR ${PROJECT_SOURCE_DIR})
+configure_file(${cmake_files}/eagerx_gen-config.cmake.in ${PROJECT_BINARY_DIR}/eagerx_gen-config.cmake @ONLY)
+
+# Independent of the architecture, so that a build for a 32-bit board accepts the package of a 64-bit host.
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/eagerx_gen-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion ARCH_INDEPENDENT)
+install(FILES ${PROJECT_BINARY_DIR}/installed/eagerx_gen-config.cmake
+              ${PROJECT_BINARY_DIR}/eagerx_gen-config-version.cmake DESTINATION ${package_dir})
+
+# For projects that take this one in with add_subdirectory.
+set(EAGERX_SHARE_DIR ${PROJECT_SOURCE_DIR} CACHE INTERNAL "where models, targets and toolchains are")
+set(EAGERX_TARGETS_DIR ${PROJECT_SOURCE_DIR}/targets CACHE INTERNAL "folder of targets")
+set(EAGERX_TOOLCHAINS_DIR ${PROJECT_SOURCE_DIR}/toolchains CACHE INTERNAL "folder of toolchain files")
+set(EAGERX_PACKAGE_DIR ${PROJECT_BINARY_DIR} CACHE INTERNAL "folder of eagerx_gen-config.cmake")
+include(${cmake_files}/EagerxAddGraph.cmake)

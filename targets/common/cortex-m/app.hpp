@@ -1,0 +1,198 @@
+// The main program of a Cortex-M board that talks through semihosting or a serial port, for any
+// graph.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/trace.hpp>
+#include <string_view>
+#include <targets/common/cortex-m/console.hpp>
+#include <targets/common/cortex-m/semihosting.hpp>
+#include <targets/common/cortex-m/stack.hpp>
+#include <targets/common/csv.hpp>
+#include <targets/common/run.hpp>
+
+namespace eagerx::board {
+
+/// What a program does; the words are those of linux-sim's options.
+struct Options {
+  target::RunPlan plan;
+  target::Agent agent = target::Agent::zero;
+  Output output = Output::semihosting;
+  bool csv = false;
+};
+
+/// Reads the words of the command line after the program's name.
+class OptionParser {
+ public:
+  explicit OptionParser(std::string_view line) {
+    // The name of the image comes first and may have spaces in it.
+    line.remove_prefix(std::min(line.find(" --"), line.size()));
+    rest_ = line;
+  }
+
+  /// False if a word is wrong; wrong() is that word.
+  bool read(Options& options) {
+    while (next()) {
+      if (word_ == "--csv") {
+        options.csv = true;
+      } else if (!read_value(options)) {
+        return false;
+      }
+    }
+    return true;
+  }
+  std::string_view wrong() const { return word_; }
+
+ private:
+  bool read_value(Options& options) {
+    using Setter = bool (OptionParser::*)(Options&) const;
+    const Setter set = word_ == "--episodes" ? &OptionParser::set_episodes
+                       : word_ == "--steps"  ? &OptionParser::set_steps
+                       : word_ == "--seed"   ? &OptionParser::set_seed
+                       : word_ == "--agent"  ? &OptionParser::set_agent
+                       : word_ == "--output" ? &OptionParser::set_output
+                                             : nullptr;
+    return set != nullptr && next() && (this->*set)(options);
+  }
+
+  bool set_episodes(Options& options) const {
+    return number(options.plan.episodes) && options.plan.episodes > 0;
+  }
+  bool set_steps(Options& options) const {
+    return number(options.plan.steps) && options.plan.steps > 0;
+  }
+  bool set_seed(Options& options) const { return number(options.plan.seed); }
+  bool set_agent(Options& options) const {
+    return target::agent_of(word_, options.agent) && options.agent != target::Agent::csv;
+  }
+  bool set_output(Options& options) const {
+    options.output = word_ == "uart" ? Output::uart : Output::semihosting;
+    return word_ == "uart" || word_ == "semihosting";
+  }
+
+  template <class T>
+  bool number(T& value) const {
+    const char* const end = word_.data() + word_.size();
+    const std::from_chars_result result = std::from_chars(word_.data(), end, value);
+    return result.ec == std::errc() && result.ptr == end;
+  }
+
+  bool next() {
+    const std::size_t begin = rest_.find_first_not_of(' ');
+    if (begin == std::string_view::npos) return false;
+    rest_.remove_prefix(begin);
+    // Not substr: it can throw, which the link forbids.
+    word_ = {rest_.data(), std::min(rest_.find(' '), rest_.size())};
+    rest_.remove_prefix(word_.size());
+    return true;
+  }
+
+  std::string_view rest_;
+  std::string_view word_;
+};
+
+/// Counts steps and prints the CSV.
+template <class Graph>
+class Watch {
+ public:
+  using Action = typename Graph::Action;
+  using Observation = typename Graph::Observation;
+  using Table = target::CsvTable<Graph, Console>;
+
+  explicit Watch(bool csv) : csv_(csv) {}
+
+  static bool go_on() { return true; }
+  void reset(std::uint32_t episode, const Observation& observation) const {
+    if (!csv_) return;
+    if (episode == 0) Table::header(console, observation);
+    Table::row(console, episode, 0, observation, nullptr);
+  }
+  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
+    ++steps_;
+    if (csv_) Table::row(console, episode, step, observation, &action);
+  }
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  std::uint64_t steps_ = 0;
+  bool csv_;
+};
+
+inline int wrong_usage(std::string_view about, std::string_view word) {
+  console.text("error: ");
+  console.text(about);
+  console.text(word);
+  console.text(
+      "\nhelp: [--episodes N] [--steps N] [--seed N] [--agent policy|zero|random] [--csv] "
+      "[--output semihosting|uart]\n");
+  return kBadUsage;
+}
+
+/// Fills `options` from the command line. Returns the exit code of a wrong one, otherwise kDone.
+inline int read_options(Options& options, bool has_policy) {
+  constexpr std::size_t kLongestCommandLine = 512;
+  char line[kLongestCommandLine];
+  const int length = semihosting_command_line(line, sizeof line);
+  if (length < 0) return wrong_usage("the command line is longer than 511 characters", "");
+  OptionParser parser({line, static_cast<std::size_t>(length)});
+  if (!parser.read(options)) return wrong_usage("wrong option or value at ", parser.wrong());
+  if (options.agent == target::Agent::policy && !has_policy) {
+    return wrong_usage("this program has no ", "policy");
+  }
+  return kDone;
+}
+
+/// The line `name value`.
+template <class T>
+void print(std::string_view name, T value, std::string_view unit = "") {
+  console.text(name);
+  console.text(" ");
+  if constexpr (std::is_convertible_v<T, std::string_view>) {
+    console.text(value);
+  } else {
+    console.number(value);
+  }
+  console.text(unit);
+  console.text("\n");
+}
+
+/// The main function: runs the episodes of the command line on this board and prints what came out.
+template <class Graph>
+int run(const char* board) {
+  static_assert(
+      target::default_agent<Graph>() != target::Agent::csv,
+      "this graph has `agent: {csv: FILE}`, but a board has no files: generate it for boards "
+      "with `agent: zero`, `random` or `{policy: FILE}`");
+  Options options;
+  options.agent = target::default_agent<Graph>();
+  const int usage = read_options(options, Graph::kHasPolicy);
+  console.send_to(options.output);
+  if (usage != kDone) return console.flush(), usage;
+
+  auto& program = target::program_of_run<typename Graph::template Program<HashTrace>>;
+  Watch<Graph> watch(options.csv);
+  const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
+    return target::act<Graph>(options.agent, key, step, observation);
+  };
+  target::run_episodes<Graph>(options.plan, program, agent, watch);
+
+  print("graph", Graph::kName);
+  print("engine", Graph::kEngine);
+  print("board", board);
+  print("agent", target::name_of(options.agent));
+  print("seed", options.plan.seed);
+  print("episodes", options.plan.episodes);
+  print("steps", watch.steps());
+  print("program", sizeof program, " bytes");
+  print("stack", stack_used_bytes(), " bytes");
+  console.text("trace hash 0x");
+  console.hex(program.trace.hash());
+  console.text("\n");
+  console.flush();
+  return kDone;
+}
+
+}  // namespace eagerx::board

@@ -1,0 +1,63 @@
+// Text out of a board, through semihosting or a serial port, without printf and without heap.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <targets/common/cortex-m/decimal.hpp>
+
+namespace eagerx::board {
+
+/// Exit codes, the same numbers as a Linux program's where there is one.
+inline constexpr int kDone = 0;
+inline constexpr int kBadUsage = 2;
+inline constexpr int kFault = 4;
+
+enum class Output : std::uint8_t { semihosting, uart };
+
+/// Sends one character through the board's serial port. Every board defines it.
+void uart_write(char character);
+
+/// Collects text and sends it when a line is complete or the buffer full.
+class Console {
+ public:
+  void send_to(Output output) { output_ = output; }
+  void text(std::string_view text);
+  void flush();
+
+  /// Decimal integers, and floating-point numbers as the shortest decimal that reads back to the
+  /// same bits: what std::to_chars writes on Linux.
+  template <std::integral T>
+  void number(T value) {
+    char buffer[kLongestInteger];
+    text({buffer, write_integer(buffer, value)});
+  }
+  template <std::floating_point T>
+  void number(T value) {
+    char buffer[Decimal<T>::kLongestText];
+    text({buffer, Decimal<T>::write(buffer, value)});
+  }
+
+  /// All hexadecimal digits of an unsigned number.
+  template <std::unsigned_integral T>
+  void hex(T value) {
+    constexpr unsigned kBitsPerDigit = 4;
+    for (unsigned shift = 8 * sizeof(T); shift > 0;) {
+      shift -= kBitsPerDigit;
+      text({&"0123456789abcdef"[(value >> shift) & 0xfU], 1});
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBufferBytes = 128;
+
+  char buffer_[kBufferBytes];
+  std::size_t used_;
+  Output output_;
+};
+
+/// The only one. All-zero at the start: it sends through semihosting.
+extern constinit Console console;
+
+}  // namespace eagerx::board

@@ -1,0 +1,42 @@
+#include <targets/common/cortex-m/semihosting.hpp>
+
+namespace eagerx::board {
+namespace {
+
+enum class Operation : std::uint32_t {
+  write0 = 0x04,
+  get_command_line = 0x15,
+  exit_extended = 0x20
+};
+
+/// The number of the operation in r0, its argument in r1, the result in r0.
+std::int32_t call(Operation operation, const void* argument) {
+  register auto r0 asm("r0") = static_cast<std::uint32_t>(operation);
+  register const void* r1 asm("r1") = argument;
+  asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
+  return static_cast<std::int32_t>(r0);
+}
+
+}  // namespace
+
+void semihosting_write(const char* text) {
+  call(Operation::write0, text);
+}
+
+int semihosting_command_line(char* buffer, std::size_t size) {
+  struct {
+    char* text;
+    std::size_t size;
+  } block{buffer, size};
+  return call(Operation::get_command_line, &block) == 0 ? static_cast<int>(block.size) : -1;
+}
+
+void semihosting_exit(int code) {
+  constexpr std::uint32_t kApplicationExit = 0x20026;
+  const std::uint32_t block[2] = {kApplicationExit, static_cast<std::uint32_t>(code)};
+  call(Operation::exit_extended, block);
+  while (true) {
+  }
+}
+
+}  // namespace eagerx::board

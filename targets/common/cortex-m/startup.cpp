@@ -1,0 +1,147 @@
+// From reset to main on every Cortex-M from M3 on. Sources: ARMv7-M Architecture Reference Manual
+// (DDI 0403E) B1.5, B3.2.
+#include <cstddef>
+#include <cstdint>
+#include <targets/common/cortex-m/semihosting.hpp>
+#include <targets/common/cortex-m/stack.hpp>
+
+int main();
+
+extern "C" {
+
+// From the linker script: where initial values lie in flash, where they belong, what starts as
+// zero.
+extern const std::uint32_t eagerx_data_load[];
+extern std::uint32_t eagerx_data_begin[];
+extern std::uint32_t eagerx_data_end[];
+extern std::uint32_t eagerx_bss_begin[];
+extern std::uint32_t eagerx_bss_end[];
+
+using Handler = void (*)();
+extern const Handler eagerx_constructors_begin[];
+extern const Handler eagerx_constructors_end[];
+
+void Fault_Handler();         // faults.cpp
+void Unexpected_Interrupt();  // faults.cpp
+void Reset_Handler();
+[[noreturn]] void eagerx_start();
+}
+
+namespace {
+
+constexpr std::size_t kBoardInterrupts = 64;
+
+struct VectorTable {
+  const std::uint32_t* stack_top;
+  Handler reset;
+  Handler nmi;
+  Handler hard_fault;
+  Handler memory_fault;
+  Handler bus_fault;
+  Handler usage_fault;
+  Handler others[9 + kBoardInterrupts];  // reserved, SVCall, …, SysTick, then the board's own
+};
+
+constexpr VectorTable make_vectors() {
+  VectorTable table{.stack_top = eagerx_stack_top,
+                    .reset = Reset_Handler,
+                    .nmi = Unexpected_Interrupt,
+                    .hard_fault = Fault_Handler,
+                    .memory_fault = Fault_Handler,
+                    .bus_fault = Fault_Handler,
+                    .usage_fault = Fault_Handler,
+                    .others = {}};
+  for (Handler& handler : table.others) handler = Unexpected_Interrupt;
+  return table;
+}
+
+[[gnu::section(".vectors"), gnu::used]] constinit const VectorTable vectors = make_vectors();
+
+volatile std::uint32_t& system_register(std::uintptr_t address) {
+  return *reinterpret_cast<volatile std::uint32_t*>(address);
+}
+
+/// Faults get their own handlers, instead of all ending as a hard fault; so does a division by 0.
+void name_faults() {
+  constexpr std::uintptr_t kVectorTableOffset = 0xE000ED08;
+  constexpr std::uintptr_t kConfigurationControl = 0xE000ED14;
+  constexpr std::uintptr_t kHandlerControl = 0xE000ED24;
+  constexpr std::uint32_t kTrapDivisionByZero = 1U << 4U;
+  constexpr std::uint32_t kMemoryBusUsageFaults = 7U << 16U;
+  system_register(kVectorTableOffset) = reinterpret_cast<std::uintptr_t>(&vectors);
+  system_register(kConfigurationControl) =
+      system_register(kConfigurationControl) | kTrapDivisionByZero;
+  system_register(kHandlerControl) = system_register(kHandlerControl) | kMemoryBusUsageFaults;
+}
+
+/// Forbids the 32 kB below the stack, which is the lowest thing in RAM: running over its end is a
+/// fault and not a mystery. Without a memory protection unit there is no guard. ARMv7-M only
+/// (B3.5).
+void guard_stack() {
+#if __ARM_ARCH == 7
+  constexpr std::uintptr_t kType = 0xE000ED90;
+  constexpr std::uintptr_t kControl = 0xE000ED94;
+  constexpr std::uintptr_t kRegionNumber = 0xE000ED98;
+  constexpr std::uintptr_t kRegionBase = 0xE000ED9C;
+  constexpr std::uintptr_t kRegionSize = 0xE000EDA0;
+  constexpr std::uintptr_t kGuardBytes = 32768;
+  constexpr std::uint32_t kSizeOfGuard = 14U << 1U;  // 2^(14+1) bytes, no access rights
+  constexpr std::uint32_t kNeverExecute = 1U << 28U;
+  constexpr std::uint32_t kEnable = 1U << 0U;
+  constexpr std::uint32_t kDefaultMapElsewhere = 1U << 2U;
+  const auto bottom = reinterpret_cast<std::uintptr_t>(eagerx_stack_bottom);
+  if (system_register(kType) == 0 || bottom % kGuardBytes != 0) return;
+  system_register(kRegionNumber) = 0;
+  system_register(kRegionBase) = bottom - kGuardBytes;
+  system_register(kRegionSize) = kNeverExecute | kSizeOfGuard | kEnable;
+  system_register(kControl) = kDefaultMapElsewhere | kEnable;
+  asm volatile("dsb\n isb" ::: "memory");
+#endif
+}
+
+/// Below this function's own frame only. It keeps a distance, for its frame may grow.
+void paint_stack() {
+  constexpr std::size_t kDistanceWords = 16;
+  std::uint32_t* pointer = nullptr;
+  asm volatile("mov %0, sp" : "=r"(pointer));
+  for (std::uint32_t* word = eagerx_stack_bottom; word < pointer - kDistanceWords; ++word) {
+    *static_cast<volatile std::uint32_t*>(word) = eagerx::board::kStackPaint;
+  }
+}
+
+/// Loops that the compiler must not turn into calls of memcpy and memset.
+void initialise_memory() {
+  const volatile std::uint32_t* from = eagerx_data_load;
+  for (volatile std::uint32_t* to = eagerx_data_begin; to < eagerx_data_end; ++to) *to = *from++;
+  for (volatile std::uint32_t* to = eagerx_bss_begin; to < eagerx_bss_end; ++to) *to = 0;
+}
+
+}  // namespace
+
+void eagerx_start() {
+  paint_stack();
+  initialise_memory();
+  name_faults();
+  guard_stack();
+  for (const Handler* constructor = eagerx_constructors_begin;
+       constructor < eagerx_constructors_end; ++constructor) {
+    (*constructor)();
+  }
+  eagerx::board::semihosting_exit(main());
+}
+
+// Naked: the compiler must not touch a floating-point register before the unit is on, not even to
+// save it.
+[[gnu::naked]] void Reset_Handler() {
+#ifdef __ARM_FP
+  // CPACR: full access to coprocessors 10 and 11, the floating-point unit.
+  asm volatile(
+      "ldr r0, =0xE000ED88\n"
+      "ldr r1, [r0]\n"
+      "orr r1, r1, #0xF00000\n"
+      "str r1, [r0]\n"
+      "dsb\n"
+      "isb\n");
+#endif
+  asm volatile("bl eagerx_start");
+}

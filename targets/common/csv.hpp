@@ -1,0 +1,94 @@
+// The table of `--csv`: a row a step, the same columns on every target.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <string_view>
+
+namespace eagerx::target {
+
+/// Columns: `episode,step,time_s`, every element of every observation, every element of every
+/// action. A column is called `name` (a scalar), `name[i]` (element i, flat, row-major), `name[w]`
+/// or `name[w][i]` when the observation has a window of more than one message (0 is the oldest).
+/// Row 0 of an episode is the observation of the reset, without actions; row k holds action k and
+/// the observation it led to. `Writer` has text(std::string_view) and number(value).
+template <class Graph, class Writer>
+class CsvTable {
+ public:
+  using Action = typename Graph::Action;
+  using Observation = typename Graph::Observation;
+
+  static void header(Writer& out, const Observation& observation) {
+    out.text("episode,step,time_s");
+    Graph::for_each_observation(
+        observation, [&](const char* name, const auto& window, const auto&... /*space*/) {
+          for (std::uint32_t w = 0; w < window.size(); ++w) {
+            column_names(out, name, window.size() > 1, w, window[w]);
+          }
+        });
+    Action action = Graph::zero();
+    Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&...) {
+      column_names(out, name, false, 0, message);
+    });
+    out.text("\n");
+  }
+
+  /// `action` is null for the row of a reset.
+  static void row(Writer& out, std::uint32_t episode, Seq step, const Observation& observation,
+                  const Action* action) {
+    out.number(episode);
+    out.text(",");
+    out.number(step);
+    out.text(",");
+    out.number(Graph::Rate::template seconds<double>(step));
+    Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&...) {
+      for (std::uint32_t w = 0; w < window.size(); ++w) elements(out, window[w]);
+    });
+    action != nullptr ? action_elements(out, *action) : no_action_elements(out);
+    out.text("\n");
+  }
+
+ private:
+  template <class Message>
+  static void column_names(Writer& out, const char* name, bool windowed, std::uint32_t w,
+                           const Message& /*message*/) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      out.text(",");
+      out.text(name);
+      if (windowed) index(out, w);
+      if constexpr (!std::is_arithmetic_v<Message>) index(out, static_cast<std::uint32_t>(i));
+    }
+  }
+
+  static void index(Writer& out, std::uint32_t i) {
+    out.text("[");
+    out.number(i);
+    out.text("]");
+  }
+
+  template <class Message>
+  static void elements(Writer& out, const Message& message) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      out.text(",");
+      out.number(element(message, i));
+    }
+  }
+
+  static void action_elements(Writer& out, Action action) {
+    Graph::for_each_action(
+        action, [&](const char*, const auto& message, const auto&...) { elements(out, message); });
+  }
+
+  static void no_action_elements(Writer& out) {
+    Action action = Graph::zero();
+    Graph::for_each_action(action, [&](const char*, const auto& message, const auto&...) {
+      for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(message)>>; ++i) {
+        out.text(",");
+      }
+    });
+  }
+};
+
+}  // namespace eagerx::target

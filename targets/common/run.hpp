@@ -1,0 +1,90 @@
+// The loop of every target: episodes, steps and an agent. One text for Linux and for boards, so
+// that two programs of one graph do the same things in the same order and end with the same trace
+// hash.
+#pragma once
+
+#include <cstdint>
+#include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
+#include <string_view>
+
+namespace eagerx::target {
+
+/// How much to run. The defaults hold on every target.
+struct RunPlan {
+  std::uint32_t episodes = 1;
+  std::uint64_t steps = 300;  // of each episode
+  std::uint64_t seed = 1;
+};
+
+/// Where actions come from. `csv` exists on targets with files only.
+enum class Agent : std::uint8_t { policy, zero, random, csv };
+
+/// The agent called `name` in graphs and on command lines; false if there is none.
+constexpr bool agent_of(std::string_view name, Agent& agent) {
+  if (name == "policy") return agent = Agent::policy, true;
+  if (name == "zero") return agent = Agent::zero, true;
+  if (name == "random") return agent = Agent::random, true;
+  if (name == "csv") return agent = Agent::csv, true;
+  return false;
+}
+
+constexpr std::string_view name_of(Agent agent) {
+  switch (agent) {
+    case Agent::policy:
+      return "policy";
+    case Agent::zero:
+      return "zero";
+    case Agent::random:
+      return "random";
+    case Agent::csv:
+      break;
+  }
+  return "csv";
+}
+
+/// The agent a graph was generated with.
+template <class Graph>
+constexpr Agent default_agent() {
+  Agent agent = Agent::zero;
+  agent_of(Graph::kDefaultAgent, agent);
+  return agent;
+}
+
+/// Action `step` (from 0) of an agent that needs nothing but the program itself.
+template <class Graph>
+typename Graph::Action act(Agent agent, EpisodeKey key, Seq step,
+                           const typename Graph::Observation& observation) {
+  if constexpr (Graph::kHasPolicy) {
+    if (agent == Agent::policy) return Graph::policy(observation);
+  }
+  if (agent == Agent::random) return Graph::random(key, step);
+  return Graph::zero();
+}
+
+/// Runs `plan`. `agent(key, step, observation)` gives an action. `watch` sees what happens:
+/// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
+/// `step` from 1, and ends the run before a step or an episode by returning false from
+/// `watch.go_on()`.
+template <class Graph, class Program, class AgentFunction, class Watch>
+void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
+  for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
+    if (!watch.go_on()) return;
+    const EpisodeKey key{plan.seed, 0, episode};
+    program.trace.episode(episode);
+    typename Graph::Observation observation = program.reset(Graph::draw(key));
+    watch.reset(episode, observation);
+    for (std::uint64_t step = 0; step < plan.steps; ++step) {
+      if (!watch.go_on()) return;
+      const typename Graph::Action action = agent(key, step, observation);
+      observation = program.step(action);
+      watch.step(episode, step + 1, action, observation);
+    }
+  }
+}
+
+/// The program object of a run. All-zero until its first reset, so it lives in .bss.
+template <class Program>
+constinit Program program_of_run{};
+
+}  // namespace eagerx::target

@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/options.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+constexpr std::string_view kBlank = " \t\r";
+
+/// `text` without blanks around it; `column` moves along.
+std::string_view trimmed(std::string_view text, std::size_t& column) {
+  const std::size_t first = text.find_first_not_of(kBlank);
+  if (first == std::string_view::npos) return {};
+  column += first;
+  return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
+}
+
+bool is_header(const std::vector<Cell>& row, const std::vector<std::string>& columns) {
+  return std::equal(
+      row.begin(), row.end(), columns.begin(),
+      [](const Cell& cell, const std::string& column) { return cell.text == column; });
+}
+
+}  // namespace
+
+bool CsvFile::read(const std::string& path, ActionProblem& problem) {
+  path_ = path;
+  errno = 0;
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream content;
+  if (stream && stream.peek() != std::ifstream::traits_type::eof()) content << stream.rdbuf();
+  if (!stream.eof() && !stream) {
+    problem = {"error: cannot read `" + path + "`: " + std::strerror(errno != 0 ? errno : EIO),
+               kBadFile};
+    return false;
+  }
+  text_ = content.str();
+  std::string_view rest = text_;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    add_row(rest.substr(0, end), ++lines_);
+    if (end == std::string_view::npos) break;
+    rest.remove_prefix(end + 1);
+  }
+  return true;
+}
+
+void CsvFile::add_row(std::string_view line, std::size_t number) {
+  std::size_t column = 1;
+  const std::string_view content = trimmed(line, column);
+  if (content.empty() || content.front() == '#') return;
+  std::vector<Cell>& row = rows_.emplace_back();
+  std::size_t begin = 0;
+  while (true) {
+    const std::size_t comma = line.find(',', begin);
+    const std::size_t length = comma == std::string_view::npos ? comma : comma - begin;
+    column = begin + 1;
+    const std::string_view text = trimmed(line.substr(begin, length), column);
+    row.push_back({text, number, column});
+    if (comma == std::string_view::npos) return;
+    begin = comma + 1;
+  }
+}
+
+void ActionSink::add_columns(const char* name, std::size_t size, bool scalar) {
+  for (std::size_t i = 0; i < size; ++i) {
+    columns_.emplace_back(name);
+    if (!scalar) columns_.back() += "[" + std::to_string(i) + "]";
+  }
+}
+
+ActionProblem ActionSink::load(const std::string& path, std::uint64_t steps) {
+  CsvFile file;
+  ActionProblem problem;
+  if (!file.read(path, problem)) return problem;
+  std::uint64_t actions = 0;
+  for (const std::vector<Cell>& row : file.rows()) {
+    if (row.size() != columns_.size()) {
+      const Cell& place = row[std::min(columns_.size(), row.size() - 1)];
+      return file.at(place.line, place.column,
+                     "this row has " + std::to_string(row.size()) + " numbers, an action has " +
+                         std::to_string(columns_.size()));
+    }
+    const bool first = &row == &file.rows().front();
+    if (first && is_header(row, columns_)) continue;
+    if (const Cell* bad = add(row)) {
+      return file.at(bad->line, bad->column,
+                     "`" + std::string(bad->text) + "` is not a number that `" +
+                         columns_[static_cast<std::size_t>(bad - row.data())] + "` can hold");
+    }
+    ++actions;
+  }
+  if (actions < steps) {
+    return file.at(file.lines() + 1, 1,
+                   "the file ends after " + std::to_string(actions) +
+                       " actions, but an episode has " + std::to_string(steps) + " steps");
+  }
+  return {};
+}
+
+ActionProblem CsvFile::at(std::size_t line, std::size_t column, const std::string& text) const {
+  return {path_ + ":" + std::to_string(line) + ":" + std::to_string(column) + ": error: " + text,
+          kBadActions};
+}
+
+}  // namespace eagerx::linux_sim

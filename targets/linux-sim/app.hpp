@@ -1,0 +1,207 @@
+// The main program of target linux-sim, for any generated graph.
+#pragma once
+
+#include <cstdio>
+#include <cstring>
+#include <eagerx/trace.hpp>
+#include <eagerx/version.hpp>
+#include <string>
+#include <string_view>
+#include <targets/common/csv.hpp>
+#include <targets/common/run.hpp>
+#include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/progress.hpp>
+#include <targets/linux-sim/summary.hpp>
+#include <targets/linux-sim/text_file.hpp>
+#include <targets/linux-sim/trace_file.hpp>
+#include <variant>
+
+// Called around the stepping of all episodes, if somebody defines them: tests link a guard that
+// forbids allocations in between, benchmarks a counter.
+extern "C" {
+[[gnu::weak]] void eagerx_run_begins();
+[[gnu::weak]] void eagerx_run_ends();
+}
+
+namespace eagerx::linux_sim {
+
+/// What watches a run: rows of the CSV, real time, the progress bar, Ctrl-C. Nothing here
+/// allocates.
+template <class Graph>
+class Watch {
+ public:
+  using Action = typename Graph::Action;
+  using Observation = typename Graph::Observation;
+  using Table = target::CsvTable<Graph, TextFile>;
+
+  Watch(const Options& options, TextFile& csv, TextFile& trace)
+      : csv_(csv),
+        trace_(trace),
+        pacer_(Graph::Rate::period_s, options.real_time_factor),
+        progress_(options.plan.episodes * options.plan.steps, !options.quiet) {}
+
+  bool go_on() const { return !interrupted() && !csv_.failed() && !trace_.failed(); }
+
+  void reset(std::uint32_t episode, const Observation& observation) {
+    if (episode == 0) {
+      pacer_.start();
+      progress_.start(pacer_.start_ns());
+    }
+    ++episodes_;
+    if (!csv_.is_open()) return;
+    if (episode == 0) Table::header(csv_, observation);
+    Table::row(csv_, episode, 0, observation, nullptr);
+  }
+
+  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
+    ++steps_;
+    if (csv_.is_open()) Table::row(csv_, episode, step, observation, &action);
+    progress_.step(steps_);
+    if (pacer_.paces()) pacer_.wait_for(steps_);
+  }
+
+  void finish(Summary& summary) {
+    constexpr double kSecondsPerNs = 1e-9;
+    progress_.finish();
+    summary.episodes = episodes_;
+    summary.steps = steps_;
+    summary.simulated_s = static_cast<double>(steps_) * Graph::Rate::period_s;
+    if (episodes_ > 0) {
+      summary.elapsed_s = static_cast<double>(now_ns() - pacer_.start_ns()) * kSecondsPerNs;
+    }
+    summary.paced = pacer_.paces();
+    summary.overruns = pacer_.overruns();
+    summary.worst_overrun_s = pacer_.worst_s();
+    summary.interrupted = interrupted();
+  }
+
+ private:
+  TextFile& csv_;
+  TextFile& trace_;
+  Pacer pacer_;
+  Progress progress_;
+  std::uint64_t episodes_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+/// Prints `text` on the standard error and returns `exit_code`.
+inline int fail(const std::string& text, int exit_code) {
+  std::fputs((text + "\n").c_str(), stderr);
+  return exit_code;
+}
+
+/// Says that `path` cannot be written and why; returns false.
+inline bool cannot_write(const TextFile& file, const std::string& path) {
+  const std::string name = path == "-" ? "the standard output" : "`" + path + "`";
+  fail("error: cannot write " + name + ": " + std::strerror(file.error()), kBadFile);
+  return false;
+}
+inline bool open_output(TextFile& file, const std::string& path) {
+  return path.empty() || file.open(path) || cannot_write(file, path);
+}
+inline bool close_output(TextFile& file, const std::string& path) {
+  return path.empty() || file.close() || cannot_write(file, path);
+}
+
+/// One run of a program whose trace is `Program`'s.
+template <class Graph, class Program>
+void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
+                 Watch<Graph>& watch) {
+  const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
+    if (options.agent == target::Agent::csv) return table[step];
+    return target::act<Graph>(options.agent, key, step, observation);
+  };
+  if (eagerx_run_begins != nullptr) eagerx_run_begins();
+  target::run_episodes<Graph>(options.plan, program, agent, watch);
+  if (eagerx_run_ends != nullptr) eagerx_run_ends();
+}
+
+/// Runs with everything checked and read; writes files and summary.
+template <class Graph>
+int run_with(const Options& options, const ActionTable<Graph>& table) {
+  using Recorder = TraceRecorder<Graph>;
+  TextFile csv;
+  TextFile trace;
+  if (!open_output(csv, options.csv) || !open_output(trace, options.trace)) return kBadFile;
+  const std::string_view agent = target::name_of(options.agent);
+
+  Watch<Graph> watch(options, csv, trace);
+  std::uint64_t hash = 0;
+  if (options.hash || trace.is_open()) {
+    auto& program = target::program_of_run<typename Graph::template Program<Recorder>>;
+    if (trace.is_open()) {
+      Recorder::write_head(trace, options.plan.seed, agent);
+      program.trace.write_to(&trace);
+    }
+    run_program(options, table, program, watch);
+    hash = program.trace.hash();
+  } else {
+    run_program(options, table, target::program_of_run<typename Graph::template Program<NoTrace>>,
+                watch);
+  }
+
+  Summary summary{.graph = Graph::kName,
+                  .engine = Graph::kEngine,
+                  .agent = std::string(agent),
+                  .seed = options.plan.seed};
+  watch.finish(summary);
+  const bool csv_closed = close_output(csv, options.csv);
+  const bool trace_closed = close_output(trace, options.trace);
+  std::FILE* const out = options.csv == "-" || options.trace == "-" ? stderr : stdout;
+  if (!options.quiet) std::fputs(summary_text(summary).c_str(), out);
+  if (options.hash) std::fputs(hash_line(hash).c_str(), out);
+  const bool printed = std::fflush(out) == 0;
+  return csv_closed && trace_closed && printed ? kDone : kBadFile;
+}
+
+template <class Graph>
+int show_help(const char* program_name, const Options& defaults) {
+  auto& program = target::program_of_run<typename Graph::template Program<NoTrace>>;
+  std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\nSimulates the graph `" +
+                     Graph::kName + "` on " + Graph::kEngine + " at " +
+                     number_text(Graph::Rate::hz) + " Hz.\n\n";
+  text += describe<Graph>(program.reset(Graph::draw(EpisodeKey{defaults.plan.seed, 0, 0})));
+  text += "Options (defaults in brackets):\n" + options_help(defaults);
+  std::fputs(text.c_str(), stdout);
+  return std::fflush(stdout) == 0 ? kDone : kBadFile;
+}
+
+/// The main function: reads the command line, runs, returns the exit code (see --help).
+template <class Graph>
+int run(int argc, char** argv) {
+  Options defaults;
+  defaults.agent = target::default_agent<Graph>();
+  defaults.action_file = Graph::kAgentCsv;
+  const auto parsed = parse_options(argc - 1, argv + 1, defaults);
+  if (const auto* wrong = std::get_if<UsageError>(&parsed)) {
+    return fail("error: " + wrong->problem + "\nhelp: " + wrong->help, kBadUsage);
+  }
+  const Options& options = *std::get_if<Options>(&parsed);
+  if (options.help) return show_help<Graph>(argv[0], defaults);
+  if (options.version) {
+    std::printf("%s on %s, eagerx-gen %d.%d\n", Graph::kName, Graph::kEngine, kVersionMajor,
+                kVersionMinor);
+    return std::fflush(stdout) == 0 ? kDone : kBadFile;
+  }
+  if (options.agent == target::Agent::policy && !Graph::kHasPolicy) {
+    return fail(
+        "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
+        "{policy: "
+        "FILE}`) or give `--agent zero`, `random` or a file of actions",
+        kBadUsage);
+  }
+
+  ActionTable<Graph> table;
+  if (options.agent == target::Agent::csv) {
+    const ActionProblem problem = table.load(options.action_file, options.plan.steps);
+    if (problem.exit_code != 0) return fail(problem.text, problem.exit_code);
+  }
+  catch_interrupts();
+  return run_with<Graph>(options, table);
+}
+
+}  // namespace eagerx::linux_sim

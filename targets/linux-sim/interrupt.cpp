@@ -1,0 +1,29 @@
+#include <csignal>
+#include <targets/linux-sim/interrupt.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+void on_signal(int /*signal*/) {
+  caught = 1;
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  // Without SA_RESTART a sleep ends early; with SA_RESETHAND a second Ctrl-C is the usual one.
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);
+}
+
+bool interrupted() {
+  return caught != 0;
+}
+
+}  // namespace eagerx::linux_sim

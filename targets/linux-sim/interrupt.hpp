@@ -1,0 +1,13 @@
+// Ctrl-C ends a run after the current step.
+#pragma once
+
+namespace eagerx::linux_sim {
+
+/// From now on SIGINT and SIGTERM only set a flag, and a closed pipe is a write error. A second
+/// SIGINT ends the program at once.
+void catch_interrupts();
+
+/// True after a SIGINT or SIGTERM.
+bool interrupted();
+
+}  // namespace eagerx::linux_sim

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <targets/linux-sim/options.hpp>
+#include <vector>
+
+namespace eagerx::linux_sim {
+namespace {
+
+using target::Agent;
+
+/// Strict: the whole text is one number of this type, at least `low`.
+template <class T>
+bool parse_number(std::string_view text, T low, T& value) {
+  T parsed{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), parsed);
+  if (error != std::errc() || end != text.data() + text.size() || !(parsed >= low)) return false;
+  value = parsed;
+  return true;
+}
+
+bool set_episodes(Options& options, std::string_view value) {
+  return parse_number(value, std::uint32_t{1}, options.plan.episodes);
+}
+bool set_steps(Options& options, std::string_view value) {
+  return parse_number(value, std::uint64_t{1}, options.plan.steps);
+}
+bool set_seed(Options& options, std::string_view value) {
+  return parse_number(value, std::uint64_t{0}, options.plan.seed);
+}
+bool set_agent(Options& options, std::string_view value) {
+  if (value.ends_with(".csv")) {
+    options.agent = Agent::csv;
+    options.action_file = value;
+    return true;
+  }
+  Agent agent{};
+  if (!target::agent_of(value, agent)) return false;
+  // `csv` alone is the file that the graph names.
+  if (agent == Agent::csv && options.action_file.empty()) return false;
+  options.agent = agent;
+  return true;
+}
+bool set_csv(Options& options, std::string_view value) {
+  options.csv = value;
+  return !value.empty();
+}
+bool set_trace(Options& options, std::string_view value) {
+  options.trace = value;
+  return !value.empty();
+}
+bool set_real_time_factor(Options& options, std::string_view value) {
+  return parse_number(value, 0.0, options.real_time_factor) &&
+         std::isfinite(options.real_time_factor);
+}
+bool set_hash(Options& options, std::string_view) {
+  return options.hash = true;
+}
+bool set_quiet(Options& options, std::string_view) {
+  return options.quiet = true;
+}
+bool set_help(Options& options, std::string_view) {
+  return options.help = true;
+}
+bool set_version(Options& options, std::string_view) {
+  return options.version = true;
+}
+
+/// One option: the parser and the help are both made from this table.
+struct Option {
+  std::string_view name;
+  std::string_view value;  // what stands for its value in the help; empty: takes none
+  std::string_view wants;  // what its value must be, for errors
+  std::string_view about;
+  bool (*set)(Options&, std::string_view);
+};
+
+constexpr std::array kOptions{
+    Option{"--episodes", "N", "a whole number from 1 to 4294967295", "episodes to run",
+           set_episodes},
+    Option{"--steps", "N", "a whole number from 1 to 18446744073709551615", "steps of each episode",
+           set_steps},
+    Option{"--seed", "N", "a whole number from 0 to 18446744073709551615",
+           "seed of everything that is random", set_seed},
+    Option{"--agent", "AGENT", "`policy`, `zero`, `random` or a file ending in `.csv`",
+           "policy, zero, random or FILE.csv", set_agent},
+    Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, a row a step",
+           set_csv},
+    Option{"--trace", "FILE", "a file name or `-`", "write every message, a line each", set_trace},
+    Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
+    Option{"--real-time-factor", "X", "a number of at least 0",
+           "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
+    Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
+    Option{"--help", "", "", "show this text", set_help},
+    Option{"--version", "", "", "show graph, engine and version", set_version},
+};
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearest_option(std::string_view name) {
+  constexpr std::size_t kLongestTypo = 3;
+  const auto* nearest =
+      std::min_element(kOptions.begin(), kOptions.end(), [&](const Option& a, const Option& b) {
+        return edit_distance(name, a.name) < edit_distance(name, b.name);
+      });
+  if (edit_distance(name, nearest->name) > kLongestTypo) return "`--help` lists all options";
+  return "did you mean `" + std::string(nearest->name) + "`?";
+}
+
+std::string quoted(std::string_view text) {
+  return "`" + std::string(text) + "`";
+}
+
+}  // namespace
+
+std::variant<Options, UsageError> parse_options(int count, const char* const* arguments,
+                                                Options defaults) {
+  Options options = std::move(defaults);
+  for (int i = 0; i < count; ++i) {
+    const std::string_view argument = arguments[i];
+    const std::size_t equals = argument.find('=');
+    const std::string_view name = argument.substr(0, equals);
+    const auto* option = std::find_if(kOptions.begin(), kOptions.end(),
+                                      [&](const Option& each) { return each.name == name; });
+    if (option == kOptions.end()) {
+      if (name.starts_with("-")) {
+        return UsageError{"unknown option " + quoted(name), nearest_option(name)};
+      }
+      return UsageError{"unexpected argument " + quoted(argument), "`--help` lists all options"};
+    }
+    std::string_view value;
+    if (equals != std::string_view::npos) {
+      if (option->value.empty())
+        return UsageError{quoted(name) + " takes no value", "leave it out"};
+      value = argument.substr(equals + 1);
+    } else if (!option->value.empty()) {
+      if (++i == count) {
+        return UsageError{quoted(name) + " needs a value", "it is " + std::string(option->wants)};
+      }
+      value = arguments[i];
+    }
+    if (!option->set(options, value)) {
+      return UsageError{quoted(value) + " is not a value of " + quoted(name),
+                        "it is " + std::string(option->wants)};
+    }
+  }
+  if (options.csv == "-" && options.trace == "-") {
+    return UsageError{"both `--csv` and `--trace` want the standard output",
+                      "give one of them a file"};
+  }
+  return options;
+}
+
+std::string options_help(const Options& defaults) {
+  constexpr std::size_t kColumn = 24;
+  std::string text;
+  for (const Option& option : kOptions) {
+    std::string line = "  " + std::string(option.name);
+    if (!option.value.empty()) line += " " + std::string(option.value);
+    line.resize(std::max(line.size() + 1, kColumn), ' ');
+    line += option.about;
+    if (option.name == "--episodes") line += " (" + std::to_string(defaults.plan.episodes) + ")";
+    if (option.name == "--steps") line += " (" + std::to_string(defaults.plan.steps) + ")";
+    if (option.name == "--seed") line += " (" + std::to_string(defaults.plan.seed) + ")";
+    if (option.name == "--agent") {
+      line += " (" + std::string(target::name_of(defaults.agent));
+      if (defaults.agent == Agent::csv) line += " " + defaults.action_file;
+      line += ")";
+    }
+    text += line + "\n";
+  }
+  return text + R"(
+A FILE of actions has a row of numbers for each step, in the order above; every episode starts at its
+first row. A first row with the names of the columns and lines that begin with # are skipped.
+`-` writes to the standard output; the summary then goes to the standard error.
+Ctrl-C ends the run after the current step, with files complete and the summary.
+
+Exit codes: 0 done or interrupted, 1 problem in a file of actions, 2 wrong usage, 3 cannot read or write.
+)";
+}
+
+}  // namespace eagerx::linux_sim

@@ -1,0 +1,43 @@
+// The command line of a linux-sim program.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <targets/common/run.hpp>
+#include <variant>
+
+namespace eagerx::linux_sim {
+
+/// Exit codes, the same numbers as eagerx-gen's.
+inline constexpr int kDone = 0;
+inline constexpr int kBadActions = 1;
+inline constexpr int kBadUsage = 2;
+inline constexpr int kBadFile = 3;
+
+struct Options {
+  target::RunPlan plan;
+  target::Agent agent = target::Agent::zero;
+  std::string action_file;  // of Agent::csv
+  std::string csv;          // empty: none; "-": standard output
+  std::string trace;        // the same
+  double real_time_factor = 0.0;
+  bool hash = false;
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
+};
+
+/// What was wrong with the command line, and what to do.
+struct UsageError {
+  std::string problem;
+  std::string help;
+};
+
+/// Reads the arguments after the program's name on top of `defaults`. Later ones win.
+std::variant<Options, UsageError> parse_options(int count, const char* const* arguments,
+                                                Options defaults);
+
+/// The lines of `--help` about options, exit codes and files.
+std::string options_help(const Options& defaults);
+
+}  // namespace eagerx::linux_sim

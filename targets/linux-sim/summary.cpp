@@ -1,0 +1,61 @@
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <targets/linux-sim/summary.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+constexpr double kMsPerSecond = 1e3;
+
+/// With `digits` digits after the point, in any locale.
+std::string fixed(double value, int digits) {
+  constexpr std::size_t kLongestFixedDouble = 350;
+  std::array<char, kLongestFixedDouble> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value,
+                                    std::chars_format::fixed, digits);
+  return {text.data(), result.ptr};
+}
+
+void add(std::string& text, std::string_view name, std::string_view value) {
+  text.append(name).append(" ").append(value).append("\n");
+}
+
+}  // namespace
+
+std::string summary_text(const Summary& summary) {
+  const double elapsed_s = summary.elapsed_s > 0.0 ? summary.elapsed_s : 1e-9;
+  std::string text;
+  add(text, "graph", summary.graph);
+  add(text, "engine", summary.engine);
+  add(text, "agent", summary.agent);
+  add(text, "seed", std::to_string(summary.seed));
+  add(text, "episodes", std::to_string(summary.episodes));
+  add(text, "steps", std::to_string(summary.steps));
+  add(text, "simulated", fixed(summary.simulated_s, 3) + " s");
+  add(text, "elapsed", fixed(summary.elapsed_s, 3) + " s");
+  add(text, "steps/s", fixed(static_cast<double>(summary.steps) / elapsed_s, 0));
+  add(text, "time factor", fixed(summary.simulated_s / elapsed_s, 2));
+  if (summary.paced) {
+    std::string overruns = std::to_string(summary.overruns);
+    if (summary.overruns > 0) {
+      overruns += ", at most " + fixed(summary.worst_overrun_s * kMsPerSecond, 3) + " ms late";
+    }
+    add(text, "overruns", overruns);
+  }
+  if (summary.interrupted) text += "interrupted\n";
+  return text;
+}
+
+std::string hash_line(std::uint64_t hash) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  constexpr unsigned kBitsPerDigit = 4;
+  std::string text = "trace hash 0x";
+  for (unsigned shift = 64; shift > 0;) {
+    shift -= kBitsPerDigit;
+    text += kDigits[(hash >> shift) & 0xfU];
+  }
+  return text + "\n";
+}
+
+}  // namespace eagerx::linux_sim

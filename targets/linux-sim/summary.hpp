@@ -1,0 +1,29 @@
+// What a run did, in lines of `name value` that people and scripts read.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace eagerx::linux_sim {
+
+struct Summary {
+  std::string graph;
+  std::string engine;
+  std::string agent;
+  std::uint64_t seed = 0;
+  std::uint64_t episodes = 0;  // begun
+  std::uint64_t steps = 0;
+  double simulated_s = 0.0;
+  double elapsed_s = 0.0;  // wall-clock
+  bool paced = false;
+  std::uint64_t overruns = 0;
+  double worst_overrun_s = 0.0;
+  bool interrupted = false;
+};
+
+std::string summary_text(const Summary& summary);
+
+/// "trace hash 0x0123456789abcdef\n", the line of `--hash` on every target.
+std::string hash_line(std::uint64_t hash);
+
+}  // namespace eagerx::linux_sim

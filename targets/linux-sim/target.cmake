@@ -1,0 +1,16 @@
+# Makes `executable` a program for the machine that builds it. The parts that do not depend on the graph are
+# one library, built once for all programs of a build tree.
+function(eagerx_configure_target executable)
+  if(NOT TARGET eagerx_linux_sim)
+    set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+    add_library(
+      eagerx_linux_sim STATIC EXCLUDE_FROM_ALL
+      ${here}/action_file.cpp ${here}/describe.cpp ${here}/interrupt.cpp ${here}/options.cpp ${here}/pacer.cpp ${here}/progress.cpp
+      ${here}/summary.cpp ${here}/text_file.cpp)
+    target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime)
+    target_compile_options(eagerx_linux_sim PRIVATE -Wall -Wextra $<$<CONFIG:>:-O2>)
+  endif()
+  target_link_libraries(${executable} PRIVATE eagerx_linux_sim)
+  # Without a build type CMake would not optimise at all.
+  target_compile_options(${executable} PRIVATE -Wall -Wextra $<$<CONFIG:>:-O2>)
+endfunction()

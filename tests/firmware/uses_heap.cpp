@@ -1,0 +1,40 @@
+// One way into the heap, or what comes with it, for each image. None of them may link.
+#ifdef USES_new
+int* volatile sink;
+int main() {
+  sink = new int(1);
+  return 0;
+}
+#endif
+#ifdef USES_vector
+#include <vector>
+int main(int count, char**) {
+  const std::vector<int> values(static_cast<unsigned>(count));
+  return values.back();
+}
+#endif
+#ifdef USES_printf
+#include <cstdio>
+int main() {
+  return std::printf("%f\n", 1.0);
+}
+#endif
+#ifdef USES_throwing
+int main(int count, char**) {
+  if (count > 1) throw count;
+  return 0;
+}
+#endif
+#ifdef USES_guarded_static
+int first();
+__attribute__((noinline)) int value() {
+  static int once = first();
+  return once;
+}
+int main() {
+  return value();
+}
+int first() {
+  return static_cast<int>(reinterpret_cast<unsigned long>(&value));
+}
+#endif

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Compiles every header of models/ alone, then every entity, as boards do. Argument: a compiler and, after
+# it, flags of its own.
+set -eu
+cd "$(dirname "$0")/../../.."
+flags=(-std=c++20 -O2 -fno-exceptions -fno-rtti -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
+  -Wshadow -Wdouble-promotion -Werror -I. -Iruntime -x c++)
+mapfile -t headers < <(find models -name '*.hpp' | sort)
+[ ${#headers[@]} -gt 0 ]
+for header in "${headers[@]}"; do
+  # Twice: the second time must not matter.
+  printf '#include <%s>\n#include <%s>\n' "$header" "$header" | "$@" "${flags[@]}" -fsyntax-only - ||
+    { echo "$header does not compile alone" >&2; exit 1; }
+done
+"$@" "${flags[@]}" -S -o /dev/null tests/unit/models/all_entities.cpp
+echo "${#headers[@]} headers and every entity compiled with $1"

@@ -1,0 +1,17 @@
+# The models are for boards too: the warnings of the runtime, every header alone, every compiler there is.
+target_compile_options(test_models PRIVATE -Wdouble-promotion)
+
+set(models_folder ${CMAKE_CURRENT_SOURCE_DIR}/unit/models)
+foreach(compiler g++ clang++ arm-none-eabi-g++)
+  find_program(EAGERX_TEST_COMPILER_${compiler} ${compiler})
+  set(program ${EAGERX_TEST_COMPILER_${compiler}})
+  if(NOT program)
+    continue()
+  endif()
+  set(flags)
+  if(compiler MATCHES arm)
+    set(flags -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard)
+  endif()
+  add_test(NAME models_compile_${compiler} COMMAND ${models_folder}/compile_models.sh ${program} ${flags})
+endforeach()
+add_test(NAME models_refuse COMMAND ${models_folder}/refuse_models.sh ${CMAKE_CXX_COMPILER})

@@ -1,0 +1,96 @@
+// Damaged files at random: each is either read or refused with one diagnostic, and nothing else
+// happens (the debug preset runs this under the address and undefined-behaviour sanitizers).
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+
+#include "generator/policy/formats.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string file_bytes(const char* name) {
+  std::ifstream file(std::string(EAGERX_SOURCE_DIR "/tests/data/policy/") + name, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// A few bytes changed, removed, repeated or cut off; half of them near the names and sizes at the
+/// end of the file or its start, where they hurt most.
+std::string damaged(std::string bytes, std::mt19937& random) {
+  const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
+  const auto position = [&] {
+    const std::size_t edge = std::min<std::size_t>(bytes.size(), 2500);
+    const std::size_t place = below(4);
+    if (place == 0) return below(edge);
+    return place == 1 ? bytes.size() - 1 - below(edge) : below(bytes.size());
+  };
+  const std::size_t changes = 1 + below(6);
+  for (std::size_t i = 0; i < changes && !bytes.empty(); ++i) {
+    const std::size_t at = position();
+    switch (below(6)) {
+      case 0:
+        bytes.resize(at);
+        break;
+      case 1:
+        bytes.erase(at, 1 + below(16));
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(at, 1 + below(64)));
+        break;
+      case 3:
+        bytes[at] = static_cast<char>(0xff);
+        break;
+      default:
+        bytes[at] = static_cast<char>(random());
+        break;
+    }
+  }
+  return bytes;
+}
+
+void check(const std::string& bytes) {
+  Diagnostics diagnostics;
+  const auto network = read_policy_bytes(bytes, "damaged.onnx", {}, diagnostics);
+  ASSERT_EQ(diagnostics.all().size(), network ? 0U : 1U);
+  if (!network) {
+    EXPECT_EQ(diagnostics.all().front().code.substr(0, 3), "E06");
+    return;
+  }
+  ASSERT_FALSE(network->layers.empty());
+  std::uint32_t inputs = network->inputs();
+  for (const DenseLayer& layer : network->layers) {
+    EXPECT_EQ(layer.inputs, inputs);
+    EXPECT_EQ(layer.weights.size(), std::size_t{layer.inputs} * layer.outputs);
+    EXPECT_EQ(layer.bias.size(), layer.outputs);
+    for (const float weight : layer.weights) ASSERT_TRUE(std::isfinite(weight));
+    inputs = layer.outputs;
+  }
+}
+
+TEST(Mutation, ThousandDamagedSacFiles) {
+  const std::string good = file_bytes("sac_64.onnx");
+  ASSERT_GT(good.size(), 20000U);
+  std::mt19937 random(1);  // the same sequence with every library
+  for (int i = 0; i < 1000; ++i) check(damaged(good, random));
+}
+
+TEST(Mutation, ThousandDamagedPpoFiles) {
+  const std::string good = file_bytes("ppo_64.onnx");
+  ASSERT_GT(good.size(), 40000U);
+  std::mt19937 random(2);
+  for (int i = 0; i < 1000; ++i) check(damaged(good, random));
+}
+
+TEST(Mutation, EveryTruncationOfTheFirstAndLastBytes) {
+  const std::string good = file_bytes("sac_64.onnx");
+  for (std::size_t length = 0; length < 600; ++length) check(good.substr(0, length));
+  for (std::size_t cut = 1; cut < 600; ++cut) check(good.substr(0, good.size() - cut));
+}
+
+}  // namespace
+}  // namespace eagerx::gen

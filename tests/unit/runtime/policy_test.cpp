@@ -1,0 +1,162 @@
+// The layers of eagerx/policy.hpp against plain loops in the documented order: every bit.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/policy.hpp>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace {
+
+using eagerx::Activation;
+using eagerx::DenseWeights;
+
+/// The order of additions as eagerx/policy.hpp documents it: bias, then groups of eight inputs.
+float plain_sum(const float* weights, const float* x, std::size_t inputs, float bias) {
+  float sum = bias;
+  for (std::size_t first = 0; first < inputs; first += 8) {
+    const std::size_t end = first + 8 < inputs ? first + 8 : inputs;
+    float group = weights[first] * x[first];
+    for (std::size_t j = first + 1; j < end; ++j) group = group + weights[j] * x[j];
+    sum = sum + group;
+  }
+  return sum;
+}
+
+float plain_activation(Activation activation, float y) {
+  if (activation == Activation::relu) return y < 0.0F ? 0.0F : y;
+  return activation == Activation::tanh ? eagerx::tanh(y) : y;
+}
+
+/// Numbers of mixed sign and size, the same on every machine.
+class Numbers {
+ public:
+  explicit Numbers(std::uint32_t seed) : state_(seed * 2654435761U + 1U) {}
+  float next() {
+    state_ = state_ * 1664525U + 1013904223U;
+    const float unit = static_cast<float>(state_ >> 8U) * 0x1p-24F - 0.5F;
+    return (state_ & 0x80U) != 0 ? unit * 16.0F : unit * 0.01F;
+  }
+
+ private:
+  std::uint32_t state_;
+};
+
+/// The bits of a result; one NaN for all NaNs, whose sign and payload are the machine's.
+std::uint32_t bits_of(float x) {
+  return x != x ? 0x7fc00000U : std::bit_cast<std::uint32_t>(x);
+}
+
+template <Activation A, std::size_t In, std::size_t Out>
+void compare(const float (&row_major)[Out * In], const float (&bias)[Out], const float (&x)[In]) {
+  const auto layer = std::make_unique<DenseWeights<In, Out>>();
+  for (std::size_t out = 0; out < Out; ++out) {
+    layer->b[out] = bias[out];
+    for (std::size_t in = 0; in < In; ++in) {
+      layer->w[DenseWeights<In, Out>::index(out, in)] = row_major[out * In + in];
+    }
+  }
+  float y[Out];
+  eagerx::dense<A>(*layer, x, y);
+  for (std::size_t out = 0; out < Out; ++out) {
+    const float expected = plain_activation(A, plain_sum(row_major + out * In, x, In, bias[out]));
+    EXPECT_EQ(bits_of(y[out]), bits_of(expected))
+        << In << " inputs, output " << out << " of " << Out << ": " << y[out] << " instead of "
+        << expected;
+  }
+}
+
+template <std::size_t In, std::size_t Out>
+void compare_random() {
+  static float weights[Out * In];
+  float bias[Out];
+  float x[In];
+  Numbers numbers(static_cast<std::uint32_t>(In * 1000 + Out));
+  for (int round = 0; round < 20; ++round) {
+    for (float& w : weights) w = numbers.next();
+    for (float& b : bias) b = numbers.next();
+    for (float& value : x) value = numbers.next();
+    compare<Activation::identity, In, Out>(weights, bias, x);
+    compare<Activation::relu, In, Out>(weights, bias, x);
+    compare<Activation::tanh, In, Out>(weights, bias, x);
+  }
+}
+
+template <std::size_t In, std::size_t... Out>
+void compare_outputs(std::index_sequence<Out...> /*outputs*/) {
+  (compare_random<In, Out>(), ...);
+}
+
+using ManyOutputs = std::index_sequence<1, 2, 3, 4, 5, 7, 8, 9, 12, 15, 16, 17, 24, 31, 33, 64, 65>;
+
+TEST(Policy, IsThePlainLoopToTheBitForFewInputs) {
+  compare_outputs<1>(ManyOutputs{});
+  compare_outputs<3>(ManyOutputs{});
+  compare_outputs<7>(ManyOutputs{});
+}
+
+TEST(Policy, IsThePlainLoopToTheBitAroundOneGroupOfInputs) {
+  compare_outputs<8>(ManyOutputs{});
+  compare_outputs<9>(ManyOutputs{});
+}
+
+TEST(Policy, IsThePlainLoopToTheBitForManyInputs) {
+  compare_outputs<17>(ManyOutputs{});
+  compare_outputs<64>(ManyOutputs{});
+  compare_random<256, 256>();
+  compare_random<400, 300>();
+}
+
+TEST(Policy, TreatsSpecialNumbersAsThePlainLoop) {
+  constexpr std::size_t kIn = 11;
+  constexpr std::size_t kOut = 21;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kTiny = std::numeric_limits<float>::denorm_min();
+  const float special[] = {
+      0.0F,  -0.0F, kInfinity, -kInfinity, std::numeric_limits<float>::quiet_NaN(),
+      kTiny, 1.0F,  0x1p-126F, 3.0e38F,    -1.0F};
+  constexpr std::size_t kSpecials = sizeof(special) / sizeof(special[0]);
+  float weights[kOut * kIn];
+  float bias[kOut];
+  float x[kIn];
+  for (std::size_t round = 0; round < 200; ++round) {
+    for (std::size_t i = 0; i < kOut * kIn; ++i) weights[i] = special[(i * 7 + round) % kSpecials];
+    for (std::size_t i = 0; i < kOut; ++i) bias[i] = special[(i * 3 + round / 10) % kSpecials];
+    for (std::size_t i = 0; i < kIn; ++i) x[i] = special[(i + round / 3) % kSpecials];
+    compare<Activation::identity, kIn, kOut>(weights, bias, x);
+    compare<Activation::relu, kIn, kOut>(weights, bias, x);
+    compare<Activation::tanh, kIn, kOut>(weights, bias, x);
+  }
+}
+
+TEST(Policy, KeepsMinusZeroOfTheBias) {
+  static constexpr DenseWeights<1, 8> kLayer = {{}, {-0.0F, -0.0F, 0.0F}};
+  const float x[] = {-1.0F};  // every product is -0
+  float y[8];
+  eagerx::dense<Activation::identity>(kLayer, x, y);
+  EXPECT_EQ(bits_of(y[0]), 0x80000000U);
+  EXPECT_EQ(bits_of(y[2]), 0U);
+}
+
+TEST(Policy, ShowsABrokenObservationThroughRelu) {
+  static constexpr DenseWeights<1, 1> kLayer = {{1.0F}, {0.0F}};
+  const float x[] = {std::numeric_limits<float>::quiet_NaN()};
+  float y[1] = {};
+  eagerx::dense<Activation::relu>(kLayer, x, y);
+  EXPECT_TRUE(y[0] != y[0]);
+}
+
+TEST(Policy, PadsOnlyTheLastPanel) {
+  static_assert(sizeof(DenseWeights<64, 64>) == (64 * 64 + 64) * sizeof(float));
+  static_assert(DenseWeights<64, 1>::kPadded == 1);
+  static_assert(DenseWeights<64, 3>::kPadded == 4);
+  static_assert(DenseWeights<64, 13>::kPadded == 16);
+  using Weights = DenseWeights<3, 10>;
+  EXPECT_EQ(Weights::index(7, 2), 2U * 8U + 7U);
+  EXPECT_EQ(Weights::index(9, 2), 3U * 8U + 2U * 2U + 1U);
+}
+
+}  // namespace

@@ -1,0 +1,9 @@
+# GNU Arm Embedded for bare metal. The toolchain file of a core sets EAGERX_CPU_FLAGS and includes this one.
+set(CMAKE_SYSTEM_NAME Generic)
+set(CMAKE_C_COMPILER arm-none-eabi-gcc)
+set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
+set(CMAKE_SIZE arm-none-eabi-size)
+# CMake's trial programs cannot be linked: start-up code and linker script belong to a target.
+set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
+set(CMAKE_C_FLAGS_INIT "${EAGERX_CPU_FLAGS}")
+set(CMAKE_CXX_FLAGS_INIT "${EAGERX_CPU_FLAGS}")
