@@ -269,6 +269,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   view.set("actions", std::move(actions));
   view.set("observations", std::move(observations));
   view.set("no_observations", graph.environment().inputs.empty());
+  view.set("no_states", !states.is_non_empty_list());
   view.set("states", std::move(states));
   return view;
 }

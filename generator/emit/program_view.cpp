@@ -28,6 +28,7 @@ class ProgramView {
     view.set("engine", graph_.engine().entity->id.value);
     view.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
     view.set("environment_due", names_.due[environment_rate()]);
+    view.set("environment_rate", rate_type(graph_.environment().rate_hz));
     view.set("environment_tick", names_.counter[environment_rate()] + " - 1");
     add_rates(view);
     add_schedule(view);

@@ -11,8 +11,9 @@
 namespace eagerx {
 
 /// A trace that also wants to see what every callback is given has
-/// `static constexpr bool kInputs = true` and `inputs(const char* node, Seq tick, const Inputs& inputs)`,
-/// where `inputs.for_each(f)` calls f(name, window) for each.
+/// `static constexpr bool kInputs = true` and
+/// `inputs(const char* node, Rate<...> rate, Seq tick, const Inputs& inputs)`, where `rate` is the node's and
+/// `inputs.for_each(f)` calls f(name, window) for each. The engine has no inputs and is not among them.
 template <class Trace>
 inline constexpr bool traces_inputs = requires { requires Trace::kInputs; };
 
