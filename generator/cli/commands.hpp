@@ -16,8 +16,8 @@ struct Options {
   std::string engine, real;          // empty: the graph's
   std::vector<std::string> paths;    // folders of the user's own entities and targets
   std::string depfile;
-  std::string entity;                // info
-  bool json = false;                 // --diagnostics=json
+  std::string entity;  // info
+  bool json = false;   // --diagnostics=json
   bool quiet = false;
 };
 

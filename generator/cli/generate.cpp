@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 std::vector<const Target*> find_targets(Run& run, const Options& options) {
   std::vector<const Target*> result;
-  const std::vector<std::string> wanted = options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
+  const std::vector<std::string> wanted =
+      options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
   std::vector<std::string> known;
   for (const auto& [id, target] : run.library.targets) known.push_back(id);
   for (const auto& id : wanted) {
@@ -27,7 +28,8 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
     }
     auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));
     const std::string near = nearest(id, known);
-    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}`?", near);
+    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+                                : fmt::format("did you mean `{}`?", near);
   }
   return result;
 }
@@ -43,12 +45,15 @@ std::string depfile_text(const Run& run, const Options& options) {
     }
     return result;
   };
-  const std::string target = options.depfile.ends_with(".d") ? options.depfile.substr(0, options.depfile.size() - 2) : options.depfile;
+  const std::string target = options.depfile.ends_with(".d")
+                                 ? options.depfile.substr(0, options.depfile.size() - 2)
+                                 : options.depfile;
   std::vector<std::string> inputs = {options.graph};
   for (const auto& [id, entity] : run.library.entities) inputs.push_back(entity.path);
   if (run.network) inputs.push_back(run.graph->agent.path);
   std::error_code ignored;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(run.root) / "templates", ignored)) {
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(run.root) / "templates", ignored)) {
     if (entry.is_regular_file(ignored)) inputs.push_back(entry.path().string());
   }
   for (const auto& [id, item] : run.library.targets) {
@@ -64,15 +69,20 @@ bool write_depfile(Run& run, const Options& options) {
   if (options.depfile.empty()) return true;
   std::FILE* file = std::fopen(options.depfile.c_str(), "wb");
   const std::string text = depfile_text(run, options);
-  const bool written = file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  const bool written =
+      file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = file != nullptr && std::fclose(file) == 0;
-  if (!written || !closed) run.diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`", options.depfile));
+  if (!written || !closed)
+    run.diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`", options.depfile));
   return written && closed;
 }
 
 void print_next_steps(const Run& run, const std::string& folder, const WriteResult& result) {
   fmt::print("{}: {} files written, {} unchanged\n", folder, result.written, result.unchanged);
-  fmt::print("build and run it:\n  cmake -S {0} -B {0}/build && cmake --build {0}/build && {0}/build/{1} --help\n", folder, run.graph->name);
+  fmt::print(
+      "build and run it:\n  cmake -S {0} -B {0}/build && cmake --build {0}/build && {0}/build/{1} "
+      "--help\n",
+      folder, run.graph->name);
 }
 
 }  // namespace
@@ -82,7 +92,8 @@ int generate_command(const Options& options) {
   if (!make(run, options)) return finish(run, options);
   const std::vector<const Target*> targets = find_targets(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
-  const std::string folder = options.output.empty() ? "generated/" + run.graph->name : options.output;
+  const std::string folder =
+      options.output.empty() ? "generated/" + run.graph->name : options.output;
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
   emit_options.targets = targets;
@@ -102,7 +113,8 @@ int check_command(const Options& options) {
   if (make(run, options)) find_targets(run, options);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
-    fmt::print("{}: {} nodes, {} rates, {} messages a step at most in memory; no problems\n", options.graph, run.graph->nodes.size(), run.plan->rates.size(),
+    fmt::print("{}: {} nodes, {} rates, {} messages a step at most in memory; no problems\n",
+               options.graph, run.graph->nodes.size(), run.plan->rates.size(),
                run.plan->rings.size());
   }
   return code;

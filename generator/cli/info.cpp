@@ -68,7 +68,8 @@ void print_parameters(const std::vector<Parameter>& parameters) {
     if (!parameter.unit.empty()) more += " " + parameter.unit;
     if (parameter.low) more += fmt::format(", at least {}", *parameter.low);
     if (parameter.high) more += fmt::format(", at most {}", *parameter.high);
-    more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback)) : " (required)";
+    more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
+                               : " (required)";
     fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
   }
 }
@@ -76,22 +77,28 @@ void print_parameters(const std::vector<Parameter>& parameters) {
 void print_entity(const Entity& entity) {
   fmt::print("{} ({})\n{}\n", entity.id.value, to_string(entity.kind), entity.summary);
   if (!entity.description.empty()) fmt::print("\n{}", entity.description);
-  if (!entity.eagerx_ids.empty()) fmt::print("\nin EAGERx: {}\n", fmt::join(entity.eagerx_ids, ", "));
+  if (!entity.eagerx_ids.empty())
+    fmt::print("\nin EAGERx: {}\n", fmt::join(entity.eagerx_ids, ", "));
   if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
-  for (const auto& implementation : entity.object_engines) fmt::print("\nimplemented for: {}\n", implementation.engine.value);
+  for (const auto& implementation : entity.object_engines)
+    fmt::print("\nimplemented for: {}\n", implementation.engine.value);
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
   print_ports("inputs", entity.inputs);
   print_ports("outputs", entity.outputs);
   print_ports("states", entity.states);
-  if (!entity.cpp.include.empty()) fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
+  if (!entity.cpp.include.empty())
+    fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
 }
 
 void print_all(const Library& library) {
-  for (const EntityKind kind : {EntityKind::object, EntityKind::node, EntityKind::processor, EntityKind::engine, EntityKind::engine_node, EntityKind::engine_state}) {
+  for (const EntityKind kind :
+       {EntityKind::object, EntityKind::node, EntityKind::processor, EntityKind::engine,
+        EntityKind::engine_node, EntityKind::engine_state}) {
     fmt::print("{}s\n", to_string(kind));
-    for (const auto& id : library.ids(kind)) fmt::print("  {:<22} {}\n", id, library.find(id)->summary);
+    for (const auto& id : library.ids(kind))
+      fmt::print("  {:<22} {}\n", id, library.find(id)->summary);
   }
   fmt::print("targets\n");
   for (const auto& [id, target] : library.targets) fmt::print("  {:<22} {}\n", id, target.summary);
@@ -111,16 +118,20 @@ int info_command(const Options& options) {
     print_entity(*entity);
     return finish(run, options);
   }
-  if (const auto target = run.library.targets.find(options.entity); target != run.library.targets.end()) {
-    fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary, target->second.description);
+  if (const auto target = run.library.targets.find(options.entity);
+      target != run.library.targets.end()) {
+    fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary,
+               target->second.description);
     return finish(run, options);
   }
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.entities) known.push_back(id);
   for (const auto& [id, target] : run.library.targets) known.push_back(id);
-  auto& problem = run.diagnostics.error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity));
+  auto& problem = run.diagnostics.error(
+      "E0303", {}, fmt::format("unknown entity or target `{}`", options.entity));
   const std::string near = nearest(options.entity, known);
-  problem.help = near.empty() ? "`eagerx-gen info` lists what there is" : fmt::format("did you mean `{}`?", near);
+  problem.help = near.empty() ? "`eagerx-gen info` lists what there is"
+                              : fmt::format("did you mean `{}`?", near);
   return finish(run, options);
 }
 

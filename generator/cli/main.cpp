@@ -14,22 +14,34 @@ void add_graph(CLI::App& app, Options& options) {
 }
 
 void add_selection(CLI::App& app, Options& options) {
-  app.add_option("--engine", options.engine, "run on this engine instead of the graph's")->type_name("NAME");
-  app.add_option("--real", options.real, "calculate in float or double instead of the graph's")->check(CLI::IsMember({"float", "double"}))->type_name("float|double");
-  app.add_option("--target", options.targets, "target to make a program for, may be repeated (default: linux-sim)")->type_name("NAME");
+  app.add_option("--engine", options.engine, "run on this engine instead of the graph's")
+      ->type_name("NAME");
+  app.add_option("--real", options.real, "calculate in float or double instead of the graph's")
+      ->check(CLI::IsMember({"float", "double"}))
+      ->type_name("float|double");
+  app.add_option("--target", options.targets,
+                 "target to make a program for, may be repeated (default: linux-sim)")
+      ->type_name("NAME");
 }
 
 void add_library(CLI::App& app, Options& options) {
-  app.add_option("--path", options.paths, "folder with entities or targets of your own, may be repeated")->type_name("DIR");
+  app.add_option("--path", options.paths,
+                 "folder with entities or targets of your own, may be repeated")
+      ->type_name("DIR");
 }
 
 void add_output(CLI::App& app, Options& options) {
-  app.add_option("-o,--output", options.output, "output folder (default: generated/<graph name>)")->type_name("DIR");
-  app.add_option("--depfile", options.depfile, "also write what the output depends on; names FILE without its .d as the target")->type_name("FILE.d");
+  app.add_option("-o,--output", options.output, "output folder (default: generated/<graph name>)")
+      ->type_name("DIR");
+  app.add_option("--depfile", options.depfile,
+                 "also write what the output depends on; names FILE without its .d as the target")
+      ->type_name("FILE.d");
 }
 
 void add_diagnostics(CLI::App& app, Options& options) {
-  app.add_option_function<std::string>("--diagnostics", [&options](const std::string& form) { options.json = form == "json"; }, "form of messages (default: text)")
+  app.add_option_function<std::string>(
+         "--diagnostics", [&options](const std::string& form) { options.json = form == "json"; },
+         "form of messages (default: text)")
       ->check(CLI::IsMember({"text", "json"}))
       ->type_name("text|json");
   app.add_flag("-q,--quiet", options.quiet, "print problems only");
@@ -37,7 +49,8 @@ void add_diagnostics(CLI::App& app, Options& options) {
 
 constexpr const char* kFooter =
     "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`.\n"
-    "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug in eagerx-gen.";
+    "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug in "
+    "eagerx-gen.";
 
 bool is_command(const char* word) {
   for (const char* command : {"generate", "check", "info", "schema"}) {
@@ -55,7 +68,8 @@ int run(std::vector<std::string> arguments) {
   CLI::App& generate = *app.add_subcommand("generate", "write the program of a graph");
   CLI::App& check = *app.add_subcommand("check", "only look for problems");
   CLI::App& info = *app.add_subcommand("info", "list entities and targets, or explain one");
-  const CLI::App& schema = *app.add_subcommand("schema", "print the JSON schema of graph files, for editors");
+  const CLI::App& schema =
+      *app.add_subcommand("schema", "print the JSON schema of graph files, for editors");
   add_graph(generate, options);
   add_output(generate, options);
   add_selection(generate, options);
@@ -82,12 +96,15 @@ int run(std::vector<std::string> arguments) {
 
 int main(int argc, char** argv) {
   std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (argc > 1 && !is_command(argv[1]) && argv[1][0] != '-') arguments.insert(arguments.begin(), "generate");
+  if (argc > 1 && !is_command(argv[1]) && argv[1][0] != '-')
+    arguments.insert(arguments.begin(), "generate");
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {
     return run(std::move(arguments));
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: this is a bug in eagerx-gen: %s\nhelp: please report it with the graph\n", error.what());
+    std::fprintf(stderr,
+                 "error: this is a bug in eagerx-gen: %s\nhelp: please report it with the graph\n",
+                 error.what());
     return eagerx::gen::kInternal;
   }
 }

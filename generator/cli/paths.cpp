@@ -11,7 +11,8 @@ namespace fs = std::filesystem;
 
 bool is_root(const fs::path& folder) {
   std::error_code error;
-  return fs::is_directory(folder / "models", error) && fs::is_directory(folder / "templates", error);
+  return fs::is_directory(folder / "models", error) &&
+         fs::is_directory(folder / "templates", error);
 }
 
 }  // namespace
@@ -22,7 +23,8 @@ std::string data_root() {
   }
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const std::array candidates = {program.parent_path() / "../share/eagerx-gen", fs::path(EAGERX_BUILT_FROM)};
+  const std::array candidates = {program.parent_path() / "../share/eagerx-gen",
+                                 fs::path(EAGERX_BUILT_FROM)};
   for (const auto& candidate : candidates) {
     if (is_root(candidate)) return candidate.lexically_normal().string();
   }

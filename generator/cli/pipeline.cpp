@@ -30,7 +30,9 @@ void load_library_for(Run& run, const Options& options, const std::vector<std::s
 
 }  // namespace
 
-void load(Run& run, const Options& options) { load_library_for(run, options, {}); }
+void load(Run& run, const Options& options) {
+  load_library_for(run, options, {});
+}
 
 bool make(Run& run, const Options& options) {
   const Node tree = read_yaml_file(options.graph, run.sources, run.diagnostics);
@@ -38,7 +40,8 @@ bool make(Run& run, const Options& options) {
   run.spec = read_graph_spec(tree, options.graph, run.diagnostics);
   std::vector<std::string> folders;
   if (run.spec) {
-    for (const auto& folder : run.spec->library) folders.push_back((fs::path(options.graph).parent_path() / folder.value).string());
+    for (const auto& folder : run.spec->library)
+      folders.push_back((fs::path(options.graph).parent_path() / folder.value).string());
   }
   load_library_for(run, options, folders);
   if (run.diagnostics.has_errors()) return false;
@@ -57,7 +60,8 @@ int finish(const Run& run, const Options& options) {
   if (options.json) {
     std::fputs(render_json(run.diagnostics, run.sources).c_str(), stderr);
   } else if (!run.diagnostics.all().empty()) {
-    std::fputs(render_text(run.diagnostics, run.sources, isatty(STDERR_FILENO) == 1).c_str(), stderr);
+    std::fputs(render_text(run.diagnostics, run.sources, isatty(STDERR_FILENO) == 1).c_str(),
+               stderr);
   }
   if (run.diagnostics.has_io_errors()) return kInputOutput;
   return run.diagnostics.has_errors() ? kProblems : kDone;

@@ -39,7 +39,8 @@ std::vector<std::string> earlier_files(const fs::path& folder) {
 
 class Writer {
  public:
-  Writer(const fs::path& folder, Diagnostics& diagnostics) : folder_(folder), diagnostics_(diagnostics) {}
+  Writer(const fs::path& folder, Diagnostics& diagnostics)
+      : folder_(folder), diagnostics_(diagnostics) {}
   ~Writer() {
     std::error_code ignored;
     for (const auto& [temporary, path] : pending_) fs::remove(temporary, ignored);
@@ -74,7 +75,8 @@ class Writer {
     fs::create_directories(path.parent_path(), error);
     if (error) return fail(path.parent_path(), error.message()).has_value();
     if (fs::is_directory(path, error)) return fail(path, "it is a folder").has_value();
-    const fs::path temporary = path.parent_path() / fmt::format(".{}.{}", path.filename().string(), getpid());
+    const fs::path temporary =
+        path.parent_path() / fmt::format(".{}.{}", path.filename().string(), getpid());
     pending_.emplace_back(temporary, path);
     std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
     out << file.text;
@@ -82,7 +84,8 @@ class Writer {
     return out ? true : fail(path, std::strerror(errno)).has_value();
   }
 
-  void remove_stale(const std::vector<std::string>& earlier, const std::vector<GeneratedFile>& files) {
+  void remove_stale(const std::vector<std::string>& earlier,
+                    const std::vector<GeneratedFile>& files) {
     std::set<std::string> made;
     for (const auto& file : files) made.insert(file.path);
     for (const auto& path : earlier) {
@@ -104,8 +107,10 @@ class Writer {
 
 }  // namespace
 
-std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files, Diagnostics& diagnostics) {
-  std::sort(files.begin(), files.end(), [](const GeneratedFile& a, const GeneratedFile& b) { return a.path < b.path; });
+std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
+                                       Diagnostics& diagnostics) {
+  std::sort(files.begin(), files.end(),
+            [](const GeneratedFile& a, const GeneratedFile& b) { return a.path < b.path; });
   std::string list = std::string(kList) + "\n";
   for (const auto& file : files) list += file.path + "\n";
   files.push_back({kList, list});

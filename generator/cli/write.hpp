@@ -12,9 +12,10 @@ struct WriteResult {
   std::size_t written = 0, unchanged = 0, removed = 0;
 };
 
-/// Writes `files` below `folder`. Everything is written beside its place first and then renamed, so that a full
-/// disk leaves the previous output as it was. Files of an earlier run that are no longer made are removed; the
-/// list is kept in `eagerx-gen.files`. Problems: E0901, nullopt.
-std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files, Diagnostics& diagnostics);
+/// Writes `files` below `folder`. Everything is written beside its place first and then renamed, so
+/// that a full disk leaves the previous output as it was. Files of an earlier run that are no
+/// longer made are removed; the list is kept in `eagerx-gen.files`. Problems: E0901, nullopt.
+std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
+                                       Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

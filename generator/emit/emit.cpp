@@ -14,14 +14,20 @@ namespace fs = std::filesystem;
 
 class Emitter {
  public:
-  Emitter(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options, Diagnostics& diagnostics)
-      : plan_(plan), network_(network), options_(options), diagnostics_(diagnostics), names_(plan) {}
+  Emitter(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options,
+          Diagnostics& diagnostics)
+      : plan_(plan),
+        network_(network),
+        options_(options),
+        diagnostics_(diagnostics),
+        names_(plan) {}
 
   std::optional<std::vector<GeneratedFile>> run() {
     const std::string folder = plan_.graph->name + "/";
     add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
     const fs::path here = fs::path(options_.output) / plan_.graph->name;
-    View io = io_view(plan_, names_, {options_.builtin_root, here.string()});  // decides which nodes share an Io
+    View io = io_view(plan_, names_,
+                      {options_.builtin_root, here.string()});  // decides which nodes share an Io
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     View program = program_view(plan_, names_);
     program.set("group", partial("cpp/group.mustache"));
@@ -41,10 +47,12 @@ class Emitter {
     view.set("name", plan_.graph->name);
     view.set("namespace", plan_.graph->name);
     view.set("header", plan_.graph->name + "/graph.hpp");
-    view.set("file", view.get("file") != nullptr ? *view.get("file") : View(plan_.graph->file_name));
+    view.set("file",
+             view.get("file") != nullptr ? *view.get("file") : View(plan_.graph->file_name));
     view.set("version", options_.version);
     view.set("major", options_.version.substr(0, dot));
-    view.set("minor", options_.version.substr(dot + 1, options_.version.find('.', dot + 1) - dot - 1));
+    view.set("minor",
+             options_.version.substr(dot + 1, options_.version.find('.', dot + 1) - dot - 1));
   }
 
   void add(const std::string& path, const std::string& template_file, View view) {
@@ -61,7 +69,8 @@ class Emitter {
   View partial(const std::string& template_file) {
     const std::string path = (fs::path(options_.templates) / template_file).string();
     auto text = read_template(path);
-    if (!text) diagnostics_.io_error("E0501", {}, fmt::format("cannot read the template `{}`", path));
+    if (!text)
+      diagnostics_.io_error("E0501", {}, fmt::format("cannot read the template `{}`", path));
     failed_ = failed_ || !text;
     return View(kainjow::mustache::partial([shared = text.value_or("")] { return shared; }));
   }
@@ -99,7 +108,9 @@ class Emitter {
 
 }  // namespace
 
-std::optional<std::vector<GeneratedFile>> emit(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options,
+std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
+                                               const std::optional<Network>& network,
+                                               const EmitOptions& options,
                                                Diagnostics& diagnostics) {
   return Emitter(plan, network, options, diagnostics).run();
 }

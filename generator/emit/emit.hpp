@@ -20,13 +20,15 @@ struct EmitOptions {
   std::string templates;               // folder of the templates
   std::vector<const Target*> targets;  // at least one; the first is the default
   std::string version;                 // of the generator
-  std::string builtin_root;  // headers below it are included as <models/…>
-  std::string output;        // others are included relative to the output folder
+  std::string builtin_root;            // headers below it are included as <models/…>
+  std::string output;                  // others are included relative to the output folder
 };
 
-/// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a template
-/// that cannot be read or is wrong.
-std::optional<std::vector<GeneratedFile>> emit(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options,
+/// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a
+/// template that cannot be read or is wrong.
+std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
+                                               const std::optional<Network>& network,
+                                               const EmitOptions& options,
                                                Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

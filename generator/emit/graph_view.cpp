@@ -9,15 +9,20 @@
 namespace eagerx::gen {
 namespace {
 
-View object() { return View(View::type::object); }
-View list() { return View(View::type::list); }
+View object() {
+  return View(View::type::object);
+}
+View list() {
+  return View(View::type::list);
+}
 
 class GraphView {
  public:
   GraphView(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network)
       : plan_(plan), graph_(*plan.graph), names_(names), network_(network) {
     constants_.unique("kName");
-    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels"}) constants_.unique(taken);
+    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels"})
+      constants_.unique(taken);
   }
 
   View make() {
@@ -25,7 +30,8 @@ class GraphView {
     view.set("engine", graph_.engine().entity->id.value);
     view.set("rate_type", rate_type(graph_.environment().rate_hz));
     view.set("agent", agent_name());
-    view.set("agent_csv", string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
+    view.set("agent_csv",
+             string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
     add_channels(view);
     add_spaces(view);
     add_draws(view);
@@ -59,7 +65,8 @@ class GraphView {
     view.set("channels", std::move(channels));
   }
 
-  View space_view(const std::string& field, const Space& space, Span span, const std::string& prefix) {
+  View space_view(const std::string& field, const Space& space, Span span,
+                  const std::string& prefix) {
     View item = object();
     item.set("field", field);
     item.set("type", message_type(space));
@@ -71,35 +78,44 @@ class GraphView {
 
   void add_spaces(View& view) {
     View actions = list(), observations = list();
-    for (const auto& action : graph_.environment().outputs) actions.push_back(space_view(action.name, action.space, action.span, "Action"));
-    for (const auto& input : graph_.environment().inputs) observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
+    for (const auto& action : graph_.environment().outputs)
+      actions.push_back(space_view(action.name, action.space, action.span, "Action"));
+    for (const auto& input : graph_.environment().inputs)
+      observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
     view.set("actions", std::move(actions));
     view.set("observations", std::move(observations));
     view.set("no_observations", graph_.environment().inputs.empty());
   }
 
   /// The lines that set one state from `random`.
-  View draw_lines(const Random& random, const Space& space, const std::string& field, const std::string& constant) const {
+  View draw_lines(const Random& random, const Space& space, const std::string& field,
+                  const std::string& constant) const {
     const std::string type = message_type(space);
     std::vector<std::string> text;
     switch (random.kind) {
       case RandomSpec::Kind::value:
-        text = {fmt::format("states.{} = {}{};", field, type, braced(message_literal(random.first, space), space))};
+        text = {fmt::format("states.{} = {}{};", field, type,
+                            braced(message_literal(random.first, space), space))};
         break;
       case RandomSpec::Kind::uniform:
         text = {fmt::format("states.{} = {}.sample(random);", field, constant)};
         break;
       case RandomSpec::Kind::log_uniform:
-        text = {fmt::format("states.{} = eagerx::draw_log_uniform(random, {}.low, {}.high);", field, constant, constant)};
+        text = {fmt::format("states.{} = eagerx::draw_log_uniform(random, {}.low, {}.high);", field,
+                            constant, constant)};
         break;
       case RandomSpec::Kind::normal:
-        text = {fmt::format("constexpr {} kMean{};", type, braced(message_literal(random.first, space), space)),
-                fmt::format("constexpr {} kStd{};", type, braced(message_literal(random.second, space), space)),
-                fmt::format("states.{} = {}.clipped(eagerx::draw_normal(random, kMean, kStd));", field, constant)};
+        text = {fmt::format("constexpr {} kMean{};", type,
+                            braced(message_literal(random.first, space), space)),
+                fmt::format("constexpr {} kStd{};", type,
+                            braced(message_literal(random.second, space), space)),
+                fmt::format("states.{} = {}.clipped(eagerx::draw_normal(random, kMean, kStd));",
+                            field, constant)};
         break;
       case RandomSpec::Kind::choice:
         text = {fmt::format("constexpr {} kChoices[] = {{", type)};
-        for (const auto& choice : random.choices) text.push_back(fmt::format("    {},", message_literal(choice, space)));
+        for (const auto& choice : random.choices)
+          text.push_back(fmt::format("    {},", message_literal(choice, space)));
         text.push_back("};");
         text.push_back(fmt::format("states.{} = eagerx::draw_choice(random, kChoices);", field));
         break;
@@ -113,7 +129,9 @@ class GraphView {
     return lines;
   }
 
-  static std::string braced(const std::string& text, const Space& space) { return space.shape.empty() ? "{" + text + "}" : text; }
+  static std::string braced(const std::string& text, const Space& space) {
+    return space.shape.empty() ? "{" + text + "}" : text;
+  }
 
   void add_draws(View& view) {
     View ranges = list(), randoms = list();
@@ -142,10 +160,12 @@ class GraphView {
       draws = draws || kind != RandomSpec::Kind::value;
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
-      for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) add(graph_.objects[i].name, graph_.objects[i].states[s], names_.object_state[i][s]);
+      for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s)
+        add(graph_.objects[i].name, graph_.objects[i].states[s], names_.object_state[i][s]);
     }
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
-      for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s) add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
+      for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
+        add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
     }
     view.set("ranges", std::move(ranges));
     view.set("randoms", std::move(randoms));
@@ -158,13 +178,15 @@ class GraphView {
     std::uint64_t words = 0;
     Names constants;  // the same names as in add_spaces, which come first there
     for (const auto& action : graph_.environment().outputs) {
-      samples.push_back(fmt::format("{}.sample(random)", constants.unique("kAction" + camel(action.name))));
+      samples.push_back(
+          fmt::format("{}.sample(random)", constants.unique("kAction" + camel(action.name))));
       words += action.space.size() * 2;
     }
     constexpr std::uint64_t kWordsInBlock = 4;
     view.set("random_action", fmt::format("{{{}}}", fmt::join(samples, ", ")));
     // Twice what is needed, since drawing an integer may take several words.
-    view.set("draws_a_step", fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
+    view.set("draws_a_step",
+             fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
   }
 
   void add_policy(View& view) const {
@@ -178,17 +200,24 @@ class GraphView {
       item.set("field", graph_.environment().inputs[i].name);
       inputs.push_back(std::move(item));
     }
-    const bool squashed = graph_.agent.squashed.value_or(network_->layers.back().activation == Activation::tanh);
+    const bool squashed =
+        graph_.agent.squashed.value_or(network_->layers.back().activation == Activation::tanh);
     std::vector<const Output*> actions;
     for (const auto& action : graph_.environment().outputs) actions.push_back(&action);
-    std::sort(actions.begin(), actions.end(), [](const Output* a, const Output* b) { return a->name < b->name; });
+    std::sort(actions.begin(), actions.end(),
+              [](const Output* a, const Output* b) { return a->name < b->name; });
     for (const Output* action : actions) {
       const std::string constant = "kAction" + camel(action->name);
-      const std::string output = fmt::format("eagerx::unflatten<{}>(output, out)", message_type(action->space));
+      const std::string output =
+          fmt::format("eagerx::unflatten<{}>(output, out)", message_type(action->space));
       View item = object();
       item.set("field", action->name);
-      item.set("how", squashed ? "squashed policy: from -1…1 to the action's bounds, as SB3's predict() does" : "as SB3's predict() does: clipped to the action's bounds");
-      item.set("expression", squashed ? fmt::format("eagerx::unscaled({}, {})", output, constant) : fmt::format("{}.clipped({})", constant, output));
+      item.set("how",
+               squashed
+                   ? "squashed policy: from -1…1 to the action's bounds, as SB3's predict() does"
+                   : "as SB3's predict() does: clipped to the action's bounds");
+      item.set("expression", squashed ? fmt::format("eagerx::unscaled({}, {})", output, constant)
+                                      : fmt::format("{}.clipped({})", constant, output));
       outputs.push_back(std::move(item));
     }
     view.set("policy_inputs", std::move(inputs));
@@ -205,7 +234,8 @@ class GraphView {
 
 }  // namespace
 
-View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network) {
+View graph_view(const Plan& plan, const ProgramNames& names,
+                const std::optional<Network>& network) {
   return GraphView(plan, names, network).make();
 }
 

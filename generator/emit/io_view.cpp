@@ -12,11 +12,16 @@
 namespace eagerx::gen {
 namespace {
 
-View object() { return View(View::type::object); }
-View list() { return View(View::type::list); }
+View object() {
+  return View(View::type::object);
+}
+View list() {
+  return View(View::type::list);
+}
 
 std::string int_type(std::int64_t value) {
-  const bool small = value >= std::numeric_limits<std::int32_t>::min() && value <= std::numeric_limits<std::int32_t>::max();
+  const bool small = value >= std::numeric_limits<std::int32_t>::min() &&
+                     value <= std::numeric_limits<std::int32_t>::max();
   return small ? "int" : "std::int64_t";
 }
 
@@ -27,11 +32,14 @@ struct CppValue {
 struct ConfigWriter {
   const Parameter& parameter;
 
-  CppValue operator()(std::int64_t value) const { return {int_type(value), fmt::format("{}", value)}; }
+  CppValue operator()(std::int64_t value) const {
+    return {int_type(value), fmt::format("{}", value)};
+  }
   CppValue operator()(double value) const { return {"double", double_literal(value)}; }
   CppValue operator()(bool value) const { return {"bool", value ? "true" : "false"}; }
   CppValue operator()(const std::string& value) const {
-    if (parameter.type == Parameter::Type::keyword) return {"auto", parameter.cpp_class + "::" + value};
+    if (parameter.type == Parameter::Type::keyword)
+      return {"auto", parameter.cpp_class + "::" + value};
     return {"const char*", string_literal(value)};
   }
   CppValue operator()(const std::vector<std::int64_t>& values) const {
@@ -39,12 +47,14 @@ struct ConfigWriter {
     for (const std::int64_t value : values) {
       if (int_type(value) != "int") type = "std::int64_t";
     }
-    return {fmt::format("std::array<{}, {}>", type, values.size()), fmt::format("{{{}}}", fmt::join(values, ", "))};
+    return {fmt::format("std::array<{}, {}>", type, values.size()),
+            fmt::format("{{{}}}", fmt::join(values, ", "))};
   }
   CppValue operator()(const std::vector<double>& values) const {
     std::vector<std::string> literals;
     for (const double value : values) literals.push_back(double_literal(value));
-    return {fmt::format("std::array<double, {}>", values.size()), fmt::format("{{{}}}", fmt::join(literals, ", "))};
+    return {fmt::format("std::array<double, {}>", values.size()),
+            fmt::format("{{{}}}", fmt::join(literals, ", "))};
   }
 };
 
@@ -56,7 +66,8 @@ View config_view(const Config& config) {
     view.set("key", item.parameter->name.value);
     view.set("type", cpp.type);
     view.set("value", cpp.value);
-    view.set("comment", item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
+    view.set("comment",
+             item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
     views.push_back(std::move(view));
   }
   return views;
@@ -66,8 +77,10 @@ View config_view(const Config& config) {
 std::string structure_of(const Plan& plan, std::size_t n, const ProgramNames& names) {
   const GraphNode& node = plan.graph->nodes[n];
   std::string text = node.entity->id.value + "|" + node.rate_hz.to_string();
-  for (const auto& item : node.config) text += "|" + std::visit(ConfigWriter{*item.parameter}, item.value).value;
-  for (std::size_t i = 0; i < node.inputs.size(); ++i) text += "|" + node.inputs[i].name + window_type(plan, n, i);
+  for (const auto& item : node.config)
+    text += "|" + std::visit(ConfigWriter{*item.parameter}, item.value).value;
+  for (std::size_t i = 0; i < node.inputs.size(); ++i)
+    text += "|" + node.inputs[i].name + window_type(plan, n, i);
   for (const auto& output : node.outputs) text += "|" + output.name + message_type(output.raw);
   for (const auto& state : node.states) text += "|" + state.name + message_type(state.space);
   if (node.object) text += "|" + names.simulator_type[*node.object];
@@ -156,7 +169,8 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
   return views;
 }
 
-View processor_view(const Processor& processor, const std::string& type, const std::string& where, const ProgramNames& names) {
+View processor_view(const Processor& processor, const std::string& type, const std::string& where,
+                    const ProgramNames& names) {
   View view = object();
   view.set("where", where);
   view.set("entity", processor.entity->id.value);
@@ -175,10 +189,14 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
     const GraphNode& node = plan.graph->nodes[n];
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const std::string owner = node.role == NodeRole::environment ? "observations" : node.name;
-      if (node.inputs[i].processor) views.push_back(processor_view(*node.inputs[i].processor, names.input_processor[n][i], owner + "." + node.inputs[i].name, names));
+      if (node.inputs[i].processor)
+        views.push_back(processor_view(*node.inputs[i].processor, names.input_processor[n][i],
+                                       owner + "." + node.inputs[i].name, names));
     }
     for (std::size_t o = 0; o < node.outputs.size(); ++o) {
-      if (node.outputs[o].processor) views.push_back(processor_view(*node.outputs[o].processor, names.output_processor[n][o], node.name + "." + node.outputs[o].name, names));
+      if (node.outputs[o].processor)
+        views.push_back(processor_view(*node.outputs[o].processor, names.output_processor[n][o],
+                                       node.name + "." + node.outputs[o].name, names));
     }
   }
   return views;
@@ -228,12 +246,14 @@ View includes_view(const Plan& plan, const IncludePaths& paths) {
   includes.add(*graph.engine().entity, graph.engine().entity->simulator);
   for (const auto& item : graph.objects) {
     includes.add(*item.entity, item.implementation->model);
-    for (const auto& state : item.states) includes.add(*state.engine_state, state.engine_state->cpp);
+    for (const auto& state : item.states)
+      includes.add(*state.engine_state, state.engine_state->cpp);
   }
   return includes.view();
 }
 
-View port_view(const std::string& type, const std::string& field, const Space& space, const std::string& place) {
+View port_view(const std::string& type, const std::string& field, const Space& space,
+               const std::string& place) {
   View view = object();
   view.set("type", type);
   view.set("field", field);
@@ -248,22 +268,27 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   const Graph& graph = *plan.graph;
   View view = object();
   View actions = list(), observations = list(), states = list();
-  for (const auto& action : graph.environment().outputs) actions.push_back(port_view(message_type(action.space), action.name, action.space, names.place(action.span)));
+  for (const auto& action : graph.environment().outputs)
+    actions.push_back(
+        port_view(message_type(action.space), action.name, action.space, names.place(action.span)));
   for (std::size_t i = 0; i < graph.environment().inputs.size(); ++i) {
     const Input& input = graph.environment().inputs[i];
-    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i), input.name, input.space, names.place(input.span)));
+    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i), input.name,
+                                     input.space, names.place(input.span)));
   }
   for (std::size_t i = 0; i < graph.objects.size(); ++i) {
     for (std::size_t s = 0; s < graph.objects[i].states.size(); ++s) {
       const State& state = graph.objects[i].states[s];
-      states.push_back(port_view(message_type(state.space), names.object_state[i][s], state.space, names.place(state.span)));
+      states.push_back(port_view(message_type(state.space), names.object_state[i][s], state.space,
+                                 names.place(state.span)));
     }
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     for (std::size_t s = 0; s < graph.nodes[n].states.size(); ++s) {
       const State& state = graph.nodes[n].states[s];
       if (!state.settable) continue;
-      states.push_back(port_view(message_type(state.space), names.node_state[n][s], state.space, names.place(state.span)));
+      states.push_back(port_view(message_type(state.space), names.node_state[n][s], state.space,
+                                 names.place(state.span)));
     }
   }
   view.set("actions", std::move(actions));

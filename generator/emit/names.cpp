@@ -19,11 +19,13 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
   for (const auto& ring : plan.rings) {
     const GraphNode& node = graph.nodes[ring.node];
     const bool action = node.role == NodeRole::environment;
-    std::string name = (action ? "action" : snake(node.name)) + "_" + node.outputs[ring.output].name;
+    std::string name =
+        (action ? "action" : snake(node.name)) + "_" + node.outputs[ring.output].name;
     if (ring.reader_node) {
       const GraphNode& reader = graph.nodes[*ring.reader_node];
       const bool observation = reader.role == NodeRole::environment;
-      name = (observation ? "observation" : snake(reader.name)) + "_" + reader.inputs[*ring.reader_input].name;
+      name = (observation ? "observation" : snake(reader.name)) + "_" +
+             reader.inputs[*ring.reader_input].name;
     }
     ring_member.push_back(members.unique(name + "_"));
   }
@@ -40,23 +42,30 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
     const std::string owner = node.role == NodeRole::environment ? "observation" : snake(node.name);
-    for (auto* list : {&output_processor, &input_processor, &cursor, &fresh, &node_state}) list->emplace_back();
+    for (auto* list : {&output_processor, &input_processor, &cursor, &fresh, &node_state})
+      list->emplace_back();
     channel.emplace_back(node.outputs.size());
     for (const auto& output : node.outputs) {
-      output_processor[n].push_back(output.processor ? types.unique(camel(node.name) + camel(output.name) + "Processor") : "");
+      output_processor[n].push_back(
+          output.processor ? types.unique(camel(node.name) + camel(output.name) + "Processor")
+                           : "");
     }
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const Input& input = node.inputs[i];
-      input_processor[n].push_back(input.processor ? types.unique(camel(owner) + camel(input.name) + "Processor") : "");
+      input_processor[n].push_back(
+          input.processor ? types.unique(camel(owner) + camel(input.name) + "Processor") : "");
       const auto count = plan.nodes[n].receptions[i].count;
       const bool counted = count == Reception::Count::delayed || count == Reception::Count::skipped;
       cursor[n].push_back(counted ? members.unique(owner + "_" + input.name + "_cursor_") : "");
-      fresh[n].push_back(input.window == 0 ? members.unique(owner + "_" + input.name + "_new_") : "");
+      fresh[n].push_back(input.window == 0 ? members.unique(owner + "_" + input.name + "_new_")
+                                           : "");
     }
-    for (const auto& state : node.states) node_state[n].push_back(fields.unique(snake(node.name) + "_" + state.name));
+    for (const auto& state : node.states)
+      node_state[n].push_back(fields.unique(snake(node.name) + "_" + state.name));
   }
   Names channels;
-  for (const auto& item : plan.channels) channel[item.node][item.output] = channels.unique(snake(item.name));
+  for (const auto& item : plan.channels)
+    channel[item.node][item.output] = channels.unique(snake(item.name));
 }
 
 std::string ProgramNames::place(Span span) const {

@@ -17,13 +17,14 @@ struct ProgramNames {
   std::vector<std::string> io;           // of nodes: "SmoothIo"; nodes of equal structure share one
   std::vector<std::string> node_member;  // "smooth_"
   std::vector<std::string> ring_member;  // "smooth_filtered_"
-  std::vector<std::string> due, counter;  // of rates: "k30Hz", "n30Hz_"
+  std::vector<std::string> due, counter;                      // of rates: "k30Hz", "n30Hz_"
   std::vector<std::string> simulator_type, simulator_member;  // of objects
   std::vector<std::vector<std::string>> engine_state_type;    // of objects' states
-  std::vector<std::vector<std::string>> output_processor, input_processor;  // types, by node and port
-  std::vector<std::vector<std::string>> cursor, fresh;        // members, by node and input
+  std::vector<std::vector<std::string>> output_processor,
+      input_processor;                                             // types, by node and port
+  std::vector<std::vector<std::string>> cursor, fresh;             // members, by node and input
   std::vector<std::vector<std::string>> node_state, object_state;  // fields of States
-  std::vector<std::vector<std::string>> channel;              // constants, by node and output
+  std::vector<std::vector<std::string>> channel;                   // constants, by node and output
 
   /// "graph.yaml:14:5"
   [[nodiscard]] std::string place(Span span) const;

@@ -16,15 +16,23 @@ struct Sum {
   }
 };
 
-void report(const char* code, const Graph& graph, std::string_view verb, std::uint64_t wanted, const Sum& there, std::string_view what, Span place,
-            Diagnostics& diagnostics) {
-  auto& problem = diagnostics.error(code, graph.agent.span, fmt::format("the policy `{}` {} {} numbers, but the {} of this graph have {}", graph.agent.file, verb, wanted, what, there.total));
-  problem.notes.push_back({fmt::format("in the policy's order: {}", fmt::join(there.parts, ", ")), place, ""});
-  problem.help = what == "observations" ? "connect the observations that it was trained with, in that order (`agent: {policy: …, observations: […]}`), or convert one with a processor"
-                                        : "connect the actions that it was trained with";
+void report(const char* code, const Graph& graph, std::string_view verb, std::uint64_t wanted,
+            const Sum& there, std::string_view what, Span place, Diagnostics& diagnostics) {
+  auto& problem = diagnostics.error(
+      code, graph.agent.span,
+      fmt::format("the policy `{}` {} {} numbers, but the {} of this graph have {}",
+                  graph.agent.file, verb, wanted, what, there.total));
+  problem.notes.push_back(
+      {fmt::format("in the policy's order: {}", fmt::join(there.parts, ", ")), place, ""});
+  problem.help = what == "observations"
+                     ? "connect the observations that it was trained with, in that order (`agent: "
+                       "{policy: …, observations: […]}`), or convert one with a processor"
+                     : "connect the actions that it was trained with";
 }
 
-bool bounded(const Space& space) { return !space.low.empty() && !space.high.empty(); }
+bool bounded(const Space& space) {
+  return !space.low.empty() && !space.high.empty();
+}
 
 }  // namespace
 
@@ -35,7 +43,11 @@ bool check_policy(const Graph& graph, const Network& network, Diagnostics& diagn
   for (const std::size_t i : graph.agent.observations) {
     const Input& input = environment.inputs[i];
     if (input.window == 0) {
-      diagnostics.error("E0703", input.span, fmt::format("the policy cannot take `observations.{}`: with window 0 it has no fixed size", input.name));
+      diagnostics.error(
+          "E0703", input.span,
+          fmt::format(
+              "the policy cannot take `observations.{}`: with window 0 it has no fixed size",
+              input.name));
       continue;
     }
     observed.add(input.name, input.window * input.space.size());
@@ -43,14 +55,23 @@ bool check_policy(const Graph& graph, const Network& network, Diagnostics& diagn
   for (const auto& action : environment.outputs) {
     acted.add(action.name, action.space.size());
     if (!bounded(action.space)) {
-      diagnostics.error("E0703", action.span, fmt::format("`actions.{}` has no bounds to scale or clip the policy's output to", action.name)).help =
+      diagnostics
+          .error("E0703", action.span,
+                 fmt::format("`actions.{}` has no bounds to scale or clip the policy's output to",
+                             action.name))
+          .help =
           fmt::format("give them: `actions: {{{}: {{space: {{low: …, high: …}}}}}}`", action.name);
     }
   }
   if (diagnostics.error_count() != errors_before) return false;
-  const Span seen = graph.agent.observations.empty() ? graph.span : environment.inputs[graph.agent.observations.front()].span;
-  if (observed.total != network.inputs()) report("E0701", graph, "takes", network.inputs(), observed, "observations", seen, diagnostics);
-  if (acted.total != network.outputs()) report("E0702", graph, "gives", network.outputs(), acted, "actions", environment.outputs.front().span, diagnostics);
+  const Span seen = graph.agent.observations.empty()
+                        ? graph.span
+                        : environment.inputs[graph.agent.observations.front()].span;
+  if (observed.total != network.inputs())
+    report("E0701", graph, "takes", network.inputs(), observed, "observations", seen, diagnostics);
+  if (acted.total != network.outputs())
+    report("E0702", graph, "gives", network.outputs(), acted, "actions",
+           environment.outputs.front().span, diagnostics);
   return diagnostics.error_count() == errors_before;
 }
 

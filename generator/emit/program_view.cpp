@@ -9,19 +9,26 @@
 namespace eagerx::gen {
 namespace {
 
-// Functions of more nodes take the optimiser more than linear time (RECIPES: chunks of 32 halve the compile
-// time of 1,000 nodes); below 100 nodes one function is easier to read.
+// Functions of more nodes take the optimiser more than linear time (RECIPES: chunks of 32 halve the
+// compile time of 1,000 nodes); below 100 nodes one function is easier to read.
 constexpr std::size_t kMostNodesInOneFunction = 100;
 constexpr std::size_t kChunk = 32;
 
-View object() { return View(View::type::object); }
-View list() { return View(View::type::list); }
+View object() {
+  return View(View::type::object);
+}
+View list() {
+  return View(View::type::list);
+}
 
-std::string joined(const std::vector<std::string>& items) { return fmt::format("{}", fmt::join(items, ", ")); }
+std::string joined(const std::vector<std::string>& items) {
+  return fmt::format("{}", fmt::join(items, ", "));
+}
 
 class ProgramView {
  public:
-  ProgramView(const Plan& plan, const ProgramNames& names) : plan_(plan), graph_(*plan.graph), names_(names) {}
+  ProgramView(const Plan& plan, const ProgramNames& names)
+      : plan_(plan), graph_(*plan.graph), names_(names) {}
 
   View make() {
     View view = object();
@@ -72,7 +79,9 @@ class ProgramView {
     }
     return fmt::format("{}", fmt::join(bits, " | "));
   }
-  std::string constant(std::uint64_t mask) const { return fmt::format("eagerx::Constant<{}>{{}}", mask_names(mask)); }
+  std::string constant(std::uint64_t mask) const {
+    return fmt::format("eagerx::Constant<{}>{{}}", mask_names(mask));
+  }
 
   void add_schedule(View& view) const {
     const Schedule& schedule = plan_.schedule;
@@ -82,9 +91,14 @@ class ProgramView {
     view.set("is_table", table);
     view.set("is_countdown", schedule.form == ScheduleForm::countdown);
     view.set("is_runtime", !constants);
-    view.set("schedule", constants ? (schedule.masks.size() == 1 ? std::string("a step is one slot") : fmt::format("a step is {} slots, written out", schedule.masks.size()))
-                                   : (table ? fmt::format("the {} slots of the hyperperiod are a table of masks", schedule.masks.size())
-                                            : std::string("the next slot is found by a countdown of every rate")));
+    view.set("schedule",
+             constants
+                 ? (schedule.masks.size() == 1
+                        ? std::string("a step is one slot")
+                        : fmt::format("a step is {} slots, written out", schedule.masks.size()))
+                 : (table ? fmt::format("the {} slots of the hyperperiod are a table of masks",
+                                        schedule.masks.size())
+                          : std::string("the next slot is found by a countdown of every rate")));
     view.set("all", constants ? constant(schedule.masks.front()) : "");
     add_runs(view, constants);
     add_table(view, table);
@@ -115,14 +129,18 @@ class ProgramView {
   void add_table(View& view, bool table) const {
     const auto& masks = plan_.schedule.masks;
     const std::size_t bits = plan_.rates.size();
-    view.set("mask_type", bits <= 8 ? "std::uint8_t" : (bits <= 16 ? "std::uint16_t" : (bits <= 32 ? "std::uint32_t" : "std::uint64_t")));
+    view.set("mask_type", bits <= 8
+                              ? "std::uint8_t"
+                              : (bits <= 16 ? "std::uint16_t"
+                                            : (bits <= 32 ? "std::uint32_t" : "std::uint64_t")));
     view.set("slot_type", masks.size() <= 255 ? "std::uint8_t" : "std::uint16_t");
     view.set("slots", fmt::format("{}", masks.size()));
     View lines = list();
     constexpr std::size_t kInLine = 16;
     for (std::size_t i = 0; table && i < masks.size(); i += kInLine) {
       std::string text;
-      for (std::size_t k = i; k < std::min(i + kInLine, masks.size()); ++k) text += fmt::format("{}{},", k == i ? "" : " ", masks[k]);
+      for (std::size_t k = i; k < std::min(i + kInLine, masks.size()); ++k)
+        text += fmt::format("{}{},", k == i ? "" : " ", masks[k]);
       View line = object();
       line.set("line", text);
       lines.push_back(std::move(line));
@@ -154,7 +172,8 @@ class ProgramView {
         uses_states = uses_states || node.states[s].settable;
       }
       View reset = object();
-      reset.set("call", fmt::format("{}.reset({{{}}}{})", names_.node_member[n], joined(states), simulator_argument(n)));
+      reset.set("call", fmt::format("{}.reset({{{}}}{})", names_.node_member[n], joined(states),
+                                    simulator_argument(n)));
       resets.push_back(std::move(reset));
     }
     view.set("simulators", std::move(simulators));
@@ -170,8 +189,10 @@ class ProgramView {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
-        const std::string where = fmt::format("{}.{}", graph_.nodes[n].name, graph_.nodes[n].inputs[i].name);
-        const auto add = [&](const std::string& member, const std::string& type, const std::string& x) {
+        const std::string where =
+            fmt::format("{}.{}", graph_.nodes[n].name, graph_.nodes[n].inputs[i].name);
+        const auto add = [&](const std::string& member, const std::string& type,
+                             const std::string& x) {
           View cursor = object();
           cursor.set("member", member);
           cursor.set("type", type);
@@ -181,9 +202,13 @@ class ProgramView {
         };
         const std::string x = fmt::format("{}", reception.x);
         if (reception.count == Reception::Count::delayed) {
-          add(names_.cursor[n][i], fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b), x);
+          add(names_.cursor[n][i],
+              fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b), x);
         } else if (reception.count == Reception::Count::skipped) {
-          add(names_.cursor[n][i], fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b, reception.off), x);
+          add(names_.cursor[n][i],
+              fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b,
+                          reception.off),
+              x);
         }
         if (!names_.fresh[n][i].empty()) add(names_.fresh[n][i], "eagerx::NewMessages", "");
       }
@@ -211,7 +236,8 @@ class ProgramView {
   /// Rings that hold a channel as the processor of one of its readers converts it.
   View conversions(std::size_t n, std::size_t output) const {
     View views = list();
-    for (std::size_t r = plan_.channels.size(); r < plan_.rings.size(); ++r) {  // behind the channels' own
+    for (std::size_t r = plan_.channels.size(); r < plan_.rings.size();
+         ++r) {  // behind the channels' own
       const Ring& ring = plan_.rings[r];
       if (ring.node != n || ring.output != output) continue;
       View view = object();
@@ -223,7 +249,9 @@ class ProgramView {
     return views;
   }
 
-  std::string channel(std::size_t n, std::size_t output) const { return "channel::" + names_.channel[n][output]; }
+  std::string channel(std::size_t n, std::size_t output) const {
+    return "channel::" + names_.channel[n][output];
+  }
 
   void add_actions(View& view) const {
     View actions = list();
@@ -232,7 +260,8 @@ class ProgramView {
       View action = object();
       action.set("field", output.name);
       action.set("place", names_.place(output.span));
-      action.set("ring", ring_place(plan_, names_, plan_.nodes[Graph::kEnvironment].rings[a], seq_of(Graph::kEnvironment)));
+      action.set("ring", ring_place(plan_, names_, plan_.nodes[Graph::kEnvironment].rings[a],
+                                    seq_of(Graph::kEnvironment)));
       action.set("conversions", conversions(Graph::kEnvironment, a));
       action.set("channel", channel(Graph::kEnvironment, a));
       action.set("seq", seq_of(Graph::kEnvironment));
@@ -241,7 +270,8 @@ class ProgramView {
     view.set("actions", std::move(actions));
   }
 
-  void add_phase(View& view, const std::string& phase, const std::vector<std::size_t>& nodes) const {
+  void add_phase(View& view, const std::string& phase,
+                 const std::vector<std::size_t>& nodes) const {
     View calls = list(), chunks = list();
     const bool cut = graph_.nodes.size() > kMostNodesInOneFunction;
     for (std::size_t i = 0; cut && i < nodes.size(); i += kChunk) {
@@ -251,7 +281,9 @@ class ProgramView {
       calls.push_back(std::move(call));
       View chunk = object();
       chunk.set("function", function);
-      chunk.set("groups", groups({nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes.begin() + static_cast<std::ptrdiff_t>(std::min(i + kChunk, nodes.size()))}));
+      chunk.set("groups", groups({nodes.begin() + static_cast<std::ptrdiff_t>(i),
+                                  nodes.begin() + static_cast<std::ptrdiff_t>(
+                                                      std::min(i + kChunk, nodes.size()))}));
       chunks.push_back(std::move(chunk));
     }
     view.set(phase + "_calls", std::move(calls));
@@ -267,7 +299,8 @@ class ProgramView {
       View group = object();
       group.set("due", names_.due[rate]);
       View blocks = list();
-      for (; i < nodes.size() && plan_.nodes[nodes[i]].rate == rate; ++i) blocks.push_back(block(nodes[i]));
+      for (; i < nodes.size() && plan_.nodes[nodes[i]].rate == rate; ++i)
+        blocks.push_back(block(nodes[i]));
       group.set("blocks", std::move(blocks));
       views.push_back(std::move(group));
     }
@@ -294,7 +327,8 @@ class ProgramView {
 
   void add_engine(View& view, std::size_t n) const {
     std::vector<std::string> simulators = {fmt::format("eagerx::Tick{{{}}}", seq_of(n))};
-    simulators.insert(simulators.end(), names_.simulator_member.begin(), names_.simulator_member.end());
+    simulators.insert(simulators.end(), names_.simulator_member.begin(),
+                      names_.simulator_member.end());
     view.set("simulators", joined(simulators));
     view.set("ring", ring_place(plan_, names_, plan_.nodes[n].rings.front(), seq_of(n)));
     view.set("channel", channel(n, 0));
@@ -303,7 +337,8 @@ class ProgramView {
   void add_node(View& view, std::size_t n) const {
     const GraphNode& node = graph_.nodes[n];
     std::vector<std::string> inputs, outputs;
-    for (std::size_t i = 0; i < node.inputs.size(); ++i) inputs.push_back(window_argument(plan_, names_, n, i));
+    for (std::size_t i = 0; i < node.inputs.size(); ++i)
+      inputs.push_back(window_argument(plan_, names_, n, i));
     View raw = list(), published = list();
     for (std::size_t o = 0; o < node.outputs.size(); ++o) {
       const Output& output = node.outputs[o];
@@ -329,12 +364,14 @@ class ProgramView {
     view.set("outputs", "{" + joined(outputs) + "}");
     view.set("raw", std::move(raw));
     view.set("published", std::move(published));
-    view.set("arguments", fmt::format("eagerx::Tick{{{}}}, in, out{}", seq_of(n), simulator_argument(n)));
+    view.set("arguments",
+             fmt::format("eagerx::Tick{{{}}}, in, out{}", seq_of(n), simulator_argument(n)));
   }
 
   void add_observation(View& view) const {
     std::vector<std::string> windows;
-    for (std::size_t i = 0; i < graph_.environment().inputs.size(); ++i) windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
+    for (std::size_t i = 0; i < graph_.environment().inputs.size(); ++i)
+      windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
     view.set("observation", "{" + joined(windows) + "}");
   }
 
@@ -346,7 +383,8 @@ class ProgramView {
       item.set("type", message_type(ring.space));
       item.set("member", names_.ring_member[r]);
       item.set("capacity", fmt::format("{}", ring.capacity));
-      item.set("comment", ring.needed > 1 ? fmt::format("  // {} needs {}", ring.why, ring.needed) : "");
+      item.set("comment",
+               ring.needed > 1 ? fmt::format("  // {} needs {}", ring.why, ring.needed) : "");
       rings.push_back(std::move(item));
     }
     const auto add = [&](const std::string& type, const std::string& member) {
@@ -355,8 +393,11 @@ class ProgramView {
       item.set("member", member);
       members.push_back(std::move(item));
     };
-    for (std::size_t i = 0; i < graph_.objects.size(); ++i) add(names_.simulator_type[i], names_.simulator_member[i]);
-    for (const std::size_t n : all_nodes()) add(fmt::format("{}<{}>", graph_.nodes[n].entity->cpp.name, names_.io[n]), names_.node_member[n]);
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i)
+      add(names_.simulator_type[i], names_.simulator_member[i]);
+    for (const std::size_t n : all_nodes())
+      add(fmt::format("{}<{}>", graph_.nodes[n].entity->cpp.name, names_.io[n]),
+          names_.node_member[n]);
     view.set("rings", std::move(rings));
     view.set("members", std::move(members));
   }
@@ -368,6 +409,8 @@ class ProgramView {
 
 }  // namespace
 
-View program_view(const Plan& plan, const ProgramNames& names) { return ProgramView(plan, names).make(); }
+View program_view(const Plan& plan, const ProgramNames& names) {
+  return ProgramView(plan, names).make();
+}
 
 }  // namespace eagerx::gen

@@ -14,8 +14,9 @@ using View = kainjow::mustache::data;
 /// The text of a template, for use as a partial; nullopt if it cannot be read.
 std::optional<std::string> read_template(const std::string& path);
 
-/// Renders the template file. A template that cannot be read, does not parse, or names a key that the view
-/// does not have is an error (E0501) instead of an empty place in the output.
-std::optional<std::string> render_file(const std::string& path, const View& view, Diagnostics& diagnostics);
+/// Renders the template file. A template that cannot be read, does not parse, or names a key that
+/// the view does not have is an error (E0501) instead of an empty place in the output.
+std::optional<std::string> render_file(const std::string& path, const View& view,
+                                       Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -9,11 +9,14 @@ std::string window_type(const Plan& plan, std::size_t node, std::size_t input) {
   const Ring& ring = plan.rings[reception.ring];
   const Input& port = plan.graph->nodes[node].inputs[input];
   const bool padded = node == Graph::kEnvironment && port.window > 0;
-  return fmt::format("eagerx::{}<{}, {}, {}, {}, {}>", padded ? "PaddedWindow" : "Window", message_type(ring.space),
-                     rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity, reception.max_size, reception.always_full);
+  return fmt::format("eagerx::{}<{}, {}, {}, {}, {}>", padded ? "PaddedWindow" : "Window",
+                     message_type(ring.space),
+                     rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity,
+                     reception.max_size, reception.always_full);
 }
 
-std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node, std::size_t input) {
+std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node,
+                            std::size_t input) {
   const Reception& reception = plan.nodes[node].receptions[input];
   const Input& port = plan.graph->nodes[node].inputs[input];
   const std::size_t rate = plan.nodes[port.source_node].rate;
@@ -23,8 +26,12 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
       total = names.counter[rate];
       break;
     case Reception::Count::ticks_before:
-      total = node == Graph::kEnvironment ? fmt::format("{} - {}", names.counter[rate], rate == plan.nodes[node].rate ? "1" : fmt::format("((due & {}) != 0)", names.due[rate]))
-                                          : fmt::format("{} - ((due & {}) != 0)", names.counter[rate], names.due[rate]);
+      total = node == Graph::kEnvironment
+                  ? fmt::format("{} - {}", names.counter[rate],
+                                rate == plan.nodes[node].rate
+                                    ? "1"
+                                    : fmt::format("((due & {}) != 0)", names.due[rate]))
+                  : fmt::format("{} - ((due & {}) != 0)", names.counter[rate], names.due[rate]);
       break;
     case Reception::Count::delayed:
     case Reception::Count::skipped:
@@ -35,7 +42,8 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
   return fmt::format("{{{}, {}}}", names.ring_member[reception.ring], total);
 }
 
-std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring, const std::string& seq) {
+std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring,
+                       const std::string& seq) {
   const std::uint64_t capacity = plan.rings[ring].capacity;
   if (capacity == 1) return names.ring_member[ring] + "[0]";
   return fmt::format("{}[eagerx::ring_position<{}>({})]", names.ring_member[ring], capacity, seq);

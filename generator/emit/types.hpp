@@ -10,8 +10,10 @@ namespace eagerx::gen {
 /// "eagerx::Window<float, eagerx::Rate<30>, 1, 1, true>"; observations are padded.
 std::string window_type(const Plan& plan, std::size_t node, std::size_t input);
 /// The constructor arguments of that window at a tick: "{smooth_filtered_, n30Hz_}".
-std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node, std::size_t input);
+std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node,
+                            std::size_t input);
 /// Where message `seq` is written: "smooth_filtered_[0]".
-std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring, const std::string& seq);
+std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring,
+                       const std::string& seq);
 
 }  // namespace eagerx::gen

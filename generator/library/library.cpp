@@ -11,8 +11,9 @@ namespace {
 namespace fs = std::filesystem;
 
 const PortManifest* find_port(const std::vector<PortManifest>& ports, std::string_view name) {
-  const auto found = std::find_if(ports.begin(), ports.end(),
-                                  [&](const PortManifest& port) { return port.name.value == name; });
+  const auto found = std::find_if(ports.begin(), ports.end(), [&](const PortManifest& port) {
+    return port.name.value == name;
+  });
   return found == ports.end() ? nullptr : &*found;
 }
 
@@ -20,13 +21,15 @@ const PortManifest* find_port(const std::vector<PortManifest>& ports, std::strin
 std::vector<std::string> find_manifests(const std::string& folder, Diagnostics& diagnostics) {
   std::vector<std::string> result;
   std::error_code error;
-  fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied, error);
+  fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied,
+                                        error);
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
     if (walk.depth() > 8) walk.disable_recursion_pending();
     if (walk->path().filename() == "manifest.yaml") result.push_back(walk->path().string());
   }
   if (error) {
-    diagnostics.io_error("E0301", {}, fmt::format("cannot read the folder `{}`: {}", folder, error.message()));
+    diagnostics.io_error("E0301", {},
+                         fmt::format("cannot read the folder `{}`: {}", folder, error.message()));
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -36,7 +39,8 @@ template <class Item>
 void add(std::map<std::string, Item>& items, Item item, Diagnostics& diagnostics) {
   const auto [place, added] = items.try_emplace(item.id.value, item);
   if (added) return;
-  auto& problem = diagnostics.error("E0302", item.id.span, fmt::format("`{}` is defined twice", item.id.value));
+  auto& problem =
+      diagnostics.error("E0302", item.id.span, fmt::format("`{}` is defined twice", item.id.value));
   problem.notes.push_back({"first here", place->second.id.span, ""});
 }
 
@@ -54,11 +58,21 @@ void set_include_root(Entity& entity, const fs::path& root) {
 
 }  // namespace
 
-const PortManifest* Entity::input(std::string_view name) const { return find_port(inputs, name); }
-const PortManifest* Entity::output(std::string_view name) const { return find_port(outputs, name); }
-const PortManifest* Entity::sensor(std::string_view name) const { return find_port(sensors, name); }
-const PortManifest* Entity::actuator(std::string_view name) const { return find_port(actuators, name); }
-const PortManifest* Entity::state(std::string_view name) const { return find_port(states, name); }
+const PortManifest* Entity::input(std::string_view name) const {
+  return find_port(inputs, name);
+}
+const PortManifest* Entity::output(std::string_view name) const {
+  return find_port(outputs, name);
+}
+const PortManifest* Entity::sensor(std::string_view name) const {
+  return find_port(sensors, name);
+}
+const PortManifest* Entity::actuator(std::string_view name) const {
+  return find_port(actuators, name);
+}
+const PortManifest* Entity::state(std::string_view name) const {
+  return find_port(states, name);
+}
 
 const Entity* Library::find(const std::string& id) const {
   const auto found = entities.find(id);
@@ -91,7 +105,8 @@ std::string_view to_string(EntityKind kind) {
   return "";
 }
 
-Library load_library(const std::vector<std::string>& folders, SourceMap& sources, Diagnostics& diagnostics) {
+Library load_library(const std::vector<std::string>& folders, SourceMap& sources,
+                     Diagnostics& diagnostics) {
   Library library;
   std::vector<std::string> done;
   for (const auto& folder : folders) {
@@ -104,7 +119,8 @@ Library load_library(const std::vector<std::string>& folders, SourceMap& sources
       if (tree.is_null()) continue;
       const Node* kind = tree.find("kind");
       if (kind != nullptr && kind->text == "target") {
-        if (auto target = read_target_manifest(tree, path, diagnostics)) add(library.targets, *target, diagnostics);
+        if (auto target = read_target_manifest(tree, path, diagnostics))
+          add(library.targets, *target, diagnostics);
         continue;
       }
       if (auto entity = read_entity_manifest(tree, path, diagnostics)) {

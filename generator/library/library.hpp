@@ -1,4 +1,5 @@
-// Entities and targets, as their manifests describe them. This is all the generator knows about them.
+// Entities and targets, as their manifests describe them. This is all the generator knows about
+// them.
 #pragma once
 
 #include <map>
@@ -60,8 +61,8 @@ struct Entity {
   std::vector<Parameter> config;
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<ObjectEngine> object_engines;
-  std::string path;                  // of the manifest, as messages show it
-  std::string include_root;          // folder that the include is relative to
+  std::string path;          // of the manifest, as messages show it
+  std::string include_root;  // folder that the include is relative to
 
   [[nodiscard]] const PortManifest* input(std::string_view name) const;
   [[nodiscard]] const PortManifest* output(std::string_view name) const;
@@ -74,7 +75,8 @@ struct Entity {
 struct Target {
   Spanned<std::string> id;
   std::string summary, description;
-  std::vector<std::pair<std::string, std::string>> templates;  // template file (full path) → output name
+  std::vector<std::pair<std::string, std::string>>
+      templates;  // template file (full path) → output name
   std::string cmake, toolchain;
   std::vector<std::string> run;
 };
@@ -89,13 +91,16 @@ struct Library {
 
 std::string_view to_string(EntityKind kind);
 
-/// Reads every manifest.yaml below the folders, in the order of their paths. Codes: E0301 a folder that
-/// cannot be read, E0302 an id defined twice, E02xx what is wrong in a manifest.
-Library load_library(const std::vector<std::string>& folders, SourceMap& sources, Diagnostics& diagnostics);
+/// Reads every manifest.yaml below the folders, in the order of their paths. Codes: E0301 a folder
+/// that cannot be read, E0302 an id defined twice, E02xx what is wrong in a manifest.
+Library load_library(const std::vector<std::string>& folders, SourceMap& sources,
+                     Diagnostics& diagnostics);
 
 /// Typed form of one manifest.
-std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics);
-std::optional<Target> read_target_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics);
+std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path,
+                                           Diagnostics& diagnostics);
+std::optional<Target> read_target_manifest(const Node& root, const std::string& path,
+                                           Diagnostics& diagnostics);
 
 /// The table for manifests of this kind ("node", "engine", …, "target"); nullptr if there is none.
 const Format* manifest_format(std::string_view kind);

@@ -56,8 +56,9 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
     parameter.cpp_class = text_at(entry.value, "class");
     const bool keyword = parameter.type == Parameter::Type::keyword;
     if (keyword != !parameter.options.empty() || keyword != !parameter.cpp_class.empty()) {
-      diagnostics.error("E0206", entry.key_span,
-                        fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
+      diagnostics.error(
+          "E0206", entry.key_span,
+          fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
     }
     result.push_back(std::move(parameter));
   }
@@ -138,8 +139,10 @@ PortManifest only_port(const Node& root, const char* key) {
 bool check_manifest(const Node& root, Diagnostics& diagnostics) {
   const Node* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
-    diagnostics.error("E0202", kind != nullptr ? kind->span : root.span, "a manifest begins with its `kind`").help =
-        fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "));
+    diagnostics
+        .error("E0202", kind != nullptr ? kind->span : root.span,
+               "a manifest begins with its `kind`")
+        .help = fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "));
     return false;
   }
   return check(root, *manifest_format(kind->text), diagnostics);
@@ -147,7 +150,8 @@ bool check_manifest(const Node& root, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics) {
+std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path,
+                                           Diagnostics& diagnostics) {
   if (!check_manifest(root, diagnostics)) return std::nullopt;
   const std::size_t errors_before = diagnostics.error_count();
   const fs::path folder = fs::path(path).parent_path();
@@ -174,7 +178,8 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
     entity.inputs = {only_port(root, "input")};
     entity.outputs = {only_port(root, "output")};
   }
-  if (const Node* simulator = root.find("simulator")) entity.simulator = read_cpp(*simulator, folder);
+  if (const Node* simulator = root.find("simulator"))
+    entity.simulator = read_cpp(*simulator, folder);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
     for (const auto& entry : root.find("engines")->entries) {
       ObjectEngine implementation;
@@ -190,7 +195,8 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   return entity;
 }
 
-std::optional<Target> read_target_manifest(const Node& root, const std::string& path, Diagnostics& diagnostics) {
+std::optional<Target> read_target_manifest(const Node& root, const std::string& path,
+                                           Diagnostics& diagnostics) {
   if (!check_manifest(root, diagnostics)) return std::nullopt;
   Target target;
   target.id = {root.find("id")->text, root.find("id")->span};
@@ -198,7 +204,8 @@ std::optional<Target> read_target_manifest(const Node& root, const std::string& 
   target.description = text_at(root, "description");
   if (const Node* templates = root.find("templates")) {
     for (const auto& entry : templates->entries) {
-      target.templates.emplace_back((fs::path(path).parent_path() / entry.key).string(), entry.value.text);
+      target.templates.emplace_back((fs::path(path).parent_path() / entry.key).string(),
+                                    entry.value.text);
     }
   }
   target.cmake = text_at(root, "cmake");

@@ -13,15 +13,19 @@ Fields operator+(Fields left, const Fields& right) {
   return left;
 }
 
-FormatPtr texts() { return format::list("a list of texts", format::text("a text")); }
+FormatPtr texts() {
+  return format::list("a list of texts", format::text("a text"));
+}
 
 FormatPtr parameter_format() {
   return format::record(
       "a parameter",
-      {{"type", format::keyword({"int", "float", "bool", "string", "enum", "ints", "floats"}), true, "type"},
+      {{"type", format::keyword({"int", "float", "bool", "string", "enum", "ints", "floats"}), true,
+        "type"},
        {"about", format::text("a text"), true, "what it means, in one line"},
        {"unit", format::text("a unit"), false, "unit"},
-       {"default", format::any("a value"), false, "value if it is not given; without it, it must be"},
+       {"default", format::any("a value"), false,
+        "value if it is not given; without it, it must be"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
        {"options", texts(), false, "the choices of an enum"},
@@ -35,9 +39,10 @@ Fields port_fields() {
 }
 
 Fields connection_defaults() {
-  return {{"window", format::integer("a number of messages", 0, 1'000'000), false, "default window"},
-          {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
-          {"skip", format::boolean(), false, "default skip"}};
+  return {
+      {"window", format::integer("a number of messages", 0, 1'000'000), false, "default window"},
+      {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
+      {"skip", format::boolean(), false, "default skip"}};
 }
 
 FormatPtr ports(const std::string& what, const Fields& fields) {
@@ -55,13 +60,20 @@ Fields common(const std::string& kind) {
 }
 
 Fields cpp() {
-  return {{"header", format::text("a header beside the manifest"), true, "header beside the manifest"},
-          {"class", format::text("a C++ class template"), true, "C++ class template over its Io"}};
+  return {
+      {"header", format::text("a header beside the manifest"), true, "header beside the manifest"},
+      {"class", format::text("a C++ class template"), true, "C++ class template over its Io"}};
 }
 
-Fields config() { return {{"config", format::map("parameters", parameter_format()), false, "parameters"}}; }
-Fields engines() { return {{"engines", texts(), false, "engines it works with (default: all)"}}; }
-Fields states() { return {{"states", ports("states", port_fields()), false, "what can be set at a reset"}}; }
+Fields config() {
+  return {{"config", format::map("parameters", parameter_format()), false, "parameters"}};
+}
+Fields engines() {
+  return {{"engines", texts(), false, "engines it works with (default: all)"}};
+}
+Fields states() {
+  return {{"states", ports("states", port_fields()), false, "what can be set at a reset"}};
+}
 
 Fields node_ports() {
   return Fields{{"inputs", ports("inputs", port_fields() + connection_defaults()), false, "inputs"},
@@ -77,30 +89,39 @@ FormatPtr object_engine_format() {
       "implementations",
       format::record("an implementation",
                      {{"model",
-                       format::record("a model", {{"header", format::text("a header"), true, "header beside the manifest"},
-                                                  {"class", format::text("a C++ class template"), true, "what the engine simulates"}}),
+                       format::record("a model", {{"header", format::text("a header"), true,
+                                                   "header beside the manifest"},
+                                                  {"class", format::text("a C++ class template"),
+                                                   true, "what the engine simulates"}}),
                        true, "what the engine simulates"},
                       {"nodes", engine_nodes_format(), false, "engine nodes"},
-                      {"connections", connections_format(), false, "connections between them, `sensors` and `actuators`"},
+                      {"connections", connections_format(), false,
+                       "connections between them, `sensors` and `actuators`"},
                       {"states", format::map("states", engine_state), false, "engine states"}}));
 }
 
 Fields object_ports() {
-  const FormatPtr rate = format::one_of("a rate in Hz or `$(config NAME)`",
-                                        {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
-  const Fields rated = port_fields() + Fields{{"rate", rate, true, "Hz"}};
-  return Fields{{"sensors", ports("sensors", rated), false, "sensors"},
-                {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
-         states() + Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};
+  const FormatPtr rate = format::one_of(
+      "a rate in Hz or `$(config NAME)`",
+      {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
+  const Fields rated = port_fields() + Fields{{"rate", rate, true, "its rate in Hz"}};
+  return Fields{
+             {"sensors", ports("sensors", rated), false, "sensors"},
+             {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
+         states() +
+         Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};
 }
 
 FormatPtr target_format() {
-  return format::record("a target",
-                        common("target") +
-                            Fields{{"templates", format::file_map("a mapping from template files to the files they become"), false, "files made for each graph"},
-                                   {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
-                                   {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
-                                   {"run", texts(), false, "command that runs an image"}});
+  return format::record(
+      "a target",
+      common("target") +
+          Fields{{"templates",
+                  format::file_map("a mapping from template files to the files they become"), false,
+                  "files made for each graph"},
+                 {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
+                 {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
+                 {"run", texts(), false, "command that runs an image"}});
 }
 
 }  // namespace
@@ -113,19 +134,27 @@ const Format* manifest_format(std::string_view kind) {
   const Fields space = {{"space", space_format(Reference::accept, true), false, "what it takes"}};
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
       {"node", format::record("a node", common("node") + cpp() + config() + node_ports())},
-      {"engine", format::record("an engine",
-                                common("engine") + cpp() + config() + states() +
-                                    Fields{{"simulator",
-                                            format::record("a simulator", {{"class", format::text("a C++ class template"), true, "class template over a model"},
-                                                                           {"header", format::text("a header"), false, "header beside the manifest"}}),
-                                            true, "what holds an object's state"}})},
-      {"engine_node", format::record("an engine node", common("engine_node") + cpp() + engines() + config() + node_ports())},
-      {"engine_state", format::record("an engine state", common("engine_state") + cpp() + engines() + config() + space)},
+      {"engine",
+       format::record("an engine",
+                      common("engine") + cpp() + config() + states() +
+                          Fields{{"simulator",
+                                  format::record("a simulator",
+                                                 {{"class", format::text("a C++ class template"),
+                                                   true, "class template over a model"},
+                                                  {"header", format::text("a header"), false,
+                                                   "header beside the manifest"}}),
+                                  true, "what holds an object's state"}})},
+      {"engine_node", format::record("an engine node", common("engine_node") + cpp() + engines() +
+                                                           config() + node_ports())},
+      {"engine_state", format::record("an engine state", common("engine_state") + cpp() +
+                                                             engines() + config() + space)},
       {"object", format::record("an object", common("object") + config() + object_ports())},
-      {"processor", format::record("a processor",
-                                   common("processor") + cpp() + config() +
-                                       Fields{{"input", space_format(Reference::accept, false), false, "what it takes"},
-                                              {"output", space_format(Reference::accept, true), true, "what it gives"}})},
+      {"processor",
+       format::record("a processor", common("processor") + cpp() + config() +
+                                         Fields{{"input", space_format(Reference::accept, false),
+                                                 false, "what it takes"},
+                                                {"output", space_format(Reference::accept, true),
+                                                 true, "what it gives"}})},
       {"target", target_format()}};
   const auto found = kFormats.find(kind);
   return found == kFormats.end() ? nullptr : found->second.get();

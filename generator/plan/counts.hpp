@@ -29,7 +29,9 @@ struct Counts {
     return std::max<std::int64_t>(0, std::min(delta, cum(n) + (skip ? 1 : 0)));
   }
   /// Messages that the source has sent at the time of tick n, that instant included.
-  [[nodiscard]] constexpr std::int64_t sent(std::int64_t n) const { return floor_div(a * n, b) + 1; }
+  [[nodiscard]] constexpr std::int64_t sent(std::int64_t n) const {
+    return floor_div(a * n, b) + 1;
+  }
   /// Whether the source sends at the very instant of tick n.
   [[nodiscard]] constexpr bool sends_at(std::int64_t n) const { return (a * n) % b == 0; }
 };

@@ -7,11 +7,13 @@
 namespace eagerx::gen {
 namespace {
 
-/// Kahn's algorithm. Among the nodes that are ready it stays with the rate of the last one, so that the
-/// generated code asks seldom whether a rate is due; ties go by name, never by the order in the file.
+/// Kahn's algorithm. Among the nodes that are ready it stays with the rate of the last one, so that
+/// the generated code asks seldom whether a rate is due; ties go by name, never by the order in the
+/// file.
 class Sorter {
  public:
-  Sorter(const Graph& graph, const std::vector<std::size_t>& rate_of) : graph_(graph), rate_of_(rate_of) {
+  Sorter(const Graph& graph, const std::vector<std::size_t>& rate_of)
+      : graph_(graph), rate_of_(rate_of) {
     waits_for_.assign(graph.nodes.size(), 0);
     readers_.resize(graph.nodes.size());
     for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -38,14 +40,17 @@ class Sorter {
 
   void release(std::size_t node, const std::vector<bool>& phase) {
     for (const std::size_t reader : readers_[node]) {
-      if (--waits_for_[reader] == 0 && phase[reader]) ready_[rate_of_[reader]].insert({graph_.nodes[reader].name, reader});
+      if (--waits_for_[reader] == 0 && phase[reader])
+        ready_[rate_of_[reader]].insert({graph_.nodes[reader].name, reader});
     }
   }
 
  private:
   std::optional<std::size_t> pop() {
     if (ready_[rate_].empty()) {
-      const auto fullest = std::max_element(ready_.begin(), ready_.end(), [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+      const auto fullest = std::max_element(
+          ready_.begin(), ready_.end(),
+          [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
       if (fullest == ready_.end() || fullest->second.empty()) return std::nullopt;
       rate_ = fullest->first;
     }
@@ -82,7 +87,8 @@ Order order_nodes(const Graph& graph, const std::vector<std::size_t>& rate_of) {
     todo.insert(todo.end(), readers[node].begin(), readers[node].end());
   }
   std::vector<bool> before(graph.nodes.size());
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) before[n] = !after[n] && n != Graph::kEnvironment;
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n)
+    before[n] = !after[n] && n != Graph::kEnvironment;
 
   Sorter sorter(graph, rate_of);
   Order order;

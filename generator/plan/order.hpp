@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// Every node but the environment, once: those that do not need the action of the same instant, then those
-/// that do. The graph has no cycle.
+/// Every node but the environment, once: those that do not need the action of the same instant,
+/// then those that do. The graph has no cycle.
 struct Order {
   std::vector<std::size_t> before, after;
 };

@@ -14,7 +14,8 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::uint64_t kMaxRingBytes = std::uint64_t{1} << 30U;
-// A power of two saves a division at every access; above this many wasted bytes the exact size is better.
+// A power of two saves a division at every access; above this many wasted bytes the exact size is
+// better.
 constexpr std::uint64_t kMaxWastedBytes = 256;
 
 std::uint64_t bytes_of(const Space& space) {
@@ -37,7 +38,9 @@ std::uint64_t bytes_of(const Space& space) {
 
 class Planner {
  public:
-  Planner(const Graph& graph, Diagnostics& diagnostics) : graph_(graph), diagnostics_(diagnostics) { plan_.graph = &graph; }
+  Planner(const Graph& graph, Diagnostics& diagnostics) : graph_(graph), diagnostics_(diagnostics) {
+    plan_.graph = &graph;
+  }
 
   std::optional<Plan> run() {
     const std::size_t errors_before = diagnostics_.error_count();
@@ -49,7 +52,8 @@ class Planner {
     add_channels();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) receive(n);
     size_rings();
-    plan_.schedule = make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate, graph_.nodes.size());
+    plan_.schedule =
+        make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate, graph_.nodes.size());
     if (diagnostics_.error_count() != errors_before) return std::nullopt;
     return std::move(plan_);
   }
@@ -57,7 +61,8 @@ class Planner {
  private:
   void assign_rates() {
     for (const auto& node : graph_.nodes) {
-      const auto rate = std::find_if(plan_.rates.begin(), plan_.rates.end(), [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
+      const auto rate = std::find_if(plan_.rates.begin(), plan_.rates.end(),
+                                     [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
       PlannedNode planned;
       planned.rate = static_cast<std::size_t>(rate - plan_.rates.begin());
       plan_.nodes.push_back(std::move(planned));
@@ -90,7 +95,8 @@ class Planner {
         plan_.rings.push_back(std::move(ring));
       }
     }
-    std::sort(plan_.channels.begin(), plan_.channels.end(), [](const Channel& a, const Channel& b) { return a.name < b.name; });
+    std::sort(plan_.channels.begin(), plan_.channels.end(),
+              [](const Channel& a, const Channel& b) { return a.name < b.name; });
   }
 
   void receive(std::size_t n) {
@@ -99,9 +105,11 @@ class Planner {
       const Input& input = node.inputs[i];
       std::uint64_t needed = 1;
       const bool source_first = place_[input.source_node] < place_[n];
-      auto reception = plan_reception(input, graph_.nodes[input.source_node].rate_hz, node.rate_hz, source_first, needed, diagnostics_);
+      auto reception = plan_reception(input, graph_.nodes[input.source_node].rate_hz, node.rate_hz,
+                                      source_first, needed, diagnostics_);
       if (!reception) reception.emplace();
-      reception->ring = input.processor ? add_converted_ring(n, i) : plan_.nodes[input.source_node].rings[input.source_output];
+      reception->ring = input.processor ? add_converted_ring(n, i)
+                                        : plan_.nodes[input.source_node].rings[input.source_output];
       Ring& ring = plan_.rings[reception->ring];
       if (needed > ring.needed || ring.why.empty()) {
         ring.needed = std::max(ring.needed, needed);
@@ -129,10 +137,14 @@ class Planner {
       const std::uint64_t bytes = bytes_of(ring.space);
       const std::uint64_t power = std::bit_ceil(ring.needed);
       ring.capacity = (power - ring.needed) * bytes <= kMaxWastedBytes ? power : ring.needed;
-      if (ring.capacity <= kMaxRingBytes / bytes && ring.capacity < (std::uint64_t{1} << 31U)) continue;
-      diagnostics_.error("E0403", graph_.nodes[ring.node].span,
-                         fmt::format("`{}.{}` would need a ring of {} messages of {} bytes for `{}`", graph_.nodes[ring.node].name,
-                                     graph_.nodes[ring.node].outputs[ring.output].name, ring.needed, bytes, ring.why))
+      if (ring.capacity <= kMaxRingBytes / bytes && ring.capacity < (std::uint64_t{1} << 31U))
+        continue;
+      diagnostics_
+          .error("E0403", graph_.nodes[ring.node].span,
+                 fmt::format("`{}.{}` would need a ring of {} messages of {} bytes for `{}`",
+                             graph_.nodes[ring.node].name,
+                             graph_.nodes[ring.node].outputs[ring.output].name, ring.needed, bytes,
+                             ring.why))
           .help = "shorten the delay or the window; a ring may have 1 GiB";
     }
   }
@@ -145,6 +157,8 @@ class Planner {
 
 }  // namespace
 
-std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics) { return Planner(graph, diagnostics).run(); }
+std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics) {
+  return Planner(graph, diagnostics).run();
+}
 
 }  // namespace eagerx::gen

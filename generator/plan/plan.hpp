@@ -22,13 +22,14 @@ struct Ring {
   std::size_t output = 0;
   std::optional<std::size_t> reader_node, reader_input;  // of the processor
   Space space;
-  std::uint64_t needed = 1;    // messages that must be kept
-  std::uint64_t capacity = 1;  // messages that are kept: a power of two, or exact where messages are large
-  std::string why;             // the input that needs the most
+  std::uint64_t needed = 1;  // messages that must be kept
+  std::uint64_t capacity =
+      1;            // messages that are kept: a power of two, or exact where messages are large
+  std::string why;  // the input that needs the most
 };
 
-/// How an input knows the number of messages it has received. With source rate / own rate = a/b in lowest
-/// terms and x = ceil(b · source rate · delay) (SEMANTICS §3 in exact arithmetic):
+/// How an input knows the number of messages it has received. With source rate / own rate = a/b in
+/// lowest terms and x = ceil(b · source rate · delay) (SEMANTICS §3 in exact arithmetic):
 struct Reception {
   enum class Count : std::uint8_t {
     ticks,         // all that were sent: the source's counter
@@ -64,7 +65,7 @@ enum class ScheduleForm : std::uint8_t {
 
 struct Schedule {
   ScheduleForm form = ScheduleForm::constants;
-  std::vector<std::uint64_t> masks;  // one a slot of the hyperperiod; empty for countdown
+  std::vector<std::uint64_t> masks;    // one a slot of the hyperperiod; empty for countdown
   std::optional<std::uint64_t> slots;  // of the hyperperiod, if it can be counted
 };
 
@@ -72,14 +73,15 @@ struct Plan {
   const Graph* graph = nullptr;
   std::vector<RateClass> rates;  // fastest first; bit i of a mask is rates[i]
   std::vector<PlannedNode> nodes;
-  std::vector<std::size_t> before, after;  // nodes in data-flow order, up to and from the environment
+  std::vector<std::size_t> before,
+      after;  // nodes in data-flow order, up to and from the environment
   std::vector<Ring> rings;
   std::vector<Channel> channels;
   Schedule schedule;
 };
 
-/// Plans a resolved graph. Problems, E04xx: E0401 an input that would stay empty for ever, E0402 a number that
-/// does not fit, E0403 a limit that is passed.
+/// Plans a resolved graph. Problems, E04xx: E0401 an input that would stay empty for ever, E0402 a
+/// number that does not fit, E0403 a limit that is passed.
 std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -9,17 +9,25 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::int64_t kMaxTerm = std::int64_t{1} << 40;      // of a and b: products with ticks stay in 64 bits
-constexpr std::int64_t kMaxSimulatedTicks = 2'000'000;        // to find the exact need of a ring
+constexpr std::int64_t kMaxTerm = std::int64_t{1}
+                                  << 40;  // of a and b: products with ticks stay in 64 bits
+constexpr std::int64_t kMaxSimulatedTicks = 2'000'000;  // to find the exact need of a ring
 
-std::int64_t ceil_div(std::int64_t x, std::int64_t y) { return -floor_div(-x, y); }
+std::int64_t ceil_div(std::int64_t x, std::int64_t y) {
+  return -floor_div(-x, y);
+}
 
-std::optional<Counts> counts_of(const Input& input, const Rational& source_rate, const Rational& rate, Diagnostics& diagnostics) {
+std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
+                                const Rational& rate, Diagnostics& diagnostics) {
   const Rational ratio = source_rate / rate;
   const Rational quanta = Rational(ratio.den()) * source_rate * input.delay_s;
-  if (ratio.overflowed() || quanta.overflowed() || ratio.num() > kMaxTerm || ratio.den() > kMaxTerm || quanta.ceil() > kMaxTerm) {
-    diagnostics.error("E0402", input.span, fmt::format("the rates {} Hz and {} Hz with a delay of {} s are too far apart to count exactly", source_rate.to_string(),
-                                                       rate.to_string(), input.delay_s.to_string()));
+  if (ratio.overflowed() || quanta.overflowed() || ratio.num() > kMaxTerm ||
+      ratio.den() > kMaxTerm || quanta.ceil() > kMaxTerm) {
+    diagnostics.error(
+        "E0402", input.span,
+        fmt::format(
+            "the rates {} Hz and {} Hz with a delay of {} s are too far apart to count exactly",
+            source_rate.to_string(), rate.to_string(), input.delay_s.to_string()));
     return std::nullopt;
   }
   return Counts{ratio.num(), ratio.den(), quanta.ceil(), input.skip};
@@ -31,8 +39,8 @@ Reception::Count count_kind(const Counts& counts) {
   return counts.x == 0 && divides ? Reception::Count::ticks_before : Reception::Count::skipped;
 }
 
-/// Messages to keep and most messages in the window, from what happens at the ticks themselves. The pattern
-/// repeats after b ticks once the delay has passed.
+/// Messages to keep and most messages in the window, from what happens at the ticks themselves. The
+/// pattern repeats after b ticks once the delay has passed.
 struct Need {
   std::int64_t keep = 1, window = 1;
 };
@@ -52,7 +60,8 @@ Need simulate(const Counts& counts, std::int64_t window, bool source_first, std:
 }
 
 Need bound(const Counts& counts, std::int64_t window) {
-  const std::int64_t lag = ceil_div(counts.x, counts.b) + (counts.skip ? 2 + ceil_div(counts.a, counts.b) : 0);
+  const std::int64_t lag =
+      ceil_div(counts.x, counts.b) + (counts.skip ? 2 + ceil_div(counts.a, counts.b) : 0);
   const std::int64_t arrivals = ceil_div(counts.a, counts.b);
   return {lag + std::max(window, arrivals), window == 0 ? arrivals : window};
 }
@@ -60,24 +69,31 @@ Need bound(const Counts& counts, std::int64_t window) {
 Need need_of(const Counts& counts, std::int64_t window, bool source_first) {
   if (!counts.skip && window > 0) return {window + ceil_div(counts.x, counts.b), window};
   if (!counts.skip) {
-    return {std::max<std::int64_t>(1, ceil_div(counts.a + counts.x, counts.b)), ceil_div(counts.a, counts.b)};
+    return {std::max<std::int64_t>(1, ceil_div(counts.a + counts.x, counts.b)),
+            ceil_div(counts.a, counts.b)};
   }
   const std::int64_t settled = (counts.x + counts.b) / counts.a + 2 + 2 * counts.off();
   const std::int64_t window_full = window * ceil_div(counts.b, counts.a);
   const std::int64_t ticks = settled + window_full + 2 * counts.b + 2;
-  return ticks <= kMaxSimulatedTicks ? simulate(counts, window, source_first, ticks) : bound(counts, window);
+  return ticks <= kMaxSimulatedTicks ? simulate(counts, window, source_first, ticks)
+                                     : bound(counts, window);
 }
 
 }  // namespace
 
-std::optional<Reception> plan_reception(const Input& input, const Rational& source_rate_hz, const Rational& rate_hz, bool source_first,
+std::optional<Reception> plan_reception(const Input& input, const Rational& source_rate_hz,
+                                        const Rational& rate_hz, bool source_first,
                                         std::uint64_t& needed, Diagnostics& diagnostics) {
   const auto counts = counts_of(input, source_rate_hz, rate_hz, diagnostics);
   if (!counts) return std::nullopt;
   if (input.skip && input.window > 0 && counts->at(0) + counts->at(1) == 0) {
-    auto& problem = diagnostics.error("E0401", input.span, fmt::format("`{}` is skipped and still has no message at its second tick", input.name));
+    auto& problem = diagnostics.error(
+        "E0401", input.span,
+        fmt::format("`{}` is skipped and still has no message at its second tick", input.name));
     problem.label = "EAGERx drops the callback then, and everything behind it waits for ever";
-    problem.help = fmt::format("a skipped input needs a delay below {:.6g} s here, or `window: 0`, which may be empty", 1.0 / rate_hz.to_double());
+    problem.help = fmt::format(
+        "a skipped input needs a delay below {:.6g} s here, or `window: 0`, which may be empty",
+        1.0 / rate_hz.to_double());
     return std::nullopt;
   }
   const Need need = need_of(*counts, input.window, source_first);
@@ -88,7 +104,9 @@ std::optional<Reception> plan_reception(const Input& input, const Rational& sour
   reception.x = counts->x;
   reception.off = counts->off();
   reception.max_size = static_cast<std::uint64_t>(std::max<std::int64_t>(1, need.window));
-  reception.always_full = !input.skip && (input.window == 1 || (input.window == 0 && counts->a == counts->b && counts->x == 0));
+  reception.always_full =
+      !input.skip &&
+      (input.window == 1 || (input.window == 0 && counts->a == counts->b && counts->x == 0));
   needed = static_cast<std::uint64_t>(need.keep);
   return reception;
 }

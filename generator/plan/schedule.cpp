@@ -10,9 +10,11 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMaxRates = 64;
-// Above this a table costs more flash than the countdown costs instructions (RECIPES: 41 against 57 a slot).
+// Above this a table costs more flash than the countdown costs instructions (RECIPES: 41 against 57
+// a slot).
 constexpr std::uint64_t kMaxTableSlots = 1024;
-// Measured: constants take 1.4 to 2.3 times the compile time and text of a run-time mask, per distinct mask.
+// Measured: constants take 1.4 to 2.3 times the compile time and text of a run-time mask, per
+// distinct mask.
 constexpr std::size_t kMaxSpecialisations = 600;  // nodes times distinct masks
 constexpr std::size_t kMaxConstantSlots = 32;
 
@@ -59,12 +61,16 @@ std::size_t runs_of(const std::vector<std::uint64_t>& masks) {
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics) {
   std::vector<RateClass> rates;
   for (const auto& node : graph.nodes) {
-    const bool known = std::any_of(rates.begin(), rates.end(), [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
+    const bool known = std::any_of(rates.begin(), rates.end(),
+                                   [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
     if (!known) rates.push_back({node.rate_hz, 1});
   }
-  std::sort(rates.begin(), rates.end(), [](const RateClass& a, const RateClass& b) { return a.rate_hz > b.rate_hz; });
+  std::sort(rates.begin(), rates.end(),
+            [](const RateClass& a, const RateClass& b) { return a.rate_hz > b.rate_hz; });
   if (rates.size() > kMaxRates) {
-    diagnostics.error("E0403", graph.span, fmt::format("the graph has {} different rates; the most are {}", rates.size(), kMaxRates));
+    diagnostics.error(
+        "E0403", graph.span,
+        fmt::format("the graph has {} different rates; the most are {}", rates.size(), kMaxRates));
     return std::nullopt;
   }
   Rational grid = rates.front().rate_hz;  // quanta a second
@@ -72,8 +78,10 @@ std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics
   for (auto& rate : rates) {
     const Rational period = grid / rate.rate_hz;
     if (period.overflowed() || !period.is_integer()) {
-      diagnostics.error("E0402", graph.span, "the rates of this graph have no common grid that fits into 63 bits").help =
-          "write rates with fewer decimals";
+      diagnostics
+          .error("E0402", graph.span,
+                 "the rates of this graph have no common grid that fits into 63 bits")
+          .help = "write rates with fewer decimals";
       return std::nullopt;
     }
     rate.period = static_cast<std::uint64_t>(period.num());
@@ -81,7 +89,8 @@ std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics
   return rates;
 }
 
-Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environment, std::size_t nodes) {
+Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environment,
+                       std::size_t nodes) {
   Schedule schedule;
   auto masks = list_slots(rates);
   if (masks) schedule.slots = masks->size();
@@ -90,9 +99,12 @@ Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environm
     return schedule;
   }
   const std::uint64_t environment_bit = std::uint64_t{1} << environment;
-  const bool one_step = std::count_if(masks->begin(), masks->end(), [&](std::uint64_t m) { return (m & environment_bit) != 0; }) == 1;
+  const bool one_step = std::count_if(masks->begin(), masks->end(), [&](std::uint64_t m) {
+                          return (m & environment_bit) != 0;
+                        }) == 1;
   const std::set<std::uint64_t> distinct(masks->begin(), masks->end());
-  const bool constants = one_step && runs_of(*masks) <= kMaxConstantSlots && nodes * distinct.size() <= kMaxSpecialisations;
+  const bool constants = one_step && runs_of(*masks) <= kMaxConstantSlots &&
+                         nodes * distinct.size() <= kMaxSpecialisations;
   schedule.form = constants ? ScheduleForm::constants : ScheduleForm::table;
   if (!constants && masks->size() > kMaxTableSlots) {
     schedule.form = ScheduleForm::countdown;

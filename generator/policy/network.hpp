@@ -23,17 +23,19 @@ struct DenseLayer {
 
 /// A multi-layer perceptron: n_obs values in, n_act values out.
 struct Network {
-  std::string file;               // as the user wrote it
-  std::string format;             // for people: "ONNX opset 17, exported by pytorch 1.13"
-  std::vector<DenseLayer> layers; // at least one; sizes fit together
-  std::vector<std::string> ignored; // parts of the file that do not lead to the action, for the report
+  std::string file;                // as the user wrote it
+  std::string format;              // for people: "ONNX opset 17, exported by pytorch 1.13"
+  std::vector<DenseLayer> layers;  // at least one; sizes fit together
+  std::vector<std::string>
+      ignored;  // parts of the file that do not lead to the action, for the report
 
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }
 };
 
-/// Reads a policy; `mention` is where the graph names the file. Reads ONNX files of Stable-Baselines3
-/// MLP actors (Gemm, MatMul+Add, Relu, Tanh, Identity, Flatten, Cast …). The action is the first output.
+/// Reads a policy; `mention` is where the graph names the file. Reads ONNX files of
+/// Stable-Baselines3 MLP actors (Gemm, MatMul+Add, Relu, Tanh, Identity, Flatten, Cast …). The
+/// action is the first output.
 std::optional<Network> read_policy(const std::string& path, const std::string& name, Span mention,
                                    Diagnostics& diagnostics);
 

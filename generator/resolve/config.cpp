@@ -29,14 +29,16 @@ std::string_view type_name(Parameter::Type type) {
   return "";
 }
 
-std::string shown(const Node& node) { return node.is_scalar() ? fmt::format("`{}`", node.text) : "something else"; }
 
-bool in_range(const Parameter& parameter, double value, const Node& node, Diagnostics& diagnostics) {
+
+bool in_range(const Parameter& parameter, double value, const Node& node,
+              Diagnostics& diagnostics) {
   const bool low = parameter.low && !(value >= *parameter.low);
   const bool high = parameter.high && !(value <= *parameter.high);
   if (!low && !high) return true;
-  diagnostics.error("E0323", node.span, fmt::format("`{}` is out of range", parameter.name.value)).label =
-      low ? fmt::format("must be at least {}", *parameter.low) : fmt::format("must be at most {}", *parameter.high);
+  diagnostics.error("E0323", node.span, fmt::format("`{}` is out of range", parameter.name.value))
+      .label = low ? fmt::format("must be at least {}", *parameter.low)
+                   : fmt::format("must be at most {}", *parameter.high);
   return false;
 }
 
@@ -73,7 +75,7 @@ class Reader {
 
   std::optional<ConfigValue> wrong(const Node& node) {
     diagnostics_.error("E0322", node.span,
-                       fmt::format("`{}` is {}, found {}", parameter_.name.value, type_name(parameter_.type), shown(node)));
+                       fmt::format("`{}` must be {}, found {}", parameter_.name.value, type_name(parameter_.type), describe(node)));
     return std::nullopt;
   }
 
@@ -85,7 +87,8 @@ class Reader {
       return std::nullopt;
     }
     if constexpr (!std::is_same_v<T, bool>) {
-      if (!in_range(parameter_, static_cast<double>(*parsed), node, diagnostics_)) return std::nullopt;
+      if (!in_range(parameter_, static_cast<double>(*parsed), node, diagnostics_))
+        return std::nullopt;
     }
     return *parsed;
   }
@@ -112,10 +115,14 @@ class Reader {
 
   std::optional<ConfigValue> keyword() {
     const auto& options = parameter_.options;
-    if (node_.is_scalar() && std::find(options.begin(), options.end(), node_.text) != options.end()) return value(node_.text);
-    auto& problem = diagnostics_.error("E0322", node_.span, fmt::format("{} is not a choice for `{}`", shown(node_), parameter_.name.value));
+    if (node_.is_scalar() && std::find(options.begin(), options.end(), node_.text) != options.end())
+      return value(node_.text);
+    auto& problem = diagnostics_.error(
+        "E0322", node_.span,
+        fmt::format("{} is not a choice for `{}`", describe(node_), parameter_.name.value));
     const std::string near = node_.is_scalar() ? nearest(node_.text, options) : "";
-    problem.help = near.empty() ? fmt::format("choose one of {}", fmt::join(options, ", ")) : fmt::format("did you mean `{}`?", near);
+    problem.help = near.empty() ? fmt::format("choose one of {}", fmt::join(options, ", "))
+                                : fmt::format("did you mean `{}`?", near);
     return std::nullopt;
   }
 
@@ -125,16 +132,20 @@ class Reader {
 };
 
 const Setting* find_setting(const std::vector<Setting>& settings, const std::string& name) {
-  const auto found = std::find_if(settings.begin(), settings.end(), [&](const Setting& s) { return s.name == name; });
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [&](const Setting& s) { return s.name == name; });
   return found == settings.end() ? nullptr : &*found;
 }
 
-void report_unknown(const Entity& entity, const std::vector<Setting>& settings, Diagnostics& diagnostics) {
+void report_unknown(const Entity& entity, const std::vector<Setting>& settings,
+                    Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const auto& parameter : entity.config) known.push_back(parameter.name.value);
   for (const auto& setting : settings) {
     if (std::find(known.begin(), known.end(), setting.name) != known.end()) continue;
-    auto& problem = diagnostics.error("E0320", setting.span, fmt::format("`{}` has no parameter `{}`", entity.id.value, setting.name));
+    auto& problem =
+        diagnostics.error("E0320", setting.span,
+                          fmt::format("`{}` has no parameter `{}`", entity.id.value, setting.name));
     const std::string near = nearest(setting.name, known);
     if (!near.empty()) {
       problem.help = fmt::format("did you mean `{}`?", near);
@@ -148,19 +159,26 @@ void report_unknown(const Entity& entity, const std::vector<Setting>& settings, 
 
 }  // namespace
 
-Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span, Diagnostics& diagnostics) {
+Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
+                      Diagnostics& diagnostics) {
   report_unknown(entity, settings, diagnostics);
   Config result;
   for (const auto& parameter : entity.config) {
     const Setting* setting = find_setting(settings, parameter.name.value);
-    const Node* node = setting != nullptr ? &setting->value : (parameter.fallback ? &*parameter.fallback : nullptr);
+    const Node* node = setting != nullptr ? &setting->value
+                                          : (parameter.fallback ? &*parameter.fallback : nullptr);
     if (node == nullptr) {
-      diagnostics.error("E0321", span, fmt::format("`{}` needs the parameter `{}`", entity.id.value, parameter.name.value)).help =
+      diagnostics
+          .error(
+              "E0321", span,
+              fmt::format("`{}` needs the parameter `{}`", entity.id.value, parameter.name.value))
+          .help =
           fmt::format("add `config: {{{}: …}}`: {}{}", parameter.name.value, parameter.about,
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    if (auto value = Reader(parameter, *node, diagnostics).read()) result.push_back(std::move(*value));
+    if (auto value = Reader(parameter, *node, diagnostics).read())
+      result.push_back(std::move(*value));
   }
   return result;
 }
@@ -170,28 +188,34 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
   for (const auto& parameter : entity.config) {
     const Setting* setting = find_setting(settings, parameter.name.value);
     if (setting == nullptr && !parameter.fallback) continue;
-    result["config " + parameter.name.value] = setting != nullptr ? setting->value : *parameter.fallback;
+    result["config " + parameter.name.value] =
+        setting != nullptr ? setting->value : *parameter.fallback;
   }
   return result;
 }
 
 Node substitute(Node node, const References& references, Diagnostics& diagnostics) {
   for (auto& item : node.items) item = substitute(std::move(item), references, diagnostics);
-  for (auto& entry : node.entries) entry.value = substitute(std::move(entry.value), references, diagnostics);
-  if (!node.is_scalar() || node.quoted || !node.text.starts_with("$(") || !node.text.ends_with(")")) return node;
+  for (auto& entry : node.entries)
+    entry.value = substitute(std::move(entry.value), references, diagnostics);
+  if (!node.is_scalar() || node.quoted || !node.text.starts_with("$(") || !node.text.ends_with(")"))
+    return node;
   const std::string name = node.text.substr(2, node.text.size() - 3);
   const auto found = references.find(name);
   if (found != references.end()) return found->second;
   std::vector<std::string> known;
   for (const auto& [key, value] : references) known.push_back(key);
-  auto& problem = diagnostics.error("E0324", node.span, fmt::format("`{}` refers to nothing", node.text));
+  auto& problem =
+      diagnostics.error("E0324", node.span, fmt::format("`{}` refers to nothing", node.text));
   const std::string near = nearest(name, known);
   if (!near.empty()) problem.help = fmt::format("did you mean `$({})`?", near);
   return node;
 }
 
-std::vector<Setting> substitute(std::vector<Setting> settings, const References& references, Diagnostics& diagnostics) {
-  for (auto& setting : settings) setting.value = substitute(std::move(setting.value), references, diagnostics);
+std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
+                                Diagnostics& diagnostics) {
+  for (auto& setting : settings)
+    setting.value = substitute(std::move(setting.value), references, diagnostics);
   return settings;
 }
 
@@ -201,7 +225,8 @@ std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& dia
   for (const auto& item : items) {
     const auto number = item.is_scalar() && !item.quoted ? parse_number(item.text) : std::nullopt;
     if (!number) {
-      diagnostics.error("E0322", item.span, fmt::format("expected a number, found {}", shown(item)));
+      diagnostics.error("E0322", item.span,
+                        fmt::format("expected a number, found {}", describe(item)));
       return std::nullopt;
     }
     result.push_back(*number);
@@ -212,25 +237,33 @@ std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& dia
 std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics) {
   const auto rate = node.is_scalar() ? Rational::parse(node.text) : std::nullopt;
   if (rate && rate->to_double() > 0.0) return rate;
-  diagnostics.error("E0204", node.span, fmt::format("expected a rate in Hz, found {}", shown(node)));
+  diagnostics.error("E0204", node.span,
+                    fmt::format("expected a rate in Hz, found {}", describe(node)));
   return std::nullopt;
 }
 
-const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind, Diagnostics& diagnostics) {
+const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
+                          Diagnostics& diagnostics) {
   const Entity* entity = library.find(id.value);
   if (entity != nullptr && entity->kind == kind) return entity;
   if (entity != nullptr) {
-    auto& problem = diagnostics.error("E0304", id.span, fmt::format("`{}` is not of kind {} but of kind {}", id.value, to_string(kind), to_string(entity->kind)));
+    auto& problem = diagnostics.error("E0304", id.span,
+                                      fmt::format("`{}` is {}, not {}", id.value, with_article(entity->kind), with_article(kind)));
     problem.notes.push_back({"defined here", entity->id.span, ""});
+    if (entity->kind == EntityKind::object && kind == EntityKind::node) problem.help = "objects go under `objects:`";
+    if (entity->kind == EntityKind::node && kind == EntityKind::object) problem.help = "nodes go under `nodes:`";
     return nullptr;
   }
-  auto& problem = diagnostics.error("E0303", id.span, fmt::format("unknown {} `{}`", to_string(kind), id.value));
+  auto& problem = diagnostics.error("E0303", id.span,
+                                    fmt::format("unknown {} `{}`", to_string(kind), id.value));
   const std::vector<std::string> known = library.ids(kind);
   const std::string near = nearest(id.value, known);
   if (!near.empty()) {
     problem.help = fmt::format("did you mean `{}`?", near);
   } else {
-    problem.help = fmt::format("`eagerx-gen info` lists what there is; folders of your own are given with `library:` or `--path`");
+    problem.help = fmt::format(
+        "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or "
+        "`--path`");
   }
   return nullptr;
 }

@@ -9,12 +9,13 @@
 
 namespace eagerx::gen {
 
-/// What `$(config NAME)`, `$(sensors NAME rate)` and `$(actuators NAME rate)` mean at some place: the text
-/// between the parentheses to a node, or nullptr.
+/// What `$(config NAME)`, `$(sensors NAME rate)` and `$(actuators NAME rate)` mean at some place:
+/// the text between the parentheses to a node, or nullptr.
 using References = std::map<std::string, Node, std::less<>>;
 
-/// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320 unknown,
-/// E0321 missing, E0322 wrong type, E0323 out of range). `span`: where a missing one should have been.
+/// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
+/// unknown, E0321 missing, E0322 wrong type, E0323 out of range). `span`: where a missing one
+/// should have been.
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
                       Diagnostics& diagnostics);
 
@@ -23,15 +24,18 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
 
 /// `node` with every `$(…)` replaced; an unknown reference is reported (E0324).
 Node substitute(Node node, const References& references, Diagnostics& diagnostics);
-std::vector<Setting> substitute(std::vector<Setting> settings, const References& references, Diagnostics& diagnostics);
+std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
+                                Diagnostics& diagnostics);
 
 /// A number or list of numbers as doubles; nullopt (and E0322) if it is something else.
 std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& diagnostics);
 
-/// A rate from a node that may have been a reference; nullopt (and E0204) if it is no positive decimal.
+/// A rate from a node that may have been a reference; nullopt (and E0204) if it is no positive
+/// decimal.
 std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics);
 
-/// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304 (other kind).
+/// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304
+/// (other kind).
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics);
 

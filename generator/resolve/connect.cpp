@@ -2,21 +2,78 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <type_traits>
 
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
 namespace {
 
+enum class Side : std::uint8_t { from, to };
+
+/// A port as a connection writes it. section: "", "sensors", "inputs", …
 struct Port {
-  std::string owner, section, name;  // section: "", "sensors", "inputs", …
+  std::string owner, section, name;
 };
 
 Port split(const std::string& text) {
   const std::size_t first = text.find('.');
   const std::size_t second = text.find('.', first + 1);
   if (second == std::string::npos) return {text.substr(0, first), "", text.substr(first + 1)};
-  return {text.substr(0, first), text.substr(first + 1, second - first - 1), text.substr(second + 1)};
+  return {text.substr(0, first), text.substr(first + 1, second - first - 1),
+          text.substr(second + 1)};
+}
+
+template <class Ports>
+std::vector<std::string> names_of(const Ports& ports) {
+  std::vector<std::string> result;
+  for (const auto& port : ports) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(port)>, PortManifest>) {
+      result.push_back(port.name.value);
+    } else {
+      result.push_back(port.name);
+    }
+  }
+  return result;
+}
+
+const DraftObject* find_object(const Draft& draft, const std::string& name) {
+  const auto found = std::find_if(draft.objects.begin(), draft.objects.end(),
+                                  [&](const DraftObject& o) { return o.name == name; });
+  return found == draft.objects.end() ? nullptr : &*found;
+}
+
+/// The environment or a node of the graph by the name that connections give it.
+std::optional<std::size_t> find_node(const Draft& draft, const std::string& name, Side side) {
+  if (name == (side == Side::from ? "actions" : "observations")) return Graph::kEnvironment;
+  for (std::size_t i = Graph::kEngine + 1; i < draft.nodes.size(); ++i) {
+    if (draft.nodes[i].node.name == name) return i;
+  }
+  return std::nullopt;
+}
+
+/// The ports that a name stands for; several inputs when an actuator feeds several engine nodes. Says nothing
+/// when there are none.
+std::vector<PortIndex> find_ports(const Draft& draft, const Port& port, Side side) {
+  if (const DraftObject* object = find_object(draft, port.owner)) {
+    const char* section = side == Side::from ? "sensors" : "actuators";
+    if (!port.section.empty() && port.section != section) return {};
+    if (side == Side::from) {
+      const auto sensor = object->sensors.find(port.name);
+      return sensor == object->sensors.end() ? std::vector<PortIndex>{} : std::vector<PortIndex>{sensor->second};
+    }
+    const auto actuator = object->actuators.find(port.name);
+    return actuator == object->actuators.end() ? std::vector<PortIndex>{} : actuator->second;
+  }
+  const auto index = find_node(draft, port.owner, side);
+  const char* section = side == Side::from ? "outputs" : "inputs";
+  if (!index || (!port.section.empty() && port.section != section)) return {};
+  const DraftNode& node = draft.nodes[*index];
+  const std::vector<std::string> names = side == Side::from ? names_of(node.outputs) : names_of(node.inputs);
+  const auto found = std::find(names.begin(), names.end(), port.name);
+  if (found == names.end()) return {};
+  return {{*index, static_cast<std::size_t>(found - names.begin())}};
 }
 
 class Connector {
@@ -25,127 +82,109 @@ class Connector {
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
-      const auto source = find_source(connection.from);
-      const std::vector<PortIndex> targets = find_targets(connection.to);
-      if (!source) continue;
-      for (const auto& target : targets) connect(connection, *source, target);
+      const auto sources = find(connection.from, Side::from);
+      const auto targets = find(connection.to, Side::to);
+      // A connection with one wrong end says that the other end is not left open.
+      if (targets.empty()) excused_.insert(sources.begin(), sources.end());
+      if (sources.empty()) excused_.insert(targets.begin(), targets.end());
+      for (const auto& target : targets) {
+        if (!sources.empty()) connect(connection, index_of(sources.front()), index_of(target));
+      }
     }
-    report_open_ports();
-  }
-
-  /// The inputs that `port` stands for; several when an actuator feeds several engine nodes.
-  std::vector<PortIndex> find_targets(const Spanned<std::string>& text) {
-    const Port port = split(text.value);
-    if (port.owner == "observations") return as_list(port_of_node(Graph::kEnvironment, port, text, Side::to));
-    if (const DraftObject* object = find_object(port.owner)) return actuator(*object, port, text);
-    if (const auto node = find_node(port.owner)) return as_list(port_of_node(*node, port, text, Side::to));
-    report_unknown_owner(port, text, Side::to);
-    return {};
+    report_open_inputs();
+    report_open_actions();
   }
 
  private:
-  enum class Side : std::uint8_t { from, to };
+  struct End {
+    Side side;
+    std::size_t node, port;
+    auto operator<=>(const End&) const = default;
+  };
 
   Diagnostics& diagnostics() { return draft_.diagnostics; }
+  static PortIndex index_of(const End& end) { return {end.node, end.port}; }
 
-  static std::vector<PortIndex> as_list(const std::optional<PortIndex>& port) {
-    return port ? std::vector<PortIndex>{*port} : std::vector<PortIndex>{};
-  }
-
-  const DraftObject* find_object(const std::string& name) const {
-    const auto found = std::find_if(draft_.objects.begin(), draft_.objects.end(), [&](const DraftObject& o) { return o.name == name; });
-    return found == draft_.objects.end() ? nullptr : &*found;
-  }
-
-  std::optional<std::size_t> find_node(const std::string& name) const {
-    for (std::size_t i = Graph::kEngine + 1; i < draft_.nodes.size(); ++i) {
-      if (draft_.nodes[i].node.name == name) return i;
-    }
-    return std::nullopt;
-  }
-
-  std::optional<PortIndex> find_source(const Spanned<std::string>& text) {
+  std::vector<End> find(const Spanned<std::string>& text, Side side) {
     const Port port = split(text.value);
-    if (port.owner == "actions") return port_of_node(Graph::kEnvironment, port, text, Side::from);
-    if (const DraftObject* object = find_object(port.owner)) return sensor(*object, port, text);
-    if (const auto node = find_node(port.owner)) return port_of_node(*node, port, text, Side::from);
-    report_unknown_owner(port, text, Side::from);
-    return std::nullopt;
+    std::vector<End> ends;
+    for (const auto& index : find_ports(draft_, port, side)) ends.push_back({side, index.node, index.port});
+    if (ends.empty()) excuse(report(port, text, side), side);
+    return ends;
   }
 
-  std::optional<PortIndex> sensor(const DraftObject& object, const Port& port, const Spanned<std::string>& text) {
-    const auto found = object.sensors.find(port.name);
-    const bool section = port.section.empty() || port.section == "sensors";
-    if (section && found != object.sensors.end()) return found->second;
-    if (object.entity == nullptr || draft_.nodes[Graph::kEngine].node.entity == nullptr) return std::nullopt;
-    if (section && object.entity->sensor(port.name) != nullptr) {
-      report_not_implemented(*object.entity, "sensor", text);
-    } else {
-      report_unknown_port(port, text, names(object.entity->sensors), Side::from, names(object.entity->actuators));
+  /// Reports a port that does not exist; returns the owner that was meant.
+  std::string report(const Port& port, const Spanned<std::string>& text, Side side) {
+    if (draft_.doubtful.contains(port.owner)) return port.owner;
+    if (const DraftObject* object = find_object(draft_, port.owner)) {
+      report_port_of_object(*object, port, text, side);
+      return port.owner;
     }
-    return std::nullopt;
-  }
-
-  std::vector<PortIndex> actuator(const DraftObject& object, const Port& port, const Spanned<std::string>& text) {
-    const auto found = object.actuators.find(port.name);
-    const bool section = port.section.empty() || port.section == "actuators";
-    if (section && found != object.actuators.end()) return found->second;
-    if (object.entity == nullptr || draft_.nodes[Graph::kEngine].node.entity == nullptr) return {};
-    if (section && object.entity->actuator(port.name) != nullptr) {
-      report_not_implemented(*object.entity, "actuator", text);
-    } else {
-      report_unknown_port(port, text, names(object.entity->actuators), Side::to, names(object.entity->sensors));
+    if (const auto node = find_node(draft_, port.owner, side)) {
+      report_port_of_node(draft_.nodes[*node], port, text, side);
+      return port.owner;
     }
-    return {};
+    return report_unknown_owner(port, text, side);
   }
 
-  std::optional<PortIndex> port_of_node(std::size_t index, const Port& port, const Spanned<std::string>& text, Side side) {
-    const DraftNode& node = draft_.nodes[index];
-    const std::string own_section = side == Side::from ? "outputs" : "inputs";
-    if (port.section.empty() || port.section == own_section) {
-      const std::size_t count = side == Side::from ? node.outputs.size() : node.inputs.size();
-      for (std::size_t i = 0; i < count; ++i) {
-        if ((side == Side::from ? node.outputs[i].name : node.inputs[i].name) == port.name) return PortIndex{index, i};
-      }
+  void report_port_of_object(const DraftObject& object, const Port& port, const Spanned<std::string>& text, Side side) {
+    const Entity& entity = *object.entity;
+    const Entity* engine = draft_.nodes[Graph::kEngine].node.entity;
+    const bool sensor = side == Side::from;
+    const bool declared = (sensor ? entity.sensor(port.name) : entity.actuator(port.name)) != nullptr;
+    if (declared && (port.section.empty() || port.section == (sensor ? "sensors" : "actuators"))) {
+      diagnostics().error("E0308", text.span, fmt::format("`{}` has no {} `{}` on `{}`", entity.id.value, sensor ? "sensor" : "actuator", port.name, engine->id.value)).help =
+          "choose another engine, or add it to the object's manifest";
+      return;
     }
-    if (index != Graph::kEnvironment && node.node.entity == nullptr) return std::nullopt;  // already reported
-    std::vector<std::string> inputs, outputs;
-    for (const auto& input : node.inputs) inputs.push_back(input.name);
-    for (const auto& output : node.outputs) outputs.push_back(output.name);
-    report_unknown_port(port, text, side == Side::from ? outputs : inputs, side, side == Side::from ? inputs : outputs);
-    return std::nullopt;
+    const auto sensors = names_of(entity.sensors), actuators = names_of(entity.actuators);
+    sensor ? report_unknown_port(port, text, side, sensors, "sensor", actuators, "actuator")
+           : report_unknown_port(port, text, side, actuators, "actuator", sensors, "sensor");
   }
 
-  static std::vector<std::string> names(const std::vector<PortManifest>& ports) {
-    std::vector<std::string> result;
-    for (const auto& port : ports) result.push_back(port.name.value);
-    return result;
+  void report_port_of_node(const DraftNode& node, const Port& port, const Spanned<std::string>& text, Side side) {
+    const bool environment = node.node.role == NodeRole::environment;
+    const auto inputs = names_of(node.inputs), outputs = names_of(node.outputs);
+    const Entity* entity = node.node.entity;
+    const bool sends = side == Side::from;
+    const bool left_out = entity != nullptr && (sends ? entity->output(port.name) : entity->input(port.name)) != nullptr;
+    if (left_out) {
+      const char* section = sends ? "outputs" : "inputs";
+      diagnostics().error("E0307", text.span, fmt::format("`{}` is not selected", text.value)).help =
+          fmt::format("add it to `{}:` of `{}`, or leave that key out", section, port.owner);
+      return;
+    }
+    if (environment) {
+      report_unknown_port(port, text, side, sends ? outputs : inputs, sends ? "action" : "observation", {}, "");
+      return;
+    }
+    sends ? report_unknown_port(port, text, side, outputs, "output", inputs, "input")
+          : report_unknown_port(port, text, side, inputs, "input", outputs, "output");
   }
 
-  void report_not_implemented(const Entity& entity, std::string_view what, const Spanned<std::string>& text) {
-    diagnostics().error("E0308", text.span,
-                        fmt::format("`{}` has no {} `{}` on `{}`", entity.id.value, what, split(text.value).name,
-                                    draft_.nodes[Graph::kEngine].node.entity->id.value))
-        .help = "choose another engine, or add it to the object's manifest";
-  }
-
-  void report_unknown_port(const Port& port, const Spanned<std::string>& text, const std::vector<std::string>& known, Side side,
-                           const std::vector<std::string>& other_side) {
-    const char* sends = side == Side::from ? "sends" : "takes";
-    auto& problem = diagnostics().error("E0307", text.span, fmt::format("`{}` has nothing called `{}` that {} messages", port.owner, port.name, sends));
+  void report_unknown_port(const Port& port, const Spanned<std::string>& text, Side side, const std::vector<std::string>& known,
+                           std::string_view kind, const std::vector<std::string>& other_side, std::string_view other_kind) {
+    const char* verb = side == Side::from ? "sends" : "takes";
+    if (std::find(other_side.begin(), other_side.end(), port.name) != other_side.end()) {
+      const bool sends = side == Side::to;
+      diagnostics().error("E0307", text.span, fmt::format("`{}` is {} {}: it {} messages", text.value, other_kind == "sensor" ? "a" : "an", other_kind, sends ? "sends" : "takes")).help =
+          fmt::format("it belongs in `{}:` of a connection", sends ? "from" : "to");
+      return;
+    }
+    const bool environment = other_kind.empty();
+    auto& problem = environment ? diagnostics().error("E0307", text.span, fmt::format("there is no {} `{}`", kind, port.name))
+                                : diagnostics().error("E0307", text.span, fmt::format("`{}` has no {} `{}`", port.owner, kind, port.name));
     const std::string near = nearest(port.name, known);
-    if (!near.empty()) {
-      problem.help = fmt::format("did you mean `{}.{}`?", port.owner, near);
-    } else if (std::find(other_side.begin(), other_side.end(), port.name) != other_side.end()) {
-      problem.help = fmt::format("`{}` is at the other end of connections: write it as `{}`", text.value, side == Side::from ? "to" : "from");
-    } else if (!known.empty()) {
-      problem.help = fmt::format("it has {}", fmt::join(known, ", "));
-    } else {
-      problem.help = fmt::format("nothing of it {} messages", sends);
-    }
+    problem.help = near.empty() ? suggestion(port.name, known, fmt::format("nothing of it {} messages", verb))
+                                : fmt::format("did you mean `{}.{}`?", port.owner, near);
   }
 
-  void report_unknown_owner(const Port& port, const Spanned<std::string>& text, Side side) {
+  std::string report_unknown_owner(const Port& port, const Spanned<std::string>& text, Side side) {
+    if (port.owner == "actions" || port.owner == "observations") {
+      diagnostics().error("E0309", text.span, fmt::format("`{}` cannot stand here", text.value)).help =
+          "actions are sent (`from: actions.…`), observations are received (`to: observations.…`)";
+      return side == Side::from ? "actions" : "observations";
+    }
     std::vector<std::string> known = {side == Side::from ? "actions" : "observations"};
     for (const auto& object : draft_.objects) known.push_back(object.name);
     for (const auto& node : draft_.nodes) {
@@ -153,12 +192,18 @@ class Connector {
     }
     auto& problem = diagnostics().error("E0309", text.span, fmt::format("there is nothing called `{}` in this graph", port.owner));
     const std::string near = nearest(port.owner, known);
-    const bool wrong_side = port.owner == "actions" || port.owner == "observations";
-    if (wrong_side) {
-      problem.message = fmt::format("`{}` cannot stand here", text.value);
-      problem.help = "actions are sent (`from: actions.…`), observations are received (`to: observations.…`)";
-    } else {
-      problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}.{}`?", near, port.name);
+    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}.{}`?", near, port.name);
+    return near;
+  }
+
+  /// A connection to `owner` is wrong, so its open ports on that side are not a second mistake.
+  void excuse(const std::string& owner, Side side) {
+    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
+      const DraftNode& node = draft_.nodes[n];
+      const bool object = node.node.object && draft_.objects[*node.node.object].name == owner;
+      if (!object && find_node(draft_, owner, side) != n) continue;
+      const std::size_t count = side == Side::from ? node.outputs.size() : node.inputs.size();
+      for (std::size_t i = 0; i < count; ++i) excused_.insert({side, n, i});
     }
   }
 
@@ -168,48 +213,73 @@ class Connector {
       auto& problem = diagnostics().error("E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value));
       problem.label = "an input takes one connection";
       problem.notes.push_back({"the first connection", input.edge->span, ""});
+      excused_.insert({Side::from, source.node, source.port});
       return;
     }
     if (input.settings.processor && connection.processor) {
-      diagnostics().error("E0313", connection.processor->type.span, fmt::format("`{}` already has a processor", connection.to.value))
+      diagnostics()
+          .error("E0313", connection.processor->type.span, fmt::format("`{}` already has a processor", connection.to.value))
           .notes.push_back({"the first processor", input.settings.processor->type.span, ""});
     }
     input.settings = overlay(input.settings, settings_of(connection));
     input.edge = DraftEdge{source.node, source.port, connection.from.span};
     input.span = connection.to.span;
-    used_.push_back(source);
+    excused_.insert({Side::from, source.node, source.port});
   }
 
-  void report_open_ports() {
+  void report_open_inputs() {
+    std::set<std::string> reported;  // an actuator may feed several engine nodes
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       const DraftNode& node = draft_.nodes[n];
-      for (const auto& input : node.inputs) {
-        if (input.edge) continue;
-        const bool observation = n == Graph::kEnvironment;
-        const std::string name = (observation ? "observations" : node.node.name) + "." + input.name;
-        auto& problem = diagnostics().error("E0310", input.span, fmt::format("`{}` is not connected", name));
+      if (node.node.role == NodeRole::node && draft_.doubtful.contains(node.node.name)) continue;
+      for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+        const DraftInput& input = node.inputs[i];
+        if (input.edge || excused_.contains({Side::to, n, i}) || !reported.insert(input.written).second) continue;
+        auto& problem = diagnostics().error("E0310", input.span, fmt::format("`{}` is not connected", input.written));
+        problem.help = fmt::format("add a connection `{{from: …, to: {}}}`", input.written);
         if (node.node.role == NodeRole::engine_node) {
-          problem.help = "an engine node behind the object's actuator needs it: connect the actuator";
+          problem.help += ": a sensor in use depends on it, or it is listed in `actuators:`";
         } else {
-          problem.help = fmt::format("add a connection `{{from: …, to: {}}}`, or leave it out of the selection", name);
+          problem.help += n == Graph::kEnvironment ? ", or leave it out of `observations:`" : ", or leave it out with `inputs:`";
         }
       }
     }
+  }
+
+  void report_open_actions() {
     const auto& actions = draft_.nodes[Graph::kEnvironment].outputs;
     for (std::size_t i = 0; i < actions.size(); ++i) {
-      const bool used = std::any_of(used_.begin(), used_.end(), [&](const PortIndex& p) { return p.node == Graph::kEnvironment && p.port == i; });
-      if (used) continue;
+      if (excused_.contains({Side::from, Graph::kEnvironment, i})) continue;
       diagnostics().error("E0310", actions[i].span, fmt::format("`actions.{}` is not connected", actions[i].name)).help =
           fmt::format("add a connection `{{from: actions.{}, to: …}}`", actions[i].name);
     }
   }
 
   Draft& draft_;
-  std::vector<PortIndex> used_;
+  std::set<End> excused_;  // not open: in use, or the subject of another message
 };
 
 }  // namespace
 
 void connect(Draft& draft) { Connector(draft).run(); }
+
+std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& text) {
+  const Port port = split(text);
+  const auto found = find_ports(draft, port, Side::to);
+  if (!found.empty()) return draft.nodes[found.front().node].inputs[found.front().port].declared;
+  return std::nullopt;
+}
+
+std::vector<std::string> input_names(const Draft& draft) {
+  std::vector<std::string> result;
+  for (const auto& object : draft.objects) {
+    for (const auto& [name, ports] : object.actuators) result.push_back(object.name + "." + name);
+  }
+  for (const auto& node : draft.nodes) {
+    if (node.node.role != NodeRole::node) continue;
+    for (const auto& input : node.inputs) result.push_back(node.node.name + "." + input.name);
+  }
+  return result;
+}
 
 }  // namespace eagerx::gen

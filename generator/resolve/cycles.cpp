@@ -8,14 +8,17 @@
 namespace eagerx::gen {
 namespace {
 
+bool waits(const DraftInput& input) { return input.edge && !input.settings.skip.value_or(false); }
+
 /// Depth-first search with its own stack: graphs may be long chains.
 class CycleFinder {
  public:
-  explicit CycleFinder(const Graph& graph) : graph_(graph), color_(graph.nodes.size(), Color::white) {}
+  explicit CycleFinder(const Draft& draft) : draft_(draft), color_(draft.nodes.size(), Color::white) {}
 
   /// Cycles as lists of nodes, each waiting for the next; at most `limit`.
   std::vector<std::vector<std::size_t>> find(std::size_t limit) {
-    for (std::size_t start = 0; start < graph_.nodes.size() && cycles_.size() < limit; ++start) visit(start);
+    for (std::size_t start = 0; start < draft_.nodes.size() && cycles_.size() < limit; ++start)
+      visit(start);
     return cycles_;
   }
 
@@ -30,18 +33,18 @@ class CycleFinder {
     push(start);
     while (!stack_.empty()) {
       Frame& frame = stack_.back();
-      const auto& inputs = graph_.nodes[frame.node].inputs;
+      const auto& inputs = draft_.nodes[frame.node].inputs;
       if (frame.next_input == inputs.size()) {
         color_[frame.node] = Color::black;
         stack_.pop_back();
         continue;
       }
-      const Input& input = inputs[frame.next_input++];
-      if (input.skip) continue;
-      if (color_[input.source_node] == Color::white) {
-        push(input.source_node);
-      } else if (color_[input.source_node] == Color::grey) {
-        note_cycle(input.source_node);
+      const DraftInput& input = inputs[frame.next_input++];
+      if (!waits(input)) continue;
+      if (color_[input.edge->node] == Color::white) {
+        push(input.edge->node);
+      } else if (color_[input.edge->node] == Color::grey) {
+        note_cycle(input.edge->node);
       }
     }
   }
@@ -61,41 +64,40 @@ class CycleFinder {
     cycles_.push_back(std::move(cycle));
   }
 
-  const Graph& graph_;
+  const Draft& draft_;
   std::vector<Color> color_;
   std::vector<Frame> stack_;
   std::vector<std::vector<std::size_t>> cycles_;
 };
 
-std::string port_name(const Graph& graph, std::size_t node, const std::string& port, bool sends) {
-  if (node == Graph::kEnvironment) return fmt::format("{}.{}", sends ? "actions" : "observations", port);
-  return fmt::format("{}.{}", graph.nodes[node].name, port);
+const DraftInput& connection_between(const Draft& draft, std::size_t from, std::size_t to) {
+  const auto& inputs = draft.nodes[to].inputs;
+  return *std::find_if(inputs.begin(), inputs.end(), [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
 }
 
-const Input& connection_between(const Graph& graph, std::size_t from, std::size_t to) {
-  const auto& inputs = graph.nodes[to].inputs;
-  return *std::find_if(inputs.begin(), inputs.end(), [&](const Input& i) { return i.source_node == from && !i.skip; });
+std::string source_name(const Draft& draft, const DraftEdge& edge) {
+  const DraftNode& node = draft.nodes[edge.node];
+  return fmt::format("{}.{}", edge.node == Graph::kEnvironment ? "actions" : node.node.name, node.outputs[edge.output].name);
 }
 
 }  // namespace
 
-void check_cycles(const Graph& graph, Diagnostics& diagnostics) {
+void check_cycles(Draft& draft) {
   constexpr std::size_t kMostCycles = 5;
-  for (const auto& cycle : CycleFinder(graph).find(kMostCycles)) {
+  for (const auto& cycle : CycleFinder(draft).find(kMostCycles)) {
     // cycle[i] waits for cycle[i + 1]; the last one waits for the first.
-    std::vector<const Input*> connections;
-    std::vector<std::string> names;
+    std::vector<Span> places;
+    std::vector<std::string> sources, names;
     for (std::size_t i = 0; i < cycle.size(); ++i) {
-      const std::size_t from = cycle[(i + 1) % cycle.size()];
-      const Input& input = connection_between(graph, from, cycle[i]);
-      connections.push_back(&input);
-      names.push_back(fmt::format("{} -> {}", port_name(graph, from, graph.nodes[from].outputs[input.source_output].name, true),
-                                  port_name(graph, cycle[i], input.name, false)));
+      const DraftInput& input = connection_between(draft, cycle[(i + 1) % cycle.size()], cycle[i]);
+      places.push_back(input.span);
+      sources.push_back(source_name(draft, *input.edge));
+      names.push_back(fmt::format("{} -> {}", sources.back(), input.written));
     }
-    auto& problem = diagnostics.error("E0314", connections.front()->span, fmt::format("connection `{}` closes a cycle without a delay of one tick", names.front()));
-    problem.label = fmt::format("needs `{}` of the same tick", names.front().substr(0, names.front().find(' ')));
-    for (std::size_t i = 1; i < connections.size(); ++i) {
-      problem.notes.push_back({fmt::format("the cycle goes on with `{}`", names[i]), connections[i]->span, ""});
+    auto& problem = draft.diagnostics.error("E0314", places.front(), fmt::format("connection `{}` closes a cycle without a delay of one tick", names.front()));
+    problem.label = fmt::format("needs `{}` of the same tick", sources.front());
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      problem.notes.push_back({fmt::format("the cycle goes on with `{}`", names[i]), places[i], ""});
     }
     problem.help = "add `skip: true` to one of these connections: it then takes the message of the tick before";
   }

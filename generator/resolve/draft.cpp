@@ -24,9 +24,10 @@ std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics
   std::uint64_t elements = 1;
   for (const auto& item : node.items) {
     const auto dimension = parse_int(item.text);
-    if (!dimension || *dimension < 1 || static_cast<std::uint64_t>(*dimension) > kMaxElements / elements) {
-      diagnostics.error("E0325", item.span, fmt::format("`{}` is no size of a message", item.text)).label =
-          fmt::format("a message has 1 to {} elements", kMaxElements);
+    if (!dimension || *dimension < 1 ||
+        static_cast<std::uint64_t>(*dimension) > kMaxElements / elements) {
+      diagnostics.error("E0325", item.span, fmt::format("`{}` is no size of a message", item.text))
+          .label = fmt::format("a message has 1 to {} elements", kMaxElements);
       return std::nullopt;
     }
     elements *= static_cast<std::uint64_t>(*dimension);
@@ -35,40 +36,52 @@ std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics
   return shape;
 }
 
-std::vector<double> bounds_of(const std::optional<Node>& node, const References& references, Diagnostics& diagnostics) {
+std::vector<double> bounds_of(const std::optional<Node>& node, const References& references,
+                              Diagnostics& diagnostics) {
   if (!node) return {};
-  return numbers_of(substitute(*node, references, diagnostics), diagnostics).value_or(std::vector<double>{});
+  return numbers_of(substitute(*node, references, diagnostics), diagnostics)
+      .value_or(std::vector<double>{});
 }
 
 }  // namespace
 
 DraftInput* DraftNode::input(std::string_view name) {
-  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const DraftInput& i) { return i.name == name; });
+  const auto found = std::find_if(inputs.begin(), inputs.end(),
+                                  [&](const DraftInput& i) { return i.name == name; });
   return found == inputs.end() ? nullptr : &*found;
 }
 
 DraftOutput* DraftNode::output(std::string_view name) {
-  const auto found = std::find_if(outputs.begin(), outputs.end(), [&](const DraftOutput& o) { return o.name == name; });
+  const auto found = std::find_if(outputs.begin(), outputs.end(),
+                                  [&](const DraftOutput& o) { return o.name == name; });
   return found == outputs.end() ? nullptr : &*found;
 }
 
-PartialSpace partial_space(const SpaceSpec& spec, const References& references, Diagnostics& diagnostics) {
+PartialSpace partial_space(const SpaceSpec& spec, const References& references,
+                           Diagnostics& diagnostics) {
   PartialSpace result;
   result.span = spec.span;
   if (spec.dtype) result.dtype = dtype_of(spec.dtype->value);
-  if (spec.shape) result.shape = shape_of(substitute(*spec.shape, references, diagnostics), diagnostics);
+  if (spec.shape)
+    result.shape = shape_of(substitute(*spec.shape, references, diagnostics), diagnostics);
   result.low = bounds_of(spec.low, references, diagnostics);
   result.high = bounds_of(spec.high, references, diagnostics);
-  if (spec.like) result.like = spec.like->value;
+  if (spec.like) {
+    result.like = spec.like->value;
+    result.like_span = spec.like->span;
+  }
+  const Span bounds = spec.low ? spec.low->span : spec.span;
   const bool scalar_bounds = result.low.size() <= 1 || result.high.size() <= 1 || result.low.size() == result.high.size();
   if (!scalar_bounds) {
-    diagnostics.error("E0326", spec.span, fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
+    diagnostics.error("E0326", bounds, fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
   }
-  for (std::size_t i = 0; scalar_bounds && !result.low.empty() && !result.high.empty() && i < std::max(result.low.size(), result.high.size()); ++i) {
+  for (std::size_t i = 0; scalar_bounds && !result.low.empty() && !result.high.empty() &&
+                          i < std::max(result.low.size(), result.high.size());
+       ++i) {
     const double low = result.low[result.low.size() == 1 ? 0 : i];
     const double high = result.high[result.high.size() == 1 ? 0 : i];
     if (low <= high) continue;
-    diagnostics.error("E0326", spec.span, fmt::format("`low` ({}) is above `high` ({})", low, high));
+    diagnostics.error("E0326", bounds, fmt::format("`low` ({}) is above `high` ({})", low, high));
     break;
   }
   return result;
@@ -79,9 +92,34 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over) {
   if (over.shape) base.shape = over.shape;
   if (!over.low.empty()) base.low = over.low;
   if (!over.high.empty()) base.high = over.high;
-  if (over.like) base.like = over.like;
+  if (over.like) {
+    base.like = over.like;
+    base.like_span = over.like_span;
+  }
   base.span = over.span;
   return base;
+}
+
+PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what, Diagnostics& diagnostics) {
+  const bool dtype = !base.dtype || !over.dtype || *base.dtype == *over.dtype;
+  const bool shape = !base.shape || !over.shape || *base.shape == *over.shape;
+  if (!dtype || !shape) {
+    diagnostics.error(dtype ? "E0306" : "E0305", over.span, fmt::format("`{}` is {}, which cannot become {}", what, describe(base), describe(over)))
+        .notes.push_back({"as its manifest says", base.span, ""});
+    return base;
+  }
+  return overlay(std::move(base), over);
+}
+
+std::string describe(const PartialSpace& space) {
+  std::string result = space.dtype ? std::string(to_string(*space.dtype)) : "any dtype";
+  return result + (space.shape ? fmt::format(" [{}]", fmt::join(*space.shape, ", ")) : ", any shape");
+}
+
+std::string suggestion(const std::string& name, const std::vector<std::string>& known, const std::string& otherwise) {
+  const std::string near = nearest(name, known);
+  if (!near.empty()) return fmt::format("did you mean `{}`?", near);
+  return known.empty() ? otherwise : fmt::format("there is {}", fmt::join(known, ", "));
 }
 
 ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over) {

@@ -1,4 +1,5 @@
-// The graph with every name bound: what runs, with spaces, parameters and connections known and checked.
+// The graph with every name bound: what runs, with spaces, parameters and connections known and
+// checked.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +12,19 @@
 
 namespace eagerx::gen {
 
-enum class Dtype : std::uint8_t { float32, float64, int8, int16, int32, int64, uint8, uint16, uint32, uint64, boolean };
+enum class Dtype : std::uint8_t {
+  float32,
+  float64,
+  int8,
+  int16,
+  int32,
+  int64,
+  uint8,
+  uint16,
+  uint32,
+  uint64,
+  boolean
+};
 std::string_view to_string(Dtype dtype);
 bool is_floating(Dtype dtype);
 /// Lowest and highest value of the type (of float32 and float64 too).
@@ -31,7 +44,9 @@ struct Space {
 /// A parameter's value, checked against its manifest.
 struct ConfigValue {
   const Parameter* parameter = nullptr;
-  std::variant<std::int64_t, double, bool, std::string, std::vector<std::int64_t>, std::vector<double>> value;
+  std::variant<std::int64_t, double, bool, std::string, std::vector<std::int64_t>,
+               std::vector<double>>
+      value;
 };
 using Config = std::vector<ConfigValue>;  // in the order of the manifest
 
@@ -53,6 +68,7 @@ struct Output {
 /// An input and the connection that feeds it.
 struct Input {
   std::string name;
+  std::string written;  // as messages call it: "smooth.signal", "pendulum.u", "observations.angle"
   std::size_t source_node = 0;
   std::size_t source_output = 0;
   Space space;  // as the callback sees it, after the processor
@@ -110,10 +126,11 @@ struct Object {
 
 struct Agent {
   AgentSpec::Kind kind = AgentSpec::Kind::zero;
-  std::string file;                       // as written
-  std::string path;                       // where it is
-  std::vector<std::size_t> observations;  // policy: inputs of the environment, in the policy's order
-  std::optional<bool> squashed;           // policy: as written, else decided by the network
+  std::string file;  // as written
+  std::string path;  // where it is
+  std::vector<std::size_t>
+      observations;              // policy: inputs of the environment, in the policy's order
+  std::optional<bool> squashed;  // policy: as written, else decided by the network
   Span span;
 };
 
@@ -121,7 +138,8 @@ struct Graph {
   std::string name;
   std::string path, file_name;  // of the graph file; file_name without folders
   bool double_precision = false;
-  std::vector<GraphNode> nodes;  // [0] environment, [1] engine, then the others in the order written
+  std::vector<GraphNode>
+      nodes;  // [0] environment, [1] engine, then the others in the order written
   std::vector<Object> objects;
   Agent agent;
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
@@ -140,7 +158,7 @@ struct ResolveOptions {
 };
 
 /// Binds every name. All problems are reported, E03xx; nullopt if there was any.
-std::optional<Graph> resolve(const GraphSpec& spec, const Library& library, const ResolveOptions& options,
-                             Diagnostics& diagnostics);
+std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
+                             const ResolveOptions& options, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -12,28 +12,31 @@ ConnectionSettings manifest_settings(const PortManifest& port) {
   return {port.window, port.delay_s, port.skip, std::nullopt};
 }
 
-const ComponentSpec* find_component(const std::optional<std::vector<ComponentSpec>>& components, const std::string& name) {
+const ComponentSpec* find_component(const std::optional<std::vector<ComponentSpec>>& components,
+                                    const std::string& name) {
   if (!components) return nullptr;
-  const auto found = std::find_if(components->begin(), components->end(), [&](const ComponentSpec& c) { return c.name.value == name; });
+  const auto found = std::find_if(components->begin(), components->end(),
+                                  [&](const ComponentSpec& c) { return c.name.value == name; });
   return found == components->end() ? nullptr : &*found;
 }
 
-/// Names in a selection that the entity does not have.
-void report_unknown(const std::optional<std::vector<ComponentSpec>>& components, const std::vector<PortManifest>& ports,
+/// Reports names in a selection that the entity does not have; true if there was any.
+bool report_unknown(const std::optional<std::vector<ComponentSpec>>& components, const std::vector<PortManifest>& ports,
                     const Entity& entity, std::string_view what, Diagnostics& diagnostics) {
-  if (!components) return;
+  if (!components) return false;
+  const std::size_t errors_before = diagnostics.error_count();
   std::vector<std::string> known;
   for (const auto& port : ports) known.push_back(port.name.value);
   for (const auto& component : *components) {
     if (std::find(known.begin(), known.end(), component.name.value) != known.end()) continue;
-    auto& problem = diagnostics.error("E0307", component.name.span,
-                                      fmt::format("`{}` has no {} `{}`", entity.id.value, what, component.name.value));
-    const std::string near = nearest(component.name.value, known);
-    problem.help = near.empty() ? fmt::format("it has {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}`?", near);
+    diagnostics.error("E0307", component.name.span, fmt::format("`{}` has no {} `{}`", entity.id.value, what, component.name.value)).help =
+        suggestion(component.name.value, known, fmt::format("it has no {}s", what));
   }
+  return diagnostics.error_count() != errors_before;
 }
 
-bool is_selected(const std::optional<std::vector<ComponentSpec>>& components, const std::string& name) {
+bool is_selected(const std::optional<std::vector<ComponentSpec>>& components,
+                 const std::string& name) {
   // A mapping or list that is there selects; nothing there selects everything.
   return !components || find_component(components, name) != nullptr;
 }
@@ -55,8 +58,10 @@ void add_environment(Draft& draft) {
   for (const auto& observation : draft.spec.observations) {
     DraftInput input;
     input.name = observation.name.value;
+    input.written = "observations." + input.name;
     input.span = observation.name.span;
-    if (observation.space) input.declared = partial_space(*observation.space, {}, draft.diagnostics);
+    if (observation.space)
+      input.declared = partial_space(*observation.space, {}, draft.diagnostics);
     environment.inputs.push_back(std::move(input));
   }
   draft.nodes.push_back(std::move(environment));
@@ -76,7 +81,8 @@ void add_engine(Draft& draft, const ResolveOptions& options) {
   engine.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
   engine.node.entity = find_entity(draft.library, spec.type, EntityKind::engine, draft.diagnostics);
   if (engine.node.entity != nullptr) {
-    engine.node.config = resolve_config(*engine.node.entity, spec.config, spec.type.span, draft.diagnostics);
+    engine.node.config =
+        resolve_config(*engine.node.entity, spec.config, spec.type.span, draft.diagnostics);
   }
   DraftOutput tick{"tick", engine.node.span, {}, std::nullopt};
   tick.declared.dtype = Dtype::int64;
@@ -92,31 +98,39 @@ void add_nodes(Draft& draft) {
     node.node.role = NodeRole::node;
     node.node.span = spec.name.span;
     node.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
-    const Entity* entity = find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
+    const Entity* entity =
+        find_entity(draft.library, spec.type, EntityKind::node, draft.diagnostics);
     node.node.entity = entity;
-    if (entity != nullptr) {
+    if (entity == nullptr) {
+      draft.doubtful.insert(spec.name.value);
+    } else {
       node.node.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
       const References references = references_of(*entity, spec.config);
-      report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics);
-      report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics);
+      const bool inputs_unknown = report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics);
+      const bool outputs_unknown = report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics);
+      if (inputs_unknown || outputs_unknown) draft.doubtful.insert(spec.name.value);
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
-        DraftInput input{port.name.value, spec.name.span, partial_space(port.space, references, draft.diagnostics),
+        const std::string written = spec.name.value + "." + port.name.value;
+        DraftInput input{port.name.value, written, spec.name.span, partial_space(port.space, references, draft.diagnostics),
                          manifest_settings(port), std::nullopt};
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
           input.span = component->name.span;
           input.settings = overlay(input.settings, settings_of(*component));
-          if (component->space) input.declared = overlay(input.declared, partial_space(*component->space, {}, draft.diagnostics));
+          if (component->space) input.declared = narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics), written, draft.diagnostics);
         }
         node.inputs.push_back(std::move(input));
       }
       for (const auto& port : entity->outputs) {
         if (!is_selected(spec.outputs, port.name.value)) continue;
-        DraftOutput output{port.name.value, spec.name.span, partial_space(port.space, references, draft.diagnostics), std::nullopt};
+        DraftOutput output{port.name.value, spec.name.span,
+                           partial_space(port.space, references, draft.diagnostics), std::nullopt};
         if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
           output.span = component->name.span;
           output.processor = component->processor;
-          if (component->space) output.declared = overlay(output.declared, partial_space(*component->space, {}, draft.diagnostics));
+          if (component->space) {
+            output.declared = narrow(output.declared, partial_space(*component->space, {}, draft.diagnostics), spec.name.value + "." + port.name.value, draft.diagnostics);
+          }
         }
         node.outputs.push_back(std::move(output));
       }

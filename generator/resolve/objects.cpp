@@ -1,5 +1,5 @@
-// Objects become the engine nodes that implement them on the chosen engine; nothing of an object remains
-// but its states and its simulator.
+// Objects become the engine nodes that implement them on the chosen engine; nothing of an object
+// remains but its states and its simulator.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,10 +16,12 @@ std::pair<std::string, std::string> split(const std::string& port) {
   return {port.substr(0, dot), dot == std::string::npos ? "" : port.substr(dot + 1)};
 }
 
-/// Builds one object. Its engine nodes are drafted on their own first, pruned, and then moved to the graph.
+/// Builds one object. Its engine nodes are drafted on their own first, pruned, and then moved to
+/// the graph.
 class ObjectBuilder {
  public:
-  ObjectBuilder(Draft& draft, const EntitySpec& spec, const Entity& entity, const ObjectEngine& implementation)
+  ObjectBuilder(Draft& draft, const EntitySpec& spec, const Entity& entity,
+                const ObjectEngine& implementation)
       : draft_(draft), spec_(spec), entity_(entity), implementation_(implementation) {}
 
   void build() {
@@ -38,13 +40,16 @@ class ObjectBuilder {
 
   Diagnostics& diagnostics() { return draft_.diagnostics; }
 
-  const ComponentSpec* component(const std::optional<std::vector<ComponentSpec>>& components, const std::string& name) const {
+  const ComponentSpec* component(const std::optional<std::vector<ComponentSpec>>& components,
+                                 const std::string& name) const {
     if (!components) return nullptr;
-    const auto found = std::find_if(components->begin(), components->end(), [&](const ComponentSpec& c) { return c.name.value == name; });
+    const auto found = std::find_if(components->begin(), components->end(),
+                                    [&](const ComponentSpec& c) { return c.name.value == name; });
     return found == components->end() ? nullptr : &*found;
   }
 
-  void add_rates(const char* kind, const std::vector<PortManifest>& ports, const std::optional<std::vector<ComponentSpec>>& chosen) {
+  void add_rates(const char* kind, const std::vector<PortManifest>& ports,
+                 const std::optional<std::vector<ComponentSpec>>& chosen) {
     for (const auto& port : ports) {
       Node rate = substitute(*port.rate, references_, diagnostics());
       const ComponentSpec* set = component(chosen, port.name.value);
@@ -64,7 +69,8 @@ class ObjectBuilder {
 
   /// Sensors and actuators in use: the connected ones and the listed ones.
   void select() {
-    const auto note = [&](const Spanned<std::string>& port, bool sends, std::set<std::string>& into) {
+    const auto note = [&](const Spanned<std::string>& port, bool sends,
+                          std::set<std::string>& into) {
       auto [owner, name] = split(port.value);
       if (owner != spec_.name.value) return;
       const std::string kind = sends ? "sensors." : "actuators.";
@@ -79,7 +85,8 @@ class ObjectBuilder {
     list(spec_.actuators, entity_.actuators, "actuator", actuators_);
   }
 
-  void list(const std::optional<std::vector<ComponentSpec>>& chosen, const std::vector<PortManifest>& ports, std::string_view what,
+  void list(const std::optional<std::vector<ComponentSpec>>& chosen,
+            const std::vector<PortManifest>& ports, std::string_view what,
             std::set<std::string>& into) {
     if (!chosen) return;
     std::vector<std::string> known;
@@ -87,9 +94,9 @@ class ObjectBuilder {
     for (const auto& item : *chosen) {
       into.insert(item.name.value);
       if (std::find(known.begin(), known.end(), item.name.value) != known.end()) continue;
-      auto& problem = diagnostics().error("E0307", item.name.span, fmt::format("`{}` has no {} `{}`", entity_.id.value, what, item.name.value));
-      const std::string near = nearest(item.name.value, known);
-      problem.help = near.empty() ? fmt::format("it has {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}`?", near);
+      diagnostics().error("E0307", item.name.span, fmt::format("`{}` has no {} `{}`", entity_.id.value, what, item.name.value)).help =
+          suggestion(item.name.value, known, fmt::format("it has no {}s", what));
+      draft_.doubtful.insert(spec_.name.value);
     }
   }
 
@@ -100,8 +107,11 @@ class ObjectBuilder {
       node.node.role = NodeRole::engine_node;
       node.node.span = spec_.name.span;
       node.node.object = draft_.objects.size();
-      node.node.rate_hz = rate_of(substitute(spec.rate->value, references_, diagnostics()), diagnostics()).value_or(Rational{});
-      const Entity* entity = find_entity(draft_.library, spec.type, EntityKind::engine_node, diagnostics());
+      node.node.rate_hz =
+          rate_of(substitute(spec.rate->value, references_, diagnostics()), diagnostics())
+              .value_or(Rational{});
+      const Entity* entity =
+          find_entity(draft_.library, spec.type, EntityKind::engine_node, diagnostics());
       node.node.entity = entity;
       if (entity != nullptr) add_ports(node, spec, *entity);
       nodes_.push_back(std::move(node));
@@ -112,17 +122,24 @@ class ObjectBuilder {
     const auto settings = substitute(spec.config, references_, diagnostics());
     node.node.config = resolve_config(entity, settings, spec.type.span, diagnostics());
     const References references = references_of(entity, settings);
-    if (!entity.engines.empty() && std::find(entity.engines.begin(), entity.engines.end(), implementation_.engine.value) == entity.engines.end()) {
-      diagnostics().error("E0308", spec.type.span, fmt::format("`{}` does not work on `{}`", entity.id.value, implementation_.engine.value)).help =
-          fmt::format("it works on {}", fmt::join(entity.engines, ", "));
+    if (!entity.engines.empty() &&
+        std::find(entity.engines.begin(), entity.engines.end(), implementation_.engine.value) ==
+            entity.engines.end()) {
+      diagnostics()
+          .error("E0308", spec.type.span,
+                 fmt::format("`{}` does not work on `{}`", entity.id.value,
+                             implementation_.engine.value))
+          .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
     }
     for (const auto& port : entity.inputs) {
-      node.inputs.push_back({port.name.value, spec_.name.span, partial_space(port.space, references, diagnostics()),
-                             ConnectionSettings{port.window, port.delay_s, port.skip, std::nullopt}, std::nullopt});
-      if (port.name.value == "tick") node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
+      node.inputs.push_back({port.name.value, node.node.name + "." + port.name.value, spec_.name.span, partial_space(port.space, references, diagnostics()),
+           ConnectionSettings{port.window, port.delay_s, port.skip, std::nullopt}, std::nullopt});
+      if (port.name.value == "tick")
+        node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
     }
     for (const auto& port : entity.outputs) {
-      node.outputs.push_back({port.name.value, spec_.name.span, partial_space(port.space, references, diagnostics()), std::nullopt});
+      node.outputs.push_back({port.name.value, spec_.name.span,
+                              partial_space(port.space, references, diagnostics()), std::nullopt});
     }
   }
 
@@ -136,7 +153,8 @@ class ObjectBuilder {
 
   /// Index of a port by name, reported if it does not exist.
   template <class Ports>
-  std::optional<std::size_t> find_port(const Ports& ports, const std::string& name, const Spanned<std::string>& port) {
+  std::optional<std::size_t> find_port(const Ports& ports, const std::string& name,
+                                       const Spanned<std::string>& port) {
     for (std::size_t i = 0; i < ports.size(); ++i) {
       if (ports[i].name == name) return i;
     }
@@ -153,7 +171,8 @@ class ObjectBuilder {
         continue;
       }
       const auto source = find_node(from, connection.from);
-      const auto output = source ? find_port(nodes_[*source].outputs, from_port, connection.from) : std::nullopt;
+      const auto output =
+          source ? find_port(nodes_[*source].outputs, from_port, connection.from) : std::nullopt;
       if (!output) continue;
       if (to == "sensors") {
         connect_sensor(connection, to_port, *source, *output);
@@ -161,7 +180,7 @@ class ObjectBuilder {
       }
       const auto target = find_node(to, connection.to);
       const auto input = target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
-      if (!input) continue;
+      if (!input || !is_free(nodes_[*target].inputs[*input], connection)) continue;
       DraftInput& port = nodes_[*target].inputs[*input];
       port.settings = overlay(port.settings, settings_of(connection));
       port.edge = DraftEdge{*source, *output, connection.span};  // made a graph index when it moves
@@ -169,40 +188,67 @@ class ObjectBuilder {
     }
   }
 
-  void connect_actuator(const ConnectionSpec& connection, const std::string& name, const std::string& to, const std::string& to_port) {
+  bool is_free(const DraftInput& input, const ConnectionSpec& connection) {
+    if (!input.edge) return true;
+    diagnostics().error("E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value)).help =
+        input.name == "tick" ? "`tick` always comes from the engine" : "an input takes one connection";
+    return false;
+  }
+
+  void connect_actuator(const ConnectionSpec& connection, const std::string& name,
+                        const std::string& to, const std::string& to_port) {
     const PortManifest* actuator = entity_.actuator(name);
     const auto target = find_node(to, connection.to);
-    const auto input = target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
-    if (actuator == nullptr) diagnostics().error("E0307", connection.from.span, fmt::format("`{}` has no actuator `{}`", entity_.id.value, name));
-    if (actuator == nullptr || !input) return;
+    const auto input =
+        target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
+    if (actuator == nullptr)
+      diagnostics().error("E0307", connection.from.span,
+                          fmt::format("`{}` has no actuator `{}`", entity_.id.value, name));
+    if (actuator == nullptr || !input || !is_free(nodes_[*target].inputs[*input], connection)) return;
     DraftInput& port = nodes_[*target].inputs[*input];
-    port.settings = overlay(port.settings, {actuator->window, actuator->delay_s, actuator->skip, std::nullopt});
+    port.settings =
+        overlay(port.settings, {actuator->window, actuator->delay_s, actuator->skip, std::nullopt});
     port.settings = overlay(port.settings, settings_of(connection));
-    port.declared = overlay(port.declared, partial_space(actuator->space, references_, diagnostics()));
+    port.written = spec_.name.value + "." + name;
+    port.declared = narrow(port.declared, partial_space(actuator->space, references_, diagnostics()), port.written, diagnostics());
     if (const ComponentSpec* set = component(spec_.actuators, name); set != nullptr && set->space) {
-      port.declared = overlay(port.declared, partial_space(*set->space, {}, diagnostics()));
+      port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()), port.written, diagnostics());
     }
+    check_rate(*actuator, "actuators", nodes_[*target], connection.to.span);
     actuator_targets_.push_back({name, *target, *input});
   }
 
-  void connect_sensor(const ConnectionSpec& connection, const std::string& name, std::size_t source, std::size_t output) {
+  void connect_sensor(const ConnectionSpec& connection, const std::string& name, std::size_t source,
+                      std::size_t output) {
     const PortManifest* sensor = entity_.sensor(name);
     if (sensor == nullptr) {
-      diagnostics().error("E0307", connection.to.span, fmt::format("`{}` has no sensor `{}`", entity_.id.value, name));
+      diagnostics().error("E0307", connection.to.span,
+                          fmt::format("`{}` has no sensor `{}`", entity_.id.value, name));
       return;
     }
     if (!sensors_.contains(name)) return;
     DraftOutput& port = nodes_[source].outputs[output];
-    port.declared = overlay(port.declared, partial_space(sensor->space, references_, diagnostics()));
+    const std::string written = spec_.name.value + "." + name;
+    port.declared = narrow(port.declared, partial_space(sensor->space, references_, diagnostics()), written, diagnostics());
     if (const ComponentSpec* set = component(spec_.sensors, name)) {
       port.processor = set->processor;
-      if (set->space) port.declared = overlay(port.declared, partial_space(*set->space, {}, diagnostics()));
+      if (set->space) port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()), written, diagnostics());
     }
+    check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
     sensor_sources_.push_back({name, source, output});
   }
 
-  /// EAGERx's rule: ancestors of used sensors, targets of used actuators, descendants of those that are
-  /// synchronised with the engine, and what these need.
+  /// A sensor or actuator ticks with the engine node that implements it.
+  void check_rate(const PortManifest& port, const char* kind, const DraftNode& node, Span span) {
+    const auto rate = Rational::parse(references_[fmt::format("{} {} rate", kind, port.name.value)].text);
+    if (!rate || *rate == node.node.rate_hz) return;
+    diagnostics().error("E0317", span, fmt::format("`{}` ticks at {} Hz, but `{}.{}` at {} Hz", node.node.name, node.node.rate_hz.to_string(), spec_.name.value,
+                                                   port.name.value, rate->to_string()))
+        .help = fmt::format("write `rate: $({} {} rate)` for the engine node", kind, port.name.value);
+  }
+
+  /// EAGERx's rule: ancestors of used sensors, targets of used actuators, descendants of those that
+  /// are synchronised with the engine, and what these need.
   void mark_needed() {
     needed_.assign(nodes_.size(), false);
     for (const auto& source : sensor_sources_) need(source.node);
@@ -241,9 +287,11 @@ class ObjectBuilder {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (needed_[i]) place[i] = next++;
     }
-    for (const auto& source : sensor_sources_) object.sensors[source.name] = {place[source.node], source.port};
+    for (const auto& source : sensor_sources_)
+      object.sensors[source.name] = {place[source.node], source.port};
     for (const auto& target : actuator_targets_) {
-      if (needed_[target.node]) object.actuators[target.name].push_back({place[target.node], target.port});
+      if (needed_[target.node])
+        object.actuators[target.name].push_back({place[target.node], target.port});
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!needed_[i]) continue;
@@ -272,14 +320,16 @@ class ObjectBuilder {
   std::vector<bool> needed_;
 };
 
-const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span, Diagnostics& diagnostics) {
+const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span,
+                                        Diagnostics& diagnostics) {
   std::vector<std::string> known;
   for (const auto& implementation : entity.object_engines) {
     if (implementation.engine.value == engine) return &implementation;
     known.push_back(implementation.engine.value);
   }
-  auto& problem = diagnostics.error("E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
-  problem.help = known.empty() ? "it has no implementation at all" : fmt::format("choose one of {} as the engine", fmt::join(known, ", "));
+  auto& problem = diagnostics.error(
+      "E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
+  problem.help = known.empty() ? "it has no implementation at all" : fmt::format("it is for {}", fmt::join(known, ", "));
   return nullptr;
 }
 
@@ -288,17 +338,21 @@ const ObjectEngine* find_implementation(const Entity& entity, const std::string&
 void add_objects(Draft& draft) {
   const Entity* engine = draft.nodes[Graph::kEngine].node.entity;
   for (const auto& spec : draft.spec.objects) {
-    const Entity* entity = find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);
+    const Entity* entity =
+        find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);
     const ObjectEngine* implementation = nullptr;
     if (entity != nullptr && engine != nullptr) {
-      implementation = find_implementation(*entity, engine->id.value, spec.type.span, draft.diagnostics);
+      implementation =
+          find_implementation(*entity, engine->id.value, spec.type.span, draft.diagnostics);
     }
     Object object{spec.name.value, entity, implementation, {}, {}, spec.name.span};
-    if (entity != nullptr) object.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
+    if (entity != nullptr)
+      object.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
     draft.graph.objects.push_back(std::move(object));
     if (implementation != nullptr) {
       ObjectBuilder(draft, spec, *entity, *implementation).build();
     } else {
+      draft.doubtful.insert(spec.name.value);
       draft.objects.push_back({spec.name.value, entity, {}, {}});
     }
   }

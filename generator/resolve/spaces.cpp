@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <tuple>
 
 #include "generator/resolve/draft.hpp"
 
@@ -23,9 +24,8 @@ PartialSpace partial_of(const Space& space) {
   return partial;
 }
 
-std::string describe(const PartialSpace& partial) {
-  std::string result = partial.dtype ? std::string(to_string(*partial.dtype)) : "any dtype";
-  return result + (partial.shape ? fmt::format(" [{}]", fmt::join(*partial.shape, ", ")) : ", any shape");
+bool fits(const PartialSpace& declared, const Space& arriving) {
+  return (!declared.dtype || *declared.dtype == arriving.dtype) && (!declared.shape || *declared.shape == arriving.shape);
 }
 
 class SpaceResolver {
@@ -39,13 +39,24 @@ class SpaceResolver {
 
   void run() {
     guess_actions();
-    while (!failed_ && sweep()) {
+    while (sweep()) {
     }
-    if (!failed_) report_unknown();
-    if (!draft_.diagnostics.has_errors()) fill_graph();
+    // What a loop leaves open is taken from what its inputs are declared with.
+    use_declared_ = true;
+    while (sweep()) {
+    }
+    if (!diagnostics().has_errors()) report_unknown();
+    if (!diagnostics().has_errors()) fill_graph();
   }
 
  private:
+  /// A port's space once it is known; `settled` also when it was refused, so that nothing is said twice.
+  template <class PortType>
+  struct Slot {
+    std::optional<PortType> port;
+    bool settled = false;
+  };
+
   Diagnostics& diagnostics() { return draft_.diagnostics; }
 
   /// An action without a space has that of the first port it is connected to.
@@ -54,46 +65,35 @@ class SpaceResolver {
     for (std::size_t a = 0; a < actions.size(); ++a) {
       PartialSpace& declared = actions[a].declared;
       if (declared.like) {
-        if (const DraftInput* input = find_like(*declared.like)) {
-          PartialSpace base = input->declared;
-          declared.like.reset();
-          declared = overlay(base, declared);
-        } else {
-          diagnostics().error("E0309", declared.span, fmt::format("`like: {}` names no input", *declared.like)).help =
-              "write the port as in `to:` of a connection";
-          failed_ = true;
-        }
+        take_like(actions[a]);
         continue;
       }
       if (declared.dtype && declared.shape) continue;
-      if (const DraftInput* input = first_target(a); input != nullptr && !input->settings.processor) {
-        declared = overlay(input->declared, declared);
-      }
+      const DraftInput* input = first_target(a);
+      if (input != nullptr && !input->settings.processor) declared = overlay(input->declared, declared);
     }
   }
 
-  const DraftInput* find_like(const std::string& port) {
-    // The connection that ends in this port has already found the input: take it from there.
-    for (const auto& connection : draft_.spec.connections) {
-      if (connection.to.value != port) continue;
-      for (const auto& node : draft_.nodes) {
-        for (const auto& input : node.inputs) {
-          const Span& a = input.span;
-          const Span& b = connection.to.span;
-          if (input.edge && a.file == b.file && a.line == b.line && a.column == b.column) return &input;
-        }
-      }
+  void take_like(DraftOutput& action) {
+    PartialSpace& declared = action.declared;
+    const std::string port = *declared.like;
+    declared.like.reset();
+    if (const auto base = declared_space(draft_, port)) {
+      declared = overlay(*base, declared);
+      return;
     }
-    return nullptr;
+    if (draft_.doubtful.contains(port.substr(0, port.find('.')))) return;
+    diagnostics().error("E0309", declared.like_span, fmt::format("`{}` is no input of this graph", port)).help =
+        suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
   }
 
   const DraftInput* first_target(std::size_t action) const {
+    const auto place = [](const DraftInput& input) { return std::tuple(input.edge->span.line, input.edge->span.column); };
     const DraftInput* first = nullptr;
     for (const auto& node : draft_.nodes) {
       for (const auto& input : node.inputs) {
         if (!input.edge || input.edge->node != Graph::kEnvironment || input.edge->output != action) continue;
-        const bool earlier = first == nullptr || input.edge->span.line < first->edge->span.line;
-        if (earlier) first = &input;
+        if (first == nullptr || place(input) < place(*first)) first = &input;
       }
     }
     return first;
@@ -102,7 +102,7 @@ class SpaceResolver {
   /// Resolves what can be resolved; true if there was something new.
   bool sweep() {
     bool news = false;
-    for (std::size_t n = 0; n < draft_.nodes.size() && !failed_; ++n) {
+    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       DraftNode& node = draft_.nodes[n];
       for (std::size_t i = 0; i < node.inputs.size(); ++i) news = resolve_input(n, i) || news;
       for (std::size_t o = 0; o < node.outputs.size(); ++o) news = resolve_output(n, o) || news;
@@ -111,39 +111,54 @@ class SpaceResolver {
   }
 
   bool resolve_output(std::size_t n, std::size_t o) {
-    std::optional<Output>& done = outputs_[n][o];
-    if (done) return false;
-    DraftNode& node = draft_.nodes[n];
-    DraftOutput& draft = node.outputs[o];
-    PartialSpace declared = draft.declared;
-    if (declared.like && n != Graph::kEnvironment) {
-      const DraftInput* input = node.input(*declared.like);
-      if (input == nullptr) return fail("E0309", declared.span, fmt::format("`like: {}` names no input", *declared.like));
-      const auto& resolved = inputs_[n][static_cast<std::size_t>(input - node.inputs.data())];
-      if (!resolved) return false;
-      declared = overlay(partial_of(resolved->space), declared);
-    }
-    const auto raw = complete(declared);
+    Slot<Output>& slot = outputs_[n][o];
+    if (slot.settled) return false;
+    DraftOutput& draft = draft_.nodes[n].outputs[o];
+    const auto declared = with_like(n, draft, slot);
+    const auto raw = declared ? complete(*declared) : std::nullopt;
     if (!raw) return false;
+    slot.settled = true;
     Output output{draft.name, *raw, *raw, std::nullopt, draft.span};
-    if (!check_bounds(*raw, draft.declared.span)) return false;
+    if (!check_bounds(*raw, draft.declared.span)) return true;
     if (draft.processor) {
-      output.processor = make_processor(*draft.processor, *raw);
-      if (!output.processor) return false;
+      output.processor = make_processor(*draft.processor, *raw, draft.span);
+      if (!output.processor) return true;
       output.space = output.processor->output;
     }
-    done = std::move(output);
+    slot.port = std::move(output);
     return true;
   }
 
+  /// The declared space with what it takes from an input of the same node; nullopt while that is not known.
+  std::optional<PartialSpace> with_like(std::size_t n, const DraftOutput& draft, Slot<Output>& slot) {
+    if (!draft.declared.like || n == Graph::kEnvironment) return draft.declared;
+    DraftNode& node = draft_.nodes[n];
+    const DraftInput* input = node.input(*draft.declared.like);
+    if (input == nullptr) {
+      slot.settled = true;
+      const std::string name = node.node.name + "." + draft.name;
+      if (!draft_.doubtful.contains(node.node.name)) {
+        diagnostics().error("E0309", draft.span, fmt::format("`{}` has the space of the input `{}`, which is not there", name, *draft.declared.like)).help =
+            "select that input too";
+      }
+      return std::nullopt;
+    }
+    const auto& resolved = inputs_[n][static_cast<std::size_t>(input - node.inputs.data())];
+    if (resolved.port) return overlay(partial_of(resolved.port->space), draft.declared);
+    if (use_declared_ && !resolved.settled) return overlay(input->declared, draft.declared);
+    return std::nullopt;
+  }
+
   bool resolve_input(std::size_t n, std::size_t i) {
-    std::optional<Input>& done = inputs_[n][i];
-    DraftInput& draft = draft_.nodes[n].inputs[i];
-    if (done || !draft.edge) return false;
-    const auto& source = outputs_[draft.edge->node][draft.edge->output];
+    Slot<Input>& slot = inputs_[n][i];
+    const DraftInput& draft = draft_.nodes[n].inputs[i];
+    if (slot.settled || !draft.edge) return false;
+    const auto& source = outputs_[draft.edge->node][draft.edge->output].port;
     if (!source) return false;
+    slot.settled = true;
     Input input;
     input.name = draft.name;
+    input.written = draft.written;
     input.source_node = draft.edge->node;
     input.source_output = draft.edge->output;
     input.window = draft.settings.window.value_or(1);
@@ -152,55 +167,60 @@ class SpaceResolver {
     input.span = draft.span;
     input.space = source->space;
     if (draft.settings.processor) {
-      input.processor = make_processor(*draft.settings.processor, source->space);
-      if (!input.processor) return false;
+      input.processor = make_processor(*draft.settings.processor, source->space, draft.edge->span);
+      if (!input.processor) return true;
       input.space = input.processor->output;
     }
-    if (!agrees(draft, input.space)) return false;
+    if (!agrees(draft, input)) return true;
     // The receiver's own bounds, where it has some, say more about what it takes.
     if (!draft.declared.low.empty()) input.space.low = draft.declared.low;
     if (!draft.declared.high.empty()) input.space.high = draft.declared.high;
-    if (!check_bounds(input.space, draft.span)) return false;
-    done = std::move(input);
+    if (!check_bounds(input.space, draft.span)) return true;
+    slot.port = std::move(input);
     return true;
   }
 
-  bool agrees(const DraftInput& draft, const Space& arriving) {
-    const PartialSpace& declared = draft.declared;
-    const bool dtype = !declared.dtype || *declared.dtype == arriving.dtype;
-    const bool shape = !declared.shape || *declared.shape == arriving.shape;
-    if (dtype && shape) return true;
+  bool agrees(const DraftInput& draft, const Input& input) {
+    if (fits(draft.declared, input.space)) return true;
+    const bool dtype = !draft.declared.dtype || *draft.declared.dtype == input.space.dtype;
     auto& problem = diagnostics().error(dtype ? "E0306" : "E0305", draft.span,
-                                        fmt::format("`{}` takes {}, but gets {}", draft.name, describe(declared), arriving.describe()));
+                                        fmt::format("`{}` takes {}, but gets {}", draft.written, describe(draft.declared), input.space.describe()));
     problem.label = dtype ? "the shapes differ" : "the dtypes differ";
-    problem.notes.push_back({"this is where it comes from", draft.edge->span, arriving.describe()});
+    if (input.processor) {
+      problem.notes.push_back({fmt::format("`{}` gives {}", input.processor->entity->id.value, input.space.describe()), input.processor->span, ""});
+      return false;
+    }
+    problem.notes.push_back({"this is where it comes from", draft.edge->span, input.space.describe()});
     problem.help = "put a `processor` on the connection, or connect something that fits";
-    failed_ = true;
     return false;
   }
 
   /// Bounds must be one number or one for each element, and fit the dtype.
   bool check_bounds(const Space& space, Span span) {
-    for (const auto* bounds : {&space.low, &space.high}) {
-      if (bounds->size() > 1 && bounds->size() != space.size()) {
-        return fail("E0326", span, fmt::format("{} bounds for {} elements", bounds->size(), space.size()));
-      }
-      for (const double bound : *bounds) {
-        const bool infinite = is_floating(space.dtype) && (bound == std::numeric_limits<double>::infinity() || bound == -std::numeric_limits<double>::infinity());
-        const bool whole = is_floating(space.dtype) || bound == static_cast<double>(static_cast<std::int64_t>(bound));
-        if (infinite || (bound >= lowest_of(space.dtype) && bound <= highest_of(space.dtype) && whole)) continue;
-        return fail("E0326", span, fmt::format("`{}` is no bound of a {}", bound, to_string(space.dtype)));
-      }
+    return check_bounds(space, space.low, "low", span) && check_bounds(space, space.high, "high", span);
+  }
+
+  bool check_bounds(const Space& space, const std::vector<double>& bounds, std::string_view name, Span span) {
+    if (bounds.size() > 1 && bounds.size() != space.size()) {
+      diagnostics().error("E0326", span, fmt::format("`{}` has {} values, but {} has {} element{}", name, bounds.size(), space.describe(), space.size(), space.size() == 1 ? "" : "s"));
+      return false;
+    }
+    for (const double bound : bounds) {
+      const bool floating = is_floating(space.dtype);
+      if (floating && std::isinf(bound)) continue;
+      const bool inside = bound >= lowest_of(space.dtype) && bound <= highest_of(space.dtype);
+      if (inside && (floating || bound == std::trunc(bound))) continue;
+      diagnostics().error("E0326", span, fmt::format("`{}` is no bound of {} {}", bound, to_string(space.dtype).front() == 'i' ? "an" : "a", to_string(space.dtype)));
+      return false;
     }
     return true;
   }
 
-  std::optional<Processor> make_processor(const ProcessorSpec& spec, const Space& arriving) {
+  /// `source`: where the message comes from.
+  std::optional<Processor> make_processor(const ProcessorSpec& spec, const Space& arriving, Span source) {
+    const std::size_t errors_before = diagnostics().error_count();
     const Entity* entity = find_entity(draft_.library, spec.type, EntityKind::processor, diagnostics());
-    if (entity == nullptr) {
-      failed_ = true;
-      return std::nullopt;
-    }
+    if (entity == nullptr) return std::nullopt;
     Processor processor;
     processor.entity = entity;
     processor.span = spec.type.span;
@@ -208,55 +228,62 @@ class SpaceResolver {
     const References references = references_of(*entity, spec.config);
     const PartialSpace takes = partial_space(entity->inputs.front().space, references, diagnostics());
     processor.input = arriving;
-    if ((takes.dtype && *takes.dtype != arriving.dtype) || (takes.shape && *takes.shape != arriving.shape)) {
-      fail("E0306", spec.type.span, fmt::format("`{}` takes {}, but gets {}", entity->id.value, describe(takes), arriving.describe()));
-      return std::nullopt;
+    if (!fits(takes, arriving)) {
+      auto& problem = diagnostics().error("E0306", spec.type.span, fmt::format("`{}` takes {}, but gets {}", entity->id.value, describe(takes), arriving.describe()));
+      problem.notes.push_back({"this is where it comes from", source, arriving.describe()});
     }
     PartialSpace gives = partial_space(entity->outputs.front().space, references, diagnostics());
     if (gives.like) gives = overlay(partial_of(arriving), gives);
     const auto output = complete(gives);
     if (!output) {
-      fail("E0312", spec.type.span, fmt::format("the manifest of `{}` does not say what it gives", entity->id.value));
-      return std::nullopt;
+      diagnostics().error("E0312", spec.type.span, fmt::format("the manifest of `{}` does not say what it gives", entity->id.value));
     }
+    if (diagnostics().error_count() != errors_before) return std::nullopt;
     processor.output = *output;
-    failed_ = failed_ || diagnostics().has_errors();
-    return failed_ ? std::nullopt : std::optional<Processor>(std::move(processor));
+    return processor;
   }
 
-  bool fail(const char* code, Span span, std::string message) {
-    diagnostics().error(code, span, std::move(message));
-    failed_ = true;
-    return false;
-  }
-
+  /// Everything is connected and no space was refused, so what is missing was never written.
   void report_unknown() {
-    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      const DraftNode& node = draft_.nodes[n];
-      for (std::size_t o = 0; o < node.outputs.size(); ++o) {
-        if (outputs_[n][o]) continue;
-        const bool action = n == Graph::kEnvironment;
-        auto& problem = diagnostics().error("E0312", node.outputs[o].span,
-                                            fmt::format("the space of `{}.{}` is not known", action ? "actions" : node.node.name, node.outputs[o].name));
-        problem.help = action ? fmt::format("write it: `actions: {{{}: {{space: {{like: object.actuator}}}}}}`, or with dtype, shape, low and high", node.outputs[o].name)
-                              : "it depends on an input whose space is not known";
+    const std::size_t errors_before = diagnostics().error_count();
+    for (const bool roots : {true, false}) {
+      for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
+        for (std::size_t o = 0; o < draft_.nodes[n].outputs.size(); ++o) {
+          const DraftOutput& output = draft_.nodes[n].outputs[o];
+          const bool root = !output.declared.like || n == Graph::kEnvironment;
+          if (!outputs_[n][o].port && root == roots) report_unknown(n, output);
+        }
       }
+      if (diagnostics().error_count() != errors_before) return;  // the others follow from these
+    }
+  }
+
+  void report_unknown(std::size_t n, const DraftOutput& output) {
+    const DraftNode& node = draft_.nodes[n];
+    const bool action = n == Graph::kEnvironment;
+    auto& problem = diagnostics().error("E0312", output.span, fmt::format("the space of `{}.{}` is not known", action ? "actions" : node.node.name, output.name));
+    if (action) {
+      problem.help = fmt::format("write it: `actions: {{{}: {{space: {{like: object.actuator}}}}}}`, or with dtype, shape, low and high", output.name);
+    } else if (output.declared.like) {
+      problem.help = fmt::format("it is that of its input `{0}`, which depends on it in turn: write `inputs: {{{0}: {{space: {{dtype: …, shape: …}}}}}}`", *output.declared.like);
+    } else {
+      problem.help = fmt::format("write it: `outputs: {{{}: {{space: {{dtype: …, shape: …}}}}}}`", output.name);
     }
   }
 
   void fill_graph() {
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       DraftNode& draft = draft_.nodes[n];
-      for (auto& input : inputs_[n]) draft.node.inputs.push_back(std::move(*input));
-      for (auto& output : outputs_[n]) draft.node.outputs.push_back(std::move(*output));
+      for (auto& slot : inputs_[n]) draft.node.inputs.push_back(std::move(*slot.port));
+      for (auto& slot : outputs_[n]) draft.node.outputs.push_back(std::move(*slot.port));
       draft_.graph.nodes.push_back(std::move(draft.node));
     }
   }
 
   Draft& draft_;
-  std::vector<std::vector<std::optional<Output>>> outputs_;
-  std::vector<std::vector<std::optional<Input>>> inputs_;
-  bool failed_ = false;
+  std::vector<std::vector<Slot<Output>>> outputs_;
+  std::vector<std::vector<Slot<Input>>> inputs_;
+  bool use_declared_ = false;
 };
 
 }  // namespace

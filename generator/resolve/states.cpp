@@ -14,7 +14,8 @@ double bound(const std::vector<double>& bounds, std::size_t i, double otherwise)
   return bounds.size() == 1 ? bounds[0] : bounds[i];
 }
 
-/// float32 bounds are written as decimals: 3.14 is allowed where the bound is float32(3.14), and back.
+/// float32 bounds are written as decimals: 3.14 is allowed where the bound is float32(3.14), and
+/// back.
 double rounded(const Space& space, double value) {
   return space.dtype == Dtype::float32 ? static_cast<double>(static_cast<float>(value)) : value;
 }
@@ -38,7 +39,8 @@ class RandomReader {
       case RandomSpec::Kind::normal:
         random.first = values(*spec_.first, true);
         random.second = values(*spec_.second, false);
-        require(random.second, [](double std) { return std >= 0.0; }, "`std` must not be negative");
+        require(
+            random.second, [](double std) { return std >= 0.0; }, "`std` must not be negative");
         break;
       case RandomSpec::Kind::uniform:
       case RandomSpec::Kind::log_uniform:
@@ -57,13 +59,17 @@ class RandomReader {
     }
     const std::uint64_t size = space_.size();
     if (result->size() == 1) result->assign(size, result->front());
-    if (result->size() != size) return fail("E0327", node.span, fmt::format("expected {} values, found {}", size, result->size()));
+    if (result->size() != size)
+      return fail("E0327", node.span,
+                  fmt::format("expected {} values, found {}", size, result->size()));
     for (std::size_t i = 0; in_space && i < size; ++i) {
       const double value = rounded(space_, (*result)[i]);
       const double low = rounded(space_, bound(space_.low, i, lowest_of(space_.dtype)));
       const double high = rounded(space_, bound(space_.high, i, highest_of(space_.dtype)));
       if (value >= low && value <= high) continue;
-      return fail("E0327", node.span, fmt::format("`{}` is outside of the space of the state: {} to {}", (*result)[i], low, high));
+      return fail("E0327", node.span,
+                  fmt::format("`{}` is outside of the space of the state: {} to {}", (*result)[i],
+                              low, high));
     }
     return *result;
   }
@@ -85,16 +91,19 @@ class RandomReader {
       if (!std::isfinite(random.first[i]) || !std::isfinite(random.second[i])) {
         fail("E0327", spec_.span, "a range to draw from must be finite");
       } else if (random.first[i] > random.second[i]) {
-        fail("E0327", spec_.span, fmt::format("`low` ({}) is above `high` ({})", random.first[i], random.second[i]));
+        fail("E0327", spec_.span,
+             fmt::format("`low` ({}) is above `high` ({})", random.first[i], random.second[i]));
       }
     }
     if (spec_.kind != RandomSpec::Kind::log_uniform) return;
-    require(random.first, [](double low) { return low > 0.0; }, "a log-uniform range begins above 0");
+    require(
+        random.first, [](double low) { return low > 0.0; }, "a log-uniform range begins above 0");
   }
 
   template <class Test>
   void require(const std::vector<double>& numbers, Test&& test, const char* message) {
-    if (good_ && !std::all_of(numbers.begin(), numbers.end(), test)) fail("E0327", spec_.span, message);
+    if (good_ && !std::all_of(numbers.begin(), numbers.end(), test))
+      fail("E0327", spec_.span, message);
   }
 
   std::vector<double> fail(const char* code, Span span, std::string message) {
@@ -109,18 +118,22 @@ class RandomReader {
   bool good_ = true;
 };
 
-std::optional<Space> state_space(const PortManifest& port, const References& references, Diagnostics& diagnostics) {
+std::optional<Space> state_space(const PortManifest& port, const References& references,
+                                 Diagnostics& diagnostics) {
   const PartialSpace partial = partial_space(port.space, references, diagnostics);
   if (!partial.dtype || !partial.shape) {
-    diagnostics.error("E0312", port.name.span, fmt::format("the space of the state `{}` is not known", port.name.value)).help =
-        "give its dtype and shape in the manifest";
+    diagnostics
+        .error("E0312", port.name.span,
+               fmt::format("the space of the state `{}` is not known", port.name.value))
+        .help = "give its dtype and shape in the manifest";
     return std::nullopt;
   }
   return Space{*partial.dtype, *partial.shape, partial.low, partial.high};
 }
 
 /// The states that the user named, each with its space and how it is drawn.
-std::vector<State> read_states(const Entity& entity, const EntitySpec& spec, Diagnostics& diagnostics) {
+std::vector<State> read_states(const Entity& entity, const EntitySpec& spec,
+                               Diagnostics& diagnostics) {
   std::vector<State> result;
   const References references = references_of(entity, spec.config);
   for (const auto& state_spec : spec.states) {
@@ -128,14 +141,20 @@ std::vector<State> read_states(const Entity& entity, const EntitySpec& spec, Dia
     if (port == nullptr) {
       std::vector<std::string> known;
       for (const auto& state : entity.states) known.push_back(state.name.value);
-      auto& problem = diagnostics.error("E0307", state_spec.name.span, fmt::format("`{}` has no state `{}`", entity.id.value, state_spec.name.value));
+      auto& problem = diagnostics.error(
+          "E0307", state_spec.name.span,
+          fmt::format("`{}` has no state `{}`", entity.id.value, state_spec.name.value));
       const std::string near = nearest(state_spec.name.value, known);
-      problem.help = near.empty() ? (known.empty() ? "it has no states" : fmt::format("it has {}", fmt::join(known, ", "))) : fmt::format("did you mean `{}`?", near);
+      problem.help = near.empty()
+                         ? (known.empty() ? "it has no states"
+                                          : fmt::format("it has {}", fmt::join(known, ", ")))
+                         : fmt::format("did you mean `{}`?", near);
       continue;
     }
     const auto space = state_space(*port, references, diagnostics);
     if (!space) continue;
-    State state{state_spec.name.value, *space, true, std::nullopt, nullptr, {}, state_spec.name.span};
+    State state{state_spec.name.value, *space, true, std::nullopt, nullptr, {},
+                state_spec.name.span};
     if (state_spec.random) {
       state.random = RandomReader(*space, *state_spec.random, diagnostics).read();
     }
@@ -144,27 +163,38 @@ std::vector<State> read_states(const Entity& entity, const EntitySpec& spec, Dia
   return result;
 }
 
-/// The class of a node has a member for each of its states, also for those that the graph leaves alone.
-void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config, Diagnostics& diagnostics) {
+/// The class of a node has a member for each of its states, also for those that the graph leaves
+/// alone.
+void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
+                        Diagnostics& diagnostics) {
   for (const auto& port : node.entity->states) {
-    const bool named = std::any_of(node.states.begin(), node.states.end(), [&](const State& s) { return s.name == port.name.value; });
+    const bool named = std::any_of(node.states.begin(), node.states.end(),
+                                   [&](const State& s) { return s.name == port.name.value; });
     if (named) continue;
     const auto space = state_space(port, references_of(*node.entity, config), diagnostics);
-    if (space) node.states.push_back({port.name.value, *space, false, std::nullopt, nullptr, {}, port.name.span});
+    if (space)
+      node.states.push_back(
+          {port.name.value, *space, false, std::nullopt, nullptr, {}, port.name.span});
   }
 }
 
 void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spec, State& state) {
   const auto& known = object.implementation->states;
-  const auto found = std::find_if(known.begin(), known.end(), [&](const EntitySpec& s) { return s.name.value == state.name; });
+  const auto found = std::find_if(known.begin(), known.end(),
+                                  [&](const EntitySpec& s) { return s.name.value == state.name; });
   if (found == known.end()) {
-    draft.diagnostics.error("E0308", state.span, fmt::format("`{}` has no state `{}` on `{}`", object.entity->id.value, state.name, object.implementation->engine.value));
+    draft.diagnostics.error("E0308", state.span,
+                            fmt::format("`{}` has no state `{}` on `{}`", object.entity->id.value,
+                                        state.name, object.implementation->engine.value));
     return;
   }
-  state.engine_state = find_entity(draft.library, found->type, EntityKind::engine_state, draft.diagnostics);
+  state.engine_state =
+      find_entity(draft.library, found->type, EntityKind::engine_state, draft.diagnostics);
   if (state.engine_state == nullptr) return;
   const References references = references_of(*object.entity, spec.config);
-  state.config = resolve_config(*state.engine_state, substitute(found->config, references, draft.diagnostics), found->type.span, draft.diagnostics);
+  state.config =
+      resolve_config(*state.engine_state, substitute(found->config, references, draft.diagnostics),
+                     found->type.span, draft.diagnostics);
 }
 
 }  // namespace
@@ -176,19 +206,25 @@ void resolve_states(Draft& draft) {
       add_unnamed_states(node.node, {}, draft.diagnostics);
       continue;
     }
-    const auto spec = std::find_if(draft.spec.nodes.begin(), draft.spec.nodes.end(), [&](const EntitySpec& s) { return s.name.value == node.node.name; });
+    const auto spec =
+        std::find_if(draft.spec.nodes.begin(), draft.spec.nodes.end(),
+                     [&](const EntitySpec& s) { return s.name.value == node.node.name; });
     const bool engine = node.node.role == NodeRole::engine;
-    const bool other_engine = engine && node.node.entity->id.value != draft.spec.engine.type.value;  // of the command line
+    const bool other_engine = engine && node.node.entity->id.value !=
+                                            draft.spec.engine.type.value;  // of the command line
     if (!other_engine) {
-      node.node.states = read_states(*node.node.entity, engine ? draft.spec.engine : *spec, draft.diagnostics);
+      node.node.states =
+          read_states(*node.node.entity, engine ? draft.spec.engine : *spec, draft.diagnostics);
     }
-    add_unnamed_states(node.node, engine ? draft.spec.engine.config : spec->config, draft.diagnostics);
+    add_unnamed_states(node.node, engine ? draft.spec.engine.config : spec->config,
+                       draft.diagnostics);
   }
   for (std::size_t i = 0; i < draft.graph.objects.size(); ++i) {
     Object& object = draft.graph.objects[i];
     if (object.entity == nullptr || object.implementation == nullptr) continue;
     object.states = read_states(*object.entity, draft.spec.objects[i], draft.diagnostics);
-    for (auto& state : object.states) bind_engine_state(draft, object, draft.spec.objects[i], state);
+    for (auto& state : object.states)
+      bind_engine_state(draft, object, draft.spec.objects[i], state);
   }
 }
 

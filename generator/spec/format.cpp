@@ -18,15 +18,29 @@ Format make(Format::Kind kind, std::string what) {
   result.what = std::move(what);
   return result;
 }
-FormatPtr share(Format result) { return std::make_shared<const Format>(std::move(result)); }
+FormatPtr share(Format result) {
+  return std::make_shared<const Format>(std::move(result));
+}
 }  // namespace
 
-FormatPtr any(std::string what) { return share(make(Format::Kind::any, std::move(what))); }
-FormatPtr text(std::string what) { return share(make(Format::Kind::text, std::move(what))); }
-FormatPtr name(std::string what) { return share(make(Format::Kind::name, std::move(what))); }
-FormatPtr port(std::string what) { return share(make(Format::Kind::port, std::move(what))); }
-FormatPtr number(std::string what) { return share(make(Format::Kind::number, std::move(what))); }
-FormatPtr boolean() { return share(make(Format::Kind::boolean, "true or false")); }
+FormatPtr any(std::string what) {
+  return share(make(Format::Kind::any, std::move(what)));
+}
+FormatPtr text(std::string what) {
+  return share(make(Format::Kind::text, std::move(what)));
+}
+FormatPtr name(std::string what) {
+  return share(make(Format::Kind::name, std::move(what)));
+}
+FormatPtr port(std::string what) {
+  return share(make(Format::Kind::port, std::move(what)));
+}
+FormatPtr number(std::string what) {
+  return share(make(Format::Kind::number, std::move(what)));
+}
+FormatPtr boolean() {
+  return share(make(Format::Kind::boolean, "true or false"));
+}
 
 FormatPtr integer(std::string what, std::optional<double> low, std::optional<double> high) {
   Format result = make(Format::Kind::integer, std::move(what));
@@ -81,21 +95,111 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options) {
 }
 }  // namespace format
 
+namespace {
+
+bool is_reserved(std::string_view text) {
+  static constexpr std::array kReserved = {"alignas",
+                                           "alignof",
+                                           "and",
+                                           "asm",
+                                           "auto",
+                                           "bool",
+                                           "break",
+                                           "case",
+                                           "catch",
+                                           "char",
+                                           "class",
+                                           "concept",
+                                           "const",
+                                           "continue",
+                                           "decltype",
+                                           "default",
+                                           "delete",
+                                           "do",
+                                           "double",
+                                           "else",
+                                           "enum",
+                                           "explicit",
+                                           "export",
+                                           "extern",
+                                           "false",
+                                           "float",
+                                           "for",
+                                           "friend",
+                                           "goto",
+                                           "if",
+                                           "inline",
+                                           "int",
+                                           "long",
+                                           "mutable",
+                                           "namespace",
+                                           "new",
+                                           "noexcept",
+                                           "not",
+                                           "nullptr",
+                                           "operator",
+                                           "or",
+                                           "private",
+                                           "protected",
+                                           "public",
+                                           "register",
+                                           "requires",
+                                           "return",
+                                           "short",
+                                           "signed",
+                                           "sizeof",
+                                           "static",
+                                           "struct",
+                                           "switch",
+                                           "template",
+                                           "this",
+                                           "throw",
+                                           "true",
+                                           "try",
+                                           "typedef",
+                                           "typeid",
+                                           "typename",
+                                           "union",
+                                           "unsigned",
+                                           "using",
+                                           "virtual",
+                                           "void",
+                                           "volatile",
+                                           "wchar_t",
+                                           "while",
+                                           "xor",
+                                           "eagerx",
+                                           "std",
+                                           "constexpr",
+                                           "bitand",
+                                           "bitor",
+                                           "compl",
+                                           "co_await",
+                                           "co_yield",
+                                           "co_return",
+                                           "main",
+                                           "consteval",
+                                           "constinit",
+                                           "static_assert",
+                                           "thread_local",
+                                           "not_eq",
+                                           "and_eq",
+                                           "or_eq",
+                                           "xor_eq",
+                                           "const_cast",
+                                           "dynamic_cast",
+                                           "reinterpret_cast",
+                                           "static_cast",
+                                           "char8_t",
+                                           "char16_t",
+                                           "char32_t",
+                                           "linux", "unix", "NULL", "EOF", "NAN", "INFINITY", "errno", "assert", "Action", "Observation", "States", "Inputs", "Outputs", "Config"};
+  return std::find(kReserved.begin(), kReserved.end(), text) != kReserved.end();
+}
+
+}  // namespace
+
 bool is_identifier(std::string_view text) {
-  static constexpr std::array kReserved = {
-      "alignas",   "alignof",  "and",       "asm",       "auto",     "bool",     "break",    "case",
-      "catch",     "char",     "class",     "concept",   "const",    "continue", "decltype", "default",
-      "delete",    "do",       "double",    "else",      "enum",     "explicit", "export",   "extern",
-      "false",     "float",    "for",       "friend",    "goto",     "if",       "inline",   "int",
-      "long",      "mutable",  "namespace", "new",       "noexcept", "not",      "nullptr",  "operator",
-      "or",        "private",  "protected", "public",    "register", "requires", "return",   "short",
-      "signed",    "sizeof",   "static",    "struct",    "switch",   "template", "this",     "throw",
-      "true",      "try",      "typedef",   "typeid",    "typename", "union",    "unsigned", "using",
-      "virtual",   "void",     "volatile",  "wchar_t",   "while",    "xor",      "eagerx",   "std",
-      "constexpr", "bitand",   "bitor",     "compl",     "co_await", "co_yield", "co_return", "main",
-      "consteval", "constinit", "static_assert", "thread_local", "not_eq", "and_eq", "or_eq", "xor_eq",
-      "const_cast", "dynamic_cast", "reinterpret_cast", "static_cast", "char8_t", "char16_t", "char32_t",
-      "linux",     "unix"};
   if (text.empty() || text.size() > 100 || std::isdigit(static_cast<unsigned char>(text[0])) != 0) {
     return false;
   }
@@ -103,11 +207,8 @@ bool is_identifier(std::string_view text) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
   });
   const bool implementation = text[0] == '_' || text.find("__") != std::string_view::npos;
-  return letters && !implementation &&
-         std::find(kReserved.begin(), kReserved.end(), text) == kReserved.end();
+  return letters && !implementation && !is_reserved(text);
 }
-
-namespace {
 
 std::string describe(const Node& node) {
   switch (node.kind) {
@@ -120,22 +221,53 @@ std::string describe(const Node& node) {
     case NodeKind::scalar:
       break;
   }
-  return fmt::format("`{}`", node.text.size() > 40 ? node.text.substr(0, 40) + "…" : node.text);
+  constexpr std::size_t kMostShown = 40;
+  std::string shown = node.text;
+  if (shown.size() > kMostShown) {
+    std::size_t end = kMostShown;
+    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U) --end;  // not within a letter
+    shown = shown.substr(0, end) + "…";
+  }
+  return fmt::format("{}`{}`", node.quoted ? "the text " : "", shown);
 }
 
+namespace {
+
 bool wrong_type(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  diagnostics.error("E0203", node.span,
-                    fmt::format("expected {}, found {}", format.what, describe(node)));
+  const bool mapping = format.kind == Format::Kind::record || format.kind == Format::Kind::map;
+  auto& problem =
+      diagnostics.error("E0203", node.span,
+                        fmt::format("expected {}{}, found {}", mapping ? "a mapping for " : "",
+                                    format.what, describe(node)));
+  const bool number = format.kind == Format::Kind::integer ||
+                      format.kind == Format::Kind::decimal || format.kind == Format::Kind::number ||
+                      format.kind == Format::Kind::boolean;
+  if (number && node.is_scalar() && node.quoted)
+    problem.help = "quotes make it a text: leave them out";
   return false;
 }
 
+void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics) {
+  if (is_reserved(text)) {
+    diagnostics
+        .error("E0205", span, fmt::format("`{}` is a word of C++ or of generated code and cannot be a name", text))
+        .help = "names become C++ identifiers: choose another one";
+    return;
+  }
+  diagnostics.error("E0205", span, fmt::format("`{}` is not a name", text)).help =
+      "use letters, digits and single underscores, beginning with a letter";
+}
+
 bool in_range(const Node& node, const Format& format, double value, Diagnostics& diagnostics) {
-  const bool low = format.low && (value < *format.low || (format.low_exclusive && value <= *format.low));
+  const bool low =
+      format.low && (value < *format.low || (format.low_exclusive && value <= *format.low));
   const bool high = format.high && value > *format.high;
   if (!low && !high) return true;
-  auto& problem = diagnostics.error("E0204", node.span,
-                                    fmt::format("expected {}, found {}", format.what, describe(node)));
-  if (low) problem.label = fmt::format("must be {} {}", format.low_exclusive ? "greater than" : "at least", *format.low);
+  auto& problem = diagnostics.error(
+      "E0204", node.span, fmt::format("expected {}, found {}", format.what, describe(node)));
+  if (low)
+    problem.label = fmt::format("must be {} {}", format.low_exclusive ? "greater than" : "at least",
+                                *format.low);
   if (high) problem.label = fmt::format("must be at most {}", *format.high);
   return false;
 }
@@ -143,9 +275,7 @@ bool in_range(const Node& node, const Format& format, double value, Diagnostics&
 bool check_name(const Node& node, const Format& format, Diagnostics& diagnostics) {
   if (!node.is_scalar()) return wrong_type(node, format, diagnostics);
   if (is_identifier(node.text)) return true;
-  auto& problem = diagnostics.error("E0205", node.span, fmt::format("{} is not a name", describe(node)));
-  problem.help = "use letters, digits and single underscores, beginning with a letter; names become C++ "
-                 "identifiers, so C++ keywords are taken";
+  report_bad_name(node.text, node.span, diagnostics);
   return false;
 }
 
@@ -164,15 +294,23 @@ bool check_port(const Node& node, const Format& format, Diagnostics& diagnostics
   return false;
 }
 
-bool check_keyword(const Node& node, const Format& format, Diagnostics& diagnostics) {
+/// `otherwise`: what may be written instead of a keyword.
+bool check_keyword(const Node& node, const Format& format, const std::string& otherwise,
+                   Diagnostics& diagnostics) {
   if (!node.is_scalar()) return wrong_type(node, format, diagnostics);
-  if (std::find(format.keywords.begin(), format.keywords.end(), node.text) != format.keywords.end()) {
+  if (std::find(format.keywords.begin(), format.keywords.end(), node.text) !=
+      format.keywords.end()) {
     return true;
   }
-  auto& problem = diagnostics.error("E0204", node.span, fmt::format("{} is not a choice here", describe(node)));
+  auto& problem =
+      diagnostics.error("E0204", node.span, fmt::format("{} is not a choice here", describe(node)));
   const std::string near = nearest(node.text, format.keywords);
-  problem.help = near.empty() ? fmt::format("choose one of {}", format.what)
-                              : fmt::format("did you mean `{}`? (choices: {})", near, format.what);
+  if (!near.empty()) {
+    problem.help = fmt::format("did you mean `{}`?", near);
+  } else {
+    problem.help = otherwise.empty() ? fmt::format("choose one of {}", format.what)
+                                     : fmt::format("write {}", otherwise);
+  }
   return false;
 }
 
@@ -189,7 +327,8 @@ bool check_number(const Node& node, const Format& format, Diagnostics& diagnosti
                  : wrong_type(node, format, diagnostics);
   }
   const auto value = parse_number(node.text);
-  return value ? in_range(node, format, *value, diagnostics) : wrong_type(node, format, diagnostics);
+  return value ? in_range(node, format, *value, diagnostics)
+               : wrong_type(node, format, diagnostics);
 }
 
 bool check_map(const Node& node, const Format& format, Diagnostics& diagnostics) {
@@ -198,9 +337,7 @@ bool check_map(const Node& node, const Format& format, Diagnostics& diagnostics)
   bool good = true;
   for (const auto& entry : node.entries) {
     if (!format.file_names && !is_identifier(entry.key)) {
-      diagnostics.error("E0205", entry.key_span, fmt::format("`{}` is not a name", entry.key)).help =
-          "use letters, digits and single underscores, beginning with a letter; names become C++ "
-          "identifiers, so C++ keywords are taken";
+      report_bad_name(entry.key, entry.key_span, diagnostics);
       good = false;
     }
     good = check(entry.value, *format.item, diagnostics) && good;
@@ -211,7 +348,8 @@ bool check_map(const Node& node, const Format& format, Diagnostics& diagnostics)
 bool check_list(const Node& node, const Format& format, Diagnostics& diagnostics) {
   if (!node.is_sequence()) return wrong_type(node, format, diagnostics);
   if (node.items.size() < format.min_items) {
-    diagnostics.error("E0204", node.span, fmt::format("expected {}, found an empty list", format.what));
+    diagnostics.error("E0204", node.span,
+                      fmt::format("expected {}, found an empty list", format.what));
     return false;
   }
   bool good = true;
@@ -229,7 +367,7 @@ bool check_record(const Node& node, const Format& format, Diagnostics& diagnosti
   if (is_empty_record(node, format)) return true;
   if (!node.is_map()) return wrong_type(node, format, diagnostics);
   bool good = true;
-  std::vector<std::string> known;
+  std::vector<std::string> known, meant;
   for (const auto& field : format.fields) known.push_back(field.name);
   for (const auto& entry : node.entries) {
     const auto field = std::find_if(format.fields.begin(), format.fields.end(),
@@ -238,17 +376,22 @@ bool check_record(const Node& node, const Format& format, Diagnostics& diagnosti
       good = check(entry.value, *field->format, diagnostics) && good;
       continue;
     }
-    auto& problem = diagnostics.error("E0201", entry.key_span,
-                                      fmt::format("unknown key `{}` in {}", entry.key, format.what));
+    auto& problem = diagnostics.error(
+        "E0201", entry.key_span, fmt::format("unknown key `{}` in {}", entry.key, format.what));
     const std::string near = nearest(entry.key, known);
-    problem.help = near.empty() ? fmt::format("{} has the keys {}", format.what, fmt::join(known, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+    problem.help = near.empty()
+                       ? fmt::format("{} has the keys {}", format.what, fmt::join(known, ", "))
+                       : fmt::format("did you mean `{}`?", near);
+    meant.push_back(near);
     good = false;
   }
   for (const auto& field : format.fields) {
     if (!field.required || node.find(field.name) != nullptr) continue;
-    diagnostics.error("E0202", node.span, fmt::format("missing key `{}` in {}", field.name, format.what)).help =
-        fmt::format("add `{}:` {}", field.name, field.about);
+    if (std::find(meant.begin(), meant.end(), field.name) != meant.end())
+      continue;  // just misspelt
+    diagnostics
+        .error("E0202", node.span, fmt::format("missing key `{}` in {}", field.name, format.what))
+        .help = fmt::format("add `{}:`, {}", field.name, field.about);
     good = false;
   }
   return good;
@@ -294,7 +437,7 @@ bool check(const Node& node, const Format& format, Diagnostics& diagnostics) {
     case Format::Kind::port:
       return check_port(node, format, diagnostics);
     case Format::Kind::keyword:
-      return check_keyword(node, format, diagnostics);
+      return check_keyword(node, format, "", diagnostics);
     case Format::Kind::boolean:
       return (node.is_scalar() && !node.quoted && parse_bool(node.text)) ||
              wrong_type(node, format, diagnostics);
@@ -310,7 +453,10 @@ bool check(const Node& node, const Format& format, Diagnostics& diagnostics) {
       return check_record(node, format, diagnostics);
     case Format::Kind::one_of:
       for (const auto& option : format.options) {
-        if (takes(node, *option)) return check(node, *option, diagnostics);
+        if (!takes(node, *option)) continue;
+        return option->kind == Format::Kind::keyword
+                   ? check_keyword(node, *option, format.what, diagnostics)
+                   : check(node, *option, diagnostics);
       }
       return wrong_type(node, format, diagnostics);
   }

@@ -1,5 +1,5 @@
-// The table that says what a file may contain. One table checks the file, explains it, and becomes the
-// JSON schema that editors complete from.
+// The table that says what a file may contain. One table checks the file, explains it, and becomes
+// the JSON schema that editors complete from.
 #pragma once
 
 #include <cstdint>
@@ -28,10 +28,10 @@ struct Field {
 /// What a value may look like.
 struct Format {
   enum class Kind : std::uint8_t {
-    any,      // checked later, against a manifest
-    text,     // any scalar
-    name,     // an identifier that is also one in C++
-    port,     // names joined by dots
+    any,   // checked later, against a manifest
+    text,  // any scalar
+    name,  // an identifier that is also one in C++
+    port,  // names joined by dots
     integer,
     decimal,  // kept exact; fractions such as 1/3 too
     number,
@@ -52,8 +52,8 @@ struct Format {
   std::optional<double> low;          // integer, decimal, number
   std::optional<double> high;
   bool low_exclusive = false;
-  std::size_t min_items = 0;          // list
-  bool file_names = false;            // map: keys are file names instead of identifiers
+  std::size_t min_items = 0;  // list
+  bool file_names = false;    // map: keys are file names instead of identifiers
 };
 
 namespace format {
@@ -61,7 +61,8 @@ FormatPtr any(std::string what);
 FormatPtr text(std::string what);
 FormatPtr name(std::string what);
 FormatPtr port(std::string what);
-FormatPtr integer(std::string what, std::optional<double> low = {}, std::optional<double> high = {});
+FormatPtr integer(std::string what, std::optional<double> low = {},
+                  std::optional<double> high = {});
 FormatPtr decimal(std::string what, double low, bool low_exclusive);
 FormatPtr number(std::string what);
 FormatPtr boolean();
@@ -80,6 +81,9 @@ bool check(const Node& node, const Format& format, Diagnostics& diagnostics);
 
 /// The format as JSON schema (draft-07).
 std::string json_schema(const Format& format, const std::string& title, const std::string& id);
+
+/// "a list", "nothing", or the text itself: completes "found …".
+std::string describe(const Node& node);
 
 /// True if `text` is an identifier and no C++ keyword.
 bool is_identifier(std::string_view text);

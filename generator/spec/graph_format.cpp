@@ -4,7 +4,9 @@
 namespace eagerx::gen {
 namespace {
 
-FormatPtr rate_format() { return format::decimal("a rate in Hz", 0.0, true); }
+FormatPtr rate_format() {
+  return format::decimal("a rate in Hz", 0.0, true);
+}
 
 FormatPtr number_or_reference(Reference references) {
   const FormatPtr number = format::number("a number");
@@ -21,8 +23,9 @@ FormatPtr bound_format(Reference references) {
 FormatPtr processor_format() {
   return format::one_of(
       "the name of a processor, or a mapping with its `type` and `config`",
-      {format::record("a processor", {{"type", format::name("the name of a processor"), true, "its id"},
-                                      {"config", config_format(), false, "its parameters"}}),
+      {format::record("a processor",
+                      {{"type", format::name("the name of a processor"), true, "its id"},
+                       {"config", config_format(), false, "its parameters"}}),
        format::name("the name of a processor")});
 }
 
@@ -36,16 +39,17 @@ std::vector<Field> connection_settings() {
 }
 
 FormatPtr selection(const std::string& what, std::vector<Field> settings) {
-  return format::one_of(
-      "a list of names, or a mapping from names to settings",
-      {format::list("a list of " + what, format::name("a name")),
-       format::map(what, format::record("the settings of one of the " + what, std::move(settings)))});
+  return format::one_of("a list of names, or a mapping from names to settings",
+                        {format::list("a list of " + what, format::name("a name")),
+                         format::map(what, format::record("the settings of one of the " + what,
+                                                          std::move(settings)))});
 }
 
 FormatPtr states_format() {
-  const FormatPtr value = format::one_of("a number or a list of numbers",
-                                         {format::list("a list of numbers", format::number("a number"), 1),
-                                          format::number("a number")});
+  const FormatPtr value =
+      format::one_of("a number or a list of numbers",
+                     {format::list("a list of numbers", format::number("a number"), 1),
+                      format::number("a number")});
   const auto pair = [&](const char* what, const char* first, const char* second) {
     return format::record(what, {{first, value, true, first}, {second, value, true, second}});
   };
@@ -55,7 +59,8 @@ FormatPtr states_format() {
        {"uniform", pair("`uniform`", "low", "high"), false, "uniform between low and high"},
        {"normal", pair("`normal`", "mean", "std"), false, "normally distributed"},
        {"log_uniform", pair("`log_uniform`", "low", "high"), false, "uniform in the logarithm"},
-       {"choice", format::list("a list of values", value, 1), false, "one of these, each as likely"}});
+       {"choice", format::list("a list of values", value, 1), false,
+        "one of these, each as likely"}});
   return format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
                                               {drawn, format::keyword({"uniform"})}));
 }
@@ -65,29 +70,48 @@ std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more) {
   return fields;
 }
 
-Field type_field(const char* what) { return {"type", format::name(what), true, "id of its entity, as `eagerx-gen info` lists them"}; }
-Field config_field() { return {"config", config_format(), false, "parameters of the entity"}; }
-Field rate_field(bool required, const char* about) { return {"rate", rate_format(), required, about}; }
-Field space_field() { return {"space", space_format(Reference::refuse, false), false, "what its messages may hold"}; }
-Field processor_field() { return {"processor", processor_format(), false, "converts every message"}; }
-Field states_field() { return {"states", states_format(), false, "what its states are at a reset; unnamed ones keep their default"}; }
+Field type_field(const char* what) {
+  return {"type", format::name(what), true, "the id of an entity as `eagerx-gen info` lists them"};
+}
+Field config_field() {
+  return {"config", config_format(), false, "parameters of the entity"};
+}
+Field rate_field(bool required, const char* about) {
+  return {"rate", rate_format(), required, about};
+}
+Field space_field() {
+  return {"space", space_format(Reference::refuse, false), false, "what its messages may hold"};
+}
+Field processor_field() {
+  return {"processor", processor_format(), false, "converts every message"};
+}
+Field states_field() {
+  return {"states", states_format(), false,
+          "what its states are at a reset; unnamed ones keep their default"};
+}
 
 FormatPtr object_format() {
   return format::record(
       "an object",
-      {type_field("the id of an object"), config_field(),
-       {"sensors", selection("sensors", {rate_field(false, "Hz"), space_field(), processor_field()}), false,
-        "sensors to use (default: the connected ones) and their settings"},
-       {"actuators", selection("actuators", {rate_field(false, "Hz"), space_field()}), false,
-        "actuators to use (default: the connected ones) and their settings"},
+      {type_field("the id of an object"),
+       config_field(),
+       {"sensors",
+        selection("sensors",
+                  {rate_field(false, "its rate in Hz"), space_field(), processor_field()}),
+        false, "sensors to use (default: the connected ones) and their settings"},
+       {"actuators", selection("actuators", {rate_field(false, "its rate in Hz"), space_field()}),
+        false, "actuators to use (default: the connected ones) and their settings"},
        states_field()});
 }
 
 FormatPtr node_format() {
   return format::record(
       "a node",
-      {type_field("the id of a node"), rate_field(true, "Hz"), config_field(),
-       {"inputs", selection("inputs", with({space_field(), processor_field()}, connection_settings())), false,
+      {type_field("the id of a node"),
+       rate_field(true, "its rate in Hz"),
+       config_field(),
+       {"inputs",
+        selection("inputs", with({space_field(), processor_field()}, connection_settings())), false,
         "inputs to use (default: all) and their settings"},
        {"outputs", selection("outputs", {space_field(), processor_field()}), false,
         "outputs to use (default: all) and their settings"},
@@ -97,32 +121,41 @@ FormatPtr node_format() {
 FormatPtr agent_format() {
   return format::one_of(
       "`zero`, `random`, `{policy: FILE}` or `{csv: FILE}`",
-      {format::record("an agent",
-                      {{"policy", format::text("a file name"), false, "weight file of a trained policy (ONNX)"},
-                       {"csv", format::text("a file name"), false, "file of actions, one row a step"},
-                       {"observations", format::list("a list of observations", format::name("a name"), 1), false,
-                        "order in which the policy takes the observations (default: by name, as Gymnasium's Dict)"},
-                       {"output", format::keyword({"squashed", "raw"}), false,
-                        "squashed: the policy answers in -1…1, mapped to the action's bounds (SB3's SAC and TD3); "
-                        "raw: clipped to them (PPO, A2C). Default: squashed if the last layer is a tanh"}}),
+      {format::record(
+           "an agent",
+           {{"policy", format::text("a file name"), false,
+             "weight file of a trained policy (ONNX)"},
+            {"csv", format::text("a file name"), false, "file of actions, one row a step"},
+            {"observations", format::list("a list of observations", format::name("a name"), 1),
+             false,
+             "order in which the policy takes the observations (default: by name, as Gymnasium's "
+             "Dict)"},
+            {"output", format::keyword({"squashed", "raw"}), false,
+             "squashed: the policy answers in -1…1, mapped to the action's bounds (SB3's SAC and "
+             "TD3); "
+             "raw: clipped to them (PPO, A2C). Default: squashed if the last layer is a tanh"}}),
        format::keyword({"zero", "random"})});
 }
 
 }  // namespace
 
-FormatPtr config_format() { return format::map("parameters", format::any("a value")); }
+FormatPtr config_format() {
+  return format::map("parameters", format::any("a value"));
+}
 
 FormatPtr space_format(Reference references, bool like) {
   const FormatPtr dimension = format::integer("a size of at least 1", 1, 1'000'000'000);
-  const FormatPtr shape =
-      references == Reference::refuse
-          ? dimension
-          : format::one_of("a size or `$(config NAME)`", {dimension, format::text("`$(config NAME)`")});
+  const FormatPtr shape = references == Reference::refuse
+                              ? dimension
+                              : format::one_of("a size or `$(config NAME)`",
+                                               {dimension, format::text("`$(config NAME)`")});
   std::vector<Field> fields = {
-      {"dtype", format::keyword({"float32", "float64", "int8", "int16", "int32", "int64", "uint8", "uint16",
-                                 "uint32", "uint64", "bool"}),
+      {"dtype",
+       format::keyword({"float32", "float64", "int8", "int16", "int32", "int64", "uint8", "uint16",
+                        "uint32", "uint64", "bool"}),
        false, "type of an element, by numpy's names"},
-      {"shape", format::list("a list of sizes, `[]` for a scalar", shape), false, "sizes, `[]` for a scalar"},
+      {"shape", format::list("a list of sizes, `[]` for a scalar", shape), false,
+       "sizes, `[]` for a scalar"},
       {"low", bound_format(references), false, "lowest value"},
       {"high", bound_format(references), false, "highest value"}};
   if (like) {
@@ -134,43 +167,54 @@ FormatPtr space_format(Reference references, bool like) {
 FormatPtr connections_format() {
   return format::list(
       "a list of connections",
-      format::record("a connection",
-                     with({{"from", format::port("`entity.port`, such as `pendulum.theta` or `actions.voltage`"), true,
-                            "the sending port"},
-                           {"to", format::port("`entity.port`, such as `pendulum.u` or `observations.angle`"), true,
-                            "the receiving port"},
-                           processor_field()},
-                          connection_settings())));
+      format::record(
+          "a connection",
+          with({{"from",
+                 format::port("`entity.port`, such as `pendulum.theta` or `actions.voltage`"), true,
+                 "the sending port"},
+                {"to", format::port("`entity.port`, such as `pendulum.u` or `observations.angle`"),
+                 true, "the receiving port"},
+                processor_field()},
+               connection_settings())));
 }
 
 FormatPtr engine_nodes_format() {
-  const FormatPtr rate = format::one_of("a rate in Hz, or `$(sensors NAME rate)`, `$(actuators NAME rate)`, `$(config NAME)`",
-                                        {rate_format(), format::text("a reference such as `$(sensors theta rate)`")});
-  return format::map("engine nodes", format::record("an engine node", {type_field("the id of an engine node"),
-                                                                       {"rate", rate, true, "Hz"},
-                                                                       config_field()}));
+  const FormatPtr rate = format::one_of(
+      "a rate in Hz, or `$(sensors NAME rate)`, `$(actuators NAME rate)`, `$(config NAME)`",
+      {rate_format(), format::text("a reference such as `$(sensors theta rate)`")});
+  return format::map("engine nodes",
+                     format::record("an engine node", {type_field("the id of an engine node"),
+                                                       {"rate", rate, true, "its rate in Hz"},
+                                                       config_field()}));
 }
 
 const Format& graph_format() {
   static const FormatPtr kFormat = format::record(
       "the graph",
-      {{"name", format::name("a name"), true, "name of the graph; namespace and program are called so"},
-       {"rate", rate_format(), true, "rate of the environment in Hz: one step is 1/rate seconds"},
+      {{"name", format::name("a name"), true,
+        "the name of the graph, of the C++ namespace and of the program"},
+       {"rate", rate_format(), true,
+        "the rate of the environment in Hz: one step is 1/rate seconds"},
        {"real", format::keyword({"float", "double"}), false,
         "type that engines and nodes calculate in (default float)"},
        {"library", format::list("a list of folders", format::text("a folder")), false,
         "folders with entities of your own, relative to this file"},
        {"engine",
-        format::record("the engine", {type_field("the id of an engine"), rate_field(true, "Hz"), config_field(), states_field()}),
+        format::record("the engine",
+                       {type_field("the id of an engine"), rate_field(true, "its rate in Hz"),
+                        config_field(), states_field()}),
         true, "what the objects run on"},
-       {"objects", format::map("objects", object_format()), false, "robots, things, sensors, actuators"},
+       {"objects", format::map("objects", object_format()), false,
+        "robots, things, sensors, actuators"},
        {"nodes", format::map("nodes", node_format()), false, "filters, controllers, estimators"},
        {"actions",
-        selection("actions", {{"space", space_format(Reference::refuse, true), false,
-                               "bounds of the action (default: those of the first port it is connected to)"}}),
+        selection("actions",
+                  {{"space", space_format(Reference::refuse, true), false,
+                    "bounds of the action (default: those of the first port it is connected to)"}}),
         true, "what the agent decides at every step"},
-       {"observations", selection("observations", {{"space", space_format(Reference::refuse, false), false,
-                                                    "bounds of the observation (default: those of its source)"}}),
+       {"observations",
+        selection("observations", {{"space", space_format(Reference::refuse, false), false,
+                                    "bounds of the observation (default: those of its source)"}}),
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},
        {"agent", agent_format(), false, "what decides (default: zero)"}});

@@ -2,13 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "generator/read/scalar.hpp"
 
-// Everything here runs on a tree that `check` has accepted, so kinds and numbers are known to be right.
+// Everything here runs on a tree that `check` has accepted, so kinds and numbers are known to be
+// right.
 namespace eagerx::gen {
 namespace {
 
-Spanned<std::string> text_of(const Node& node) { return {node.text, node.span}; }
+Spanned<std::string> text_of(const Node& node) {
+  return {node.text, node.span};
+}
 
 template <class T, class Convert>
 std::optional<Spanned<T>> optional_of(const Node& node, const char* key, Convert&& convert) {
@@ -17,11 +22,15 @@ std::optional<Spanned<T>> optional_of(const Node& node, const char* key, Convert
   return Spanned<T>{convert(*value), value->span};
 }
 
-Rational rational_of(const Node& node) { return Rational::parse(node.text).value_or(Rational{}); }
+Rational rational_of(const Node& node) {
+  return Rational::parse(node.text).value_or(Rational{});
+}
 std::uint32_t count_of(const Node& node) {
   return static_cast<std::uint32_t>(parse_int(node.text).value_or(0));
 }
-bool bool_of(const Node& node) { return parse_bool(node.text).value_or(false); }
+bool bool_of(const Node& node) {
+  return parse_bool(node.text).value_or(false);
+}
 
 ProcessorSpec read_processor(const Node& node) {
   if (node.is_scalar()) return {text_of(node), {}};
@@ -53,7 +62,8 @@ std::vector<ComponentSpec> read_selection(const Node& node, Diagnostics& diagnos
   for (const auto& item : node.items) {
     for (const auto& earlier : result) {
       if (earlier.name.value != item.text) continue;
-      auto& problem = diagnostics.error("E0206", item.span, fmt::format("`{}` is listed twice", item.text));
+      auto& problem =
+          diagnostics.error("E0206", item.span, fmt::format("`{}` is listed twice", item.text));
       problem.notes.push_back({"first here", earlier.name.span, ""});
     }
     result.push_back(read_component(item.text, item.span, Node{}));
@@ -85,8 +95,9 @@ RandomSpec read_random(const Node& node, Diagnostics& diagnostics) {
     return spec;
   }
   const bool normal = key == "normal";
-  spec.kind = normal ? RandomSpec::Kind::normal
-                     : (key == "uniform" ? RandomSpec::Kind::uniform : RandomSpec::Kind::log_uniform);
+  spec.kind = normal
+                  ? RandomSpec::Kind::normal
+                  : (key == "uniform" ? RandomSpec::Kind::uniform : RandomSpec::Kind::log_uniform);
   spec.first = *value.find(normal ? "mean" : "low");
   spec.second = *value.find(normal ? "std" : "high");
   return spec;
@@ -110,10 +121,12 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   spec.file = text_of(policy != nullptr ? *policy : *csv);
   for (const char* key : {"observations", "output"}) {
     if (csv == nullptr || node->find(key) == nullptr) continue;
-    diagnostics.error("E0206", node->find(key)->span, fmt::format("`{}` goes with a `policy`, not with a `csv`", key));
+    diagnostics.error("E0206", node->find(key)->span,
+                      fmt::format("`{}` goes with a `policy`, not with a `csv`", key));
   }
   if (const Node* order = node->find("observations")) {
-    for (const auto& item : order->items) spec.observations.push_back(text_of(item));
+    for (const auto& component : read_selection(*order, diagnostics))
+      spec.observations.push_back(component.name);
   }
   spec.output = optional_of<std::string>(*node, "output", [](const Node& n) { return n.text; });
   return spec;
@@ -140,7 +153,8 @@ SpaceSpec read_space(const Node& node) {
 std::vector<Setting> read_config(const Node* node) {
   std::vector<Setting> result;
   if (node == nullptr) return result;
-  for (const auto& entry : node->entries) result.push_back({entry.key, entry.key_span, entry.value});
+  for (const auto& entry : node->entries)
+    result.push_back({entry.key, entry.key_span, entry.value});
   return result;
 }
 
@@ -158,7 +172,8 @@ std::vector<ConnectionSpec> read_connections(const Node* node) {
   return result;
 }
 
-EntitySpec read_entity(const std::string& name, Span span, const Node& node, Diagnostics& diagnostics) {
+EntitySpec read_entity(const std::string& name, Span span, const Node& node,
+                       Diagnostics& diagnostics) {
   EntitySpec spec;
   spec.name = {name, span};
   spec.type = text_of(*node.find("type"));
@@ -191,8 +206,9 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
   if (const Node* library = root.find("library")) {
     for (const auto& item : library->items) spec.library.push_back(text_of(item));
   }
-  const auto& engine = *root.find("engine");
-  spec.engine = read_entity("engine", engine.span, engine, diagnostics);
+  const auto engine = std::find_if(root.entries.begin(), root.entries.end(),
+                                   [](const Node::Entry& entry) { return entry.key == "engine"; });
+  spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
   const auto read_all = [&](const char* key, std::vector<EntitySpec>& into) {
     const Node* map = root.find(key);
     if (map == nullptr) return;

@@ -72,7 +72,8 @@ struct EntitySpec {
   std::optional<Spanned<Node>> rate;  // a decimal, in manifests also `$(…)`
   std::vector<Setting> config;
   std::vector<StateSpec> states;
-  std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs, outputs;  // absent: as connected
+  std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs,
+      outputs;  // absent: as connected
 };
 
 struct ConnectionSpec {
@@ -118,7 +119,10 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
                                          Diagnostics& diagnostics);
 
 // Pieces that manifests are written in too.
-enum class Reference : std::uint8_t { refuse, accept };  // whether `$(config x)` may stand for a number
+enum class Reference : std::uint8_t {
+  refuse,
+  accept
+};  // whether `$(config x)` may stand for a number
 FormatPtr space_format(Reference references, bool like);
 FormatPtr connections_format();
 FormatPtr engine_nodes_format();
@@ -126,6 +130,7 @@ FormatPtr config_format();
 SpaceSpec read_space(const Node& node);
 std::vector<Setting> read_config(const Node* node);
 std::vector<ConnectionSpec> read_connections(const Node* node);
-EntitySpec read_entity(const std::string& name, Span span, const Node& node, Diagnostics& diagnostics);
+EntitySpec read_entity(const std::string& name, Span span, const Node& node,
+                       Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

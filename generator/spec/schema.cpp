@@ -45,7 +45,8 @@ Json schema_of(const Format& format) {
     case Format::Kind::name:
       return {{"type", "string"}, {"pattern", kIdentifier}};
     case Format::Kind::port:
-      return {{"type", "string"}, {"pattern", "^[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*){1,2}$"}};
+      return {{"type", "string"},
+              {"pattern", "^[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*){1,2}$"}};
     case Format::Kind::boolean:
       return {{"type", "boolean"}};
     case Format::Kind::keyword:
@@ -81,7 +82,8 @@ Json schema_of(const Format& format) {
 }  // namespace
 
 std::string json_schema(const Format& format, const std::string& title, const std::string& id) {
-  Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
+  Json schema = {
+      {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
   schema.update(schema_of(format));
   return schema.dump(2) + "\n";
 }

@@ -3,14 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-
 #include <eagerx/message.hpp>
 #include <eagerx/space.hpp>
 
 namespace eagerx {
 
-/// Writes the messages of an observation, oldest first, each flat, to `input` from `position` on, and moves
-/// `position` behind them: the order of Gymnasium's flatten().
+/// Writes the messages of an observation, oldest first, each flat, to `input` from `position` on,
+/// and moves `position` behind them: the order of Gymnasium's flatten().
 template <class Observed, std::size_t N>
 void flatten(const Observed& window, float (&input)[N], std::size_t& position) {
   using Message = typename Observed::value_type;

@@ -1,9 +1,8 @@
-// How many messages an input has received, where that is not simply its source's counter. Additions only;
-// with source rate / own rate = A/B in lowest terms and x = ceil(B · source rate · delay).
+// How many messages an input has received, where that is not simply its source's counter. Additions
+// only; with source rate / own rate = A/B in lowest terms and x = ceil(B · source rate · delay).
 #pragma once
 
 #include <cstdint>
-
 #include <eagerx/rate.hpp>
 
 namespace eagerx {
@@ -38,7 +37,8 @@ class FloorSequence {
   std::int64_t rest_ = 0;
 };
 
-/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n, the first whatever the delay.
+/// A delayed input: max(1, floor((A n - x) / B) + 1) messages by tick n, the first whatever the
+/// delay.
 template <std::int64_t A, std::int64_t B>
 class DelayCursor {
  public:
@@ -54,8 +54,8 @@ class DelayCursor {
   FloorSequence<A, B> sent_;
 };
 
-/// A skipped input: nothing at tick 0, then max(0, min(c(n + Off) - c(n + Off - 1), c(n) + 1)) more at each
-/// tick, with c(n) = floor((A n - x) / B).
+/// A skipped input: nothing at tick 0, then max(0, min(c(n + Off) - c(n + Off - 1), c(n) + 1)) more
+/// at each tick, with c(n) = floor((A n - x) / B).
 template <std::int64_t A, std::int64_t B, std::int64_t Off>
 class SkipCursor {
  public:

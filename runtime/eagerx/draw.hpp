@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-
 #include <eagerx/message.hpp>
 #include <eagerx/random.hpp>
 

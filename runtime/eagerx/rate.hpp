@@ -18,8 +18,8 @@ struct Rate {
   static constexpr double hz = static_cast<double>(Num) / static_cast<double>(Den);
   static constexpr double period_s = static_cast<double>(Den) / static_cast<double>(Num);
 
-  /// Time of tick or message `n` in seconds since the reset: n / rate, rounded once while n * Den fits
-  /// into the digits of Real, twice beyond.
+  /// Time of tick or message `n` in seconds since the reset: n / rate, rounded once while n * Den
+  /// fits into the digits of Real, twice beyond.
   template <class Real>
   static constexpr Real seconds(Seq n) {
     return static_cast<Real>(n * Den) / static_cast<Real>(Num);

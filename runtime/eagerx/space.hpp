@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-
 #include <eagerx/message.hpp>
 #include <eagerx/random.hpp>
 
 namespace eagerx {
 
-/// A Box with one low and one high for each element; generated code has one constant for each space.
+/// A Box with one low and one high for each element; generated code has one constant for each
+/// space.
 template <class Message>
 struct Space {
   Message low;

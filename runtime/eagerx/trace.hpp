@@ -3,19 +3,21 @@
 
 #include <bit>
 #include <cstdint>
-#include <type_traits>
-
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <type_traits>
 
 namespace eagerx {
 
 /// A trace that also wants to see what every callback is given has
 /// `static constexpr bool kInputs = true` and
-/// `inputs(const char* node, Rate<...> rate, Seq tick, const Inputs& inputs)`, where `rate` is the node's and
-/// `inputs.for_each(f)` calls f(name, window) for each. The engine has no inputs and is not among them.
+/// `inputs(const char* node, Rate<...> rate, Seq tick, const Inputs& inputs)`, where `rate` is the
+/// node's and `inputs.for_each(f)` calls f(name, window) for each. The engine has no inputs and is
+/// not among them.
 template <class Trace>
-inline constexpr bool traces_inputs = requires { requires Trace::kInputs; };
+inline constexpr bool traces_inputs = requires {
+  requires Trace::kInputs;
+};
 
 /// Costs nothing.
 struct NoTrace {
@@ -29,7 +31,8 @@ template <class T>
 constexpr std::uint64_t canonical_bits(T value) {
   if constexpr (std::is_floating_point_v<T>) {
     using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
-    constexpr Bits kNan = sizeof(T) == 4 ? Bits{0x7fc00000U} : static_cast<Bits>(0x7ff8000000000000U);
+    constexpr Bits kNan =
+        sizeof(T) == 4 ? Bits{0x7fc00000U} : static_cast<Bits>(0x7ff8000000000000U);
     return value != value ? kNan : std::bit_cast<Bits>(value);
   } else {
     return static_cast<std::uint64_t>(static_cast<std::int64_t>(value));

@@ -1,5 +1,5 @@
-// The version of the runtime. Generated code checks it, so that old output never meets a new runtime
-// silently.
+// The version of the runtime. Generated code checks it, so that old output never meets a new
+// runtime silently.
 #pragma once
 
 namespace eagerx {

@@ -3,12 +3,11 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
-#include <type_traits>
-
 #include <eagerx/cursor.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <limits>
+#include <type_traits>
 
 namespace eagerx {
 
@@ -80,8 +79,8 @@ class Window {
   [[no_unique_address]] std::conditional_t<AlwaysFull, Nothing, Size> size_{};
 };
 
-/// An observation as EAGERx gives it to an agent: always `W` messages. Missing ones at the front are
-/// copies of the oldest; without any message they are NaN (0 for integers, which have no NaN).
+/// An observation as EAGERx gives it to an agent: always `W` messages. Missing ones at the front
+/// are copies of the oldest; without any message they are NaN (0 for integers, which have no NaN).
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t W, bool AlwaysFull>
 class PaddedWindow {
  public:

@@ -58,6 +58,7 @@ endfunction()
 function(_eagerx_find_board folder_variable toolchain_variable board paths)
   set(folders ${paths})
   list(TRANSFORM folders APPEND /targets)
+  unset(folder) # a caller's variable of this name would be taken for the answer
   find_path(
     folder manifest.yaml
     PATHS ${folders} ${paths} ${EAGERX_TARGETS_DIR}
@@ -74,6 +75,7 @@ function(_eagerx_find_board folder_variable toolchain_variable board paths)
     string(REGEX REPLACE "^toolchain:[ \t\"']*([^ \t\"'#]*).*$" "\\1" name "${name}")
     set(folders ${paths})
     list(TRANSFORM folders APPEND /toolchains)
+    unset(file)
     find_file(
       file ${name}
       PATHS ${folders} ${EAGERX_TOOLCHAINS_DIR}

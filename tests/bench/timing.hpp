@@ -1,9 +1,8 @@
 // Time of two things that are run in turn, so that what else the machine does hits both alike.
 #pragma once
 
-#include <ctime>
-
 #include <algorithm>
+#include <ctime>
 #include <limits>
 
 namespace eagerx::bench {

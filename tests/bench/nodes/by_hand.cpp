@@ -1,8 +1,8 @@
-// The sum of the callbacks: the same entities with the same windows on plain arrays, called as often as in the
-// generated program, without schedule, rings, skips and delays. Its messages are other ones.
+// The sum of the callbacks: the same entities with the same windows on plain arrays, called as
+// often as in the generated program, without schedule, rings, skips and delays. Its messages are
+// other ones.
 #include <cstddef>
 #include <cstdint>
-
 #include <eagerx/window.hpp>
 #include <models/mix/mix.hpp>
 

@@ -65,13 +65,16 @@ TEST_F(File, PathThroughAFile) {
 TEST_F(File, NoPermission) {
   const std::string file = write("a.yaml", "a: 1");
   std::filesystem::permissions(file, std::filesystem::perms::none);
-  if (access(file.c_str(), R_OK) == 0) GTEST_SKIP() << "root may read everything";
+  const bool root = geteuid() == 0;  // may read everything, so somebody else must try
+  constexpr uid_t kNobody = 65534;
+  std::filesystem::permissions(path("."), std::filesystem::perms::all);
+  if (root) ASSERT_EQ(seteuid(kNobody), 0);
   expect_unreadable(file, "permission denied");
+  if (root) ASSERT_EQ(seteuid(0), 0);
 }
 
 TEST_F(File, FailsWhileReading) {
   const std::string file = "/proc/self/mem";  // opens, but nothing is mapped at address 0
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "needs Linux";
   expect_unreadable(file, "input/output error");
 }
 
@@ -85,7 +88,6 @@ TEST_F(File, HugeFileIsRefusedUnread) {
 }
 
 TEST_F(File, EndlessFileIsRefused) {
-  if (!std::filesystem::exists("/dev/zero")) GTEST_SKIP() << "needs Unix";
   EXPECT_TRUE(read("/dev/zero").is_null());
   ASSERT_EQ(diagnostics_.error_count(), 1U);
   EXPECT_EQ(diagnostics_.all()[0].code, "E0102");

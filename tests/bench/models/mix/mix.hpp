@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <eagerx/rate.hpp>
 
 namespace eagerx::bench {

@@ -1,0 +1,2 @@
+# The same bits from both compilers at every optimisation level.
+add_test(NAME math_bits COMMAND ${CMAKE_CURRENT_LIST_DIR}/run.sh)

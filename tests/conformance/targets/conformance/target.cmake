@@ -1,0 +1,10 @@
+# Makes `executable` a program that compares itself with a recording.
+function(eagerx_configure_target executable)
+  if(NOT TARGET eagerx_conformance)
+    cmake_path(SET folder NORMALIZE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../..)
+    add_library(eagerx_conformance STATIC ${folder}/recording.cpp ${folder}/checker.cpp)
+    target_include_directories(eagerx_conformance PUBLIC ${folder})
+    target_link_libraries(eagerx_conformance PUBLIC eagerx_warnings eagerx::runtime)
+  endif()
+  target_link_libraries(${executable} PRIVATE eagerx_conformance)
+endfunction()
