@@ -27,6 +27,6 @@ void load(Run& run, const Options& options);
 /// read → spec → resolve → plan, and the policy. True if there was no problem.
 bool make(Run& run, const Options& options);
 /// Prints what was found to the standard error and returns the exit code.
-int finish(const Run& run, const Options& options);
+int finish(Run& run, const Options& options);
 
 }  // namespace eagerx::gen

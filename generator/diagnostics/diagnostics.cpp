@@ -1,5 +1,7 @@
 #include "generator/diagnostics/diagnostics.hpp"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace eagerx::gen {
@@ -30,6 +32,15 @@ Diagnostic& Diagnostics::io_error(std::string code, Span span, std::string messa
   Diagnostic& diagnostic = error(std::move(code), span, std::move(message));
   diagnostic.io = true;
   return diagnostic;
+}
+
+void Diagnostics::sort_by_place() {
+  const auto place = [](const Diagnostic& diagnostic) {
+    const Span& span = diagnostic.span;
+    // FileId::none becomes 0.
+    return std::tuple(static_cast<std::uint32_t>(span.file) + 1U, span.line, span.column);
+  };
+  std::stable_sort(all_.begin(), all_.end(), [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
 }
 
 }  // namespace eagerx::gen

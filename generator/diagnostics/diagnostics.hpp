@@ -68,6 +68,9 @@ class Diagnostics {
   /// An error of reading or writing.
   Diagnostic& io_error(std::string code, Span span, std::string message);
 
+  /// Problems in the order of the file they are in, those without a place first.
+  void sort_by_place();
+
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return errors_; }
   [[nodiscard]] bool has_io_errors() const { return io_errors_ > 0; }

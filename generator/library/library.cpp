@@ -18,18 +18,18 @@ const PortManifest* find_port(const std::vector<PortManifest>& ports, std::strin
 }
 
 /// Manifests below `folder`, sorted, so that the order of a directory listing never matters.
-std::vector<std::string> find_manifests(const std::string& folder, Diagnostics& diagnostics) {
+std::vector<std::string> find_manifests(const Spanned<std::string>& folder, Diagnostics& diagnostics) {
   std::vector<std::string> result;
   std::error_code error;
-  fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied,
+  fs::recursive_directory_iterator walk(folder.value, fs::directory_options::skip_permission_denied,
                                         error);
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
     if (walk.depth() > 8) walk.disable_recursion_pending();
     if (walk->path().filename() == "manifest.yaml") result.push_back(walk->path().string());
   }
   if (error) {
-    diagnostics.io_error("E0301", {},
-                         fmt::format("cannot read the folder `{}`: {}", folder, error.message()));
+    const bool missing = error == std::errc::no_such_file_or_directory;
+    diagnostics.io_error("E0301", folder.span, fmt::format("cannot read the folder `{}`: {}", folder.value, missing ? "it does not exist" : error.message()));
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -49,7 +49,7 @@ void set_include_root(Entity& entity, const fs::path& root) {
   entity.include_root = root.string();
   const auto relative = [&](CppClass& cpp) {
     if (cpp.include.empty()) return;
-    cpp.include = fs::path(cpp.include).lexically_relative(root).generic_string();
+    cpp.include = fs::absolute(cpp.include).lexically_normal().lexically_relative(root).generic_string();
   };
   relative(entity.cpp);
   relative(entity.simulator);
@@ -105,16 +105,16 @@ std::string_view to_string(EntityKind kind) {
   return "";
 }
 
-Library load_library(const std::vector<std::string>& folders, SourceMap& sources,
+Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics) {
   Library library;
   std::vector<std::string> done;
   for (const auto& folder : folders) {
-    const fs::path root = fs::absolute(folder).lexically_normal();
+    const fs::path root = fs::absolute(folder.value).lexically_normal();
     const std::string key = (root.has_filename() ? root : root.parent_path()).string();
     if (std::find(done.begin(), done.end(), key) != done.end()) continue;
     done.push_back(key);
-    for (const auto& path : find_manifests(key, diagnostics)) {
+    for (const auto& path : find_manifests(folder, diagnostics)) {
       const Node tree = read_yaml_file(path, sources, diagnostics);
       if (tree.is_null()) continue;
       const Node* kind = tree.find("kind");

@@ -113,7 +113,9 @@ class Planner {
       Ring& ring = plan_.rings[reception->ring];
       if (needed > ring.needed || ring.why.empty()) {
         ring.needed = std::max(ring.needed, needed);
-        ring.why = node.name + "." + input.name;
+        ring.why = input.written;
+        why_.resize(std::max(why_.size(), reception->ring + 1));
+        why_[reception->ring] = input.span;
       }
       plan_.nodes[n].receptions.push_back(*reception);
     }
@@ -139,13 +141,16 @@ class Planner {
       ring.capacity = (power - ring.needed) * bytes <= kMaxWastedBytes ? power : ring.needed;
       if (ring.capacity <= kMaxRingBytes / bytes && ring.capacity < (std::uint64_t{1} << 31U))
         continue;
+      const GraphNode& node = graph_.nodes[ring.node];
+      const std::string name = (ring.node == Graph::kEnvironment ? "actions" : node.name) + "." + node.outputs[ring.output].name;
+      if (ring.why.empty()) {  // nobody reads it
+        diagnostics_.error("E0403", node.outputs[ring.output].span, fmt::format("`{}` has messages of {} bytes", name, bytes)).help = "a ring may have 1 GiB";
+        continue;
+      }
       diagnostics_
-          .error("E0403", graph_.nodes[ring.node].span,
-                 fmt::format("`{}.{}` would need a ring of {} messages of {} bytes for `{}`",
-                             graph_.nodes[ring.node].name,
-                             graph_.nodes[ring.node].outputs[ring.output].name, ring.needed, bytes,
-                             ring.why))
-          .help = "shorten the delay or the window; a ring may have 1 GiB";
+          .error("E0403", why_[static_cast<std::size_t>(&ring - plan_.rings.data())],
+                 fmt::format("`{}` needs {} messages of `{}` at once, of {} bytes each", ring.why, ring.needed, name, bytes))
+          .help = "shorten the delay or the window: a ring may have 1 GiB";
     }
   }
 
@@ -153,6 +158,7 @@ class Planner {
   Diagnostics& diagnostics_;
   Plan plan_;
   std::vector<std::size_t> place_;
+  std::vector<Span> why_;  // of rings: the connection that needs the most
 };
 
 }  // namespace

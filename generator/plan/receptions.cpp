@@ -33,6 +33,20 @@ std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
   return Counts{ratio.num(), ratio.den(), quanta.ceil(), input.skip};
 }
 
+/// What to do about a skipped input without a message at tick 1.
+std::string advice(Counts counts, const Rational& source_rate) {
+  constexpr std::int64_t kMostTried = 100'000;
+  // At tick 1 at most floor((a - x) / b) + 1 messages can be there: none for x > a.
+  const std::int64_t first = std::min(counts.x, counts.a);
+  for (std::int64_t x = first; x >= 0 && x > first - kMostTried; --x) {
+    counts.x = x;
+    if (counts.at(1) == 0) continue;
+    const Rational longest = Rational(x) / (Rational(counts.b) * source_rate);
+    return fmt::format("shorten the delay to at most {} s, or take `window: 0`, which may be empty", longest.to_string());
+  }
+  return "take `window: 0`, which may be empty, or a faster source";
+}
+
 Reception::Count count_kind(const Counts& counts) {
   if (!counts.skip) return counts.x == 0 ? Reception::Count::ticks : Reception::Count::delayed;
   const bool divides = counts.a == 1 || counts.b == 1;
@@ -89,11 +103,9 @@ std::optional<Reception> plan_reception(const Input& input, const Rational& sour
   if (input.skip && input.window > 0 && counts->at(0) + counts->at(1) == 0) {
     auto& problem = diagnostics.error(
         "E0401", input.span,
-        fmt::format("`{}` is skipped and still has no message at its second tick", input.name));
+        fmt::format("`{}` is skipped and still has no message at its second tick", input.written));
     problem.label = "EAGERx drops the callback then, and everything behind it waits for ever";
-    problem.help = fmt::format(
-        "a skipped input needs a delay below {:.6g} s here, or `window: 0`, which may be empty",
-        1.0 / rate_hz.to_double());
+    problem.help = advice(*counts, source_rate_hz);
     return std::nullopt;
   }
   const Need need = need_of(*counts, input.window, source_first);

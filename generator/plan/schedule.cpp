@@ -56,6 +56,25 @@ std::size_t runs_of(const std::vector<std::uint64_t>& masks) {
   return runs;
 }
 
+/// Quanta a second, such that every tick of every rate falls on one.
+std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) {
+  Rational grid = graph.environment().rate_hz;
+  Rational slowest = grid;
+  for (const auto& node : graph.nodes) {
+    const Rational finer = lcm(grid, node.rate_hz);
+    slowest = std::min(slowest, node.rate_hz, [](const Rational& a, const Rational& b) { return a < b; });
+    if (finer.overflowed() || (finer / slowest).overflowed()) {
+      diagnostics
+          .error("E0402", node.span,
+                 fmt::format("the {} Hz of `{}` and the rates before it have no common grid that fits into 63 bits", node.rate_hz.to_string(), node.name))
+          .help = "write rates with fewer decimals";
+      return std::nullopt;
+    }
+    grid = finer;
+  }
+  return grid;
+}
+
 }  // namespace
 
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics) {
@@ -73,19 +92,9 @@ std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics
         fmt::format("the graph has {} different rates; the most are {}", rates.size(), kMaxRates));
     return std::nullopt;
   }
-  Rational grid = rates.front().rate_hz;  // quanta a second
-  for (const auto& rate : rates) grid = lcm(grid, rate.rate_hz);
-  for (auto& rate : rates) {
-    const Rational period = grid / rate.rate_hz;
-    if (period.overflowed() || !period.is_integer()) {
-      diagnostics
-          .error("E0402", graph.span,
-                 "the rates of this graph have no common grid that fits into 63 bits")
-          .help = "write rates with fewer decimals";
-      return std::nullopt;
-    }
-    rate.period = static_cast<std::uint64_t>(period.num());
-  }
+  const auto grid = find_grid(graph, diagnostics);
+  if (!grid) return std::nullopt;
+  for (auto& rate : rates) rate.period = static_cast<std::uint64_t>((*grid / rate.rate_hz).num());
   return rates;
 }
 

@@ -137,8 +137,10 @@ const Setting* find_setting(const std::vector<Setting>& settings, const std::str
   return found == settings.end() ? nullptr : &*found;
 }
 
-void report_unknown(const Entity& entity, const std::vector<Setting>& settings,
+/// Reports parameters that do not exist; returns those that were meant.
+std::vector<std::string> report_unknown(const Entity& entity, const std::vector<Setting>& settings,
                     Diagnostics& diagnostics) {
+  std::vector<std::string> meant;
   std::vector<std::string> known;
   for (const auto& parameter : entity.config) known.push_back(parameter.name.value);
   for (const auto& setting : settings) {
@@ -154,19 +156,27 @@ void report_unknown(const Entity& entity, const std::vector<Setting>& settings,
     } else {
       problem.help = fmt::format("`{}` has {}", entity.id.value, fmt::join(known, ", "));
     }
+    meant.push_back(near);
   }
+  return meant;
+}
+
+std::string with_article(EntityKind kind) {
+  const std::string_view name = to_string(kind);
+  return fmt::format("{} {}", name.front() == 'e' || name.front() == 'o' ? "an" : "a", name);
 }
 
 }  // namespace
 
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
                       Diagnostics& diagnostics) {
-  report_unknown(entity, settings, diagnostics);
+  const std::vector<std::string> meant = report_unknown(entity, settings, diagnostics);
   Config result;
   for (const auto& parameter : entity.config) {
     const Setting* setting = find_setting(settings, parameter.name.value);
     const Node* node = setting != nullptr ? &setting->value
                                           : (parameter.fallback ? &*parameter.fallback : nullptr);
+    if (node == nullptr && std::find(meant.begin(), meant.end(), parameter.name.value) != meant.end()) continue;
     if (node == nullptr) {
       diagnostics
           .error(
@@ -258,12 +268,13 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
                                     fmt::format("unknown {} `{}`", to_string(kind), id.value));
   const std::vector<std::string> known = library.ids(kind);
   const std::string near = nearest(id.value, known);
+  constexpr std::size_t kMostListed = 8;
   if (!near.empty()) {
     problem.help = fmt::format("did you mean `{}`?", near);
+  } else if (!known.empty() && known.size() <= kMostListed) {
+    problem.help = fmt::format("there is {}; folders of your own are given with `library:` or `--path`", fmt::join(known, ", "));
   } else {
-    problem.help = fmt::format(
-        "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or "
-        "`--path`");
+    problem.help = "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or `--path`";
   }
   return nullptr;
 }

@@ -72,7 +72,7 @@ bool check_engine_option(const Library& library, const ResolveOptions& options,
 
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics) {
-  Draft draft{spec, library, diagnostics, {}, {}, {}};
+  Draft draft{spec, library, diagnostics, {}, {}, {}, {}};
   draft.graph.name = spec.name.value;
   draft.graph.path = spec.path;
   draft.graph.file_name = std::filesystem::path(spec.path).filename().string();
