@@ -52,8 +52,9 @@ bool make(Run& run, const Options& options) {
     for (const auto& folder : run.spec->library)
       folders.push_back({(fs::path(options.graph).parent_path() / folder.value).string(), folder.span});
   }
+  const std::size_t errors_before = run.diagnostics.error_count();
   load_library_for(run, options, folders);
-  if (run.diagnostics.has_errors()) return false;
+  if (!run.spec || run.diagnostics.error_count() != errors_before) return false;
   read_network(run);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real}, run.diagnostics);
   if (!run.graph) return false;

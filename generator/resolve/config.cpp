@@ -9,6 +9,8 @@
 namespace eagerx::gen {
 namespace {
 
+constexpr const char* kUnresolved = "unresolved";  // as a tag, which trees from files never have
+
 std::string_view type_name(Parameter::Type type) {
   switch (type) {
     case Parameter::Type::integer:
@@ -74,6 +76,7 @@ class Reader {
   }
 
   std::optional<ConfigValue> wrong(const Node& node) {
+    if (is_unresolved(node)) return std::nullopt;
     diagnostics_.error("E0322", node.span,
                        fmt::format("`{}` must be {}, found {}", parameter_.name.value, type_name(parameter_.type), describe(node)));
     return std::nullopt;
@@ -114,6 +117,7 @@ class Reader {
   }
 
   std::optional<ConfigValue> keyword() {
+    if (is_unresolved(node_)) return std::nullopt;
     const auto& options = parameter_.options;
     if (node_.is_scalar() && std::find(options.begin(), options.end(), node_.text) != options.end())
       return value(node_.text);
@@ -204,6 +208,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
   return result;
 }
 
+bool is_unresolved(const Node& node) { return node.tag == kUnresolved; }
+
 Node substitute(Node node, const References& references, Diagnostics& diagnostics) {
   for (auto& item : node.items) item = substitute(std::move(item), references, diagnostics);
   for (auto& entry : node.entries)
@@ -213,6 +219,7 @@ Node substitute(Node node, const References& references, Diagnostics& diagnostic
   const std::string name = node.text.substr(2, node.text.size() - 3);
   const auto found = references.find(name);
   if (found != references.end()) return found->second;
+  node.tag = kUnresolved;
   std::vector<std::string> known;
   for (const auto& [key, value] : references) known.push_back(key);
   auto& problem =
@@ -234,6 +241,7 @@ std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& dia
   const std::vector<Node> items = node.is_sequence() ? node.items : std::vector<Node>{node};
   for (const auto& item : items) {
     const auto number = item.is_scalar() && !item.quoted ? parse_number(item.text) : std::nullopt;
+    if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
       diagnostics.error("E0322", item.span,
                         fmt::format("expected a number, found {}", describe(item)));
@@ -247,6 +255,7 @@ std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& dia
 std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics) {
   const auto rate = node.is_scalar() ? Rational::parse(node.text) : std::nullopt;
   if (rate && rate->to_double() > 0.0) return rate;
+  if (is_unresolved(node)) return std::nullopt;
   diagnostics.error("E0204", node.span,
                     fmt::format("expected a rate in Hz, found {}", describe(node)));
   return std::nullopt;

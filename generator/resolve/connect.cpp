@@ -267,13 +267,19 @@ std::optional<PartialSpace> declared_space(const Draft& draft, const std::string
   const Port port = split(text);
   const auto found = find_ports(draft, port, Side::to);
   if (!found.empty()) return draft.nodes[found.front().node].inputs[found.front().port].declared;
-  return std::nullopt;
+  // An actuator that nothing is connected to.
+  const auto spec = std::find_if(draft.spec.objects.begin(), draft.spec.objects.end(), [&](const EntitySpec& o) { return o.name.value == port.owner; });
+  const DraftObject* object = find_object(draft, port.owner);
+  const PortManifest* actuator = object != nullptr && object->entity != nullptr ? object->entity->actuator(port.name) : nullptr;
+  if (actuator == nullptr || spec == draft.spec.objects.end()) return std::nullopt;
+  return partial_space(actuator->space, references_of(*object->entity, spec->config), draft.diagnostics);
 }
 
 std::vector<std::string> input_names(const Draft& draft) {
   std::vector<std::string> result;
   for (const auto& object : draft.objects) {
-    for (const auto& [name, ports] : object.actuators) result.push_back(object.name + "." + name);
+    if (object.entity == nullptr) continue;
+    for (const auto& actuator : object.entity->actuators) result.push_back(object.name + "." + actuator.name.value);
   }
   for (const auto& node : draft.nodes) {
     if (node.node.role != NodeRole::node) continue;

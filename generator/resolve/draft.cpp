@@ -23,6 +23,7 @@ std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics
   std::vector<std::uint64_t> shape;
   std::uint64_t elements = 1;
   for (const auto& item : node.items) {
+    if (is_unresolved(item)) return std::nullopt;
     const auto dimension = parse_int(item.text);
     if (!dimension || *dimension < 1 ||
         static_cast<std::uint64_t>(*dimension) > kMaxElements / elements) {

@@ -241,7 +241,7 @@ class ObjectBuilder {
   /// A sensor or actuator ticks with the engine node that implements it.
   void check_rate(const PortManifest& port, const char* kind, const DraftNode& node, Span span) {
     const auto rate = Rational::parse(references_[fmt::format("{} {} rate", kind, port.name.value)].text);
-    if (!rate || *rate == node.node.rate_hz) return;
+    if (!rate || node.node.rate_hz == Rational() || *rate == node.node.rate_hz) return;
     diagnostics().error("E0317", span, fmt::format("`{}` ticks at {} Hz, but `{}.{}` at {} Hz", node.node.name, node.node.rate_hz.to_string(), spec_.name.value,
                                                    port.name.value, rate->to_string()))
         .help = fmt::format("write `rate: $({} {} rate)` for the engine node", kind, port.name.value);
@@ -329,7 +329,7 @@ const ObjectEngine* find_implementation(const Entity& entity, const std::string&
   }
   auto& problem = diagnostics.error(
       "E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
-  problem.help = known.empty() ? "it has no implementation at all" : fmt::format("it is for {}", fmt::join(known, ", "));
+  problem.help = known.empty() ? "it has no implementation at all" : fmt::format("it is made for {}", fmt::join(known, ", "));
   return nullptr;
 }
 

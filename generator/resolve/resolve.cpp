@@ -48,11 +48,14 @@ void resolve_agent(Draft& draft) {
   for (const auto& input : inputs) known.push_back(input.name);
   for (const auto& name : spec.observations) {
     const auto found = std::find(known.begin(), known.end(), name.value);
-    if (found != known.end()) {
+    const auto earlier = std::find_if(spec.observations.begin(), spec.observations.end(), [&](const auto& other) { return other.value == name.value; });
+    if (&*earlier != &name) {
+      draft.diagnostics.error("E0206", name.span, fmt::format("`{}` is listed twice", name.value)).notes.push_back({"first here", earlier->span, ""});
+    } else if (found != known.end()) {
       agent.observations.push_back(static_cast<std::size_t>(found - known.begin()));
-      continue;
+    } else {
+      draft.diagnostics.error("E0307", name.span, fmt::format("there is no observation `{}`", name.value)).help = suggestion(name.value, known, "the graph has no observations");
     }
-    draft.diagnostics.error("E0307", name.span, fmt::format("there is no observation `{}`", name.value)).help = suggestion(name.value, known, "the graph has no observations");
   }
   if (!spec.observations.empty()) return;
   for (std::size_t i = 0; i < inputs.size(); ++i) agent.observations.push_back(i);

@@ -251,7 +251,9 @@ class SpaceResolver {
         for (std::size_t o = 0; o < draft_.nodes[n].outputs.size(); ++o) {
           const DraftOutput& output = draft_.nodes[n].outputs[o];
           const bool root = !output.declared.like || n == Graph::kEnvironment;
-          if (!outputs_[n][o].port && root == roots) report_unknown(n, output);
+          if (outputs_[n][o].port || root != roots) continue;
+          report_unknown(n, output);
+          if (!root) return;  // one of a loop is enough
         }
       }
       if (diagnostics().error_count() != errors_before) return;  // the others follow from these

@@ -13,7 +13,9 @@ namespace eagerx::target {
 /// action. A column is called `name` (a scalar), `name[i]` (element i, flat, row-major), `name[w]`
 /// or `name[w][i]` when the observation has a window of more than one message (0 is the oldest).
 /// Row 0 of an episode is the observation of the reset, without actions; row k holds action k and
-/// the observation it led to. `Writer` has text(std::string_view) and number(value).
+/// the observation it led to. An observation with window 0 has columns for the most messages there
+/// can be; those it has not are empty, behind those it has. `Writer` has text(std::string_view) and
+/// number(value).
 template <class Graph, class Writer>
 class CsvTable {
  public:
@@ -24,8 +26,10 @@ class CsvTable {
     out.text("episode,step,time_s");
     Graph::for_each_observation(
         observation, [&](const char* name, const auto& window, const auto&... /*space*/) {
-          for (std::uint32_t w = 0; w < window.size(); ++w) {
-            column_names(out, name, window.size() > 1, w, window[w]);
+          using Message = typename std::remove_cvref_t<decltype(window)>::value_type;
+          const std::uint32_t columns = columns_of(window);
+          for (std::uint32_t w = 0; w < columns; ++w) {
+            column_names(out, name, columns > 1, w, Message{});
           }
         });
     Action action = Graph::zero();
@@ -44,13 +48,27 @@ class CsvTable {
     out.text(",");
     out.number(Graph::Rate::template seconds<double>(step));
     Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&...) {
+      using Message = typename std::remove_cvref_t<decltype(window)>::value_type;
       for (std::uint32_t w = 0; w < window.size(); ++w) elements(out, window[w]);
+      const std::uint32_t missing = columns_of(window) - window.size();
+      for (std::size_t i = 0; i < missing * size_of<Message>; ++i) out.text(",");
     });
     action != nullptr ? action_elements(out, *action) : no_action_elements(out);
     out.text("\n");
   }
 
  private:
+  /// Messages that the table has columns for: all that there can be. With window 0 a row may have
+  /// fewer.
+  template <class Observed>
+  static std::uint32_t columns_of(const Observed& window) {
+    if constexpr (requires { Observed::kMaxSize; }) {
+      return Observed::kMaxSize;
+    } else {
+      return window.size();
+    }
+  }
+
   template <class Message>
   static void column_names(Writer& out, const char* name, bool windowed, std::uint32_t w,
                            const Message& /*message*/) {

@@ -1,0 +1,218 @@
+"""A second implementation of EAGERx's synchronous semantics, written from SEMANTICS.md only: nodes with queues
+that fire, in any order, when the formula of section 3 is satisfied. Nothing here knows how the generated
+programs count, order or store anything. Rates and delays are fractions.
+"""
+import math
+import random
+from fractions import Fraction
+
+MODULUS = 1000003
+
+
+def count(rate_in, rate, delay, skip, tick):
+    """Messages that an input gets at a tick: the formula of section 3, with exact arithmetic."""
+    if tick == 0:
+        return 0 if skip else 1
+    offset = 0
+    if skip:
+        offset = int((rate - Fraction(1, 10**9)) / rate_in) if rate > rate_in else -1
+
+    def sent(k):
+        return math.floor((rate_in * k - rate * rate_in * delay) / rate)
+
+    delta = sent(tick + offset) - sent(tick + offset - 1)
+    j = delta - (1 if skip else 0)
+    time = (rate_in * tick - rate * rate_in * delay - rate * j) / (rate * rate_in)
+    return delta - min(delta, max(0, -math.floor(time * rate_in)))
+
+
+class Input:
+    def __init__(self, name, source, output, window=1, delay=Fraction(0), skip=False, add=None):
+        self.name, self.source, self.output = name, source, output
+        self.window, self.delay, self.skip, self.add = window, delay, skip, add
+
+    def reset(self):
+        self.consumed = 0
+
+    def available(self, nodes, node, tick):
+        source = nodes[self.source]
+        return len(source.sent[self.output]) >= self.consumed + count(source.rate, node.rate, self.delay, self.skip, tick)
+
+    def take(self, nodes, node, tick):
+        """The window at a tick as (seq, message) pairs."""
+        source = nodes[self.source]
+        new = count(source.rate, node.rate, self.delay, self.skip, tick)
+        self.consumed += new
+        held = new if self.window == 0 else min(self.window, self.consumed)
+        messages = source.sent[self.output]
+        result = []
+        for seq in range(self.consumed - held, self.consumed):
+            message = messages[seq]
+            if self.add is not None:
+                message = (message[0], message[1] + self.add)
+            result.append((seq, message))
+        return result
+
+
+class Node:
+    """kind: environment, engine, count, sensor or actuator."""
+
+    def __init__(self, name, kind, rate, nid=0, inputs=(), outputs=("o0",), thing=None, add=None):
+        self.name, self.kind, self.rate, self.nid = name, kind, rate, nid
+        self.inputs, self.outputs = list(inputs), list(outputs)
+        self.thing = thing  # of engine nodes: their object
+        self.add = add or {}  # output: what its processor adds
+
+    def reset(self, state):
+        self.tick = 0
+        self.sum = state or 0
+        self.sent = {output: [] for output in self.outputs}
+        for item in self.inputs:
+            item.reset()
+
+    def time(self, tick=None):
+        return Fraction(self.tick if tick is None else tick) / self.rate
+
+
+def fold(windows, h):
+    for name, window in windows:
+        h = (h * 131 + len(window) + 1) % MODULUS
+        if name != "tick":
+            for _, message in window:
+                h = (h * 131 + message[0] * 7 + message[1]) % MODULUS
+    return h
+
+
+class Record:
+    """What happened at a tick of a node."""
+
+    def __init__(self, time, windows, sent):
+        self.time, self.windows, self.sent = time, windows, sent
+
+
+class Network:
+    """`nodes`: all of them, by name; with `environment` and `engine`."""
+
+    def __init__(self, nodes):
+        self.nodes = nodes
+        self.objects = sorted({node.thing for node in nodes.values() if node.thing})
+        self.behind = self._behind_environment()
+
+    def _behind_environment(self):
+        """Nodes that need the action of the same instant: the program runs them in the next step."""
+        behind = {"environment"}
+        while True:
+            more = {node.name for node in self.nodes.values()
+                    if any(not item.skip and item.source in behind for item in node.inputs)} - behind
+            if not more:
+                return behind - {"environment"}
+            behind |= more
+
+    def run(self, steps, states, actions, order):
+        """Records of an episode up to the environment's tick `steps`: (node, tick) → Record.
+        `actions[k][name]`: message; `order`: a random.Random that chooses who fires."""
+        for node in self.nodes.values():
+            node.reset(states.get((node.name, "s0")))
+        self.state = {thing: states.get((thing, "st0"), (0, 0))[0] for thing in self.objects}
+        self.inputs = {thing: {} for thing in self.objects}
+        end = Fraction(steps) / self.nodes["environment"].rate
+        records = {}
+        names = sorted(self.nodes)
+        while True:
+            ready = [name for name in names if self._ready(self.nodes[name], end)]
+            if not ready:
+                break
+            for name in order.sample(ready, len(ready)):
+                node = self.nodes[name]
+                while self._ready(node, end):
+                    tick = node.tick
+                    record = self._fire(node, actions if tick < steps else None)
+                    if not (name in self.behind and record.time == end):
+                        records[name, tick] = record
+                    if order.random() < 0.5:
+                        break
+        return records
+
+    def _ready(self, node, end):
+        if node.time() > end or not all(item.available(self.nodes, node, node.tick) for item in node.inputs):
+            return False
+        others = self.nodes.values()
+        if node.kind == "engine":  # earliest first
+            return all(other.time() >= node.time() for other in others if other.thing)
+        if node.thing:  # the engine first at equal times
+            return self.nodes["engine"].time() > node.time()
+        return True
+
+    def _fire(self, node, actions):
+        windows = [(item.name, item.take(self.nodes, node, node.tick)) for item in node.inputs]
+        sent = getattr(self, "_" + node.kind)(node, windows, actions)
+        for output, message in sent.items():
+            if output in node.add:
+                message = (message[0], message[1] + node.add[output])
+            node.sent[output].append(message)
+        record = Record(node.time(), windows, {output: node.sent[output][-1] for output in sent})
+        node.tick += 1
+        return record
+
+    def _message(self, node, h):
+        return {output: (node.nid * 100000 + node.tick, (h * 31 + j) % MODULUS) for j, output in enumerate(node.outputs)}
+
+    def _environment(self, node, windows, actions):
+        return dict(actions[node.tick]) if actions is not None else {}
+
+    def _engine(self, node, windows, actions):
+        if node.tick > 0:
+            for thing in self.objects:
+                total = sum(self.inputs[thing].values()) % MODULUS
+                self.state[thing] = (self.state[thing] * 131 + total * 7 + node.tick) % MODULUS
+        return {"tick": node.tick}
+
+    def _count(self, node, windows, actions):
+        node.sum = fold(windows, node.sum)
+        return self._message(node, node.sum)
+
+    def _sensor(self, node, windows, actions):
+        return self._message(node, fold(windows, self.state[node.thing]))
+
+    def _actuator(self, node, windows, actions):
+        h = fold(windows, 0)
+        self.inputs[node.thing][node.name] = h
+        return self._message(node, h)
+
+
+def recording(network, steps, episodes, seed):
+    """Lines in the format of tests/conformance. `episodes`: the states of each. Every episode is simulated twice
+    in different firing orders, which must make no difference."""
+    nodes = network.nodes
+    chooser = random.Random(seed)
+    for states in episodes:
+        actions = [{output: (chooser.randrange(1000), chooser.randrange(1000)) for output in nodes["environment"].outputs}
+                   for _ in range(steps)]
+        records = network.run(steps, states, actions, random.Random(1))
+        again = network.run(steps, states, actions, random.Random(2))
+        assert {k: v.__dict__ for k, v in records.items()} == {k: v.__dict__ for k, v in again.items()}
+        yield "episode"
+        for (owner, state), value in states.items():
+            values = value if isinstance(value, tuple) else (value,)
+            yield ",".join(["state", f"{owner}_{state}"] + [str(v) for v in values])
+        for (name, tick), record in sorted(records.items()):
+            yield f"tick,{name},{tick},{round(float(record.time), 12)!r}"
+            for item, (_, window) in zip(nodes[name].inputs, record.windows):
+                source = nodes[item.source]
+                stamps = [repr(round(float(source.time(seq)), 12)) for seq, _ in window]
+                values = [str(v) for _, message in window for v in (message if isinstance(message, tuple) else (message,))]
+                yield ",".join(["in", item.name, str(len(window))] + [str(seq) for seq, _ in window] + stamps + values)
+                if name == "environment":
+                    yield ",".join(["obs", item.name] + padded(item, window))
+            for output, message in record.sent.items():
+                yield ",".join(["out", output] + [str(v) for v in (message if isinstance(message, tuple) else (message,))])
+
+
+def padded(item, window):
+    """An observation as the agent sees it: copies of the oldest message in front; zeros without any (EAGERx: NaN,
+    which integers do not have)."""
+    messages = [message for _, message in window]
+    if item.window > 0:
+        missing = item.window - len(messages)
+        messages = [messages[0] if messages else (0, 0)] * missing + messages
+    return [str(v) for message in messages for v in message]
