@@ -82,9 +82,9 @@ class Emitter {
       View item(View::type::object);
       item.set("id", target->id.value);
       item.set("toolchain", target->toolchain.empty() ? View(false) : View(target->toolchain));
-      targets.push_back(std::move(item));
+      targets.push_back(item);
     }
-    view.set("targets", std::move(targets));
+    view["targets"] = std::move(targets);
     view.set("first", options_.targets.front()->id.value);
     return view;
   }

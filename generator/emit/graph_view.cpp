@@ -9,13 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-View object() {
-  return View(View::type::object);
-}
-View list() {
-  return View(View::type::list);
-}
-
 class GraphView {
  public:
   GraphView(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network)
@@ -60,9 +53,9 @@ class GraphView {
     for (const auto& channel : plan_.channels) {
       View item = object();
       item.set("channel", channel.name);
-      channels.push_back(std::move(item));
+      channels.push_back(item);
     }
-    view.set("channels", std::move(channels));
+    view["channels"] = std::move(channels);
   }
 
   View space_view(const std::string& field, const Space& space, Span span,
@@ -82,8 +75,8 @@ class GraphView {
       actions.push_back(space_view(action.name, action.space, action.span, "Action"));
     for (const auto& input : graph_.environment().inputs)
       observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
-    view.set("actions", std::move(actions));
-    view.set("observations", std::move(observations));
+    view["actions"] = std::move(actions);
+    view["observations"] = std::move(observations);
     view.set("no_observations", graph_.environment().inputs.empty());
   }
 
@@ -124,7 +117,7 @@ class GraphView {
     for (const auto& line : text) {
       View item = object();
       item.set("line", line);
-      lines.push_back(std::move(item));
+      lines.push_back(item);
     }
     return lines;
   }
@@ -149,14 +142,14 @@ class GraphView {
         View item = space_view(field, range, state.random->span, "State");
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
-        ranges.push_back(std::move(item));
+        ranges.push_back(item);
       }
       View item = object();
       item.set("state", owner + "/" + state.name);
       item.set("place", names_.place(state.random->span));
       item.set("needs_random", kind != RandomSpec::Kind::value);
       item.set("lines", draw_lines(*state.random, state.space, field, constant));
-      randoms.push_back(std::move(item));
+      randoms.push_back(item);
       draws = draws || kind != RandomSpec::Kind::value;
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
@@ -167,8 +160,8 @@ class GraphView {
       for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
         add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
     }
-    view.set("ranges", std::move(ranges));
-    view.set("randoms", std::move(randoms));
+    view["ranges"] = std::move(ranges);
+    view["randoms"] = std::move(randoms);
     view.set("draws", draws);
     view.set("draws_nothing", !draws);
   }
@@ -198,7 +191,7 @@ class GraphView {
     for (const std::size_t i : graph_.agent.observations) {
       View item = object();
       item.set("field", graph_.environment().inputs[i].name);
-      inputs.push_back(std::move(item));
+      inputs.push_back(item);
     }
     const bool squashed =
         graph_.agent.squashed.value_or(network_->layers.back().activation == Activation::tanh);
@@ -218,10 +211,10 @@ class GraphView {
                    : "as SB3's predict() does: clipped to the action's bounds");
       item.set("expression", squashed ? fmt::format("eagerx::unscaled({}, {})", output, constant)
                                       : fmt::format("{}.clipped({})", constant, output));
-      outputs.push_back(std::move(item));
+      outputs.push_back(item);
     }
-    view.set("policy_inputs", std::move(inputs));
-    view.set("policy_outputs", std::move(outputs));
+    view["policy_inputs"] = std::move(inputs);
+    view["policy_outputs"] = std::move(outputs);
     view.set("place", names_.place(graph_.agent.span));
   }
 

@@ -12,13 +12,6 @@
 namespace eagerx::gen {
 namespace {
 
-View object() {
-  return View(View::type::object);
-}
-View list() {
-  return View(View::type::list);
-}
-
 std::string int_type(std::int64_t value) {
   const bool small = value >= std::numeric_limits<std::int32_t>::min() &&
                      value <= std::numeric_limits<std::int32_t>::max();
@@ -68,7 +61,7 @@ View config_view(const Config& config) {
     view.set("value", cpp.value);
     view.set("comment",
              item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
-    views.push_back(std::move(view));
+    views.push_back(view);
   }
   return views;
 }
@@ -104,27 +97,27 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     port.set("type", window_type(plan, n, i));
     port.set("field", input.name);
     port.set("comment", fmt::format("  // {}", input.space.describe()));
-    inputs.push_back(std::move(port));
+    inputs.push_back(port);
   }
   view.set("no_inputs", node.inputs.empty());
-  view.set("inputs", std::move(inputs));
+  view["inputs"] = std::move(inputs);
   View outputs = list();
   for (const auto& output : node.outputs) {
     View port = object();
     port.set("type", message_type(output.raw));
     port.set("field", output.name);
-    outputs.push_back(std::move(port));
+    outputs.push_back(port);
   }
-  view.set("outputs", std::move(outputs));
+  view["outputs"] = std::move(outputs);
   view.set("has_ports", node.role != NodeRole::engine);
   View states = list();
   for (const auto& state : node.states) {
     View field = object();
     field.set("field", state.name);
     field.set("type", message_type(state.space));
-    states.push_back(std::move(field));
+    states.push_back(field);
   }
-  view.set("states", std::move(states));
+  view["states"] = std::move(states);
   view.set("has_simulator", node.object.has_value());
   view.set("simulator", node.object ? names.simulator_type[*node.object] : "");
   return view;
@@ -143,7 +136,7 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
     view.set("simulator", plan.graph->engine().entity->simulator.name);
     view.set("model", item.implementation->model.name);
     view.set("config", config_view(item.config));
-    views.push_back(std::move(view));
+    views.push_back(view);
   }
   return views;
 }
@@ -163,7 +156,7 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
       view.set("simulator", names.simulator_type[i]);
       view.set("class", state.engine_state->cpp.name);
       view.set("config", config_view(state.config));
-      views.push_back(std::move(view));
+      views.push_back(view);
     }
   }
   return views;
@@ -225,7 +218,7 @@ class Includes {
     for (const auto& header : headers_) {
       View view = object();
       view.set("include", header);
-      views.push_back(std::move(view));
+      views.push_back(view);
     }
     return views;
   }
@@ -291,11 +284,11 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
                                  names.place(state.span)));
     }
   }
-  view.set("actions", std::move(actions));
-  view.set("observations", std::move(observations));
+  view["actions"] = std::move(actions);
+  view["observations"] = std::move(observations);
   view.set("no_observations", graph.environment().inputs.empty());
   view.set("no_states", !states.is_non_empty_list());
-  view.set("states", std::move(states));
+  view["states"] = std::move(states);
   return view;
 }
 
@@ -312,9 +305,9 @@ View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
     View item = object();
     item.set("constant", names.channel[plan.channels[c].node][plan.channels[c].output]);
     item.set("number", fmt::format("{}", c));
-    channels.push_back(std::move(item));
+    channels.push_back(item);
   }
-  view.set("channels", std::move(channels));
+  view["channels"] = std::move(channels);
 
   std::map<std::string, std::size_t> first_of;  // structure → the node that its Io is named after
   std::map<std::size_t, std::size_t> shared;    // that node → how many others use it
@@ -332,9 +325,9 @@ View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
   for (const std::size_t n : own) {
     View node = node_view(plan, n, names);
     node.set("others", shared[n] == 0 ? "" : fmt::format(", and {} more alike", shared[n]));
-    nodes.push_back(std::move(node));
+    nodes.push_back(node);
   }
-  view.set("nodes", std::move(nodes));
+  view["nodes"] = std::move(nodes);
   return view;
 }
 

@@ -14,13 +14,6 @@ namespace {
 constexpr std::size_t kMostNodesInOneFunction = 100;
 constexpr std::size_t kChunk = 32;
 
-View object() {
-  return View(View::type::object);
-}
-View list() {
-  return View(View::type::list);
-}
-
 std::string joined(const std::vector<std::string>& items) {
   return fmt::format("{}", fmt::join(items, ", "));
 }
@@ -63,11 +56,11 @@ class ProgramView {
       rate.set("bit", fmt::format("{}", r));
       View counter = object();
       counter.set("counter", names_.counter[r]);
-      rates.push_back(std::move(rate));
-      counters.push_back(std::move(counter));
+      rates.push_back(rate);
+      counters.push_back(counter);
     }
-    view.set("rates", std::move(rates));
-    view.set("counters", std::move(counters));
+    view["rates"] = std::move(rates);
+    view["counters"] = std::move(counters);
     view.set("rate_count", fmt::format("{}", plan_.rates.size()));
     view.set("due_type", plan_.rates.size() <= 32 ? "std::uint32_t" : "std::uint64_t");
   }
@@ -119,11 +112,11 @@ class ProgramView {
       run.set("once", end - i == 1);
       run.set("loop", end - i > 1);
       run.set("count", fmt::format("{}", end - i));
-      runs.push_back(std::move(run));
+      runs.push_back(run);
       i = end;
     }
     view.set("has_slot", constants && masks.size() > 1);
-    view.set("runs", std::move(runs));
+    view["runs"] = std::move(runs);
   }
 
   void add_table(View& view, bool table) const {
@@ -143,9 +136,9 @@ class ProgramView {
         text += fmt::format("{}{},", k == i ? "" : " ", masks[k]);
       View line = object();
       line.set("line", text);
-      lines.push_back(std::move(line));
+      lines.push_back(line);
     }
-    view.set("mask_lines", std::move(lines));
+    view["mask_lines"] = std::move(lines);
   }
 
   void add_reset(View& view) const {
@@ -154,13 +147,13 @@ class ProgramView {
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       View simulator = object();
       simulator.set("member", names_.simulator_member[i]);
-      simulators.push_back(std::move(simulator));
+      simulators.push_back(simulator);
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
         View state = object();
         state.set("field", names_.object_state[i][s]);
         state.set("type", names_.engine_state_type[i][s]);
         state.set("simulator", names_.simulator_member[i]);
-        engine_states.push_back(std::move(state));
+        engine_states.push_back(state);
         uses_states = true;
       }
     }
@@ -174,11 +167,11 @@ class ProgramView {
       View reset = object();
       reset.set("call", fmt::format("{}.reset({{{}}}{})", names_.node_member[n], joined(states),
                                     simulator_argument(n)));
-      resets.push_back(std::move(reset));
+      resets.push_back(reset);
     }
-    view.set("simulators", std::move(simulators));
-    view.set("engine_states", std::move(engine_states));
-    view.set("resets", std::move(resets));
+    view["simulators"] = std::move(simulators);
+    view["engine_states"] = std::move(engine_states);
+    view["resets"] = std::move(resets);
     view.set("uses_states", uses_states);
     view.set("ignores_states", !uses_states);
     add_cursors(view);
@@ -198,7 +191,7 @@ class ProgramView {
           cursor.set("type", type);
           cursor.set("x", x);
           cursor.set("where", where);
-          cursors.push_back(std::move(cursor));
+          cursors.push_back(cursor);
         };
         const std::string x = fmt::format("{}", reception.x);
         if (reception.count == Reception::Count::delayed) {
@@ -214,7 +207,7 @@ class ProgramView {
       }
     }
     view.set("has_cursors", cursors.is_non_empty_list());
-    view.set("cursors", std::move(cursors));
+    view["cursors"] = std::move(cursors);
   }
 
   /// The engine, then everything in the order in which it runs.
@@ -244,7 +237,7 @@ class ProgramView {
       view.set("target", ring_place(plan_, names_, r, seq_of(n)));
       view.set("processor", names_.input_processor[*ring.reader_node][*ring.reader_input]);
       view.set("source", ring_place(plan_, names_, plan_.nodes[n].rings[output], seq_of(n)));
-      views.push_back(std::move(view));
+      views.push_back(view);
     }
     return views;
   }
@@ -265,9 +258,9 @@ class ProgramView {
       action.set("conversions", conversions(Graph::kEnvironment, a));
       action.set("channel", channel(Graph::kEnvironment, a));
       action.set("seq", seq_of(Graph::kEnvironment));
-      actions.push_back(std::move(action));
+      actions.push_back(action);
     }
-    view.set("actions", std::move(actions));
+    view["actions"] = std::move(actions);
   }
 
   void add_phase(View& view, const std::string& phase,
@@ -278,16 +271,16 @@ class ProgramView {
       const std::string function = fmt::format("{}_{}", phase, i / kChunk);
       View call = object();
       call.set("call", function);
-      calls.push_back(std::move(call));
+      calls.push_back(call);
       View chunk = object();
       chunk.set("function", function);
       chunk.set("groups", groups({nodes.begin() + static_cast<std::ptrdiff_t>(i),
                                   nodes.begin() + static_cast<std::ptrdiff_t>(
                                                       std::min(i + kChunk, nodes.size()))}));
-      chunks.push_back(std::move(chunk));
+      chunks.push_back(chunk);
     }
-    view.set(phase + "_calls", std::move(calls));
-    view.set(phase + "_chunks", std::move(chunks));
+    view[phase + "_calls"] = std::move(calls);
+    view[phase + "_chunks"] = std::move(chunks);
     view.set(phase + "_groups", cut ? list() : groups(nodes));
   }
 
@@ -301,8 +294,8 @@ class ProgramView {
       View blocks = list();
       for (; i < nodes.size() && plan_.nodes[nodes[i]].rate == rate; ++i)
         blocks.push_back(block(nodes[i]));
-      group.set("blocks", std::move(blocks));
-      views.push_back(std::move(group));
+      group["blocks"] = std::move(blocks);
+      views.push_back(group);
     }
     return views;
   }
@@ -352,18 +345,18 @@ class ProgramView {
       message.set("converted", output.processor.has_value());
       message.set("processor", names_.output_processor[n][o]);
       message.set("local", local);
-      published.push_back(std::move(message));
+      published.push_back(message);
       outputs.push_back(output.processor ? local : ring);
       if (!output.processor) continue;
       View variable = object();
       variable.set("type", message_type(output.raw));
       variable.set("local", local);
-      raw.push_back(std::move(variable));
+      raw.push_back(variable);
     }
     view.set("inputs", "{" + joined(inputs) + "}");
     view.set("outputs", "{" + joined(outputs) + "}");
-    view.set("raw", std::move(raw));
-    view.set("published", std::move(published));
+    view["raw"] = std::move(raw);
+    view["published"] = std::move(published);
     view.set("arguments",
              fmt::format("eagerx::Tick{{{}}}, in, out{}", seq_of(n), simulator_argument(n)));
   }
@@ -385,21 +378,21 @@ class ProgramView {
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set("comment",
                ring.needed > 1 ? fmt::format("  // {} needs {}", ring.why, ring.needed) : "");
-      rings.push_back(std::move(item));
+      rings.push_back(item);
     }
     const auto add = [&](const std::string& type, const std::string& member) {
       View item = object();
       item.set("type", type);
       item.set("member", member);
-      members.push_back(std::move(item));
+      members.push_back(item);
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i)
       add(names_.simulator_type[i], names_.simulator_member[i]);
     for (const std::size_t n : all_nodes())
       add(fmt::format("{}<{}>", graph_.nodes[n].entity->cpp.name, names_.io[n]),
           names_.node_member[n]);
-    view.set("rings", std::move(rings));
-    view.set("members", std::move(members));
+    view["rings"] = std::move(rings);
+    view["members"] = std::move(members);
   }
 
   const Plan& plan_;

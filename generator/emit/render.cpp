@@ -9,7 +9,8 @@
 namespace eagerx::gen {
 namespace {
 
-// Stands in empty lines until the text is rendered: after a tag, kainjow would take them for the tag's own.
+// Stands in empty lines until the text is rendered: after a tag, kainjow would take them for the
+// tag's own.
 constexpr char kEmptyLine = '\x01';
 
 /// A tag alone on its line leaves nothing behind: not its indentation, not the end of its line.

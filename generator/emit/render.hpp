@@ -10,6 +10,12 @@
 namespace eagerx::gen {
 
 using View = kainjow::mustache::data;
+inline View object() {
+  return View(View::type::object);
+}
+inline View list() {
+  return View(View::type::list);
+}
 
 /// The text of a template, for use as a partial; nullopt if it cannot be read.
 std::optional<std::string> read_template(const std::string& path);

@@ -2,6 +2,7 @@
 that fire, in any order, when the formula of section 3 is satisfied. Nothing here knows how the generated
 programs count, order or store anything. Rates and delays are fractions.
 """
+import functools
 import math
 import random
 from fractions import Fraction
@@ -9,6 +10,7 @@ from fractions import Fraction
 MODULUS = 1000003
 
 
+@functools.lru_cache(maxsize=None)
 def count(rate_in, rate, delay, skip, tick):
     """Messages that an input gets at a tick: the formula of section 3, with exact arithmetic."""
     if tick == 0:
@@ -97,6 +99,13 @@ class Network:
         self.nodes = nodes
         self.objects = sorted({node.thing for node in nodes.values() if node.thing})
         self.behind = self._behind_environment()
+        coupled = [node.name for node in nodes.values() if node.thing or node.kind == "engine"]
+        self.readers = {name: [] for name in nodes}  # and who else waits for it
+        for node in nodes.values():
+            for item in node.inputs:
+                self.readers[item.source].append(node.name)
+        for name in coupled:
+            self.readers[name] += coupled
 
     def _behind_environment(self):
         """Nodes that need the action of the same instant: the program runs them in the next step."""
@@ -117,20 +126,20 @@ class Network:
         self.inputs = {thing: {} for thing in self.objects}
         end = Fraction(steps) / self.nodes["environment"].rate
         records = {}
-        names = sorted(self.nodes)
-        while True:
-            ready = [name for name in names if self._ready(self.nodes[name], end)]
-            if not ready:
-                break
-            for name in order.sample(ready, len(ready)):
-                node = self.nodes[name]
-                while self._ready(node, end):
-                    tick = node.tick
-                    record = self._fire(node, actions if tick < steps else None)
-                    if not (name in self.behind and record.time == end):
-                        records[name, tick] = record
-                    if order.random() < 0.5:
-                        break
+        waiting = sorted(self.nodes)  # who may have become ready
+        while waiting:
+            place = order.randrange(len(waiting))
+            waiting[place], waiting[-1] = waiting[-1], waiting[place]
+            node = self.nodes[waiting.pop()]
+            while self._ready(node, end):
+                tick = node.tick
+                record = self._fire(node, actions if tick < steps else None)
+                if not (node.name in self.behind and record.time == end):
+                    records[node.name, tick] = record
+                waiting += [name for name in self.readers[node.name] if name not in waiting]
+                if order.random() < 0.5:
+                    waiting.append(node.name)
+                    break
         return records
 
     def _ready(self, node, end):
