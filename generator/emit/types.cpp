@@ -26,12 +26,7 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
       total = names.counter[rate];
       break;
     case Reception::Count::ticks_before:
-      total = node == Graph::kEnvironment
-                  ? fmt::format("{} - {}", names.counter[rate],
-                                rate == plan.nodes[node].rate
-                                    ? "1"
-                                    : fmt::format("((due & {}) != 0)", names.due[rate]))
-                  : fmt::format("{} - ((due & {}) != 0)", names.counter[rate], names.due[rate]);
+      total = fmt::format("{} - ((due & {}) != 0)", names.counter[rate], names.due[rate]);
       break;
     case Reception::Count::delayed:
     case Reception::Count::skipped:

@@ -41,6 +41,7 @@ std::string advice(Counts counts, const Rational& source_rate) {
   for (std::int64_t x = first; x >= 0 && x > first - kMostTried; --x) {
     counts.x = x;
     if (counts.at(1) == 0) continue;
+    if (x == 0) return "leave the delay out, or take `window: 0`, which may be empty";
     const Rational longest = Rational(x) / (Rational(counts.b) * source_rate);
     return fmt::format("shorten the delay to at most {} s, or take `window: 0`, which may be empty", longest.to_string());
   }

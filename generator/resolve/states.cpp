@@ -77,6 +77,9 @@ class RandomReader {
     if (spec_.first) {
       random.first = values(*spec_.first, true);
       random.second = values(*spec_.second, true);
+    } else if (space_.dtype == Dtype::boolean) {
+      random.first.assign(space_.size(), 0.0);
+      random.second.assign(space_.size(), 1.0);
     } else if (space_.low.empty() || space_.high.empty()) {
       fail("E0327", spec_.span, "the space of this state has no bounds to draw from");
       return;

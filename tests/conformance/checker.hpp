@@ -34,7 +34,8 @@ class Checker {
   void begin_episode(std::uint32_t index);
   /// A callback is about to run; `time_s` is tick / rate, not rounded.
   void inputs(const Place& place, double time_s, const std::vector<SeenWindow>& windows);
-  /// A message was published. The first of a node without inputs (the engine) also counts as its tick.
+  /// A message was published. The first of a node without inputs (the engine) also counts as its
+  /// tick.
   void output(const Place& place, const std::string& port, const std::vector<double>& values);
   /// What the agent sees at a tick of the environment.
   void observation(std::uint64_t tick, const std::string& name, const std::vector<double>& values);

@@ -62,7 +62,8 @@ class Reader {
 
  private:
   bool tolerance(const std::vector<std::string_view>& cells) {
-    return cells.size() > 2 && to_numbers(cells, 2, cells.size(), recording_.tolerances[std::string(cells[1])]);
+    return cells.size() > 2 &&
+           to_numbers(cells, 2, cells.size(), recording_.tolerances[std::string(cells[1])]);
   }
 
   bool tick(const std::vector<std::string_view>& cells) {
@@ -118,7 +119,8 @@ std::optional<Recording> read_recording(const std::string& path) {
     ++number;
     if (line.empty() || line.front() == '#') continue;
     if (reader.line(number, line)) continue;
-    std::fprintf(stderr, "error: %s:%zu is no line of a recording: %s\n", path.c_str(), number, line.c_str());
+    std::fprintf(stderr, "error: %s:%zu is no line of a recording: %s\n", path.c_str(), number,
+                 line.c_str());
     return std::nullopt;
   }
   if (!recording.episodes.empty()) return recording;

@@ -1,5 +1,5 @@
-// A recorded run: what every callback was given and what it sent, tick by tick. The format is described
-// in README.md.
+// A recorded run: what every callback was given and what it sent, tick by tick. The format is
+// described in README.md.
 #pragma once
 
 #include <cstddef>

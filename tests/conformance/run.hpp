@@ -3,14 +3,13 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
-
-#include <eagerx/message.hpp>
-#include <eagerx/rate.hpp>
 
 #include "checker.hpp"
 
@@ -18,7 +17,8 @@ namespace eagerx::conformance {
 
 template <class Message>
 void append(std::vector<double>& values, const Message& message) {
-  for (std::size_t i = 0; i < size_of<Message>; ++i) values.push_back(static_cast<double>(element(message, i)));
+  for (std::size_t i = 0; i < size_of<Message>; ++i)
+    values.push_back(static_cast<double>(element(message, i)));
 }
 
 template <class Message>

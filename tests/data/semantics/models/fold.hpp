@@ -1,10 +1,9 @@
-// The arithmetic of the integer entities: every message that a callback gets changes everything it sends from
-// then on. The same as in the recordings of EAGERx that these entities come from.
+// The arithmetic of the integer entities: every message that a callback gets changes everything it
+// sends from then on. The same as in the recordings of EAGERx that these entities come from.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 
@@ -31,7 +30,8 @@ constexpr std::int64_t fold(const Inputs& inputs, std::int64_t h) {
 }
 
 /// What output `index` of a node sends at a tick.
-constexpr Message message(std::int64_t nid, const eagerx::Tick& tick, std::int64_t h, std::int64_t index) {
+constexpr Message message(std::int64_t nid, const eagerx::Tick& tick, std::int64_t h,
+                          std::int64_t index) {
   constexpr std::int64_t kIds = 100000;
   constexpr std::int64_t kFactor = 31;
   return {{nid * kIds + static_cast<std::int64_t>(tick.n), (h * kFactor + index) % kModulus}};

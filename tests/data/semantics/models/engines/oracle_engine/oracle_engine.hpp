@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-
 #include <eagerx/rate.hpp>
 
 #include "../../fold.hpp"
@@ -34,7 +33,9 @@ class OracleEngine {
   void callback(const eagerx::Tick& tick, Simulators&... simulators) {
     constexpr std::int64_t kInputFactor = 7;
     const auto k = static_cast<std::int64_t>(tick.n);
-    ((simulators.state = (simulators.state * kBase + simulators.input() * kInputFactor + k) % kModulus), ...);
+    ((simulators.state =
+          (simulators.state * kBase + simulators.input() * kInputFactor + k) % kModulus),
+     ...);
   }
 };
 

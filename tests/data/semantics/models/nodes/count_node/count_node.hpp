@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <eagerx/rate.hpp>
 
 #include "../../fold.hpp"
@@ -14,7 +13,8 @@ class CountNode {
  public:
   void reset(const typename Io::States& states) { sum_ = states.s0.value_or(0); }
 
-  void callback(const eagerx::Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  void callback(const eagerx::Tick& tick, const typename Io::Inputs& in,
+                typename Io::Outputs& out) {
     sum_ = fold(in, sum_);
     send(out, Io::Config::nid, tick, sum_);
   }

@@ -5,7 +5,9 @@ namespace oracle {
 
 template <class Io>
 struct Add {
-  static typename Io::Output convert(const typename Io::Input& in) { return {{in[0], in[1] + Io::Config::k}}; }
+  static typename Io::Output convert(const typename Io::Input& in) {
+    return {{in[0], in[1] + Io::Config::k}};
+  }
 };
 
 }  // namespace oracle

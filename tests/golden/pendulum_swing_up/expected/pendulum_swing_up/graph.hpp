@@ -1,0 +1,100 @@
+// Everything that a main loop needs to know of graph `pendulum_swing_up`.
+// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <eagerx/agent.hpp>
+#include <eagerx/draw.hpp>
+#include <eagerx/random.hpp>
+#include <eagerx/space.hpp>
+
+#include "pendulum_swing_up/program.hpp"
+#include "pendulum_swing_up/policy.hpp"
+
+namespace pendulum_swing_up {
+
+struct Graph {
+  template <class Trace>
+  using Program = pendulum_swing_up::Program<Trace>;
+  using Action = pendulum_swing_up::Action;
+  using Observation = pendulum_swing_up::Observation;
+  using States = pendulum_swing_up::States;
+  using Rate = eagerx::Rate<30>;  // of the environment
+
+  static constexpr const char* kName = "pendulum_swing_up";
+  static constexpr const char* kEngine = "OdeEngine";
+  static constexpr const char* kDefaultAgent = "policy";
+  static constexpr const char* kAgentCsv = "";
+  static constexpr bool kHasPolicy = true;
+
+  /// Names of the published messages; the index is the channel of the trace.
+  static constexpr const char* kChannels[] = {
+      "engine/tick",
+      "environment/voltage",
+      "pendulum/theta/observation",
+      "pendulum/theta_dot/observation",
+      "pendulum/u/action_applied",
+      "pendulum/u_applied/action_applied",
+      "pendulum/x/observation",
+      "smooth/filtered",
+  };
+
+  /// actions.voltage, graph.yaml:25:3
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}}, .high = {{2.0F}}};
+  /// observations.angle, graph.yaml:31:32
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  /// observations.theta_dot, graph.yaml:32:36
+  static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
+  /// What pendulum.model_state is drawn from, graph.yaml:16:20
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
+
+  /// The randomised states of an episode: a function of the key and of nothing else.
+  static States draw(eagerx::EpisodeKey key) {
+    States states;
+    {  // pendulum/model_state, graph.yaml:16:20
+      eagerx::Random random(key, eagerx::entity_id("pendulum/model_state"));
+      states.pendulum_model_state = kStatePendulumModelState.sample(random);
+    }
+    return states;
+  }
+
+  /// The action that does nothing.
+  static Action zero() { return Action{}; }
+
+  /// An action drawn uniformly from the spaces of the actions.
+  static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
+    eagerx::Random random(key, eagerx::entity_id("agent"), static_cast<std::uint32_t>(step) * 2U);
+    return {kActionVoltage.sample(random)};
+  }
+
+  /// The trained policy's action: swing_up.onnx, graph.yaml:34:17
+  static Action policy(const Observation& observation) {
+    float input[policy::kInputs];
+    float output[policy::kOutputs];
+    std::size_t in = 0;
+    eagerx::flatten(observation.angle, input, in);
+    eagerx::flatten(observation.theta_dot, input, in);
+    policy::evaluate(input, output);
+    Action action;
+    std::size_t out = 0;
+    // squashed policy: from -1…1 to the action's bounds, as SB3's predict() does
+    action.voltage = eagerx::unscaled(eagerx::unflatten<eagerx::Array<float, 1>>(output, out), kActionVoltage);
+    return action;
+  }
+
+  /// f(name, message, space) for each action.
+  template <class F>
+  static void for_each_action(Action& action, F&& f) {
+    f("voltage", action.voltage, kActionVoltage);
+  }
+  /// f(name, window, space) for each observation.
+  template <class F>
+  static void for_each_observation(const Observation& observation, F&& f) {
+    f("angle", observation.angle, kObservationAngle);
+    f("theta_dot", observation.theta_dot, kObservationThetaDot);
+  }
+};
+
+}  // namespace pendulum_swing_up

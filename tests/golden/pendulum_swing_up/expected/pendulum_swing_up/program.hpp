@@ -1,0 +1,157 @@
+// Graph `pendulum_swing_up` on OdeEngine: its memory, its schedule, one step.
+// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+//
+// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at which at
+// least one rate is due; a step is one slot.
+#pragma once
+
+#include <cstdint>
+
+#include <eagerx/cursor.hpp>
+#include <eagerx/schedule.hpp>
+#include <eagerx/trace.hpp>
+
+#include "pendulum_swing_up/io.hpp"
+
+namespace pendulum_swing_up {
+
+/// The whole graph in one object: no heap, all zero until the first reset. A step is 1/30 s.
+template <class Trace = eagerx::NoTrace>
+class Program {
+ public:
+  [[no_unique_address]] Trace trace;
+
+  /// Starts an episode; the observation of its tick 0.
+  Observation reset(const States& states) {
+    n30Hz_ = 0;
+    pendulum_simulator_.reset();
+    if (states.pendulum_model_state) PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
+    engine_.reset({});
+    pendulum_u_applied_.reset({}, pendulum_simulator_);
+    pendulum_x_.reset({}, pendulum_simulator_);
+    pendulum_theta_.reset({}, pendulum_simulator_);
+    pendulum_theta_dot_.reset({}, pendulum_simulator_);
+    smooth_.reset({});
+    pendulum_u_.reset({}, pendulum_simulator_);
+    before(eagerx::Constant<k30Hz>{});
+    return observe(eagerx::Constant<k30Hz>{});
+  }
+
+  /// Applies an action and runs to the next tick of the environment.
+  Observation step(const Action& action) {
+    // actions.voltage, graph.yaml:25:3
+    action_voltage_[0] = action.voltage;
+    trace(channel::environment_voltage, n30Hz_ - 1, action.voltage);
+    after(eagerx::Constant<k30Hz>{});
+    before(eagerx::Constant<k30Hz>{});
+    return observe(eagerx::Constant<k30Hz>{});
+  }
+
+ private:
+  using Due = std::uint32_t;
+  static constexpr Due k30Hz = Due{1} << 0U;
+
+  // Up to the environment: everything that does not need the action of the same instant.
+  template <class Mask>
+  void before(const Mask due) {
+    n30Hz_ += (due & k30Hz) != 0;
+    if ((due & k30Hz) != 0) {
+      // engine: OdeEngine, graph.yaml:7:1
+      {
+        if (n30Hz_ > 1) engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
+        engine_tick_[0] = static_cast<std::int64_t>(n30Hz_ - 1);
+        trace(channel::engine_tick, n30Hz_ - 1, engine_tick_[0]);
+      }
+      // pendulum/u_applied: ActionApplied, graph.yaml:13:3
+      {
+        const PendulumUAppliedIo::Inputs in{{engine_tick_, n30Hz_}, {pendulum_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
+        PendulumUAppliedIo::Outputs out{pendulum_u_applied_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n30Hz_ - 1, in);
+        pendulum_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_u_applied_action_applied, n30Hz_ - 1, pendulum_u_applied_action_applied_[0]);
+      }
+      // pendulum/x: OdeOutput, graph.yaml:13:3
+      {
+        const PendulumXIo::Inputs in{{engine_tick_, n30Hz_}};
+        PendulumXIo::Outputs out{pendulum_x_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/x", PendulumXIo::Rate{}, n30Hz_ - 1, in);
+        pendulum_x_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_x_observation, n30Hz_ - 1, pendulum_x_observation_[0]);
+      }
+      // pendulum/theta: FloatOutput, graph.yaml:13:3
+      {
+        const PendulumThetaIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
+        PendulumThetaIo::Outputs out{pendulum_theta_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n30Hz_ - 1, in);
+        pendulum_theta_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
+        observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
+        trace(channel::pendulum_theta_observation, n30Hz_ - 1, pendulum_theta_observation_[0]);
+      }
+      // pendulum/theta_dot: FloatOutput, graph.yaml:13:3
+      {
+        const PendulumThetaDotIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
+        PendulumThetaDotIo::Outputs out{pendulum_theta_dot_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n30Hz_ - 1, in);
+        pendulum_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_theta_dot_observation, n30Hz_ - 1, pendulum_theta_dot_observation_[0]);
+      }
+    }
+  }
+
+  // From the environment on: everything that needs its action.
+  template <class Mask>
+  void after(const Mask due) {
+    if ((due & k30Hz) != 0) {
+      // smooth: ButterworthFilter, graph.yaml:19:3
+      {
+        const SmoothIo::Inputs in{{action_voltage_, n30Hz_}};
+        SmoothIo::Outputs out{smooth_filtered_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("smooth", SmoothIo::Rate{}, n30Hz_ - 1, in);
+        smooth_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
+        trace(channel::smooth_filtered, n30Hz_ - 1, smooth_filtered_[0]);
+      }
+      // pendulum/u: OdeInput, graph.yaml:13:3
+      {
+        const PendulumUIo::Inputs in{{engine_tick_, n30Hz_}, {smooth_filtered_, n30Hz_}};
+        PendulumUIo::Outputs out{pendulum_u_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/u", PendulumUIo::Rate{}, n30Hz_ - 1, in);
+        pendulum_u_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_u_action_applied, n30Hz_ - 1, pendulum_u_action_applied_[0]);
+      }
+    }
+  }
+
+  // What the environment sees.
+  template <class Mask>
+  Observation observe([[maybe_unused]] const Mask due) {
+    const Observation observation{{observation_angle_, n30Hz_}, {pendulum_theta_dot_observation_, n30Hz_}};
+    if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
+    return observation;
+  }
+
+  // Ticks so far, one counter a rate.
+  eagerx::Seq n30Hz_ = 0;
+
+  // Messages: as many of each as its readers need.
+  eagerx::Array<float, 1> action_voltage_[1]{};
+  std::int64_t engine_tick_[1]{};
+  eagerx::Array<float, 1> smooth_filtered_[1]{};
+  eagerx::Array<float, 2> pendulum_x_observation_[1]{};
+  float pendulum_theta_observation_[1]{};
+  float pendulum_theta_dot_observation_[1]{};
+  eagerx::Array<float, 1> pendulum_u_action_applied_[1]{};
+  eagerx::Array<float, 1> pendulum_u_applied_action_applied_[1]{};
+  eagerx::Array<float, 2> observation_angle_[1]{};
+
+  // Simulators, engine and nodes.
+  PendulumSimulator pendulum_simulator_{};
+  eagerx::models::OdeEngine<EngineIo> engine_{};
+  eagerx::models::ActionApplied<PendulumUAppliedIo> pendulum_u_applied_{};
+  eagerx::models::OdeOutput<PendulumXIo> pendulum_x_{};
+  eagerx::models::FloatOutput<PendulumThetaIo> pendulum_theta_{};
+  eagerx::models::FloatOutput<PendulumThetaDotIo> pendulum_theta_dot_{};
+  eagerx::models::ButterworthFilter<SmoothIo> smooth_{};
+  eagerx::models::OdeInput<PendulumUIo> pendulum_u_{};
+};
+
+}  // namespace pendulum_swing_up

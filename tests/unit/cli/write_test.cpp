@@ -1,0 +1,131 @@
+#include "generator/cli/write.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class WriteFiles : public testing::Test {
+ protected:
+  WriteFiles() {
+    std::string name = (fs::temp_directory_path() / "eagerx-write-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw fs::filesystem_error("mkdtemp", name, std::error_code(errno, std::generic_category()));
+    folder_ = name;
+  }
+  ~WriteFiles() override {
+    std::error_code ignored;
+    fs::permissions(folder_ / "out", fs::perms::owner_all, ignored);
+    fs::remove_all(folder_, ignored);
+  }
+
+  std::optional<WriteResult> write(const std::vector<GeneratedFile>& files) {
+    diagnostics_ = {};
+    return write_files((folder_ / "out").string(), files, diagnostics_);
+  }
+
+  std::string text(const std::string& path) const {
+    std::ifstream file(folder_ / "out" / path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  void put(const fs::path& path, const std::string& content) const {
+    fs::create_directories((folder_ / path).parent_path());
+    std::ofstream(folder_ / path) << content;
+  }
+
+  /// Every path below the output folder.
+  std::vector<std::string> listing() const {
+    std::vector<std::string> result;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out")) {
+      if (!entry.is_directory()) result.push_back(fs::relative(entry.path(), folder_ / "out").string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+  fs::path folder_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(WriteFiles, WritesAllAndListsThem) {
+  const auto result = write({{"b/two.hpp", "two"}, {"one.txt", "one"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->written, 3U);  // and the list
+  EXPECT_EQ(text("b/two.hpp"), "two");
+  EXPECT_EQ(listing(), (std::vector<std::string>{"b/two.hpp", "eagerx-gen.files", "one.txt"}));
+}
+
+TEST_F(WriteFiles, LeavesUnchangedFilesAlone) {
+  write({{"one.txt", "one"}, {"two.txt", "two"}});
+  const auto old = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  fs::last_write_time(folder_ / "out/one.txt", old);
+  const auto result = write({{"one.txt", "one"}, {"two.txt", "changed"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->written, 1U);
+  EXPECT_EQ(result->unchanged, 2U);
+  EXPECT_EQ(fs::last_write_time(folder_ / "out/one.txt"), old);
+  EXPECT_EQ(text("two.txt"), "changed");
+}
+
+TEST_F(WriteFiles, RemovesWhatIsNoLongerMadeAndNothingElse) {
+  write({{"old/gone.hpp", "gone"}, {"kept.txt", "kept"}});
+  put("out/mine.txt", "mine");
+  const auto result = write({{"kept.txt", "kept"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->removed, 1U);
+  EXPECT_EQ(listing(), (std::vector<std::string>{"eagerx-gen.files", "kept.txt", "mine.txt"}));
+}
+
+TEST_F(WriteFiles, NeverRemovesAnythingOutsideOfTheFolder) {
+  put("victim.txt", "precious");
+  put("out/eagerx-gen.files", "../victim.txt\nsub/../../victim.txt\n" + (folder_ / "victim.txt").string() + "\n\n.\n..\n");
+  ASSERT_TRUE(write({{"one.txt", "one"}}));
+  EXPECT_TRUE(fs::exists(folder_ / "victim.txt"));
+  EXPECT_TRUE(fs::exists(folder_ / "out/one.txt"));
+}
+
+TEST_F(WriteFiles, ChangesNothingWhenOneFileCannotBeWritten) {
+  write({{"a.txt", "old"}, {"z.txt", "old"}});
+  put("out/blocked/file", "a folder where a file should go");
+  EXPECT_FALSE(write({{"a.txt", "new"}, {"blocked", "new"}, {"z.txt", "new"}}));
+  ASSERT_EQ(diagnostics_.error_count(), 1U);
+  EXPECT_EQ(diagnostics_.all().front().code, "E0901");
+  EXPECT_TRUE(diagnostics_.has_io_errors());
+  EXPECT_EQ(text("a.txt"), "old");
+  EXPECT_EQ(text("z.txt"), "old");
+  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "blocked/file", "eagerx-gen.files", "z.txt"}));  // no leftovers
+}
+
+TEST_F(WriteFiles, AFileWhereAFolderBelongsIsAnError) {
+  put("out/sub", "a file");
+  EXPECT_FALSE(write({{"a.txt", "new"}, {"sub/b.txt", "new"}}));
+  EXPECT_TRUE(diagnostics_.has_io_errors());
+  EXPECT_EQ(listing(), (std::vector<std::string>{"sub"}));
+}
+
+TEST_F(WriteFiles, AReadOnlyFolderIsAnError) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may write anywhere";
+  write({{"a.txt", "old"}});
+  fs::permissions(folder_ / "out", fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_FALSE(write({{"a.txt", "new"}}));
+  EXPECT_TRUE(diagnostics_.has_io_errors());
+  EXPECT_EQ(text("a.txt"), "old");
+}
+
+TEST_F(WriteFiles, FollowsNoTemporaryFileOfAnotherRun) {
+  put("out/.a.txt.1", "of a run that was killed");
+  ASSERT_TRUE(write({{"a.txt", "new"}}));
+  EXPECT_EQ(text("a.txt"), "new");
+}
+
+}  // namespace
+}  // namespace eagerx::gen

@@ -1,0 +1,75 @@
+#include "generator/library/library.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace eagerx::gen {
+namespace {
+
+const std::string kRoot = EAGERX_SOURCE_DIR;
+
+Library load(const std::vector<std::string>& folders, Diagnostics& diagnostics) {
+  static SourceMap sources;
+  std::vector<Spanned<std::string>> named;
+  for (const auto& folder : folders) named.push_back({folder, {}});
+  return load_library(named, sources, diagnostics);
+}
+
+TEST(LoadLibrary, FindsEveryEntityAndTarget) {
+  Diagnostics diagnostics;
+  const Library library = load({kRoot + "/models", kRoot + "/targets"}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  for (const char* id : {"OdeEngine", "Pendulum", "ButterworthFilter", "DecomposedAngle", "OdeInput", "OdeEngineState"}) EXPECT_NE(library.find(id), nullptr) << id;
+  EXPECT_TRUE(library.targets.contains("linux-sim"));
+  for (const auto& [id, entity] : library.entities) {
+    if (entity.cpp.include.empty()) continue;
+    EXPECT_TRUE(std::filesystem::exists(kRoot + "/" + entity.cpp.include)) << id << ": " << entity.cpp.include;
+    EXPECT_TRUE(entity.cpp.include.starts_with("models/")) << entity.cpp.include;
+  }
+}
+
+TEST(LoadLibrary, IncludesAreRelativeHoweverTheFolderIsWritten) {
+  for (const std::string folder : {"tests/data/library", "./tests/data/library/", "tests/data/../data/library"}) {
+    Diagnostics diagnostics;
+    const Library library = load({folder}, diagnostics);  // the tests run at the root
+    ASSERT_FALSE(diagnostics.has_errors()) << folder;
+    const Entity* node = library.find("LeakySum");
+    ASSERT_NE(node, nullptr) << folder;
+    EXPECT_EQ(node->cpp.include, "library/nodes/leaky_sum/leaky_sum.hpp") << folder;
+    EXPECT_EQ(node->include_root, kRoot + "/tests/data") << folder;
+    EXPECT_EQ(node->config.size(), 7U);
+  }
+}
+
+TEST(LoadLibrary, AFolderNamedTwiceIsReadOnce) {
+  Diagnostics diagnostics;
+  const Library library = load({"tests/data/library", kRoot + "/tests/data/library/"}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_EQ(library.entities.size(), 1U);
+}
+
+TEST(LoadLibrary, TheSameIdFromTwoFilesIsAnErrorAtBoth) {
+  Diagnostics diagnostics;
+  load({"tests/data/library", "tests/data"}, diagnostics);  // two roots that see the same manifest
+  ASSERT_EQ(diagnostics.error_count(), 1U);
+  const Diagnostic& problem = diagnostics.all().front();
+  EXPECT_EQ(problem.code, "E0302");
+  ASSERT_EQ(problem.notes.size(), 1U);
+}
+
+TEST(LoadLibrary, AFolderThatIsNotThereIsAnInputError) {
+  Diagnostics diagnostics;
+  load({"tests/data/no_such_folder"}, diagnostics);
+  ASSERT_EQ(diagnostics.error_count(), 1U);
+  EXPECT_TRUE(diagnostics.has_io_errors());
+  EXPECT_EQ(diagnostics.all().front().code, "E0301");
+}
+
+TEST(ManifestFormat, EveryKindHasOne) {
+  for (const auto& kind : manifest_kinds()) EXPECT_NE(manifest_format(kind), nullptr) << kind;
+  EXPECT_EQ(manifest_format("gizmo"), nullptr);
+}
+
+}  // namespace
+}  // namespace eagerx::gen
