@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "generator/spec/format.hpp"
@@ -14,8 +15,12 @@ void add_bounds(Json& schema, const Format& format) {
   if (format.high) schema["maximum"] = *format.high;
 }
 
+/// A key with nothing behind it is an empty mapping where nothing is required.
+Json object_type(bool may_be_empty) { return may_be_empty ? Json({"object", "null"}) : Json("object"); }
+
 Json record_schema(const Format& format) {
-  Json schema = {{"type", "object"}, {"additionalProperties", false}};
+  const bool empty = std::none_of(format.fields.begin(), format.fields.end(), [](const Field& field) { return field.required; });
+  Json schema = {{"type", object_type(empty)}, {"additionalProperties", false}};
   Json properties = Json::object();
   Json required = Json::array();
   for (const auto& field : format.fields) {
@@ -65,7 +70,7 @@ Json schema_of(const Format& format) {
       return schema;
     }
     case Format::Kind::map:
-      return {{"type", "object"},
+      return {{"type", object_type(true)},
               {"propertyNames", {{"pattern", kIdentifier}}},
               {"additionalProperties", schema_of(*format.item)}};
     case Format::Kind::record:

@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 
 #include "generator/read/tree.hpp"
@@ -58,6 +59,7 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
     const bool fits = types.is_array() ? std::any_of(types.begin(), types.end(), [&](const Json& t) { return is(t); }) : is(types);
     if (!fits) return where + " has the wrong type";
   }
+  if (value.is_string() && schema.contains("pattern") && !std::regex_search(value.get<std::string>(), std::regex(schema["pattern"].get<std::string>()))) return where + " has the wrong form";
   if (schema.contains("exclusiveMinimum") && !(value.get<double>() > schema["exclusiveMinimum"].get<double>())) return where + " is too small";
   if (schema.contains("minimum") && value.get<double>() < schema["minimum"].get<double>()) return where + " is too small";
   if (value.is_array() && schema.contains("items")) {
@@ -106,7 +108,8 @@ TEST(Schema, RefusesWhatTheParserRefuses) {
 
 TEST(Schema, DescribesEveryKey) {
   const auto check_all = [](const auto& self, const Json& schema, const std::string& where) -> void {
-    for (const auto& [key, property] : schema.value("properties", Json::object()).items()) {
+    const Json properties = schema.value("properties", Json::object());
+    for (const auto& [key, property] : properties.items()) {
       EXPECT_FALSE(property.value("description", "").empty()) << where << "." << key;
       self(self, property, where + "." + key);
     }

@@ -1,0 +1,80 @@
+// Any bytes as a graph file, all the way to generated code in memory: no crash, no endless work, and either
+// files or a reason.
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <set>
+#include <string>
+
+#include "generator/emit/emit.hpp"
+#include "generator/plan/plan.hpp"
+
+namespace {
+
+using namespace eagerx::gen;  // NOLINT(google-build-using-namespace): a fuzzer, not a library
+
+const std::string kRoot = EAGERX_SOURCE_DIR;
+
+void require(bool holds) {
+  if (!holds) std::abort();
+}
+
+const Library& library() {
+  static SourceMap sources;
+  static Diagnostics diagnostics;
+  static const Library kLibrary = load_library({{kRoot + "/models", {}}, {kRoot + "/targets", {}}, {kRoot + "/tests/data/library", {}}}, sources, diagnostics);
+  require(!diagnostics.has_errors());
+  return kLibrary;
+}
+
+/// A gigabyte of text is what was asked for, but no test of the generator.
+bool is_large(const Plan& plan) {
+  std::uint64_t elements = 0;
+  for (const auto& ring : plan.rings) elements += ring.space.size();
+  return elements > 100'000;
+}
+
+void emit_all(const Plan& plan, Diagnostics& diagnostics) {
+  EmitOptions options;
+  options.templates = kRoot + "/templates";
+  options.targets = {&library().targets.at("linux-sim")};
+  options.version = "0.1.0";
+  options.builtin_root = kRoot;
+  options.output = "/out";
+  const auto files = emit(plan, std::nullopt, options, diagnostics);
+  require(files.has_value() && !diagnostics.has_errors());
+  std::set<std::string> paths;
+  for (const auto& file : *files) {
+    require(!file.text.empty() && paths.insert(file.path).second);
+    require(file.path.find("..") == std::string::npos && file.path.front() != '/');
+  }
+}
+
+void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) {
+  ReadLimits limits;
+  limits.max_nodes = 5000;
+  const Node tree = read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::refuse, limits);
+  if (diagnostics.has_errors()) return;
+  const auto spec = read_graph_spec(tree, "fuzz.yaml", diagnostics);
+  require(spec.has_value() || diagnostics.has_errors());
+  if (!spec) return;
+  const auto graph = resolve(*spec, library(), {}, diagnostics);
+  require(graph.has_value() != diagnostics.has_errors());
+  if (!graph) return;
+  const auto plan = make_plan(*graph, diagnostics);
+  require(plan.has_value() != diagnostics.has_errors());
+  if (plan && graph->agent.kind != AgentSpec::Kind::policy && !is_large(*plan)) emit_all(*plan, diagnostics);
+}
+
+}  // namespace
+
+// The name is libFuzzer's.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  run(std::string(reinterpret_cast<const char*>(data), size), diagnostics, sources);
+  diagnostics.sort_by_place();
+  for (const auto& problem : diagnostics.all()) require(!problem.code.empty() && !problem.message.empty());
+  render_text(diagnostics, sources, false);
+  return 0;
+}
