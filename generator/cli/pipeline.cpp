@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void load_library_for(Run& run, const Options& options, const std::vector<Spanned<std::string>>& more) {
+void load_library_for(Run& run, const Options& options,
+                      const std::vector<Spanned<std::string>>& more) {
   run.root = data_root();
   if (run.root.empty()) {
     run.diagnostics.io_error("E0301", {}, "cannot find the folder with models and templates").help =
@@ -50,7 +51,8 @@ bool make(Run& run, const Options& options) {
   std::vector<Spanned<std::string>> folders;
   if (run.spec) {
     for (const auto& folder : run.spec->library)
-      folders.push_back({(fs::path(options.graph).parent_path() / folder.value).string(), folder.span});
+      folders.push_back(
+          {(fs::path(options.graph).parent_path() / folder.value).string(), folder.span});
   }
   const std::size_t errors_before = run.diagnostics.error_count();
   load_library_for(run, options, folders);

@@ -40,7 +40,8 @@ void Diagnostics::sort_by_place() {
     // FileId::none becomes 0.
     return std::tuple(static_cast<std::uint32_t>(span.file) + 1U, span.line, span.column);
   };
-  std::stable_sort(all_.begin(), all_.end(), [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
+  std::stable_sort(all_.begin(), all_.end(),
+                   [&](const Diagnostic& a, const Diagnostic& b) { return place(a) < place(b); });
 }
 
 }  // namespace eagerx::gen

@@ -18,7 +18,8 @@ const PortManifest* find_port(const std::vector<PortManifest>& ports, std::strin
 }
 
 /// Manifests below `folder`, sorted, so that the order of a directory listing never matters.
-std::vector<std::string> find_manifests(const Spanned<std::string>& folder, Diagnostics& diagnostics) {
+std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
+                                        Diagnostics& diagnostics) {
   std::vector<std::string> result;
   std::error_code error;
   fs::recursive_directory_iterator walk(folder.value, fs::directory_options::skip_permission_denied,
@@ -29,7 +30,9 @@ std::vector<std::string> find_manifests(const Spanned<std::string>& folder, Diag
   }
   if (error) {
     const bool missing = error == std::errc::no_such_file_or_directory;
-    diagnostics.io_error("E0301", folder.span, fmt::format("cannot read the folder `{}`: {}", folder.value, missing ? "it does not exist" : error.message()));
+    diagnostics.io_error("E0301", folder.span,
+                         fmt::format("cannot read the folder `{}`: {}", folder.value,
+                                     missing ? "it does not exist" : error.message()));
   }
   std::sort(result.begin(), result.end());
   return result;
@@ -49,7 +52,8 @@ void set_include_root(Entity& entity, const fs::path& root) {
   entity.include_root = root.string();
   const auto relative = [&](CppClass& cpp) {
     if (cpp.include.empty()) return;
-    cpp.include = fs::absolute(cpp.include).lexically_normal().lexically_relative(root).generic_string();
+    cpp.include =
+        fs::absolute(cpp.include).lexically_normal().lexically_relative(root).generic_string();
   };
   relative(entity.cpp);
   relative(entity.simulator);

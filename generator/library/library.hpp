@@ -91,8 +91,9 @@ struct Library {
 
 std::string_view to_string(EntityKind kind);
 
-/// Reads every manifest.yaml below the folders, in the order of their paths; a folder's span is where it was named. Codes: E0301 a folder
-/// that cannot be read, E0302 an id defined twice, E02xx what is wrong in a manifest.
+/// Reads every manifest.yaml below the folders, in the order of their paths; a folder's span is
+/// where it was named. Codes: E0301 a folder that cannot be read, E0302 an id defined twice, E02xx
+/// what is wrong in a manifest.
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics);
 

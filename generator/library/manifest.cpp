@@ -139,10 +139,15 @@ PortManifest only_port(const Node& root, const char* key) {
 bool check_manifest(const Node& root, Diagnostics& diagnostics) {
   const Node* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
-    auto& problem = kind == nullptr ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
-                                    : diagnostics.error("E0204", kind->span, fmt::format("{} is no kind of manifest", describe(*kind)));
+    auto& problem =
+        kind == nullptr
+            ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
+            : diagnostics.error("E0204", kind->span,
+                                fmt::format("{} is no kind of manifest", describe(*kind)));
     const std::string near = kind != nullptr ? nearest(kind->text, manifest_kinds()) : "";
-    problem.help = near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", ")) : fmt::format("did you mean `{}`?", near);
+    problem.help =
+        near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "))
+                     : fmt::format("did you mean `{}`?", near);
     return false;
   }
   return check(root, *manifest_format(kind->text), diagnostics);

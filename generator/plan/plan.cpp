@@ -142,14 +142,19 @@ class Planner {
       if (ring.capacity <= kMaxRingBytes / bytes && ring.capacity < (std::uint64_t{1} << 31U))
         continue;
       const GraphNode& node = graph_.nodes[ring.node];
-      const std::string name = (ring.node == Graph::kEnvironment ? "actions" : node.name) + "." + node.outputs[ring.output].name;
+      const std::string name = (ring.node == Graph::kEnvironment ? "actions" : node.name) + "." +
+                               node.outputs[ring.output].name;
       if (ring.why.empty()) {  // nobody reads it
-        diagnostics_.error("E0403", node.outputs[ring.output].span, fmt::format("`{}` has messages of {} bytes", name, bytes)).help = "a ring may have 1 GiB";
+        diagnostics_
+            .error("E0403", node.outputs[ring.output].span,
+                   fmt::format("`{}` has messages of {} bytes", name, bytes))
+            .help = "a ring may have 1 GiB";
         continue;
       }
       diagnostics_
           .error("E0403", why_[static_cast<std::size_t>(&ring - plan_.rings.data())],
-                 fmt::format("`{}` needs {} messages of `{}` at once, of {} bytes each", ring.why, ring.needed, name, bytes))
+                 fmt::format("`{}` needs {} messages of `{}` at once, of {} bytes each", ring.why,
+                             ring.needed, name, bytes))
           .help = "shorten the delay or the window: a ring may have 1 GiB";
     }
   }

@@ -43,7 +43,8 @@ std::string advice(Counts counts, const Rational& source_rate) {
     if (counts.at(1) == 0) continue;
     if (x == 0) return "leave the delay out, or take `window: 0`, which may be empty";
     const Rational longest = Rational(x) / (Rational(counts.b) * source_rate);
-    return fmt::format("shorten the delay to at most {} s, or take `window: 0`, which may be empty", longest.to_string());
+    return fmt::format("shorten the delay to at most {} s, or take `window: 0`, which may be empty",
+                       longest.to_string());
   }
   return "take `window: 0`, which may be empty, or a faster source";
 }

@@ -62,11 +62,14 @@ std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) 
   Rational slowest = grid;
   for (const auto& node : graph.nodes) {
     const Rational finer = lcm(grid, node.rate_hz);
-    slowest = std::min(slowest, node.rate_hz, [](const Rational& a, const Rational& b) { return a < b; });
+    slowest =
+        std::min(slowest, node.rate_hz, [](const Rational& a, const Rational& b) { return a < b; });
     if (finer.overflowed() || (finer / slowest).overflowed()) {
       diagnostics
           .error("E0402", node.span,
-                 fmt::format("the {} Hz of `{}` and the rates before it have no common grid that fits into 63 bits", node.rate_hz.to_string(), node.name))
+                 fmt::format("the {} Hz of `{}` and the rates before it have no common grid that "
+                             "fits into 63 bits",
+                             node.rate_hz.to_string(), node.name))
           .help = "write rates with fewer decimals";
       return std::nullopt;
     }

@@ -31,8 +31,6 @@ std::string_view type_name(Parameter::Type type) {
   return "";
 }
 
-
-
 bool in_range(const Parameter& parameter, double value, const Node& node,
               Diagnostics& diagnostics) {
   const bool low = parameter.low && !(value >= *parameter.low);
@@ -78,7 +76,8 @@ class Reader {
   std::optional<ConfigValue> wrong(const Node& node) {
     if (is_unresolved(node)) return std::nullopt;
     diagnostics_.error("E0322", node.span,
-                       fmt::format("`{}` must be {}, found {}", parameter_.name.value, type_name(parameter_.type), describe(node)));
+                       fmt::format("`{}` must be {}, found {}", parameter_.name.value,
+                                   type_name(parameter_.type), describe(node)));
     return std::nullopt;
   }
 
@@ -143,7 +142,7 @@ const Setting* find_setting(const std::vector<Setting>& settings, const std::str
 
 /// Reports parameters that do not exist; returns those that were meant.
 std::vector<std::string> report_unknown(const Entity& entity, const std::vector<Setting>& settings,
-                    Diagnostics& diagnostics) {
+                                        Diagnostics& diagnostics) {
   std::vector<std::string> meant;
   std::vector<std::string> known;
   for (const auto& parameter : entity.config) known.push_back(parameter.name.value);
@@ -180,7 +179,9 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
     const Setting* setting = find_setting(settings, parameter.name.value);
     const Node* node = setting != nullptr ? &setting->value
                                           : (parameter.fallback ? &*parameter.fallback : nullptr);
-    if (node == nullptr && std::find(meant.begin(), meant.end(), parameter.name.value) != meant.end()) continue;
+    if (node == nullptr &&
+        std::find(meant.begin(), meant.end(), parameter.name.value) != meant.end())
+      continue;
     if (node == nullptr) {
       diagnostics
           .error(
@@ -208,7 +209,9 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
   return result;
 }
 
-bool is_unresolved(const Node& node) { return node.tag == kUnresolved; }
+bool is_unresolved(const Node& node) {
+  return node.tag == kUnresolved;
+}
 
 Node substitute(Node node, const References& references, Diagnostics& diagnostics) {
   for (auto& item : node.items) item = substitute(std::move(item), references, diagnostics);
@@ -267,10 +270,13 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   if (entity != nullptr && entity->kind == kind) return entity;
   if (entity != nullptr) {
     auto& problem = diagnostics.error("E0304", id.span,
-                                      fmt::format("`{}` is {}, not {}", id.value, with_article(entity->kind), with_article(kind)));
+                                      fmt::format("`{}` is {}, not {}", id.value,
+                                                  with_article(entity->kind), with_article(kind)));
     problem.notes.push_back({"defined here", entity->id.span, ""});
-    if (entity->kind == EntityKind::object && kind == EntityKind::node) problem.help = "objects go under `objects:`";
-    if (entity->kind == EntityKind::node && kind == EntityKind::object) problem.help = "nodes go under `nodes:`";
+    if (entity->kind == EntityKind::object && kind == EntityKind::node)
+      problem.help = "objects go under `objects:`";
+    if (entity->kind == EntityKind::node && kind == EntityKind::object)
+      problem.help = "nodes go under `nodes:`";
     return nullptr;
   }
   auto& problem = diagnostics.error("E0303", id.span,
@@ -281,9 +287,13 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   if (!near.empty()) {
     problem.help = fmt::format("did you mean `{}`?", near);
   } else if (!known.empty() && known.size() <= kMostListed) {
-    problem.help = fmt::format("there is {}; folders of your own are given with `library:` or `--path`", fmt::join(known, ", "));
+    problem.help =
+        fmt::format("there is {}; folders of your own are given with `library:` or `--path`",
+                    fmt::join(known, ", "));
   } else {
-    problem.help = "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or `--path`";
+    problem.help =
+        "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or "
+        "`--path`";
   }
   return nullptr;
 }

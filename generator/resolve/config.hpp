@@ -22,7 +22,8 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
 /// The references that a config gives rise to: `config NAME` for every parameter.
 References references_of(const Entity& entity, const std::vector<Setting>& settings);
 
-/// `node` with every `$(…)` replaced; an unknown reference is reported (E0324) and marked, so that nothing more is said of it.
+/// `node` with every `$(…)` replaced; an unknown reference is reported (E0324) and marked, so that
+/// nothing more is said of it.
 bool is_unresolved(const Node& node);
 Node substitute(Node node, const References& references, Diagnostics& diagnostics);
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,

@@ -53,15 +53,16 @@ std::optional<std::size_t> find_node(const Draft& draft, const std::string& name
   return std::nullopt;
 }
 
-/// The ports that a name stands for; several inputs when an actuator feeds several engine nodes. Says nothing
-/// when there are none.
+/// The ports that a name stands for; several inputs when an actuator feeds several engine nodes.
+/// Says nothing when there are none.
 std::vector<PortIndex> find_ports(const Draft& draft, const Port& port, Side side) {
   if (const DraftObject* object = find_object(draft, port.owner)) {
     const char* section = side == Side::from ? "sensors" : "actuators";
     if (!port.section.empty() && port.section != section) return {};
     if (side == Side::from) {
       const auto sensor = object->sensors.find(port.name);
-      return sensor == object->sensors.end() ? std::vector<PortIndex>{} : std::vector<PortIndex>{sensor->second};
+      return sensor == object->sensors.end() ? std::vector<PortIndex>{}
+                                             : std::vector<PortIndex>{sensor->second};
     }
     const auto actuator = object->actuators.find(port.name);
     return actuator == object->actuators.end() ? std::vector<PortIndex>{} : actuator->second;
@@ -70,7 +71,8 @@ std::vector<PortIndex> find_ports(const Draft& draft, const Port& port, Side sid
   const char* section = side == Side::from ? "outputs" : "inputs";
   if (!index || (!port.section.empty() && port.section != section)) return {};
   const DraftNode& node = draft.nodes[*index];
-  const std::vector<std::string> names = side == Side::from ? names_of(node.outputs) : names_of(node.inputs);
+  const std::vector<std::string> names =
+      side == Side::from ? names_of(node.outputs) : names_of(node.inputs);
   const auto found = std::find(names.begin(), names.end(), port.name);
   if (found == names.end()) return {};
   return {{*index, static_cast<std::size_t>(found - names.begin())}};
@@ -108,7 +110,8 @@ class Connector {
   std::vector<End> find(const Spanned<std::string>& text, Side side) {
     const Port port = split(text.value);
     std::vector<End> ends;
-    for (const auto& index : find_ports(draft_, port, side)) ends.push_back({side, index.node, index.port});
+    for (const auto& index : find_ports(draft_, port, side))
+      ends.push_back({side, index.node, index.port});
     if (ends.empty()) excuse(report(port, text, side), side);
     return ends;
   }
@@ -127,14 +130,19 @@ class Connector {
     return report_unknown_owner(port, text, side);
   }
 
-  void report_port_of_object(const DraftObject& object, const Port& port, const Spanned<std::string>& text, Side side) {
+  void report_port_of_object(const DraftObject& object, const Port& port,
+                             const Spanned<std::string>& text, Side side) {
     const Entity& entity = *object.entity;
     const Entity* engine = draft_.nodes[Graph::kEngine].node.entity;
     const bool sensor = side == Side::from;
-    const bool declared = (sensor ? entity.sensor(port.name) : entity.actuator(port.name)) != nullptr;
+    const bool declared =
+        (sensor ? entity.sensor(port.name) : entity.actuator(port.name)) != nullptr;
     if (declared && (port.section.empty() || port.section == (sensor ? "sensors" : "actuators"))) {
-      diagnostics().error("E0308", text.span, fmt::format("`{}` has no {} `{}` on `{}`", entity.id.value, sensor ? "sensor" : "actuator", port.name, engine->id.value)).help =
-          "choose another engine, or add it to the object's manifest";
+      diagnostics()
+          .error("E0308", text.span,
+                 fmt::format("`{}` has no {} `{}` on `{}`", entity.id.value,
+                             sensor ? "sensor" : "actuator", port.name, engine->id.value))
+          .help = "choose another engine, or add it to the object's manifest";
       return;
     }
     const auto sensors = names_of(entity.sensors), actuators = names_of(entity.actuators);
@@ -142,46 +150,64 @@ class Connector {
            : report_unknown_port(port, text, side, actuators, "actuator", sensors, "sensor");
   }
 
-  void report_port_of_node(const DraftNode& node, const Port& port, const Spanned<std::string>& text, Side side) {
+  void report_port_of_node(const DraftNode& node, const Port& port,
+                           const Spanned<std::string>& text, Side side) {
     const bool environment = node.node.role == NodeRole::environment;
     const auto inputs = names_of(node.inputs), outputs = names_of(node.outputs);
     const Entity* entity = node.node.entity;
     const bool sends = side == Side::from;
-    const bool left_out = entity != nullptr && (sends ? entity->output(port.name) : entity->input(port.name)) != nullptr;
+    const bool left_out = entity != nullptr &&
+                          (sends ? entity->output(port.name) : entity->input(port.name)) != nullptr;
     if (left_out) {
       const char* section = sends ? "outputs" : "inputs";
-      diagnostics().error("E0307", text.span, fmt::format("`{}` is not selected", text.value)).help =
+      diagnostics()
+          .error("E0307", text.span, fmt::format("`{}` is not selected", text.value))
+          .help =
           fmt::format("add it to `{}:` of `{}`, or leave that key out", section, port.owner);
       return;
     }
     if (environment) {
-      report_unknown_port(port, text, side, sends ? outputs : inputs, sends ? "action" : "observation", {}, "");
+      report_unknown_port(port, text, side, sends ? outputs : inputs,
+                          sends ? "action" : "observation", {}, "");
       return;
     }
     sends ? report_unknown_port(port, text, side, outputs, "output", inputs, "input")
           : report_unknown_port(port, text, side, inputs, "input", outputs, "output");
   }
 
-  void report_unknown_port(const Port& port, const Spanned<std::string>& text, Side side, const std::vector<std::string>& known,
-                           std::string_view kind, const std::vector<std::string>& other_side, std::string_view other_kind) {
+  void report_unknown_port(const Port& port, const Spanned<std::string>& text, Side side,
+                           const std::vector<std::string>& known, std::string_view kind,
+                           const std::vector<std::string>& other_side,
+                           std::string_view other_kind) {
     const char* verb = side == Side::from ? "sends" : "takes";
     if (std::find(other_side.begin(), other_side.end(), port.name) != other_side.end()) {
       const bool sends = side == Side::to;
-      diagnostics().error("E0307", text.span, fmt::format("`{}` is {} {}: it {} messages", text.value, other_kind == "sensor" ? "a" : "an", other_kind, sends ? "sends" : "takes")).help =
-          fmt::format("it belongs in `{}:` of a connection", sends ? "from" : "to");
+      diagnostics()
+          .error("E0307", text.span,
+                 fmt::format("`{}` is {} {}: it {} messages", text.value,
+                             other_kind == "sensor" ? "a" : "an", other_kind,
+                             sends ? "sends" : "takes"))
+          .help = fmt::format("it belongs in `{}:` of a connection", sends ? "from" : "to");
       return;
     }
     const bool environment = other_kind.empty();
-    auto& problem = environment ? diagnostics().error("E0307", text.span, fmt::format("there is no {} `{}`", kind, port.name))
-                                : diagnostics().error("E0307", text.span, fmt::format("`{}` has no {} `{}`", port.owner, kind, port.name));
+    auto& problem =
+        environment
+            ? diagnostics().error("E0307", text.span,
+                                  fmt::format("there is no {} `{}`", kind, port.name))
+            : diagnostics().error("E0307", text.span,
+                                  fmt::format("`{}` has no {} `{}`", port.owner, kind, port.name));
     const std::string near = nearest(port.name, known);
-    problem.help = near.empty() ? suggestion(port.name, known, fmt::format("nothing of it {} messages", verb))
-                                : fmt::format("did you mean `{}.{}`?", port.owner, near);
+    problem.help =
+        near.empty() ? suggestion(port.name, known, fmt::format("nothing of it {} messages", verb))
+                     : fmt::format("did you mean `{}.{}`?", port.owner, near);
   }
 
   std::string report_unknown_owner(const Port& port, const Spanned<std::string>& text, Side side) {
     if (port.owner == "actions" || port.owner == "observations") {
-      diagnostics().error("E0309", text.span, fmt::format("`{}` cannot stand here", text.value)).help =
+      diagnostics()
+          .error("E0309", text.span, fmt::format("`{}` cannot stand here", text.value))
+          .help =
           "actions are sent (`from: actions.…`), observations are received (`to: observations.…`)";
       return side == Side::from ? "actions" : "observations";
     }
@@ -190,9 +216,11 @@ class Connector {
     for (const auto& node : draft_.nodes) {
       if (node.node.role == NodeRole::node) known.push_back(node.node.name);
     }
-    auto& problem = diagnostics().error("E0309", text.span, fmt::format("there is nothing called `{}` in this graph", port.owner));
+    auto& problem = diagnostics().error(
+        "E0309", text.span, fmt::format("there is nothing called `{}` in this graph", port.owner));
     const std::string near = nearest(port.owner, known);
-    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", ")) : fmt::format("did you mean `{}.{}`?", near, port.name);
+    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+                                : fmt::format("did you mean `{}.{}`?", near, port.name);
     return near;
   }
 
@@ -210,7 +238,8 @@ class Connector {
   void connect(const ConnectionSpec& connection, const PortIndex& source, const PortIndex& target) {
     DraftInput& input = draft_.nodes[target.node].inputs[target.port];
     if (input.edge) {
-      auto& problem = diagnostics().error("E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value));
+      auto& problem = diagnostics().error(
+          "E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value));
       problem.label = "an input takes one connection";
       problem.notes.push_back({"the first connection", input.edge->span, ""});
       excused_.insert({Side::from, source.node, source.port});
@@ -218,7 +247,8 @@ class Connector {
     }
     if (input.settings.processor && connection.processor) {
       diagnostics()
-          .error("E0313", connection.processor->type.span, fmt::format("`{}` already has a processor", connection.to.value))
+          .error("E0313", connection.processor->type.span,
+                 fmt::format("`{}` already has a processor", connection.to.value))
           .notes.push_back({"the first processor", input.settings.processor->type.span, ""});
     }
     input.settings = overlay(input.settings, settings_of(connection));
@@ -234,13 +264,17 @@ class Connector {
       if (node.node.role == NodeRole::node && draft_.doubtful.contains(node.node.name)) continue;
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         const DraftInput& input = node.inputs[i];
-        if (input.edge || excused_.contains({Side::to, n, i}) || !reported.insert(input.written).second) continue;
-        auto& problem = diagnostics().error("E0310", input.span, fmt::format("`{}` is not connected", input.written));
+        if (input.edge || excused_.contains({Side::to, n, i}) ||
+            !reported.insert(input.written).second)
+          continue;
+        auto& problem = diagnostics().error("E0310", input.span,
+                                            fmt::format("`{}` is not connected", input.written));
         problem.help = fmt::format("add a connection `{{from: …, to: {}}}`", input.written);
         if (node.node.role == NodeRole::engine_node) {
           problem.help += ": a sensor in use depends on it, or it is listed in `actuators:`";
         } else {
-          problem.help += n == Graph::kEnvironment ? ", or leave it out of `observations:`" : ", or leave it out with `inputs:`";
+          problem.help += n == Graph::kEnvironment ? ", or leave it out of `observations:`"
+                                                   : ", or leave it out with `inputs:`";
         }
       }
     }
@@ -250,8 +284,10 @@ class Connector {
     const auto& actions = draft_.nodes[Graph::kEnvironment].outputs;
     for (std::size_t i = 0; i < actions.size(); ++i) {
       if (excused_.contains({Side::from, Graph::kEnvironment, i})) continue;
-      diagnostics().error("E0310", actions[i].span, fmt::format("`actions.{}` is not connected", actions[i].name)).help =
-          fmt::format("add a connection `{{from: actions.{}, to: …}}`", actions[i].name);
+      diagnostics()
+          .error("E0310", actions[i].span,
+                 fmt::format("`actions.{}` is not connected", actions[i].name))
+          .help = fmt::format("add a connection `{{from: actions.{}, to: …}}`", actions[i].name);
     }
   }
 
@@ -261,25 +297,32 @@ class Connector {
 
 }  // namespace
 
-void connect(Draft& draft) { Connector(draft).run(); }
+void connect(Draft& draft) {
+  Connector(draft).run();
+}
 
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& text) {
   const Port port = split(text);
   const auto found = find_ports(draft, port, Side::to);
   if (!found.empty()) return draft.nodes[found.front().node].inputs[found.front().port].declared;
   // An actuator that nothing is connected to.
-  const auto spec = std::find_if(draft.spec.objects.begin(), draft.spec.objects.end(), [&](const EntitySpec& o) { return o.name.value == port.owner; });
+  const auto spec = std::find_if(draft.spec.objects.begin(), draft.spec.objects.end(),
+                                 [&](const EntitySpec& o) { return o.name.value == port.owner; });
   const DraftObject* object = find_object(draft, port.owner);
-  const PortManifest* actuator = object != nullptr && object->entity != nullptr ? object->entity->actuator(port.name) : nullptr;
+  const PortManifest* actuator = object != nullptr && object->entity != nullptr
+                                     ? object->entity->actuator(port.name)
+                                     : nullptr;
   if (actuator == nullptr || spec == draft.spec.objects.end()) return std::nullopt;
-  return partial_space(actuator->space, references_of(*object->entity, spec->config), draft.diagnostics);
+  return partial_space(actuator->space, references_of(*object->entity, spec->config),
+                       draft.diagnostics);
 }
 
 std::vector<std::string> input_names(const Draft& draft) {
   std::vector<std::string> result;
   for (const auto& object : draft.objects) {
     if (object.entity == nullptr) continue;
-    for (const auto& actuator : object.entity->actuators) result.push_back(object.name + "." + actuator.name.value);
+    for (const auto& actuator : object.entity->actuators)
+      result.push_back(object.name + "." + actuator.name.value);
   }
   for (const auto& node : draft.nodes) {
     if (node.node.role != NodeRole::node) continue;

@@ -8,12 +8,15 @@
 namespace eagerx::gen {
 namespace {
 
-bool waits(const DraftInput& input) { return input.edge && !input.settings.skip.value_or(false); }
+bool waits(const DraftInput& input) {
+  return input.edge && !input.settings.skip.value_or(false);
+}
 
 /// Depth-first search with its own stack: graphs may be long chains.
 class CycleFinder {
  public:
-  explicit CycleFinder(const Draft& draft) : draft_(draft), color_(draft.nodes.size(), Color::white) {}
+  explicit CycleFinder(const Draft& draft)
+      : draft_(draft), color_(draft.nodes.size(), Color::white) {}
 
   /// Cycles as lists of nodes, each waiting for the next; at most `limit`.
   std::vector<std::vector<std::size_t>> find(std::size_t limit) {
@@ -72,12 +75,14 @@ class CycleFinder {
 
 const DraftInput& connection_between(const Draft& draft, std::size_t from, std::size_t to) {
   const auto& inputs = draft.nodes[to].inputs;
-  return *std::find_if(inputs.begin(), inputs.end(), [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
+  return *std::find_if(inputs.begin(), inputs.end(),
+                       [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
 }
 
 std::string source_name(const Draft& draft, const DraftEdge& edge) {
   const DraftNode& node = draft.nodes[edge.node];
-  return fmt::format("{}.{}", edge.node == Graph::kEnvironment ? "actions" : node.node.name, node.outputs[edge.output].name);
+  return fmt::format("{}.{}", edge.node == Graph::kEnvironment ? "actions" : node.node.name,
+                     node.outputs[edge.output].name);
 }
 
 }  // namespace
@@ -94,12 +99,17 @@ void check_cycles(Draft& draft) {
       sources.push_back(source_name(draft, *input.edge));
       names.push_back(fmt::format("{} -> {}", sources.back(), input.written));
     }
-    auto& problem = draft.diagnostics.error("E0314", places.front(), fmt::format("connection `{}` closes a cycle without a delay of one tick", names.front()));
+    auto& problem = draft.diagnostics.error(
+        "E0314", places.front(),
+        fmt::format("connection `{}` closes a cycle without a delay of one tick", names.front()));
     problem.label = fmt::format("needs `{}` of the same tick", sources.front());
     for (std::size_t i = 1; i < places.size(); ++i) {
-      problem.notes.push_back({fmt::format("the cycle goes on with `{}`", names[i]), places[i], ""});
+      problem.notes.push_back(
+          {fmt::format("the cycle goes on with `{}`", names[i]), places[i], ""});
     }
-    problem.help = "add `skip: true` to one of these connections: it then takes the message of the tick before";
+    problem.help =
+        "add `skip: true` to one of these connections: it then takes the message of the tick "
+        "before";
   }
 }
 

@@ -72,9 +72,12 @@ PartialSpace partial_space(const SpaceSpec& spec, const References& references,
     result.like_span = spec.like->span;
   }
   const Span bounds = spec.low ? spec.low->span : spec.span;
-  const bool scalar_bounds = result.low.size() <= 1 || result.high.size() <= 1 || result.low.size() == result.high.size();
+  const bool scalar_bounds =
+      result.low.size() <= 1 || result.high.size() <= 1 || result.low.size() == result.high.size();
   if (!scalar_bounds) {
-    diagnostics.error("E0326", bounds, fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
+    diagnostics.error(
+        "E0326", bounds,
+        fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
   }
   for (std::size_t i = 0; scalar_bounds && !result.low.empty() && !result.high.empty() &&
                           i < std::max(result.low.size(), result.high.size());
@@ -101,11 +104,15 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over) {
   return base;
 }
 
-PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what, Diagnostics& diagnostics) {
+PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
+                    Diagnostics& diagnostics) {
   const bool dtype = !base.dtype || !over.dtype || *base.dtype == *over.dtype;
   const bool shape = !base.shape || !over.shape || *base.shape == *over.shape;
   if (!dtype || !shape) {
-    diagnostics.error(dtype ? "E0306" : "E0305", over.span, fmt::format("`{}` is {}, which cannot become {}", what, describe(base), describe(over)))
+    diagnostics
+        .error(
+            dtype ? "E0306" : "E0305", over.span,
+            fmt::format("`{}` is {}, which cannot become {}", what, describe(base), describe(over)))
         .notes.push_back({"as its manifest says", base.span, ""});
     return base;
   }
@@ -114,10 +121,12 @@ PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::stri
 
 std::string describe(const PartialSpace& space) {
   std::string result = space.dtype ? std::string(to_string(*space.dtype)) : "any dtype";
-  return result + (space.shape ? fmt::format(" [{}]", fmt::join(*space.shape, ", ")) : ", any shape");
+  return result +
+         (space.shape ? fmt::format(" [{}]", fmt::join(*space.shape, ", ")) : ", any shape");
 }
 
-std::string suggestion(const std::string& name, const std::vector<std::string>& known, const std::string& otherwise) {
+std::string suggestion(const std::string& name, const std::vector<std::string>& known,
+                       const std::string& otherwise) {
   const std::string near = nearest(name, known);
   if (!near.empty()) return fmt::format("did you mean `{}`?", near);
   return known.empty() ? otherwise : fmt::format("there is {}", fmt::join(known, ", "));

@@ -37,7 +37,8 @@ struct DraftEdge {
 
 struct DraftInput {
   std::string name;
-  std::string written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
+  std::string
+      written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
   Span span;
   PartialSpace declared;
   ConnectionSettings settings;
@@ -79,7 +80,8 @@ struct Draft {
   Graph graph;
   std::vector<DraftNode> nodes;
   std::vector<DraftObject> objects;
-  std::set<std::string> doubtful;  // objects and nodes with a reported problem: what is said of their ports is not judged
+  std::set<std::string> doubtful;  // objects and nodes with a reported problem: what is said of
+                                   // their ports is not judged
 };
 
 /// What a SpaceSpec says, with references replaced. Problems: E0325 shape, E0326 bounds.
@@ -88,11 +90,13 @@ PartialSpace partial_space(const SpaceSpec& spec, const References& references,
 /// `base` with everything that `over` says.
 PartialSpace overlay(PartialSpace base, const PartialSpace& over);
 /// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
-PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what, Diagnostics& diagnostics);
+PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
+                    Diagnostics& diagnostics);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);
 /// "did you mean `…`?", else what there is, else `otherwise`.
-std::string suggestion(const std::string& name, const std::vector<std::string>& known, const std::string& otherwise);
+std::string suggestion(const std::string& name, const std::vector<std::string>& known,
+                       const std::string& otherwise);
 /// The settings of a manifest, a selection or a connection.
 template <class Spec>
 ConnectionSettings settings_of(const Spec& spec);
@@ -107,7 +111,8 @@ void check_cycles(Draft& draft);
 void connect(Draft& draft);         // the user's connections; unconnected ports
 void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
 void resolve_states(Draft& draft);  // how states are drawn
-/// The space that an input is declared with, by the name that connections call it; nullopt if there is none.
+/// The space that an input is declared with, by the name that connections call it; nullopt if there
+/// is none.
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);
 /// All names that `to:` may say.
 std::vector<std::string> input_names(const Draft& draft);

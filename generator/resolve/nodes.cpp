@@ -21,16 +21,19 @@ const ComponentSpec* find_component(const std::optional<std::vector<ComponentSpe
 }
 
 /// Reports names in a selection that the entity does not have; true if there was any.
-bool report_unknown(const std::optional<std::vector<ComponentSpec>>& components, const std::vector<PortManifest>& ports,
-                    const Entity& entity, std::string_view what, Diagnostics& diagnostics) {
+bool report_unknown(const std::optional<std::vector<ComponentSpec>>& components,
+                    const std::vector<PortManifest>& ports, const Entity& entity,
+                    std::string_view what, Diagnostics& diagnostics) {
   if (!components) return false;
   const std::size_t errors_before = diagnostics.error_count();
   std::vector<std::string> known;
   for (const auto& port : ports) known.push_back(port.name.value);
   for (const auto& component : *components) {
     if (std::find(known.begin(), known.end(), component.name.value) != known.end()) continue;
-    diagnostics.error("E0307", component.name.span, fmt::format("`{}` has no {} `{}`", entity.id.value, what, component.name.value)).help =
-        suggestion(component.name.value, known, fmt::format("it has no {}s", what));
+    diagnostics
+        .error("E0307", component.name.span,
+               fmt::format("`{}` has no {} `{}`", entity.id.value, what, component.name.value))
+        .help = suggestion(component.name.value, known, fmt::format("it has no {}s", what));
   }
   return diagnostics.error_count() != errors_before;
 }
@@ -106,18 +109,25 @@ void add_nodes(Draft& draft) {
     } else {
       node.node.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
       const References references = references_of(*entity, spec.config);
-      const bool inputs_unknown = report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics);
-      const bool outputs_unknown = report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics);
+      const bool inputs_unknown =
+          report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics);
+      const bool outputs_unknown =
+          report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics);
       if (inputs_unknown || outputs_unknown) draft.doubtful.insert(spec.name.value);
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
         const std::string written = spec.name.value + "." + port.name.value;
-        DraftInput input{port.name.value, written, spec.name.span, partial_space(port.space, references, draft.diagnostics),
-                         manifest_settings(port), std::nullopt};
+        DraftInput input{
+            port.name.value,         written,
+            spec.name.span,          partial_space(port.space, references, draft.diagnostics),
+            manifest_settings(port), std::nullopt};
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
           input.span = component->name.span;
           input.settings = overlay(input.settings, settings_of(*component));
-          if (component->space) input.declared = narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics), written, draft.diagnostics);
+          if (component->space)
+            input.declared =
+                narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics),
+                       written, draft.diagnostics);
         }
         node.inputs.push_back(std::move(input));
       }
@@ -129,7 +139,9 @@ void add_nodes(Draft& draft) {
           output.span = component->name.span;
           output.processor = component->processor;
           if (component->space) {
-            output.declared = narrow(output.declared, partial_space(*component->space, {}, draft.diagnostics), spec.name.value + "." + port.name.value, draft.diagnostics);
+            output.declared =
+                narrow(output.declared, partial_space(*component->space, {}, draft.diagnostics),
+                       spec.name.value + "." + port.name.value, draft.diagnostics);
           }
         }
         node.outputs.push_back(std::move(output));

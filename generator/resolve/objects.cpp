@@ -94,8 +94,10 @@ class ObjectBuilder {
     for (const auto& item : *chosen) {
       into.insert(item.name.value);
       if (std::find(known.begin(), known.end(), item.name.value) != known.end()) continue;
-      diagnostics().error("E0307", item.name.span, fmt::format("`{}` has no {} `{}`", entity_.id.value, what, item.name.value)).help =
-          suggestion(item.name.value, known, fmt::format("it has no {}s", what));
+      diagnostics()
+          .error("E0307", item.name.span,
+                 fmt::format("`{}` has no {} `{}`", entity_.id.value, what, item.name.value))
+          .help = suggestion(item.name.value, known, fmt::format("it has no {}s", what));
       draft_.doubtful.insert(spec_.name.value);
     }
   }
@@ -132,8 +134,10 @@ class ObjectBuilder {
           .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
     }
     for (const auto& port : entity.inputs) {
-      node.inputs.push_back({port.name.value, node.node.name + "." + port.name.value, spec_.name.span, partial_space(port.space, references, diagnostics()),
-           ConnectionSettings{port.window, port.delay_s, port.skip, std::nullopt}, std::nullopt});
+      node.inputs.push_back({port.name.value, node.node.name + "." + port.name.value,
+                             spec_.name.span, partial_space(port.space, references, diagnostics()),
+                             ConnectionSettings{port.window, port.delay_s, port.skip, std::nullopt},
+                             std::nullopt});
       if (port.name.value == "tick")
         node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
     }
@@ -179,7 +183,8 @@ class ObjectBuilder {
         continue;
       }
       const auto target = find_node(to, connection.to);
-      const auto input = target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
+      const auto input =
+          target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
       if (!input || !is_free(nodes_[*target].inputs[*input], connection)) continue;
       DraftInput& port = nodes_[*target].inputs[*input];
       port.settings = overlay(port.settings, settings_of(connection));
@@ -190,8 +195,11 @@ class ObjectBuilder {
 
   bool is_free(const DraftInput& input, const ConnectionSpec& connection) {
     if (!input.edge) return true;
-    diagnostics().error("E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value)).help =
-        input.name == "tick" ? "`tick` always comes from the engine" : "an input takes one connection";
+    diagnostics()
+        .error("E0311", connection.to.span,
+               fmt::format("`{}` is connected twice", connection.to.value))
+        .help = input.name == "tick" ? "`tick` always comes from the engine"
+                                     : "an input takes one connection";
     return false;
   }
 
@@ -204,15 +212,19 @@ class ObjectBuilder {
     if (actuator == nullptr)
       diagnostics().error("E0307", connection.from.span,
                           fmt::format("`{}` has no actuator `{}`", entity_.id.value, name));
-    if (actuator == nullptr || !input || !is_free(nodes_[*target].inputs[*input], connection)) return;
+    if (actuator == nullptr || !input || !is_free(nodes_[*target].inputs[*input], connection))
+      return;
     DraftInput& port = nodes_[*target].inputs[*input];
     port.settings =
         overlay(port.settings, {actuator->window, actuator->delay_s, actuator->skip, std::nullopt});
     port.settings = overlay(port.settings, settings_of(connection));
     port.written = spec_.name.value + "." + name;
-    port.declared = narrow(port.declared, partial_space(actuator->space, references_, diagnostics()), port.written, diagnostics());
+    port.declared =
+        narrow(port.declared, partial_space(actuator->space, references_, diagnostics()),
+               port.written, diagnostics());
     if (const ComponentSpec* set = component(spec_.actuators, name); set != nullptr && set->space) {
-      port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()), port.written, diagnostics());
+      port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()),
+                             port.written, diagnostics());
     }
     check_rate(*actuator, "actuators", nodes_[*target], connection.to.span);
     actuator_targets_.push_back({name, *target, *input});
@@ -229,10 +241,13 @@ class ObjectBuilder {
     if (!sensors_.contains(name)) return;
     DraftOutput& port = nodes_[source].outputs[output];
     const std::string written = spec_.name.value + "." + name;
-    port.declared = narrow(port.declared, partial_space(sensor->space, references_, diagnostics()), written, diagnostics());
+    port.declared = narrow(port.declared, partial_space(sensor->space, references_, diagnostics()),
+                           written, diagnostics());
     if (const ComponentSpec* set = component(spec_.sensors, name)) {
       port.processor = set->processor;
-      if (set->space) port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()), written, diagnostics());
+      if (set->space)
+        port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()),
+                               written, diagnostics());
     }
     check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
     sensor_sources_.push_back({name, source, output});
@@ -240,11 +255,16 @@ class ObjectBuilder {
 
   /// A sensor or actuator ticks with the engine node that implements it.
   void check_rate(const PortManifest& port, const char* kind, const DraftNode& node, Span span) {
-    const auto rate = Rational::parse(references_[fmt::format("{} {} rate", kind, port.name.value)].text);
+    const auto rate =
+        Rational::parse(references_[fmt::format("{} {} rate", kind, port.name.value)].text);
     if (!rate || node.node.rate_hz == Rational() || *rate == node.node.rate_hz) return;
-    diagnostics().error("E0317", span, fmt::format("`{}` ticks at {} Hz, but `{}.{}` at {} Hz", node.node.name, node.node.rate_hz.to_string(), spec_.name.value,
-                                                   port.name.value, rate->to_string()))
-        .help = fmt::format("write `rate: $({} {} rate)` for the engine node", kind, port.name.value);
+    diagnostics()
+        .error("E0317", span,
+               fmt::format("`{}` ticks at {} Hz, but `{}.{}` at {} Hz", node.node.name,
+                           node.node.rate_hz.to_string(), spec_.name.value, port.name.value,
+                           rate->to_string()))
+        .help =
+        fmt::format("write `rate: $({} {} rate)` for the engine node", kind, port.name.value);
   }
 
   /// EAGERx's rule: ancestors of used sensors, targets of used actuators, descendants of those that
@@ -329,7 +349,8 @@ const ObjectEngine* find_implementation(const Entity& entity, const std::string&
   }
   auto& problem = diagnostics.error(
       "E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
-  problem.help = known.empty() ? "it has no implementation at all" : fmt::format("it is made for {}", fmt::join(known, ", "));
+  problem.help = known.empty() ? "it has no implementation at all"
+                               : fmt::format("it is made for {}", fmt::join(known, ", "));
   return nullptr;
 }
 

@@ -16,14 +16,20 @@ void check_names(Draft& draft) {
   for (const auto* entities : {&spec.objects, &spec.nodes}) {
     for (const auto& entity : *entities) {
       if (std::find(kTaken.begin(), kTaken.end(), entity.name.value) != kTaken.end()) {
-        draft.diagnostics.error("E0315", entity.name.span, fmt::format("the name `{}` is taken", entity.name.value)).help = fmt::format("every graph has its own {}: choose another name", fmt::join(kTaken, ", "));
+        draft.diagnostics
+            .error("E0315", entity.name.span,
+                   fmt::format("the name `{}` is taken", entity.name.value))
+            .help =
+            fmt::format("every graph has its own {}: choose another name", fmt::join(kTaken, ", "));
         draft.doubtful.insert(entity.name.value);
       }
       const auto same = std::find_if(seen.begin(), seen.end(), [&](const EntitySpec* s) {
         return s->name.value == entity.name.value;
       });
       if (same != seen.end()) {
-        draft.diagnostics.error("E0315", entity.name.span, fmt::format("an object is already called `{}`", entity.name.value))
+        draft.diagnostics
+            .error("E0315", entity.name.span,
+                   fmt::format("an object is already called `{}`", entity.name.value))
             .notes.push_back({"this one", (*same)->name.span, ""});
         draft.doubtful.insert(entity.name.value);
       }
@@ -48,13 +54,17 @@ void resolve_agent(Draft& draft) {
   for (const auto& input : inputs) known.push_back(input.name);
   for (const auto& name : spec.observations) {
     const auto found = std::find(known.begin(), known.end(), name.value);
-    const auto earlier = std::find_if(spec.observations.begin(), spec.observations.end(), [&](const auto& other) { return other.value == name.value; });
+    const auto earlier = std::find_if(spec.observations.begin(), spec.observations.end(),
+                                      [&](const auto& other) { return other.value == name.value; });
     if (&*earlier != &name) {
-      draft.diagnostics.error("E0206", name.span, fmt::format("`{}` is listed twice", name.value)).notes.push_back({"first here", earlier->span, ""});
+      draft.diagnostics.error("E0206", name.span, fmt::format("`{}` is listed twice", name.value))
+          .notes.push_back({"first here", earlier->span, ""});
     } else if (found != known.end()) {
       agent.observations.push_back(static_cast<std::size_t>(found - known.begin()));
     } else {
-      draft.diagnostics.error("E0307", name.span, fmt::format("there is no observation `{}`", name.value)).help = suggestion(name.value, known, "the graph has no observations");
+      draft.diagnostics
+          .error("E0307", name.span, fmt::format("there is no observation `{}`", name.value))
+          .help = suggestion(name.value, known, "the graph has no observations");
     }
   }
   if (!spec.observations.empty()) return;

@@ -25,7 +25,8 @@ PartialSpace partial_of(const Space& space) {
 }
 
 bool fits(const PartialSpace& declared, const Space& arriving) {
-  return (!declared.dtype || *declared.dtype == arriving.dtype) && (!declared.shape || *declared.shape == arriving.shape);
+  return (!declared.dtype || *declared.dtype == arriving.dtype) &&
+         (!declared.shape || *declared.shape == arriving.shape);
 }
 
 class SpaceResolver {
@@ -50,7 +51,8 @@ class SpaceResolver {
   }
 
  private:
-  /// A port's space once it is known; `settled` also when it was refused, so that nothing is said twice.
+  /// A port's space once it is known; `settled` also when it was refused, so that nothing is said
+  /// twice.
   template <class PortType>
   struct Slot {
     std::optional<PortType> port;
@@ -70,7 +72,8 @@ class SpaceResolver {
       }
       if (declared.dtype && declared.shape) continue;
       const DraftInput* input = first_target(a);
-      if (input != nullptr && !input->settings.processor) declared = overlay(input->declared, declared);
+      if (input != nullptr && !input->settings.processor)
+        declared = overlay(input->declared, declared);
     }
   }
 
@@ -83,16 +86,20 @@ class SpaceResolver {
       return;
     }
     if (draft_.doubtful.contains(port.substr(0, port.find('.')))) return;
-    diagnostics().error("E0309", declared.like_span, fmt::format("`{}` is no input of this graph", port)).help =
-        suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
+    diagnostics()
+        .error("E0309", declared.like_span, fmt::format("`{}` is no input of this graph", port))
+        .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
   }
 
   const DraftInput* first_target(std::size_t action) const {
-    const auto place = [](const DraftInput& input) { return std::tuple(input.edge->span.line, input.edge->span.column); };
+    const auto place = [](const DraftInput& input) {
+      return std::tuple(input.edge->span.line, input.edge->span.column);
+    };
     const DraftInput* first = nullptr;
     for (const auto& node : draft_.nodes) {
       for (const auto& input : node.inputs) {
-        if (!input.edge || input.edge->node != Graph::kEnvironment || input.edge->output != action) continue;
+        if (!input.edge || input.edge->node != Graph::kEnvironment || input.edge->output != action)
+          continue;
         if (first == nullptr || place(input) < place(*first)) first = &input;
       }
     }
@@ -129,8 +136,10 @@ class SpaceResolver {
     return true;
   }
 
-  /// The declared space with what it takes from an input of the same node; nullopt while that is not known.
-  std::optional<PartialSpace> with_like(std::size_t n, const DraftOutput& draft, Slot<Output>& slot) {
+  /// The declared space with what it takes from an input of the same node; nullopt while that is
+  /// not known.
+  std::optional<PartialSpace> with_like(std::size_t n, const DraftOutput& draft,
+                                        Slot<Output>& slot) {
     if (!draft.declared.like || n == Graph::kEnvironment) return draft.declared;
     DraftNode& node = draft_.nodes[n];
     const DraftInput* input = node.input(*draft.declared.like);
@@ -138,8 +147,11 @@ class SpaceResolver {
       slot.settled = true;
       const std::string name = node.node.name + "." + draft.name;
       if (!draft_.doubtful.contains(node.node.name)) {
-        diagnostics().error("E0309", draft.span, fmt::format("`{}` has the space of the input `{}`, which is not there", name, *draft.declared.like)).help =
-            "select that input too";
+        diagnostics()
+            .error("E0309", draft.span,
+                   fmt::format("`{}` has the space of the input `{}`, which is not there", name,
+                               *draft.declared.like))
+            .help = "select that input too";
       }
       return std::nullopt;
     }
@@ -183,26 +195,36 @@ class SpaceResolver {
   bool agrees(const DraftInput& draft, const Input& input) {
     if (fits(draft.declared, input.space)) return true;
     const bool dtype = !draft.declared.dtype || *draft.declared.dtype == input.space.dtype;
-    auto& problem = diagnostics().error(dtype ? "E0306" : "E0305", draft.span,
-                                        fmt::format("`{}` takes {}, but gets {}", draft.written, describe(draft.declared), input.space.describe()));
+    auto& problem =
+        diagnostics().error(dtype ? "E0306" : "E0305", draft.span,
+                            fmt::format("`{}` takes {}, but gets {}", draft.written,
+                                        describe(draft.declared), input.space.describe()));
     problem.label = dtype ? "the shapes differ" : "the dtypes differ";
     if (input.processor) {
-      problem.notes.push_back({fmt::format("`{}` gives {}", input.processor->entity->id.value, input.space.describe()), input.processor->span, ""});
+      problem.notes.push_back(
+          {fmt::format("`{}` gives {}", input.processor->entity->id.value, input.space.describe()),
+           input.processor->span, ""});
       return false;
     }
-    problem.notes.push_back({"this is where it comes from", draft.edge->span, input.space.describe()});
+    problem.notes.push_back(
+        {"this is where it comes from", draft.edge->span, input.space.describe()});
     problem.help = "put a `processor` on the connection, or connect something that fits";
     return false;
   }
 
   /// Bounds must be one number or one for each element, and fit the dtype.
   bool check_bounds(const Space& space, Span span) {
-    return check_bounds(space, space.low, "low", span) && check_bounds(space, space.high, "high", span);
+    return check_bounds(space, space.low, "low", span) &&
+           check_bounds(space, space.high, "high", span);
   }
 
-  bool check_bounds(const Space& space, const std::vector<double>& bounds, std::string_view name, Span span) {
+  bool check_bounds(const Space& space, const std::vector<double>& bounds, std::string_view name,
+                    Span span) {
     if (bounds.size() > 1 && bounds.size() != space.size()) {
-      diagnostics().error("E0326", span, fmt::format("`{}` has {} values, but {} has {} element{}", name, bounds.size(), space.describe(), space.size(), space.size() == 1 ? "" : "s"));
+      diagnostics().error(
+          "E0326", span,
+          fmt::format("`{}` has {} values, but {} has {} element{}", name, bounds.size(),
+                      space.describe(), space.size(), space.size() == 1 ? "" : "s"));
       return false;
     }
     for (const double bound : bounds) {
@@ -210,33 +232,44 @@ class SpaceResolver {
       if (floating && std::isinf(bound)) continue;
       const bool inside = bound >= lowest_of(space.dtype) && bound <= highest_of(space.dtype);
       if (inside && (floating || bound == std::trunc(bound))) continue;
-      diagnostics().error("E0326", span, fmt::format("`{}` is no bound of {} {}", bound, to_string(space.dtype).front() == 'i' ? "an" : "a", to_string(space.dtype)));
+      diagnostics().error(
+          "E0326", span,
+          fmt::format("`{}` is no bound of {} {}", bound,
+                      to_string(space.dtype).front() == 'i' ? "an" : "a", to_string(space.dtype)));
       return false;
     }
     return true;
   }
 
   /// `source`: where the message comes from.
-  std::optional<Processor> make_processor(const ProcessorSpec& spec, const Space& arriving, Span source) {
+  std::optional<Processor> make_processor(const ProcessorSpec& spec, const Space& arriving,
+                                          Span source) {
     const std::size_t errors_before = diagnostics().error_count();
-    const Entity* entity = find_entity(draft_.library, spec.type, EntityKind::processor, diagnostics());
+    const Entity* entity =
+        find_entity(draft_.library, spec.type, EntityKind::processor, diagnostics());
     if (entity == nullptr) return std::nullopt;
     Processor processor;
     processor.entity = entity;
     processor.span = spec.type.span;
     processor.config = resolve_config(*entity, spec.config, spec.type.span, diagnostics());
     const References references = references_of(*entity, spec.config);
-    const PartialSpace takes = partial_space(entity->inputs.front().space, references, diagnostics());
+    const PartialSpace takes =
+        partial_space(entity->inputs.front().space, references, diagnostics());
     processor.input = arriving;
     if (!fits(takes, arriving)) {
-      auto& problem = diagnostics().error("E0306", spec.type.span, fmt::format("`{}` takes {}, but gets {}", entity->id.value, describe(takes), arriving.describe()));
+      auto& problem =
+          diagnostics().error("E0306", spec.type.span,
+                              fmt::format("`{}` takes {}, but gets {}", entity->id.value,
+                                          describe(takes), arriving.describe()));
       problem.notes.push_back({"this is where it comes from", source, arriving.describe()});
     }
     PartialSpace gives = partial_space(entity->outputs.front().space, references, diagnostics());
     if (gives.like) gives = overlay(partial_of(arriving), gives);
     const auto output = complete(gives);
     if (!output) {
-      diagnostics().error("E0312", spec.type.span, fmt::format("the manifest of `{}` does not say what it gives", entity->id.value));
+      diagnostics().error(
+          "E0312", spec.type.span,
+          fmt::format("the manifest of `{}` does not say what it gives", entity->id.value));
     }
     if (diagnostics().error_count() != errors_before) return std::nullopt;
     processor.output = *output;
@@ -263,13 +296,23 @@ class SpaceResolver {
   void report_unknown(std::size_t n, const DraftOutput& output) {
     const DraftNode& node = draft_.nodes[n];
     const bool action = n == Graph::kEnvironment;
-    auto& problem = diagnostics().error("E0312", output.span, fmt::format("the space of `{}.{}` is not known", action ? "actions" : node.node.name, output.name));
+    auto& problem =
+        diagnostics().error("E0312", output.span,
+                            fmt::format("the space of `{}.{}` is not known",
+                                        action ? "actions" : node.node.name, output.name));
     if (action) {
-      problem.help = fmt::format("write it: `actions: {{{}: {{space: {{like: object.actuator}}}}}}`, or with dtype, shape, low and high", output.name);
+      problem.help = fmt::format(
+          "write it: `actions: {{{}: {{space: {{like: object.actuator}}}}}}`, or with dtype, "
+          "shape, low and high",
+          output.name);
     } else if (output.declared.like) {
-      problem.help = fmt::format("it is that of its input `{0}`, which depends on it in turn: write `inputs: {{{0}: {{space: {{dtype: …, shape: …}}}}}}`", *output.declared.like);
+      problem.help = fmt::format(
+          "it is that of its input `{0}`, which depends on it in turn: write `inputs: {{{0}: "
+          "{{space: {{dtype: …, shape: …}}}}}}`",
+          *output.declared.like);
     } else {
-      problem.help = fmt::format("write it: `outputs: {{{}: {{space: {{dtype: …, shape: …}}}}}}`", output.name);
+      problem.help = fmt::format("write it: `outputs: {{{}: {{space: {{dtype: …, shape: …}}}}}}`",
+                                 output.name);
     }
   }
 
@@ -290,6 +333,8 @@ class SpaceResolver {
 
 }  // namespace
 
-void resolve_spaces(Draft& draft) { SpaceResolver(draft).run(); }
+void resolve_spaces(Draft& draft) {
+  SpaceResolver(draft).run();
+}
 
 }  // namespace eagerx::gen

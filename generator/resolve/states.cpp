@@ -22,7 +22,9 @@ double rounded(const Space& space, double value) {
 
 class RandomReader {
  public:
-  RandomReader(const std::string& name, const Space& space, const RandomSpec& spec, Diagnostics& diagnostics) : name_(name), space_(space), spec_(spec), diagnostics_(diagnostics) {}
+  RandomReader(const std::string& name, const Space& space, const RandomSpec& spec,
+               Diagnostics& diagnostics)
+      : name_(name), space_(space), spec_(spec), diagnostics_(diagnostics) {}
 
   std::optional<Random> read() {
     Random random;
@@ -60,15 +62,21 @@ class RandomReader {
     if (result->size() == 1) result->assign(size, result->front());
     if (result->size() != size)
       return fail("E0327", node.span,
-                  fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(), size == 1 ? "one value" : fmt::format("one value or {}", size), result->size()));
+                  fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(),
+                              size == 1 ? "one value" : fmt::format("one value or {}", size),
+                              result->size()));
     for (std::size_t i = 0; in_space && i < size; ++i) {
       const double value = rounded(space_, (*result)[i]);
       const double low = rounded(space_, bound(space_.low, i, lowest_of(space_.dtype)));
       const double high = rounded(space_, bound(space_.high, i, highest_of(space_.dtype)));
       if (value >= low && value <= high) continue;
-      const Span place = node.is_sequence() && i < node.items.size() ? node.items[i].span : node.span;
-      return fail("E0327", place, size == 1 ? fmt::format("`{}` must be from {} to {}", name_, shown(low), shown(high))
-                                            : fmt::format("element {} of `{}` must be from {} to {}", i, name_, shown(low), shown(high)));
+      const Span place =
+          node.is_sequence() && i < node.items.size() ? node.items[i].span : node.span;
+      return fail("E0327", place,
+                  size == 1
+                      ? fmt::format("`{}` must be from {} to {}", name_, shown(low), shown(high))
+                      : fmt::format("element {} of `{}` must be from {} to {}", i, name_,
+                                    shown(low), shown(high)));
     }
     return *result;
   }
@@ -110,7 +118,8 @@ class RandomReader {
 
   /// A bound as it was written: float32(3.14) is shown as 3.14.
   [[nodiscard]] std::string shown(double bound) const {
-    return space_.dtype == Dtype::float32 ? fmt::format("{}", static_cast<float>(bound)) : fmt::format("{}", bound);
+    return space_.dtype == Dtype::float32 ? fmt::format("{}", static_cast<float>(bound))
+                                          : fmt::format("{}", bound);
   }
 
   std::vector<double> fail(const char* code, Span span, std::string message) {
@@ -149,8 +158,10 @@ std::vector<State> read_states(const Entity& entity, const EntitySpec& spec,
     if (port == nullptr) {
       std::vector<std::string> known;
       for (const auto& state : entity.states) known.push_back(state.name.value);
-      diagnostics.error("E0307", state_spec.name.span, fmt::format("`{}` has no state `{}`", entity.id.value, state_spec.name.value)).help =
-          suggestion(state_spec.name.value, known, "it has no states");
+      diagnostics
+          .error("E0307", state_spec.name.span,
+                 fmt::format("`{}` has no state `{}`", entity.id.value, state_spec.name.value))
+          .help = suggestion(state_spec.name.value, known, "it has no states");
       continue;
     }
     const auto space = state_space(*port, references, diagnostics);
@@ -158,7 +169,8 @@ std::vector<State> read_states(const Entity& entity, const EntitySpec& spec,
     State state{state_spec.name.value, *space, true, std::nullopt, nullptr, {},
                 state_spec.name.span};
     if (state_spec.random) {
-      state.random = RandomReader(state_spec.name.value, *space, *state_spec.random, diagnostics).read();
+      state.random =
+          RandomReader(state_spec.name.value, *space, *state_spec.random, diagnostics).read();
     }
     result.push_back(std::move(state));
   }

@@ -87,5 +87,7 @@ std::string describe(const Node& node);
 
 /// True if `text` is an identifier and no C++ keyword.
 bool is_identifier(std::string_view text);
+/// True if `text` would be an identifier, were it not taken by C++ or by generated code.
+bool is_reserved_name(std::string_view text);
 
 }  // namespace eagerx::gen

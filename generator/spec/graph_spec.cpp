@@ -60,9 +60,12 @@ std::vector<ComponentSpec> read_selection(const Node& node, Diagnostics& diagnos
     result.push_back(read_component(entry.key, entry.key_span, entry.value));
   }
   for (const auto& item : node.items) {
-    const auto earlier = std::find_if(result.begin(), result.end(), [&](const ComponentSpec& c) { return c.name.value == item.text; });
+    const auto earlier = std::find_if(result.begin(), result.end(), [&](const ComponentSpec& c) {
+      return c.name.value == item.text;
+    });
     if (earlier != result.end()) {
-      diagnostics.error("E0206", item.span, fmt::format("`{}` is listed twice", item.text)).notes.push_back({"first here", earlier->name.span, ""});
+      diagnostics.error("E0206", item.span, fmt::format("`{}` is listed twice", item.text))
+          .notes.push_back({"first here", earlier->name.span, ""});
       continue;
     }
     result.push_back(read_component(item.text, item.span, Node{}));

@@ -114,7 +114,8 @@ struct GraphSpec {
 /// The table of the graph file.
 const Format& graph_format();
 
-/// Typed form of a tree; all problems are reported. nullopt if the tree does not have the form of the table; after other problems (E0206) there is still enough to look for more.
+/// Typed form of a tree; all problems are reported. nullopt if the tree does not have the form of
+/// the table; after other problems (E0206) there is still enough to look for more.
 std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& path,
                                          Diagnostics& diagnostics);
 

@@ -16,10 +16,13 @@ void add_bounds(Json& schema, const Format& format) {
 }
 
 /// A key with nothing behind it is an empty mapping where nothing is required.
-Json object_type(bool may_be_empty) { return may_be_empty ? Json({"object", "null"}) : Json("object"); }
+Json object_type(bool may_be_empty) {
+  return may_be_empty ? Json({"object", "null"}) : Json("object");
+}
 
 Json record_schema(const Format& format) {
-  const bool empty = std::none_of(format.fields.begin(), format.fields.end(), [](const Field& field) { return field.required; });
+  const bool empty = std::none_of(format.fields.begin(), format.fields.end(),
+                                  [](const Field& field) { return field.required; });
   Json schema = {{"type", object_type(empty)}, {"additionalProperties", false}};
   Json properties = Json::object();
   Json required = Json::array();

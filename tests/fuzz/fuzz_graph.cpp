@@ -1,5 +1,5 @@
-// Any bytes as a graph file, all the way to generated code in memory: no crash, no endless work, and either
-// files or a reason.
+// Any bytes as a graph file, all the way to generated code in memory: no crash, no endless work,
+// and either files or a reason.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -22,7 +22,9 @@ void require(bool holds) {
 const Library& library() {
   static SourceMap sources;
   static Diagnostics diagnostics;
-  static const Library kLibrary = load_library({{kRoot + "/models", {}}, {kRoot + "/targets", {}}, {kRoot + "/tests/data/library", {}}}, sources, diagnostics);
+  static const Library kLibrary = load_library(
+      {{kRoot + "/models", {}}, {kRoot + "/targets", {}}, {kRoot + "/tests/data/library", {}}},
+      sources, diagnostics);
   require(!diagnostics.has_errors());
   return kLibrary;
 }
@@ -63,7 +65,8 @@ void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) 
   if (!graph) return;
   const auto plan = make_plan(*graph, diagnostics);
   require(plan.has_value() != diagnostics.has_errors());
-  if (plan && graph->agent.kind != AgentSpec::Kind::policy && !is_large(*plan)) emit_all(*plan, diagnostics);
+  if (plan && graph->agent.kind != AgentSpec::Kind::policy && !is_large(*plan))
+    emit_all(*plan, diagnostics);
 }
 
 }  // namespace
@@ -74,7 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Diagnostics diagnostics;
   run(std::string(reinterpret_cast<const char*>(data), size), diagnostics, sources);
   diagnostics.sort_by_place();
-  for (const auto& problem : diagnostics.all()) require(!problem.code.empty() && !problem.message.empty());
+  for (const auto& problem : diagnostics.all())
+    require(!problem.code.empty() && !problem.message.empty());
   render_text(diagnostics, sources, false);
   return 0;
 }

@@ -16,7 +16,8 @@ class WriteFiles : public testing::Test {
  protected:
   WriteFiles() {
     std::string name = (fs::temp_directory_path() / "eagerx-write-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw fs::filesystem_error("mkdtemp", name, std::error_code(errno, std::generic_category()));
+    if (mkdtemp(name.data()) == nullptr)
+      throw fs::filesystem_error("mkdtemp", name, std::error_code(errno, std::generic_category()));
     folder_ = name;
   }
   ~WriteFiles() override {
@@ -46,7 +47,8 @@ class WriteFiles : public testing::Test {
   std::vector<std::string> listing() const {
     std::vector<std::string> result;
     for (const auto& entry : fs::recursive_directory_iterator(folder_ / "out")) {
-      if (!entry.is_directory()) result.push_back(fs::relative(entry.path(), folder_ / "out").string());
+      if (!entry.is_directory())
+        result.push_back(fs::relative(entry.path(), folder_ / "out").string());
     }
     std::sort(result.begin(), result.end());
     return result;
@@ -87,7 +89,8 @@ TEST_F(WriteFiles, RemovesWhatIsNoLongerMadeAndNothingElse) {
 
 TEST_F(WriteFiles, NeverRemovesAnythingOutsideOfTheFolder) {
   put("victim.txt", "precious");
-  put("out/eagerx-gen.files", "../victim.txt\nsub/../../victim.txt\n" + (folder_ / "victim.txt").string() + "\n\n.\n..\n");
+  put("out/eagerx-gen.files",
+      "../victim.txt\nsub/../../victim.txt\n" + (folder_ / "victim.txt").string() + "\n\n.\n..\n");
   ASSERT_TRUE(write({{"one.txt", "one"}}));
   EXPECT_TRUE(fs::exists(folder_ / "victim.txt"));
   EXPECT_TRUE(fs::exists(folder_ / "out/one.txt"));
@@ -102,7 +105,8 @@ TEST_F(WriteFiles, ChangesNothingWhenOneFileCannotBeWritten) {
   EXPECT_TRUE(diagnostics_.has_io_errors());
   EXPECT_EQ(text("a.txt"), "old");
   EXPECT_EQ(text("z.txt"), "old");
-  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "blocked/file", "eagerx-gen.files", "z.txt"}));  // no leftovers
+  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "blocked/file", "eagerx-gen.files",
+                                                 "z.txt"}));  // no leftovers
 }
 
 TEST_F(WriteFiles, AFileWhereAFolderBelongsIsAnError) {

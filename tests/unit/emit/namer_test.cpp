@@ -32,7 +32,8 @@ TEST(Names, NeverCollideWhateverIsAskedFor) {
   std::set<std::string> given;
   for (int i = 0; i < 5000; ++i) {
     std::string wanted = "a";
-    for (int k = static_cast<int>(random() % 4); k > 0; --k) wanted += random() % 2 == 0 ? "_2" : "_b";
+    for (int k = static_cast<int>(random() % 4); k > 0; --k)
+      wanted += random() % 2 == 0 ? "_2" : "_b";
     if (random() % 3 == 0) wanted += "_";
     const std::string name = names.unique(wanted);
     ASSERT_TRUE(given.insert(name).second) << name;
@@ -56,12 +57,16 @@ TEST(Literals, OfFloatingTypesGiveTheSameBitsBack) {
     if (!std::isfinite(value)) continue;
     const std::string text = double_literal(value);
     ASSERT_NE(text.find_first_of(".en"), std::string::npos) << text << " would be an integer";
-    ASSERT_EQ(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)), std::bit_cast<std::uint64_t>(value)) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(std::strtod(text.c_str(), nullptr)),
+              std::bit_cast<std::uint64_t>(value))
+        << text;
     const auto single = static_cast<float>(value);
     if (!std::isfinite(single)) continue;
     const std::string short_text = literal(value, Dtype::float32);
     ASSERT_TRUE(short_text.ends_with('F')) << short_text;
-    ASSERT_EQ(std::bit_cast<std::uint32_t>(std::strtof(short_text.c_str(), nullptr)), std::bit_cast<std::uint32_t>(single)) << short_text;
+    ASSERT_EQ(std::bit_cast<std::uint32_t>(std::strtof(short_text.c_str(), nullptr)),
+              std::bit_cast<std::uint32_t>(single))
+        << short_text;
   }
 }
 
@@ -72,8 +77,10 @@ TEST(Literals, OfSpecialValues) {
   EXPECT_EQ(double_literal(kInfinity), "std::numeric_limits<double>::infinity()");
   EXPECT_EQ(double_literal(-kInfinity), "-std::numeric_limits<double>::infinity()");
   EXPECT_EQ(double_literal(std::nan("")), "std::numeric_limits<double>::quiet_NaN()");
-  EXPECT_EQ(literal(std::numeric_limits<float>::max(), Dtype::float32), "std::numeric_limits<float>::max()");
-  EXPECT_EQ(literal(std::numeric_limits<double>::lowest(), Dtype::float64), "std::numeric_limits<double>::lowest()");
+  EXPECT_EQ(literal(std::numeric_limits<float>::max(), Dtype::float32),
+            "std::numeric_limits<float>::max()");
+  EXPECT_EQ(literal(std::numeric_limits<double>::lowest(), Dtype::float64),
+            "std::numeric_limits<double>::lowest()");
   EXPECT_EQ(literal(1e300, Dtype::float32), "std::numeric_limits<float>::infinity()");
 }
 
@@ -82,8 +89,10 @@ TEST(Literals, OfIntegersStayInTheirType) {
   EXPECT_EQ(literal(-127, Dtype::int8), "-127");
   EXPECT_EQ(literal(255, Dtype::uint8), "std::numeric_limits<std::uint8_t>::max()");
   EXPECT_EQ(literal(3, Dtype::uint32), "3U");
-  EXPECT_EQ(literal(lowest_of(Dtype::int64), Dtype::int64), "std::numeric_limits<std::int64_t>::lowest()");
-  EXPECT_EQ(literal(highest_of(Dtype::uint64), Dtype::uint64), "std::numeric_limits<std::uint64_t>::max()");
+  EXPECT_EQ(literal(lowest_of(Dtype::int64), Dtype::int64),
+            "std::numeric_limits<std::int64_t>::lowest()");
+  EXPECT_EQ(literal(highest_of(Dtype::uint64), Dtype::uint64),
+            "std::numeric_limits<std::uint64_t>::max()");
   EXPECT_EQ(literal(1, Dtype::boolean), "true");
   EXPECT_EQ(literal(0, Dtype::boolean), "false");
 }
@@ -97,7 +106,8 @@ TEST(Literals, OfMessages) {
   EXPECT_EQ(message_literal({1.0}, scalar), "1.0F");
   EXPECT_EQ(message_literal({1.0}, matrix), "{{1.0F, 1.0F, 1.0F, 1.0F}}");
   EXPECT_EQ(message_literal({1, 2, 3, 4}, matrix), "{{1.0F, 2.0F, 3.0F, 4.0F}}");
-  EXPECT_EQ(message_literal({7}, image), "eagerx::filled<eagerx::Array<std::uint8_t, 480, 480>>(7)");
+  EXPECT_EQ(message_literal({7}, image),
+            "eagerx::filled<eagerx::Array<std::uint8_t, 480, 480>>(7)");
 }
 
 TEST(Literals, OfTextsCannotEndTheLiteral) {

@@ -20,17 +20,21 @@ TEST(LoadLibrary, FindsEveryEntityAndTarget) {
   Diagnostics diagnostics;
   const Library library = load({kRoot + "/models", kRoot + "/targets"}, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors());
-  for (const char* id : {"OdeEngine", "Pendulum", "ButterworthFilter", "DecomposedAngle", "OdeInput", "OdeEngineState"}) EXPECT_NE(library.find(id), nullptr) << id;
+  for (const char* id : {"OdeEngine", "Pendulum", "ButterworthFilter", "DecomposedAngle",
+                         "OdeInput", "OdeEngineState"})
+    EXPECT_NE(library.find(id), nullptr) << id;
   EXPECT_TRUE(library.targets.contains("linux-sim"));
   for (const auto& [id, entity] : library.entities) {
     if (entity.cpp.include.empty()) continue;
-    EXPECT_TRUE(std::filesystem::exists(kRoot + "/" + entity.cpp.include)) << id << ": " << entity.cpp.include;
+    EXPECT_TRUE(std::filesystem::exists(kRoot + "/" + entity.cpp.include))
+        << id << ": " << entity.cpp.include;
     EXPECT_TRUE(entity.cpp.include.starts_with("models/")) << entity.cpp.include;
   }
 }
 
 TEST(LoadLibrary, IncludesAreRelativeHoweverTheFolderIsWritten) {
-  for (const std::string folder : {"tests/data/library", "./tests/data/library/", "tests/data/../data/library"}) {
+  for (const std::string folder :
+       {"tests/data/library", "./tests/data/library/", "tests/data/../data/library"}) {
     Diagnostics diagnostics;
     const Library library = load({folder}, diagnostics);  // the tests run at the root
     ASSERT_FALSE(diagnostics.has_errors()) << folder;

@@ -8,7 +8,8 @@ namespace eagerx::gen {
 namespace {
 
 std::string describe(const Connection& c) {
-  return c.source_rate.to_string() + " Hz to " + c.rate.to_string() + " Hz, delay " + c.delay_s.to_string() + (c.skip ? " s, skipped" : " s");
+  return c.source_rate.to_string() + " Hz to " + c.rate.to_string() + " Hz, delay " +
+         c.delay_s.to_string() + (c.skip ? " s, skipped" : " s");
 }
 
 TEST(Counts, EqualTheFormulaOfEagerx) {
@@ -21,7 +22,8 @@ TEST(Counts, EqualTheFormulaOfEagerx) {
           const Connection connection{source_rate, rate, delay, skip};
           const Counts counts = counts_of(connection);
           for (std::int64_t tick = 0; tick < kTicks; ++tick) {
-            ASSERT_EQ(counts.at(tick), expected_count(connection, tick)) << describe(connection) << ", tick " << tick;
+            ASSERT_EQ(counts.at(tick), expected_count(connection, tick))
+                << describe(connection) << ", tick " << tick;
           }
           ++configurations;
         }
@@ -42,7 +44,8 @@ TEST(Counts, WithoutSkipAMessageIsReceivedOnceItsDelayHasPassed) {
           total += counts.at(tick);
           // seq 0 always, and every seq s with s/r_in + d <= N/r
           const std::int64_t passed = ((Rational(tick) / rate - delay) * source_rate).floor() + 1;
-          ASSERT_EQ(total, std::max<std::int64_t>(1, passed)) << describe(connection) << ", tick " << tick;
+          ASSERT_EQ(total, std::max<std::int64_t>(1, passed))
+              << describe(connection) << ", tick " << tick;
         }
       }
     }

@@ -1,7 +1,7 @@
 // The run-time counters of runtime/eagerx/cursor.hpp against the generator's counts.
-#include <eagerx/cursor.hpp>
 #include <gtest/gtest.h>
 
+#include <eagerx/cursor.hpp>
 #include <utility>
 
 #include "generator/plan/counts.hpp"
@@ -22,7 +22,8 @@ void compare_delayed() {
       std::int64_t total = 0;
       for (std::int64_t tick = 0; tick < kTicks; ++tick) {
         total += counts.at(tick);
-        ASSERT_EQ(cursor.take(), static_cast<eagerx::Seq>(total)) << A << "/" << B << ", x = " << x << ", tick " << tick;
+        ASSERT_EQ(cursor.take(), static_cast<eagerx::Seq>(total))
+            << A << "/" << B << ", x = " << x << ", tick " << tick;
       }
     }
   }
@@ -39,7 +40,8 @@ void compare_skipped() {
       std::int64_t total = 0;
       for (std::int64_t tick = 0; tick < kTicks; ++tick) {
         total += counts.at(tick);
-        ASSERT_EQ(cursor.take(), static_cast<eagerx::Seq>(total)) << A << "/" << B << ", x = " << x << ", tick " << tick;
+        ASSERT_EQ(cursor.take(), static_cast<eagerx::Seq>(total))
+            << A << "/" << B << ", x = " << x << ", tick " << tick;
       }
     }
   }
@@ -59,19 +61,23 @@ void compare_all() {
 }
 
 TEST(Cursor, CountsWhatThePlanCounts) {
-  compare_all<Ratio<1, 1>, Ratio<1, 2>, Ratio<1, 3>, Ratio<1, 7>, Ratio<1, 50>, Ratio<2, 1>, Ratio<3, 1>, Ratio<7, 1>, Ratio<50, 1>, Ratio<2, 3>,
-              Ratio<3, 2>, Ratio<3, 5>, Ratio<5, 3>, Ratio<7, 30>, Ratio<30, 7>, Ratio<12, 5>, Ratio<5, 12>, Ratio<100, 3>, Ratio<3, 100>,
-              Ratio<999, 1000>, Ratio<1000, 999>, Ratio<1001, 1000>, Ratio<1000, 1001>>();
+  compare_all<Ratio<1, 1>, Ratio<1, 2>, Ratio<1, 3>, Ratio<1, 7>, Ratio<1, 50>, Ratio<2, 1>,
+              Ratio<3, 1>, Ratio<7, 1>, Ratio<50, 1>, Ratio<2, 3>, Ratio<3, 2>, Ratio<3, 5>,
+              Ratio<5, 3>, Ratio<7, 30>, Ratio<30, 7>, Ratio<12, 5>, Ratio<5, 12>, Ratio<100, 3>,
+              Ratio<3, 100>, Ratio<999, 1000>, Ratio<1000, 999>, Ratio<1001, 1000>,
+              Ratio<1000, 1001>>();
 }
 
 TEST(Cursor, SkippedWithoutDelayIsEverythingBeforeTheTickWhereOneRateDividesTheOther) {
   // Reception::Count::ticks_before relies on it.
-  for (const auto& [a, b] : {std::pair<std::int64_t, std::int64_t>{1, 1}, {1, 4}, {4, 1}, {30, 1}, {1, 30}}) {
+  for (const auto& [a, b] :
+       {std::pair<std::int64_t, std::int64_t>{1, 1}, {1, 4}, {4, 1}, {30, 1}, {1, 30}}) {
     const Counts counts{a, b, 0, true};
     std::int64_t total = 0;
     for (std::int64_t tick = 0; tick < kTicks; ++tick) {
       total += counts.at(tick);
-      ASSERT_EQ(total, counts.sent(tick) - (counts.sends_at(tick) ? 1 : 0)) << a << "/" << b << ", tick " << tick;
+      ASSERT_EQ(total, counts.sent(tick) - (counts.sends_at(tick) ? 1 : 0))
+          << a << "/" << b << ", tick " << tick;
     }
   }
 }

@@ -33,15 +33,19 @@ inline std::int64_t expected_count(const Connection& c, std::int64_t tick) {
 /// As plan_reception makes them.
 inline Counts counts_of(const Connection& c) {
   const Rational ratio = c.source_rate / c.rate;
-  return {ratio.num(), ratio.den(), (Rational(ratio.den()) * c.source_rate * c.delay_s).ceil(), c.skip};
+  return {ratio.num(), ratio.den(), (Rational(ratio.den()) * c.source_rate * c.delay_s).ceil(),
+          c.skip};
 }
 
-inline Rational parsed(const char* text) { return Rational::parse(text).value(); }
+inline Rational parsed(const char* text) {
+  return Rational::parse(text).value();
+}
 
 /// Rates that divide each other, that do not, and that have decimals.
 inline std::vector<Rational> some_rates() {
   std::vector<Rational> rates;
-  for (const char* text : {"1", "2", "3", "5", "7", "15", "20", "30", "60", "250", "1000", "0.5", "12.5", "29.97", "30000/1001"}) {
+  for (const char* text : {"1", "2", "3", "5", "7", "15", "20", "30", "60", "250", "1000", "0.5",
+                           "12.5", "29.97", "30000/1001"}) {
     rates.push_back(parsed(text));
   }
   return rates;
@@ -49,7 +53,13 @@ inline std::vector<Rational> some_rates() {
 
 /// None, tiny, multiples of periods and others.
 inline std::vector<Rational> some_delays(const Rational& source_rate, const Rational& rate) {
-  std::vector<Rational> delays = {0, parsed("1e-9"), parsed("0.01"), parsed("0.07"), parsed("1/3"), parsed("0.5"), parsed("2.5")};
+  std::vector<Rational> delays = {0,
+                                  parsed("1e-9"),
+                                  parsed("0.01"),
+                                  parsed("0.07"),
+                                  parsed("1/3"),
+                                  parsed("0.5"),
+                                  parsed("2.5")};
   for (const int periods : {1, 2, 4}) {
     delays.push_back(Rational(periods) / source_rate);
     delays.push_back(Rational(periods) / rate);

@@ -29,7 +29,9 @@ Drawn draw(const std::vector<Sketch>& sketches) {
     for (const auto& [name, skip] : sketch.hears) {
       Input input;
       input.skip = skip;
-      const auto source = std::find_if(sketches.begin(), sketches.end(), [&, wanted = name](const Sketch& s) { return s.name == wanted; });
+      const auto source =
+          std::find_if(sketches.begin(), sketches.end(),
+                       [&, wanted = name](const Sketch& s) { return s.name == wanted; });
       input.source_node = static_cast<std::size_t>(source - sketches.begin());
       node.inputs.push_back(input);
     }
@@ -61,9 +63,11 @@ std::vector<Sketch> random_sketches(std::mt19937& random, std::size_t count) {
     sketches.push_back(sketch);
   }
   for (std::size_t n = 1; n < count; ++n) {
-    if (!after_action[n] && random() % 2 == 0) sketches[0].hears.emplace_back(sketches[n].name, false);
+    if (!after_action[n] && random() % 2 == 0)
+      sketches[0].hears.emplace_back(sketches[n].name, false);
     const std::size_t late = random() % count;
-    if (late > n && random() % 4 == 0) sketches[n].hears.emplace_back(sketches[late].name, true);  // against the flow, skipped
+    if (late > n && random() % 4 == 0)
+      sketches[n].hears.emplace_back(sketches[late].name, true);  // against the flow, skipped
   }
   return sketches;
 }
@@ -90,11 +94,15 @@ TEST(Order, EveryNodeOnceBehindWhatItHears) {
 }
 
 TEST(Order, OnlyWhatNeedsTheActionComesAfterTheEnvironment) {
-  const Drawn drawn = draw({{"environment", {{"theta", false}}}, {"engine", {}}, {"theta", {{"engine", false}}},
-                            {"filter", {{"environment", false}}}, {"u", {{"filter", false}, {"engine", false}}},
+  const Drawn drawn = draw({{"environment", {{"theta", false}}},
+                            {"engine", {}},
+                            {"theta", {{"engine", false}}},
+                            {"filter", {{"environment", false}}},
+                            {"u", {{"filter", false}, {"engine", false}}},
                             {"echo", {{"u", true}}}});
   const Order order = order_nodes(drawn.graph, drawn.rate_of);
-  EXPECT_EQ(names(drawn.graph, order.before), (std::vector<std::string>{"echo", "engine", "theta"}));
+  EXPECT_EQ(names(drawn.graph, order.before),
+            (std::vector<std::string>{"echo", "engine", "theta"}));
   EXPECT_EQ(names(drawn.graph, order.after), (std::vector<std::string>{"filter", "u"}));
 }
 
@@ -105,7 +113,8 @@ TEST(Order, DoesNotDependOnTheOrderOfTheFile) {
     const Drawn drawn = draw(sketches);
     const Order order = order_nodes(drawn.graph, drawn.rate_of);
     std::vector<Sketch> shuffled = sketches;
-    std::shuffle(shuffled.begin() + 2, shuffled.end(), random);  // environment and engine stay in front
+    std::shuffle(shuffled.begin() + 2, shuffled.end(),
+                 random);  // environment and engine stay in front
     const Drawn other = draw(shuffled);
     const Order again = order_nodes(other.graph, other.rate_of);
     ASSERT_EQ(names(drawn.graph, order.before), names(other.graph, again.before));
@@ -114,10 +123,15 @@ TEST(Order, DoesNotDependOnTheOrderOfTheFile) {
 }
 
 TEST(Order, StaysWithARateAsLongAsItCan) {
-  const Drawn drawn = draw({{"environment", {}}, {"engine", {}, 0}, {"a", {{"engine", false}}, 1}, {"b", {{"engine", false}}, 0},
-                            {"c", {{"engine", false}}, 1}, {"d", {{"engine", false}}, 0}});
+  const Drawn drawn = draw({{"environment", {}},
+                            {"engine", {}, 0},
+                            {"a", {{"engine", false}}, 1},
+                            {"b", {{"engine", false}}, 0},
+                            {"c", {{"engine", false}}, 1},
+                            {"d", {{"engine", false}}, 0}});
   const Order order = order_nodes(drawn.graph, drawn.rate_of);
-  EXPECT_EQ(names(drawn.graph, order.before), (std::vector<std::string>{"engine", "b", "d", "a", "c"}));
+  EXPECT_EQ(names(drawn.graph, order.before),
+            (std::vector<std::string>{"engine", "b", "d", "a", "c"}));
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 namespace eagerx::gen {
 namespace {
 
-/// What really happens: both nodes tick in the order of their times, messages are numbered, and every tick
-/// looks at its window. How far back it looked is what the ring must hold.
+/// What really happens: both nodes tick in the order of their times, messages are numbered, and
+/// every tick looks at its window. How far back it looked is what the ring must hold.
 struct Happened {
-  std::uint64_t keep = 1;    // most messages between the oldest that is looked at and the newest that is sent
+  std::uint64_t keep =
+      1;  // most messages between the oldest that is looked at and the newest that is sent
   std::uint64_t window = 0;  // most messages in a window
   std::uint64_t least = 1'000'000;
   bool counts_agree = true;
@@ -30,7 +31,8 @@ Happened run(const Connection& c, std::uint32_t window, bool source_first, std::
     total += arrived;
     const std::int64_t held = window == 0 ? arrived : std::min<std::int64_t>(window, total);
     if (total > sent) happened.counts_agree = false;  // from the future
-    if (held > 0) happened.keep = std::max(happened.keep, static_cast<std::uint64_t>(sent - (total - held)));
+    if (held > 0)
+      happened.keep = std::max(happened.keep, static_cast<std::uint64_t>(sent - (total - held)));
     happened.window = std::max(happened.window, static_cast<std::uint64_t>(held));
     happened.least = std::min(happened.least, static_cast<std::uint64_t>(held));
   }
@@ -55,7 +57,8 @@ struct Planned {
 std::optional<Planned> plan(const Connection& c, std::uint32_t window, bool source_first) {
   Diagnostics diagnostics;
   Planned planned;
-  const auto reception = plan_reception(input_of(c, window), c.source_rate, c.rate, source_first, planned.needed, diagnostics);
+  const auto reception = plan_reception(input_of(c, window), c.source_rate, c.rate, source_first,
+                                        planned.needed, diagnostics);
   EXPECT_EQ(reception.has_value(), !diagnostics.has_errors());
   if (!reception) return std::nullopt;
   planned.reception = *reception;
@@ -63,21 +66,27 @@ std::optional<Planned> plan(const Connection& c, std::uint32_t window, bool sour
 }
 
 std::string describe(const Connection& c, std::uint32_t window, bool source_first) {
-  return c.source_rate.to_string() + " Hz to " + c.rate.to_string() + " Hz, delay " + c.delay_s.to_string() + " s, window " + std::to_string(window) +
+  return c.source_rate.to_string() + " Hz to " + c.rate.to_string() + " Hz, delay " +
+         c.delay_s.to_string() + " s, window " + std::to_string(window) +
          (c.skip ? ", skipped" : "") + (source_first ? ", source first" : ", source last");
 }
 
-std::vector<Rational> few_rates() { return {1, 2, 3, 5, 7, 30, parsed("12.5")}; }
+std::vector<Rational> few_rates() {
+  return {1, 2, 3, 5, 7, 30, parsed("12.5")};
+}
 
 /// Calls `test(connection, window, source_first)` for everything that can be planned.
 template <class Test>
 void for_each_connection(Test&& test) {
   for (const Rational& source_rate : few_rates()) {
     for (const Rational& rate : few_rates()) {
-      for (const Rational& delay : {Rational(0), parsed("0.07"), parsed("0.5"), Rational(1) / source_rate, Rational(2) / rate}) {
+      for (const Rational& delay : {Rational(0), parsed("0.07"), parsed("0.5"),
+                                    Rational(1) / source_rate, Rational(2) / rate}) {
         for (const std::uint32_t window : {0U, 1U, 2U, 5U}) {
-          test(Connection{source_rate, rate, delay, false}, window, true);  // without skip the source always runs first
-          for (const bool source_first : {true, false}) test(Connection{source_rate, rate, delay, true}, window, source_first);
+          test(Connection{source_rate, rate, delay, false}, window,
+               true);  // without skip the source always runs first
+          for (const bool source_first : {true, false})
+            test(Connection{source_rate, rate, delay, true}, window, source_first);
         }
       }
     }
@@ -87,7 +96,8 @@ void for_each_connection(Test&& test) {
 /// Long enough for the delay to pass, the window to fill, and the pattern to come round twice.
 std::int64_t enough_ticks(const Connection& c, std::uint32_t window) {
   const Counts counts = counts_of(c);
-  return (counts.x + counts.b) / counts.a + 4 + (window + 1) * (counts.b / counts.a + 1) + 2 * counts.b;
+  return (counts.x + counts.b) / counts.a + 4 + (window + 1) * (counts.b / counts.a + 1) +
+         2 * counts.b;
 }
 
 TEST(Receptions, RingsAreExactlyAsLargeAsNeeded) {
@@ -99,7 +109,8 @@ TEST(Receptions, RingsAreExactlyAsLargeAsNeeded) {
     const Happened happened = run(c, window, source_first, enough_ticks(c, window));
     EXPECT_TRUE(happened.counts_agree) << describe(c, window, source_first);
     EXPECT_EQ(planned->needed, happened.keep) << describe(c, window, source_first);
-    EXPECT_EQ(planned->reception.max_size, std::max<std::uint64_t>(1, happened.window)) << describe(c, window, source_first);
+    EXPECT_EQ(planned->reception.max_size, std::max<std::uint64_t>(1, happened.window))
+        << describe(c, window, source_first);
     if (planned->reception.always_full) {
       EXPECT_EQ(happened.least, planned->reception.max_size) << describe(c, window, source_first);
     }
@@ -119,13 +130,19 @@ TEST(Receptions, TheDelayThatIsRecommendedWorksAndNoLongerOneDoes) {
   for_each_connection([&](const Connection& c, std::uint32_t window, bool source_first) {
     Diagnostics diagnostics;
     std::uint64_t needed = 0;
-    if (plan_reception(input_of(c, window), c.source_rate, c.rate, source_first, needed, diagnostics)) return;
+    if (plan_reception(input_of(c, window), c.source_rate, c.rate, source_first, needed,
+                       diagnostics))
+      return;
     const std::string& help = diagnostics.all().front().help;
     const std::string begin = "shorten the delay to at most ";
     if (!help.starts_with(begin)) return;
-    const Rational longest = parsed(help.substr(begin.size(), help.find(' ', begin.size()) - begin.size()).c_str());
-    EXPECT_TRUE(plan({c.source_rate, c.rate, longest, true}, window, source_first)) << describe(c, window, source_first) << help;
-    EXPECT_FALSE(plan({c.source_rate, c.rate, longest + parsed("1e-9"), true}, window, source_first)) << describe(c, window, source_first) << help;
+    const Rational longest =
+        parsed(help.substr(begin.size(), help.find(' ', begin.size()) - begin.size()).c_str());
+    EXPECT_TRUE(plan({c.source_rate, c.rate, longest, true}, window, source_first))
+        << describe(c, window, source_first) << help;
+    EXPECT_FALSE(
+        plan({c.source_rate, c.rate, longest + parsed("1e-9"), true}, window, source_first))
+        << describe(c, window, source_first) << help;
     ++recommended;
   });
   EXPECT_GT(recommended, 10);
@@ -133,7 +150,9 @@ TEST(Receptions, TheDelayThatIsRecommendedWorksAndNoLongerOneDoes) {
 
 TEST(Receptions, TakeTheCheapestCount) {
   const auto count = [](const char* source_rate, const char* rate, const char* delay, bool skip) {
-    return plan({parsed(source_rate), parsed(rate), parsed(delay), skip}, 1, !skip).value().reception.count;
+    return plan({parsed(source_rate), parsed(rate), parsed(delay), skip}, 1, !skip)
+        .value()
+        .reception.count;
   };
   EXPECT_EQ(count("30", "30", "0", false), Reception::Count::ticks);
   EXPECT_EQ(count("30", "7", "0", false), Reception::Count::ticks);
@@ -145,7 +164,8 @@ TEST(Receptions, TakeTheCheapestCount) {
 }
 
 TEST(Receptions, BoundCoversWhatIsTooLongToSimulate) {
-  // 2^21 ticks and more until the pattern comes round: the bound may be larger than what is needed, never smaller.
+  // 2^21 ticks and more until the pattern comes round: the bound may be larger than what is needed,
+  // never smaller.
   const Connection c{parsed("1000003"), parsed("1000000"), parsed("0.0000005"), true};
   const auto planned = plan(c, 3, false);
   ASSERT_TRUE(planned);

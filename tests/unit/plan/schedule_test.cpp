@@ -27,7 +27,9 @@ std::vector<RateClass> rates_of(const std::vector<Rational>& rates) {
   return result.value_or(std::vector<RateClass>{});
 }
 
-Schedule schedule_of(const std::vector<Rational>& rates, std::size_t nodes = 10) { return make_schedule(rates_of(rates), 0, nodes); }
+Schedule schedule_of(const std::vector<Rational>& rates, std::size_t nodes = 10) {
+  return make_schedule(rates_of(rates), 0, nodes);
+}
 
 std::vector<Rational> parsed_all(const std::vector<const char*>& texts) {
   std::vector<Rational> result;
@@ -35,11 +37,14 @@ std::vector<Rational> parsed_all(const std::vector<const char*>& texts) {
   return result;
 }
 
-/// Instants of the first `seconds`, in order, with the bits of the rates (fastest first) that tick then.
+/// Instants of the first `seconds`, in order, with the bits of the rates (fastest first) that tick
+/// then.
 std::vector<std::uint64_t> instants(const std::vector<RateClass>& rates, const Rational& seconds) {
-  std::map<Rational, std::uint64_t, bool (*)(const Rational&, const Rational&)> due([](const Rational& a, const Rational& b) { return a < b; });
+  std::map<Rational, std::uint64_t, bool (*)(const Rational&, const Rational&)> due(
+      [](const Rational& a, const Rational& b) { return a < b; });
   for (std::size_t i = 0; i < rates.size(); ++i) {
-    for (std::int64_t n = 0; Rational(n) / rates[i].rate_hz < seconds; ++n) due[Rational(n) / rates[i].rate_hz] |= std::uint64_t{1} << i;
+    for (std::int64_t n = 0; Rational(n) / rates[i].rate_hz < seconds; ++n)
+      due[Rational(n) / rates[i].rate_hz] |= std::uint64_t{1} << i;
   }
   std::vector<std::uint64_t> masks;
   for (const auto& [time, mask] : due) masks.push_back(mask);
@@ -62,7 +67,8 @@ TEST(Rates, PeriodsKeepTheirProportions) {
   const auto rates = rates_of(texts);
   for (const auto& a : rates) {
     for (const auto& b : rates) {
-      EXPECT_EQ(Rational(static_cast<std::int64_t>(a.period)) * a.rate_hz, Rational(static_cast<std::int64_t>(b.period)) * b.rate_hz);
+      EXPECT_EQ(Rational(static_cast<std::int64_t>(a.period)) * a.rate_hz,
+                Rational(static_cast<std::int64_t>(b.period)) * b.rate_hz);
     }
   }
 }
@@ -93,7 +99,9 @@ TEST(Rates, SixtyFourAreTheMost) {
 }
 
 TEST(Schedule, SlotsAreTheInstantsOfTheHyperperiod) {
-  const std::vector<std::vector<const char*>> graphs = {{"30"}, {"30", "60"}, {"20", "60", "30"}, {"10", "15", "6"}, {"7", "30"}, {"12.5", "10"}, {"0.5", "2", "3"}};
+  const std::vector<std::vector<const char*>> graphs = {
+      {"30"},      {"30", "60"},   {"20", "60", "30"}, {"10", "15", "6"},
+      {"7", "30"}, {"12.5", "10"}, {"0.5", "2", "3"}};
   for (const auto& texts : graphs) {
     const auto rates = rates_of(parsed_all(texts));
     const Schedule schedule = make_schedule(rates, 0, 10);
@@ -116,8 +124,9 @@ TEST(Schedule, IsWrittenOutWhereAStepIsTheHyperperiod) {
   EXPECT_EQ(schedule_of({30}).form, ScheduleForm::constants);
   const auto rates = rates_of({30, 60});
   EXPECT_EQ(make_schedule(rates, 1, 10).form, ScheduleForm::constants);  // the environment at 30 Hz
-  EXPECT_EQ(make_schedule(rates, 0, 10).form, ScheduleForm::table);      // at 60 Hz: a step is half of it
-  EXPECT_EQ(make_schedule(rates, 1, 400).form, ScheduleForm::table);     // too much text
+  EXPECT_EQ(make_schedule(rates, 0, 10).form,
+            ScheduleForm::table);  // at 60 Hz: a step is half of it
+  EXPECT_EQ(make_schedule(rates, 1, 400).form, ScheduleForm::table);  // too much text
 }
 
 TEST(Schedule, LongRunsOfEqualSlotsAreLoops) {
@@ -125,7 +134,8 @@ TEST(Schedule, LongRunsOfEqualSlotsAreLoops) {
   EXPECT_EQ(make_schedule(rates, 1, 10).form, ScheduleForm::constants);  // 999 equal slots
   const auto many = rates_of({1, 5000});
   EXPECT_EQ(make_schedule(many, 1, 10).form, ScheduleForm::constants);
-  EXPECT_EQ(make_schedule(many, 0, 10).form, ScheduleForm::countdown);  // as a table it would be too long
+  EXPECT_EQ(make_schedule(many, 0, 10).form,
+            ScheduleForm::countdown);  // as a table it would be too long
 }
 
 TEST(Schedule, ExplodingHyperperiodsAreCountedDown) {
@@ -139,7 +149,8 @@ TEST(Schedule, ExplodingHyperperiodsAreCountedDown) {
 
 TEST(Schedule, HyperperiodsBeyondTheNumbersAreCountedDown) {
   std::vector<Rational> rates;
-  for (const int prime : {101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151}) rates.push_back(Rational(1) / Rational(prime));
+  for (const int prime : {101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151})
+    rates.push_back(Rational(1) / Rational(prime));
   EXPECT_EQ(schedule_of(rates).form, ScheduleForm::countdown);
   EXPECT_FALSE(schedule_of(rates).slots);
 }

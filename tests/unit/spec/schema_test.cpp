@@ -14,7 +14,9 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::string schema_text() { return json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"); }
+std::string schema_text() {
+  return json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json");
+}
 
 std::string file_text(const std::string& path) {
   std::ifstream file(std::string(EAGERX_SOURCE_DIR) + "/" + path);
@@ -48,7 +50,9 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
     }
     return where + " fits no option";
   }
-  if (schema.contains("enum") && std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end()) return where + " is not a choice";
+  if (schema.contains("enum") &&
+      std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
+    return where + " is not a choice";
   if (schema.contains("type")) {
     const auto is = [&](const std::string& type) {
       if (type == "integer") return value.is_number_integer();
@@ -56,15 +60,24 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
       return std::string(value.type_name()) == type;
     };
     const Json& types = schema["type"];
-    const bool fits = types.is_array() ? std::any_of(types.begin(), types.end(), [&](const Json& t) { return is(t); }) : is(types);
+    const bool fits = types.is_array() ? std::any_of(types.begin(), types.end(),
+                                                     [&](const Json& t) { return is(t); })
+                                       : is(types);
     if (!fits) return where + " has the wrong type";
   }
-  if (value.is_string() && schema.contains("pattern") && !std::regex_search(value.get<std::string>(), std::regex(schema["pattern"].get<std::string>()))) return where + " has the wrong form";
-  if (schema.contains("exclusiveMinimum") && !(value.get<double>() > schema["exclusiveMinimum"].get<double>())) return where + " is too small";
-  if (schema.contains("minimum") && value.get<double>() < schema["minimum"].get<double>()) return where + " is too small";
+  if (value.is_string() && schema.contains("pattern") &&
+      !std::regex_search(value.get<std::string>(),
+                         std::regex(schema["pattern"].get<std::string>())))
+    return where + " has the wrong form";
+  if (schema.contains("exclusiveMinimum") &&
+      !(value.get<double>() > schema["exclusiveMinimum"].get<double>()))
+    return where + " is too small";
+  if (schema.contains("minimum") && value.get<double>() < schema["minimum"].get<double>())
+    return where + " is too small";
   if (value.is_array() && schema.contains("items")) {
     for (const auto& item : value) {
-      if (auto problem = problem_in(item, schema["items"], where + "[]"); !problem.empty()) return problem;
+      if (auto problem = problem_in(item, schema["items"], where + "[]"); !problem.empty())
+        return problem;
     }
   }
   if (!value.is_object()) return "";
@@ -77,7 +90,9 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
     const Json other = schema.value("additionalProperties", Json(true));
     if (!known && other == Json(false)) return place + " is unknown";
     if (!known && other.is_boolean()) continue;
-    if (auto problem = problem_in(item, known ? schema["properties"][key] : other, place); !problem.empty()) return problem;
+    if (auto problem = problem_in(item, known ? schema["properties"][key] : other, place);
+        !problem.empty())
+      return problem;
   }
   return "";
 }
@@ -91,30 +106,39 @@ std::string problem_in_graph(const std::string& text) {
 }
 
 TEST(Schema, IsTheOneBesideTheExamples) {
-  EXPECT_EQ(schema_text(), file_text("examples/graph.schema.json")) << "write it again: eagerx-gen schema > examples/graph.schema.json";
+  EXPECT_EQ(schema_text(), file_text("examples/graph.schema.json"))
+      << "write it again: eagerx-gen schema > examples/graph.schema.json";
 }
 
 TEST(Schema, AcceptsTheGraphsOfThisRepository) {
-  for (const char* graph : {"examples/pendulum_swing_up/graph.yaml", "tests/golden/multi_rate/graph.yaml", "tests/programs/own_library.yaml", "tests/diagnostics/cases/base.yaml"}) {
+  for (const char* graph :
+       {"examples/pendulum_swing_up/graph.yaml", "tests/golden/multi_rate/graph.yaml",
+        "tests/programs/own_library.yaml", "tests/diagnostics/cases/base.yaml"}) {
     EXPECT_EQ(problem_in_graph(file_text(graph)), "") << graph;
   }
 }
 
 TEST(Schema, RefusesWhatTheParserRefuses) {
-  for (const char* name : {"key_typo", "key_unknown", "key_missing", "type_wrong", "rate_negative", "rate_nonsense", "delay_nonsense", "port_malformed", "state_keyword", "space_nonsense", "agent_unknown"}) {
-    EXPECT_NE(problem_in_graph(file_text("tests/diagnostics/cases/" + std::string(name) + ".yaml")), "") << name;
+  for (const char* name :
+       {"key_typo", "key_unknown", "key_missing", "type_wrong", "rate_negative", "rate_nonsense",
+        "delay_nonsense", "port_malformed", "state_keyword", "space_nonsense", "agent_unknown"}) {
+    EXPECT_NE(problem_in_graph(file_text("tests/diagnostics/cases/" + std::string(name) + ".yaml")),
+              "")
+        << name;
   }
 }
 
 TEST(Schema, DescribesEveryKey) {
-  const auto check_all = [](const auto& self, const Json& schema, const std::string& where) -> void {
+  const auto check_all = [](const auto& self, const Json& schema,
+                            const std::string& where) -> void {
     const Json properties = schema.value("properties", Json::object());
     for (const auto& [key, property] : properties.items()) {
       EXPECT_FALSE(property.value("description", "").empty()) << where << "." << key;
       self(self, property, where + "." + key);
     }
     for (const char* inner : {"items", "additionalProperties"}) {
-      if (schema.contains(inner) && schema[inner].is_object()) self(self, schema[inner], where + "[]");
+      if (schema.contains(inner) && schema[inner].is_object())
+        self(self, schema[inner], where + "[]");
     }
     for (const auto& option : schema.value("anyOf", Json::array())) self(self, option, where);
   };

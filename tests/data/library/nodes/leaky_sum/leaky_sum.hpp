@@ -3,10 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
-
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <string_view>
 
 namespace own {
 
@@ -22,7 +21,8 @@ class LeakySum {
     if (states.unused && (*states.unused)[0]) ++ticks_;
   }
 
-  void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& in,
+                typename Io::Outputs& out) {
     using Config = typename Io::Config;
     static_assert(std::string_view(Config::label).size() > 0);
     ++ticks_;
@@ -30,10 +30,14 @@ class LeakySum {
       const Real first = in.first.empty() ? Real(0) : static_cast<Real>(in.first.back()[i]);
       const Real second = in.second.empty() ? Real(0) : static_cast<Real>(in.second.back()[i]);
       const Real kept = (Real(1) - static_cast<Real>(Config::leak)) * static_cast<Real>(sum_[i]);
-      Real sum = kept + static_cast<Real>(Config::weights[0]) * first + static_cast<Real>(Config::weights[1]) * second;
-      if (Config::rounding == Rounding::nearest) sum = static_cast<Real>(static_cast<std::int64_t>(sum));
-      if (Config::clipped && sum > static_cast<Real>(Config::limits[1])) sum = static_cast<Real>(Config::limits[1]);
-      if (Config::clipped && sum < static_cast<Real>(Config::limits[0])) sum = static_cast<Real>(Config::limits[0]);
+      Real sum = kept + static_cast<Real>(Config::weights[0]) * first +
+                 static_cast<Real>(Config::weights[1]) * second;
+      if (Config::rounding == Rounding::nearest)
+        sum = static_cast<Real>(static_cast<std::int64_t>(sum));
+      if (Config::clipped && sum > static_cast<Real>(Config::limits[1]))
+        sum = static_cast<Real>(Config::limits[1]);
+      if (Config::clipped && sum < static_cast<Real>(Config::limits[0]))
+        sum = static_cast<Real>(Config::limits[0]);
       if (ticks_ % Config::every == 0) sum_[i] = static_cast<float>(sum);
       out.sum[i] = sum_[i];
     }

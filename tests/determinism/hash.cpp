@@ -1,0 +1,33 @@
+// Prints the trace hash of the swing-up example: the loop of every target, and nothing that takes
+// long to compile.
+#include <cinttypes>
+#include <cstdio>
+#include <eagerx/trace.hpp>
+#include <targets/common/run.hpp>
+
+#include "pendulum_swing_up/graph.hpp"
+
+namespace {
+
+using pendulum_swing_up::Graph;
+
+struct NoWatch {
+  static bool go_on() { return true; }
+  static void reset(std::uint32_t /*episode*/, const Graph::Observation& /*observation*/) {}
+  static void step(std::uint32_t /*episode*/, eagerx::Seq /*step*/, const Graph::Action& /*action*/,
+                   const Graph::Observation& /*observation*/) {}
+};
+
+}  // namespace
+
+int main() {
+  const eagerx::target::RunPlan plan{.episodes = 2, .steps = 450, .seed = 1};
+  auto& program = eagerx::target::program_of_run<Graph::Program<eagerx::HashTrace>>;
+  const auto agent = [](eagerx::EpisodeKey /*key*/, eagerx::Seq /*step*/,
+                        const Graph::Observation& observation) {
+    return Graph::policy(observation);
+  };
+  NoWatch watch;
+  eagerx::target::run_episodes<Graph>(plan, program, agent, watch);
+  std::printf("0x%016" PRIx64 "\n", program.trace.hash());
+}
