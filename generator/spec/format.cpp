@@ -6,9 +6,6 @@
 #include <array>
 #include <cctype>
 
-#include "generator/read/rational.hpp"
-#include "generator/read/scalar.hpp"
-
 namespace eagerx::gen {
 namespace format {
 namespace {

@@ -26,8 +26,8 @@ class TraceRecorder {
     hash_.episode(index);
   }
 
-  /// Never inlined: a program has a call for each of its messages, and the compiler needs a third more
-  /// time for a thousand nodes when it expands them all.
+  /// Never inlined: a program has a call for each of its messages, and a thousand nodes take 15 %
+  /// (g++) to 29 % (clang++) more text when all of them are expanded.
   template <class Message>
   [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, const Message& message) {
     hash_(channel, seq, message);

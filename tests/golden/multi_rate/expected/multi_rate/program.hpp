@@ -218,7 +218,7 @@ class Program {
   // What the environment sees.
   template <class Mask>
   Observation observe([[maybe_unused]] const Mask due) {
-    const Observation observation{{observation_angle_, n20Hz_}, {left_theta_dot_observation_, observation_speeds_cursor_.take()}, {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))}, {left_u_applied_action_applied_, n10Hz_ - 1}, {right_theta_observation_, observation_other_cursor_.take()}};
+    const Observation observation{{observation_angle_, n20Hz_}, {left_theta_dot_observation_, observation_speeds_cursor_.take()}, {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))}, {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)}, {right_theta_observation_, observation_other_cursor_.take()}};
     if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     return observation;
   }
