@@ -141,10 +141,11 @@ def pairs(program, *arguments):
 
 
 def instructions(program, function, steps, *arguments):
-    """Instructions that a run spends in a function and what it calls, counted by valgrind."""
+    """Instructions that a run spends in a function and what it calls, counted by valgrind. The pattern must not match
+    lambdas inside of the function: each match turns the counting on and off."""
     with tempfile.NamedTemporaryFile() as file:
         text = quietly("valgrind", "--tool=callgrind", f"--callgrind-out-file={file.name}",
-                       f"--toggle-collect=*{function}*", program, steps, *arguments)
+                       f"--toggle-collect=eagerx::bench::{function}(*long)", program, steps, *arguments)
     return int(re.search(r"Collected : (\d+)", text)[1])
 
 
