@@ -39,6 +39,17 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
   }
 }
 
+void print_eagerx_ids(const Entity& entity) {
+  for (const auto& eagerx : entity.eagerx_ids) {
+    std::string when;
+    for (const auto& [name, span, value] : eagerx.when)
+      when += fmt::format("{}{} = {}", when.empty() ? " if " : ", ", name, text_of(value));
+    fmt::print("{}{}{}", &eagerx == &entity.eagerx_ids.front() ? "\nin EAGERx: " : ", ",
+               eagerx.id.value, when);
+  }
+  if (!entity.eagerx_ids.empty()) fmt::print("\n");
+}
+
 std::string_view type_of(const Parameter& parameter) {
   switch (parameter.type) {
     case Parameter::Type::integer:
@@ -77,8 +88,7 @@ void print_parameters(const std::vector<Parameter>& parameters) {
 void print_entity(const Entity& entity) {
   fmt::print("{} ({})\n{}\n", entity.id.value, to_string(entity.kind), entity.summary);
   if (!entity.description.empty()) fmt::print("\n{}", entity.description);
-  if (!entity.eagerx_ids.empty())
-    fmt::print("\nin EAGERx: {}\n", fmt::join(entity.eagerx_ids, ", "));
+  print_eagerx_ids(entity);
   if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
   for (const auto& implementation : entity.object_engines)
     fmt::print("\nimplemented for: {}\n", implementation.engine.value);

@@ -12,6 +12,13 @@ namespace eagerx::gen {
 
 enum class EntityKind : std::uint8_t { node, engine, engine_node, engine_state, object, processor };
 
+/// An entity of EAGERx (module/Class) that ours stands for, if its parameters there have these
+/// values.
+struct EagerxId {
+  Spanned<std::string> id;
+  std::vector<Setting> when;
+};
+
 /// One parameter of an entity.
 struct Parameter {
   enum class Type : std::uint8_t { integer, number, boolean, text, keyword, integers, numbers };
@@ -22,6 +29,7 @@ struct Parameter {
   std::optional<double> low, high;
   std::vector<std::string> options;  // keyword
   std::string cpp_class;             // keyword: the C++ enumeration
+  std::string eagerx;                // its name in EAGERx
 };
 
 /// An input, output, sensor, actuator or state.
@@ -53,7 +61,7 @@ struct ObjectEngine {
 struct Entity {
   EntityKind kind = EntityKind::node;
   Spanned<std::string> id;
-  std::vector<std::string> eagerx_ids;
+  std::vector<EagerxId> eagerx_ids;
   std::string summary, description;
   CppClass cpp;
   CppClass simulator;                // engines

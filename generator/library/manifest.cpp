@@ -54,6 +54,8 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
     if (const Node* high = entry.value.find("high")) parameter.high = parse_number(high->text);
     parameter.options = texts_at(entry.value, "options");
     parameter.cpp_class = text_at(entry.value, "class");
+    const Node* eagerx = entry.value.find("eagerx");
+    parameter.eagerx = eagerx != nullptr ? eagerx->text : entry.key;
     const bool keyword = parameter.type == Parameter::Type::keyword;
     if (keyword != !parameter.options.empty() || keyword != !parameter.cpp_class.empty()) {
       diagnostics.error(
@@ -61,6 +63,17 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
           fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
     }
     result.push_back(std::move(parameter));
+  }
+  return result;
+}
+
+std::vector<EagerxId> read_eagerx_ids(const Node& root) {
+  std::vector<EagerxId> result;
+  const Node* list = root.find("eagerx");
+  if (list == nullptr) return result;
+  for (const auto& item : list->items) {
+    const Node& id = item.is_map() ? *item.find("id") : item;
+    result.push_back({{id.text, id.span}, read_config(item.find("when"))});
   }
   return result;
 }
@@ -163,7 +176,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   Entity entity;
   entity.kind = entity_kind(root.find("kind")->text);
   entity.id = {root.find("id")->text, root.find("id")->span};
-  entity.eagerx_ids = texts_at(root, "eagerx");
+  entity.eagerx_ids = read_eagerx_ids(root);
   entity.summary = text_at(root, "summary");
   entity.description = text_at(root, "description");
   entity.path = path;

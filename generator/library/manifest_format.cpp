@@ -17,6 +17,18 @@ FormatPtr texts() {
   return format::list("a list of texts", format::text("a text"));
 }
 
+FormatPtr eagerx_format() {
+  const FormatPtr id = format::text("an id such as `package.module/Class`");
+  return format::list(
+      "a list of ids of EAGERx",
+      format::one_of("an id of EAGERx, or a mapping with its `id` and `when`",
+                     {format::record("an id of EAGERx",
+                                     {{"id", id, true, "module/Class"},
+                                      {"when", config_format(), false,
+                                       "values of its parameters that it is this entity for"}}),
+                      id}));
+}
+
 FormatPtr parameter_format() {
   return format::record(
       "a parameter",
@@ -24,6 +36,7 @@ FormatPtr parameter_format() {
         "type"},
        {"about", format::text("a text"), true, "what it means, in one line"},
        {"unit", format::text("a unit"), false, "unit"},
+       {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
        {"default", format::any("a value"), false,
         "value if it is not given; without it, it must be"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
@@ -54,7 +67,7 @@ Fields common(const std::string& kind) {
   const FormatPtr id = kind == "target" ? format::text("an id") : format::name("an id");
   return {{"kind", format::keyword({kind}), true, "kind of entity"},
           {"id", id, true, "what graphs write as `type:`, or `--target`"},
-          {"eagerx", texts(), false, "ids of EAGERx that it stands for"},
+          {"eagerx", eagerx_format(), false, "ids of EAGERx that it stands for"},
           {"summary", format::text("a text"), true, "one line"},
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }

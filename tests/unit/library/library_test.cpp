@@ -70,6 +70,35 @@ TEST(LoadLibrary, AFolderThatIsNotThereIsAnInputError) {
   EXPECT_EQ(diagnostics.all().front().code, "E0301");
 }
 
+TEST(EntityManifest, NamesItsEagerxIdsAndParameters) {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const Node tree = read_yaml_text("manifest.yaml", R"(
+kind: processor
+id: Chained
+eagerx: [module/Plain, {id: module/Other, when: {chain: true, size: 2}}]
+summary: A processor.
+header: chained.hpp
+class: Chained
+config:
+  gain: {type: float, eagerx: k, about: a factor}
+  offset: {type: float, about: a summand}
+output: {like: input}
+)",
+                                   sources, diagnostics);
+  const auto entity = read_entity_manifest(tree, "manifest.yaml", diagnostics);
+  ASSERT_TRUE(entity) << render_text(diagnostics, sources, false);
+  ASSERT_EQ(entity->eagerx_ids.size(), 2U);
+  EXPECT_EQ(entity->eagerx_ids[0].id.value, "module/Plain");
+  EXPECT_TRUE(entity->eagerx_ids[0].when.empty());
+  EXPECT_EQ(entity->eagerx_ids[1].id.value, "module/Other");
+  ASSERT_EQ(entity->eagerx_ids[1].when.size(), 2U);
+  EXPECT_EQ(entity->eagerx_ids[1].when[0].name, "chain");
+  EXPECT_EQ(entity->eagerx_ids[1].when[1].value.text, "2");
+  EXPECT_EQ(entity->config[0].eagerx, "k");
+  EXPECT_EQ(entity->config[1].eagerx, "offset");
+}
+
 TEST(ManifestFormat, EveryKindHasOne) {
   for (const auto& kind : manifest_kinds()) EXPECT_NE(manifest_format(kind), nullptr) << kind;
   EXPECT_EQ(manifest_format("gizmo"), nullptr);
