@@ -1,19 +1,37 @@
 // Every entity with float and double, as a program of a board compiles them: no library beside the
 // runtime, no exceptions, no run-time types. compile_models.sh compiles it with every compiler.
+#include <models/engine_nodes/action_actuator/action_actuator.hpp>
 #include <models/engine_nodes/action_applied/action_applied.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
+#include <models/engine_nodes/observation_sensor/observation_sensor.hpp>
+#include <models/engine_nodes/ode_float_output/ode_float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
 #include <models/engine_nodes/ode_output/ode_output.hpp>
+#include <models/engine_nodes/reward_sensor/reward_sensor.hpp>
+#include <models/engine_nodes/terminated_sensor/terminated_sensor.hpp>
+#include <models/engine_nodes/truncated_sensor/truncated_sensor.hpp>
 #include <models/engine_states/dummy_state/dummy_state.hpp>
+#include <models/engine_states/gym_state/gym_state.hpp>
 #include <models/engine_states/ode_engine_state/ode_engine_state.hpp>
 #include <models/engine_states/ode_parameters/ode_parameters.hpp>
+#include <models/engine_states/set_gym_attribute/set_gym_attribute.hpp>
+#include <models/engines/gym_engine/gym_engine.hpp>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
+#include <models/nodes/moving_average_filter/moving_average_filter.hpp>
+#include <models/nodes/windowed_butterworth/windowed_butterworth.hpp>
+#include <models/objects/test_pendulum/test_pendulum_ode.hpp>
+#include <models/processors/angle_decomposition/angle_decomposition.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/get_index/get_index.hpp>
 #include <models/processors/identity/identity.hpp>
 #include <models/processors/negate/negate.hpp>
+#include <models/processors/normalize_angle/normalize_angle.hpp>
+#include <models/processors/obs_with_decomposed_angle/obs_with_decomposed_angle.hpp>
+#include <models/processors/to_uint8/to_uint8.hpp>
+#include <models/processors/voltage_to_motor_torque/voltage_to_motor_torque.hpp>
 
 #include "tests/unit/models/entity_io.hpp"
+#include "tests/unit/models/gym_io.hpp"
 
 namespace eagerx::models {
 
@@ -48,13 +66,49 @@ template struct GetIndex<ProcessorIo<float, Array<float, 3>, Array<float, 1>>>;
 template struct Negate<ProcessorIo<float, Array<float, 3>, Array<float, 3>>>;
 template struct Negate<ProcessorIo<float, std::int16_t, std::int16_t>>;
 template struct Identity<ProcessorIo<float, float, float>>;
+template struct ToUint8<ProcessorIo<float, Array<float, 3>, Array<std::uint8_t, 3>>>;
+template struct ToUint8<ProcessorIo<double, std::int64_t, std::uint8_t>>;
+template struct AngleDecomposition<ProcessorIo<float, Array<float, 3>, Array<float, 4>>>;
+template struct AngleDecomposition<ProcessorIo<double, Array<float, 3>, Array<float, 4>>>;
+template struct NormalizeAngle<ProcessorIo<float, float, float>>;
+template struct NormalizeAngle<ProcessorIo<double, Array<float, 2>, Array<float, 2>>>;
+template struct VoltageToMotorTorque<ProcessorIo<float, Array<float, 1>, Array<float, 1>>>;
+template struct VoltageToMotorTorque<ProcessorIo<double, Array<float, 1>, Array<float, 1>>>;
+template struct ObsWithDecomposedAngle<ProcessorIo<float, Array<float, 3>, Array<float, 2>>>;
+template struct ObsWithDecomposedAngle<ProcessorIo<double, Array<float, 3>, Array<float, 2>>>;
+template class MovingAverageFilter<testing::MeanIo<float, float, Array<float, 1>>>;
+template class MovingAverageFilter<
+    testing::MeanIo<double, Array<float, 2>, Array<float, 2>, testing::Skipped>>;
+template class WindowedButterworth<
+    testing::WindowedIo<float, testing::Low2, eagerx::Rate<60>, 2, false>>;
+template class WindowedButterworth<
+    testing::WindowedIo<double, testing::Stop8, eagerx::Rate<100>, 9, true>>;
+template class OdeFloatOutput<testing::OdeFloatOutputIo<PendulumSimulator<float>>>;
+template struct TestPendulumOde<testing::PendulumModelIo<float>>;
+template struct TestPendulumOde<testing::PendulumModelIo<double>>;
+
+using testing::GymPendulumSimulator;
+template struct GymPendulum<testing::PendulumModelIo<float>>;
+template struct GymPendulum<testing::PendulumModelIo<double>>;
+template class GymSimulator<GymPendulum<testing::PendulumModelIo<float>>>;
+template class GymSimulator<GymPendulum<testing::PendulumModelIo<double>>>;
+template class GymEngine<testing::EngineIo<float>>;
+template class ObservationSensor<testing::ObservationSensorIo<GymPendulumSimulator<float>>>;
+template class RewardSensor<testing::RewardSensorIo<GymPendulumSimulator<double>>>;
+template class TerminatedSensor<testing::FlagSensorIo<GymPendulumSimulator<float>>>;
+template class TruncatedSensor<testing::FlagSensorIo<GymPendulumSimulator<double>>>;
+template class ActionActuator<testing::ActionActuatorIo<GymPendulumSimulator<float>>>;
+template struct SetGymAttribute<testing::MassIo<GymPendulumSimulator<float>>>;
+template struct GymState<testing::MirroredStateIo<GymPendulumSimulator<double>>>;
 
 // The state of a program: constant-initialised to zero bytes.
 constinit PendulumSimulator<float> float_pendulum;
 constinit PendulumSimulator<double> double_pendulum;
+constinit GymPendulumSimulator<float> gym_pendulum;
 constinit ButterworthFilter<FilterIo<float, testing::Stop8>> filter;
 
 void advance_all() {
+  GymEngine<testing::EngineIo<float>>().callback({1}, gym_pendulum);
   testing::tick<testing::EngineIo<float>>(float_pendulum);
   testing::tick<testing::EngineIo<float, testing::Rk4Config<30>>>(float_pendulum);
   testing::tick<testing::EngineIo<double>>(double_pendulum);

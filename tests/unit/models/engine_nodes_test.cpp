@@ -2,6 +2,7 @@
 
 #include <models/engine_nodes/action_applied/action_applied.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
+#include <models/engine_nodes/ode_float_output/ode_float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
 #include <models/engine_nodes/ode_output/ode_output.hpp>
 #include <models/engine_states/dummy_state/dummy_state.hpp>
@@ -57,6 +58,17 @@ TYPED_TEST(EngineNodes, OdeOutputRoundsTheState) {
   typename Io::Outputs out{observation};
   node.callback({0}, {{&this->tick_, 1, 1}}, out, this->simulator_);
   EXPECT_EQ(observation, (TwoFloats{{0.1F, -7.3F}}));
+}
+
+TYPED_TEST(EngineNodes, OdeFloatOutputRoundsOneElement) {
+  using Io = OdeFloatOutputIo<PendulumSimulator<TypeParam>>;
+  OdeFloatOutput<Io> node;
+  node.reset({}, this->simulator_);
+  this->simulator_.state = {{TypeParam(0.1), TypeParam(-7.3)}};
+  float observation = 0.0F;
+  typename Io::Outputs out{observation};
+  node.callback({0}, {{&this->tick_, 1, 1}}, out, this->simulator_);
+  EXPECT_EQ(observation, -7.3F);
 }
 
 TYPED_TEST(EngineNodes, FloatOutputPicksAnElement) {

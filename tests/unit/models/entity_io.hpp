@@ -91,6 +91,19 @@ struct OneParameterIo : StateIo<Simulator, float> {
   };
 };
 
+template <class Simulator>
+struct OdeFloatOutputIo : NodeIo<Simulator> {
+  struct Config {
+    static constexpr int idx = 1;
+  };
+  struct Inputs {
+    Latest<std::int64_t> tick;
+  };
+  struct Outputs {
+    float& observation;
+  };
+};
+
 struct Low2 {
   static constexpr int order = 2;
   static constexpr auto type = FilterType::lowpass;
@@ -134,6 +147,45 @@ struct ProcessorIo {
   using Output = OutputType;
   struct Config {
     static constexpr int index = 2;
+    static constexpr int size = 4;
+    static constexpr double K = 0.5;
+    static constexpr double R = 8.0;
+  };
+};
+
+template <class RealType, class Message, class Result, template <class> class WindowOf = Latest>
+struct MeanIo {
+  using Real = RealType;
+  using Rate = eagerx::Rate<30>;
+  using States = NoStates;
+  struct Config {
+    static constexpr int n = 4;
+  };
+  struct Inputs {
+    WindowOf<Message> signal;
+  };
+  struct Outputs {
+    Result& filtered;
+  };
+};
+
+/// Of EAGERx's tests: `FilterConfig` is one of the above, whose order is also the window.
+template <class RealType, class FilterConfig, class RateType, std::uint32_t Size, bool AlwaysFull>
+struct WindowedIo {
+  using Real = RealType;
+  using Rate = RateType;
+  using States = NoStates;
+  struct Config {
+    static constexpr int index = 1;
+    static constexpr int N = FilterConfig::order;
+    static constexpr auto Wn = FilterConfig::cutoff_hz;
+    static constexpr auto btype = FilterConfig::type;
+  };
+  struct Inputs {
+    Window<TwoFloats, RateType, 16, Size, AlwaysFull> signal;
+  };
+  struct Outputs {
+    Array<float, 1>& filtered;
   };
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 
 #include "tests/unit/models/io.hpp"
 
@@ -68,6 +69,27 @@ TEST(PendulumOde, HangsStillAndFallsFromUpright) {
   EXPECT_NEAR(Model::derivative(c, {{3.14159265358979, 0.0}})[1], 0.0, 1e-10);
   EXPECT_GT(Model::derivative(c, {{0.1, 0.0}})[1], 0.0);
   EXPECT_LT(Model::derivative(c, {{-0.1, 0.0}})[1], 0.0);
+}
+
+TEST(TestPendulumOde, DerivativeAndJacobianAreThoseOfEagerxsTests) {
+  using TestModel = TestPendulumOde<PendulumModelIo<double>>;
+  const auto p = TestModel::default_parameters();
+  for (const double theta : {-3.0, 0.2, 2.0}) {
+    for (const double omega : {-6.0, 0.0, 1.5}) {
+      const double u = 1.7;
+      const double expected = (p[1] * 9.81 * p[2] * std::sin(theta) -
+                               (p[3] + p[4] * p[4] / p[5]) * omega + p[4] * u / p[5]) /
+                              p[0];
+      const auto c = TestModel::precompute(p, {{u}});
+      const auto slope = TestModel::derivative(c, {{theta, omega}});
+      EXPECT_EQ(slope[0], omega);
+      EXPECT_NEAR(slope[1], expected, 1e-12 * (200.0 + std::abs(expected)));
+      const auto jacobian = TestModel::jacobian(c, {{theta, omega}});
+      EXPECT_EQ(jacobian[1], 1.0);
+      EXPECT_NEAR(jacobian[2], p[1] * 9.81 * p[2] * std::cos(theta) / p[0], 1e-10);
+      EXPECT_NEAR(jacobian[3], -(p[3] + p[4] * p[4] / p[5]) / p[0], 1e-12);
+    }
+  }
 }
 
 }  // namespace

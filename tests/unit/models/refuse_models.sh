@@ -52,4 +52,14 @@ refuse 'an element of `indices` is not a parameter of the model' \
   'struct Wrong : OneParameterIo<PendulumSimulator<float>> {
      struct Config { static constexpr std::array<int, 1> indices = {8}; }; };
    template struct OdeParameters<Wrong>;'
+refuse 'the model has no attribute called `attribute`' \
+  'struct Wrong : MassIo<GymPendulumSimulator<float>> {
+     struct Config { static constexpr const char* attribute = "mass"; }; };
+   template struct SetGymAttribute<Wrong>;'
+refuse 'the window of `signal` must be at least `N`' \
+  'template class WindowedButterworth<testing::WindowedIo<float, Stop8, eagerx::Rate<100>, 7, true>>;'
+refuse '`size` must be one more than the message has elements' \
+  'template struct AngleDecomposition<testing::ProcessorIo<float, Array<float, 4>, Array<float, 4>>>;'
+refuse '`filtered` must have as many elements as `signal`' \
+  'template class MovingAverageFilter<MeanIo<float, TwoFloats, float>>;'
 [ $failures -eq 0 ] && echo "all wrong configurations are refused by $compiler"

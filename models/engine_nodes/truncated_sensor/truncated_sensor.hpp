@@ -1,0 +1,25 @@
+// Whether an environment on GymEngine was truncated.
+#pragma once
+
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <type_traits>
+
+namespace eagerx::models {
+
+/// Every tick: truncated [] := 1 if any step since the reset said so, else 0.
+template <class Io>
+class TruncatedSensor {
+ public:
+  using Simulator = typename Io::Simulator;
+
+  void reset(const typename Io::States& /*states*/, Simulator& /*simulator*/) {}
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
+                Simulator& simulator) {
+    using Message = std::remove_cvref_t<decltype(out.truncated)>;
+    element(out.truncated, 0) = static_cast<ScalarOf<Message>>(simulator.truncated ? 1 : 0);
+  }
+};
+
+}  // namespace eagerx::models

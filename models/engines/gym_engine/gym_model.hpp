@@ -1,0 +1,46 @@
+// What a model of a step-by-step environment offers to GymEngine.
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/message.hpp>
+
+namespace eagerx::models {
+
+/// What a step says besides the observation.
+template <class Real>
+struct GymOutcome {
+  Real reward{};
+  bool terminated = false;  // the task is over, by success or failure
+  bool truncated = false;   // the episode is over for another reason
+};
+
+/// A model of an environment with step(action). It has
+///   using Real = …;                                    // float or double
+///   static constexpr std::size_t kStates, kActions, kObservations, kAttributes;  // at least 1
+///   static constexpr std::uint32_t kMaxSteps;          // truncated from this step on; 0: never
+///   static constexpr std::array<const char*, kAttributes> kAttributeNames;  // as Gym calls them
+///   static Array<Real, kStates> initial_state();       // after a reset that sets nothing
+///   static Array<Real, kAttributes> default_attributes();
+///   static GymOutcome<Real> step(Array<Real, kStates>& state, const Array<Real, kActions>& action,
+///                                const Array<Real, kAttributes>& attributes);
+///   static Array<Real, kObservations> observe(const Array<Real, kStates>& state);
+/// A Discrete action of Gym is one number, 0, 1, …
+template <class Model>
+concept GymModel = (Model::kStates > 0) && (Model::kActions > 0) && (Model::kObservations > 0) &&
+                   (Model::kAttributes > 0) &&
+                   (Model::kAttributeNames.size() == Model::kAttributes) &&
+                   std::same_as<decltype(Model::initial_state()),
+                                Array<typename Model::Real, Model::kStates>>&& std::
+                       same_as<decltype(Model::observe(Model::initial_state())),
+                               Array<typename Model::Real, Model::kObservations>>;
+
+template <class Model>
+using GymStateVector = Array<typename Model::Real, Model::kStates>;
+template <class Model>
+using GymAction = Array<typename Model::Real, Model::kActions>;
+template <class Model>
+using GymAttributes = Array<typename Model::Real, Model::kAttributes>;
+
+}  // namespace eagerx::models
