@@ -160,6 +160,17 @@ class GraphView {
       for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
         add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
     }
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
+        const Input& input = graph_.nodes[n].inputs[i];
+        if (!input.random_delay) continue;
+        State delay;
+        delay.name = input.name + "/delay";
+        delay.space = {Dtype::float64, {}, {0.0}, {input.max_delay_s->to_double()}};
+        delay.random = input.random_delay;
+        add(graph_.nodes[n].name, delay, names_.delay_state[n][i]);
+      }
+    }
     view["ranges"] = std::move(ranges);
     view["randoms"] = std::move(randoms);
     view.set("draws", draws);

@@ -73,9 +73,11 @@ std::string structure_of(const Plan& plan, std::size_t n, const ProgramNames& na
   for (const auto& item : node.config)
     text += "|" + std::visit(ConfigWriter{*item.parameter}, item.value).value;
   for (std::size_t i = 0; i < node.inputs.size(); ++i)
-    text += "|" + node.inputs[i].name + window_type(plan, n, i);
+    text += "|" + node.inputs[i].name + window_type(plan, n, i) +
+            (node.inputs[i].entity_sets_delay ? "d" : "");
   for (const auto& output : node.outputs) text += "|" + output.name + message_type(output.raw);
-  for (const auto& state : node.states) text += "|" + state.name + message_type(state.space);
+  for (const auto& state : node.states) text += "|" + state.name + message_type(state.received());
+  for (const auto& target : node.targets) text += "|" + target.name + message_type(target.space);
   if (node.object) text += "|" + names.simulator_type[*node.object];
   return text;
 }
@@ -90,17 +92,31 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   view.set("place", names.place(node.span));
   view.set("type", names.io[n]);
   view.set("config", config_view(node.config));
-  View inputs = list();
+  View inputs = list(), feedthroughs = list(), targets = list(), delays = list();
   for (std::size_t i = 0; i < node.inputs.size(); ++i) {
     const Input& input = node.inputs[i];
     View port = object();
     port.set("type", window_type(plan, n, i));
     port.set("field", input.name);
     port.set("comment", fmt::format("  // {}", input.space.describe()));
-    inputs.push_back(port);
+    port.set("longest", input.max_delay_s ? input.max_delay_s->to_string() : "");
+    (input.feedthrough ? feedthroughs : inputs).push_back(port);
+    if (input.entity_sets_delay && input.max_delay_s) delays.push_back(port);
   }
-  view.set("no_inputs", node.inputs.empty());
+  for (const auto& target : node.targets) {
+    View port = object();
+    port.set("type", message_type(target.space));
+    port.set("field", target.name);
+    port.set("comment", fmt::format("  // {}", target.space.describe()));
+    targets.push_back(port);
+  }
+  view.set("no_inputs", !inputs.is_non_empty_list());
   view["inputs"] = std::move(inputs);
+  view.set("has_targets", targets.is_non_empty_list());
+  view["feedthroughs"] = std::move(feedthroughs);
+  view["targets"] = std::move(targets);
+  view.set("has_delays", delays.is_non_empty_list());
+  view["delays"] = std::move(delays);
   View outputs = list();
   for (const auto& output : node.outputs) {
     View port = object();
@@ -114,9 +130,11 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   for (const auto& state : node.states) {
     View field = object();
     field.set("field", state.name);
-    field.set("type", message_type(state.space));
+    field.set("type", message_type(state.received()));
     states.push_back(field);
   }
+  view.set("has_states", states.is_non_empty_list());
+  view.set("no_states", !states.is_non_empty_list());
   view["states"] = std::move(states);
   view.set("has_simulator", node.object.has_value());
   view.set("simulator", node.object ? names.simulator_type[*node.object] : "");
@@ -152,7 +170,7 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
       view.set("entity", state.engine_state->id.value);
       view.set("place", names.place(state.span));
       view.set("type", names.engine_state_type[i][s]);
-      view.set("message", message_type(state.space));
+      view.set("message", message_type(state.received()));
       view.set("simulator", names.simulator_type[i]);
       view.set("class", state.engine_state->cpp.name);
       view.set("config", config_view(state.config));
@@ -178,19 +196,32 @@ View processor_view(const Processor& processor, const std::string& type, const s
 
 View processors_view(const Plan& plan, const ProgramNames& names) {
   View views = list();
+  const auto add = [&](const std::optional<Processor>& processor, const std::string& type,
+                       const std::string& where) {
+    if (processor) views.push_back(processor_view(*processor, type, where, names));
+  };
+  for (std::size_t i = 0; i < plan.graph->objects.size(); ++i) {
+    const Object& item = plan.graph->objects[i];
+    for (std::size_t s = 0; s < item.states.size(); ++s)
+      add(item.states[s].processor, names.object_state_processor[i][s],
+          item.name + ".states." + item.states[s].name);
+  }
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n) {
     const GraphNode& node = plan.graph->nodes[n];
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const std::string owner = node.role == NodeRole::environment ? "observations" : node.name;
-      if (node.inputs[i].processor)
-        views.push_back(processor_view(*node.inputs[i].processor, names.input_processor[n][i],
-                                       owner + "." + node.inputs[i].name, names));
+      add(node.inputs[i].processor, names.input_processor[n][i], owner + "." + node.inputs[i].name);
     }
     for (std::size_t o = 0; o < node.outputs.size(); ++o) {
-      if (node.outputs[o].processor)
-        views.push_back(processor_view(*node.outputs[o].processor, names.output_processor[n][o],
-                                       node.name + "." + node.outputs[o].name, names));
+      add(node.outputs[o].processor, names.output_processor[n][o],
+          node.name + "." + node.outputs[o].name);
     }
+    for (std::size_t s = 0; s < node.states.size(); ++s)
+      add(node.states[s].processor, names.node_state_processor[n][s],
+          node.name + ".states." + node.states[s].name);
+    for (std::size_t t = 0; t < node.targets.size(); ++t)
+      add(node.targets[t].processor, names.target_processor[n][t],
+          node.name + ".targets." + node.targets[t].name);
   }
   return views;
 }
@@ -235,12 +266,16 @@ View includes_view(const Plan& plan, const IncludePaths& paths) {
     if (node.entity != nullptr) includes.add(*node.entity, node.entity->cpp);
     for (const auto& input : node.inputs) includes.add(input.processor);
     for (const auto& output : node.outputs) includes.add(output.processor);
+    for (const auto& state : node.states) includes.add(state.processor);
+    for (const auto& target : node.targets) includes.add(target.processor);
   }
   includes.add(*graph.engine().entity, graph.engine().entity->simulator);
   for (const auto& item : graph.objects) {
     includes.add(*item.entity, item.implementation->model);
-    for (const auto& state : item.states)
+    for (const auto& state : item.states) {
       includes.add(*state.engine_state, state.engine_state->cpp);
+      includes.add(state.processor);
+    }
   }
   return includes.view();
 }
@@ -282,6 +317,18 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
       if (!state.settable) continue;
       states.push_back(port_view(message_type(state.space), names.node_state[n][s], state.space,
                                  names.place(state.span)));
+    }
+  }
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    for (std::size_t i = 0; i < graph.nodes[n].inputs.size(); ++i) {
+      const Input& input = graph.nodes[n].inputs[i];
+      if (names.delay_state[n][i].empty()) continue;
+      View field = object();
+      field.set("type", "double");
+      field.set("field", names.delay_state[n][i]);
+      field.set("space", fmt::format("s, at most {}", input.max_delay_s->to_string()));
+      field.set("place", names.place(input.span));
+      states.push_back(field);
     }
   }
   view["actions"] = std::move(actions);

@@ -11,7 +11,9 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     due.push_back("k" + rate_suffix(rate.rate_hz));
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
-  for (const char* taken : {"slot_", "due_", "countdown_"}) members.unique(taken);
+  for (const char* taken : {"slot_", "due_", "countdown_", "started_", "resetting_",
+                            "reset_timeouts_", "refused_delays_"})
+    members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
     node_member.push_back(members.unique(snake(node.name) + "_"));
@@ -25,7 +27,8 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
       const GraphNode& reader = graph.nodes[*ring.reader_node];
       const bool observation = reader.role == NodeRole::environment;
       name = (observation ? "observation" : snake(reader.name)) + "_" +
-             reader.inputs[*ring.reader_input].name;
+             reader.inputs[*ring.reader_input].name +
+             (reader.inputs[*ring.reader_input].feedthrough ? "_feedthrough" : "");
     }
     ring_member.push_back(members.unique(name + "_"));
   }
@@ -34,15 +37,20 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     simulator_member.push_back(members.unique(snake(object.name) + "_simulator_"));
     engine_state_type.emplace_back();
     object_state.emplace_back();
+    object_state_processor.emplace_back();
     for (const auto& state : object.states) {
       engine_state_type.back().push_back(types.unique(camel(object.name) + camel(state.name)));
       object_state.back().push_back(fields.unique(snake(object.name) + "_" + state.name));
+      object_state_processor.back().push_back(
+          state.processor ? types.unique(camel(object.name) + camel(state.name) + "Processor")
+                          : "");
     }
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
     const std::string owner = node.role == NodeRole::environment ? "observation" : snake(node.name);
-    for (auto* list : {&output_processor, &input_processor, &cursor, &fresh, &node_state})
+    for (auto* list : {&output_processor, &input_processor, &cursor, &fresh, &node_state,
+                       &node_state_processor, &target_processor, &delay_member, &delay_state})
       list->emplace_back();
     channel.emplace_back(node.outputs.size());
     for (const auto& output : node.outputs) {
@@ -52,16 +60,29 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     }
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const Input& input = node.inputs[i];
-      input_processor[n].push_back(
-          input.processor ? types.unique(camel(owner) + camel(input.name) + "Processor") : "");
+      const std::string port = owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
+      input_processor[n].push_back(input.processor ? types.unique(camel(port) + "Processor") : "");
       const auto count = plan.nodes[n].receptions[i].count;
       const bool counted = count == Reception::Count::delayed || count == Reception::Count::skipped;
-      cursor[n].push_back(counted ? members.unique(owner + "_" + input.name + "_cursor_") : "");
-      fresh[n].push_back(input.window == 0 ? members.unique(owner + "_" + input.name + "_new_")
-                                           : "");
+      cursor[n].push_back(counted ? members.unique(port + "_cursor_") : "");
+      fresh[n].push_back(input.window == 0 ? members.unique(port + "_new_") : "");
+      delay_member[n].push_back(input.max_delay_s ? members.unique(port + "_delay_s_") : "");
+      const bool settable = input.max_delay_s && (input.random_delay || !input.entity_sets_delay);
+      delay_state[n].push_back(settable ? fields.unique(port + "_delay_s") : "");
     }
-    for (const auto& state : node.states)
+    for (const auto& target : node.targets) {
+      target_processor[n].push_back(
+          target.processor ? types.unique(camel(owner) + camel(target.name) + "TargetProcessor")
+                           : "");
+    }
+    const bool resets = !node.targets.empty();
+    targets_member.push_back(resets ? members.unique(owner + "_targets_") : "");
+    done_member.push_back(resets ? members.unique(owner + "_done_") : "");
+    for (const auto& state : node.states) {
       node_state[n].push_back(fields.unique(snake(node.name) + "_" + state.name));
+      node_state_processor[n].push_back(
+          state.processor ? types.unique(camel(node.name) + camel(state.name) + "Processor") : "");
+    }
   }
   Names channels;
   for (const auto& item : plan.channels)

@@ -24,7 +24,11 @@ struct ProgramNames {
       input_processor;                                             // types, by node and port
   std::vector<std::vector<std::string>> cursor, fresh;             // members, by node and input
   std::vector<std::vector<std::string>> node_state, object_state;  // fields of States
-  std::vector<std::vector<std::string>> channel;                   // constants, by node and output
+  std::vector<std::vector<std::string>> node_state_processor, object_state_processor,
+      target_processor;                                  // types, by owner and state or target
+  std::vector<std::string> targets_member, done_member;  // of reset nodes
+  std::vector<std::vector<std::string>> delay_member, delay_state;  // of delays that may change
+  std::vector<std::vector<std::string>> channel;                    // constants, by node and output
 
   /// "graph.yaml:14:5"
   [[nodiscard]] std::string place(Span span) const;

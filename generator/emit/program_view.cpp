@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/emit/names.hpp"
+#include "generator/emit/reset_view.hpp"
 #include "generator/emit/types.hpp"
 
 namespace eagerx::gen {
@@ -13,10 +14,6 @@ namespace {
 // compile time of 1,000 nodes); below 100 nodes one function is easier to read.
 constexpr std::size_t kMostNodesInOneFunction = 100;
 constexpr std::size_t kChunk = 32;
-
-std::string joined(const std::vector<std::string>& items) {
-  return fmt::format("{}", fmt::join(items, ", "));
-}
 
 class ProgramView {
  public:
@@ -32,7 +29,6 @@ class ProgramView {
     view.set("environment_tick", names_.counter[environment_rate()] + " - 1");
     add_rates(view);
     add_schedule(view);
-    add_reset(view);
     add_actions(view);
     add_phase(view, "before", plan_.before);
     add_phase(view, "after", plan_.after);
@@ -141,93 +137,8 @@ class ProgramView {
     view["mask_lines"] = std::move(lines);
   }
 
-  void add_reset(View& view) const {
-    View simulators = list(), engine_states = list(), resets = list();
-    bool uses_states = false;
-    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
-      View simulator = object();
-      simulator.set("member", names_.simulator_member[i]);
-      simulators.push_back(simulator);
-      for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
-        View state = object();
-        state.set("field", names_.object_state[i][s]);
-        state.set("type", names_.engine_state_type[i][s]);
-        state.set("simulator", names_.simulator_member[i]);
-        engine_states.push_back(state);
-        uses_states = true;
-      }
-    }
-    for (const std::size_t n : all_nodes()) {
-      const GraphNode& node = graph_.nodes[n];
-      std::vector<std::string> states;
-      for (std::size_t s = 0; s < node.states.size(); ++s) {
-        states.push_back(node.states[s].settable ? "states." + names_.node_state[n][s] : "{}");
-        uses_states = uses_states || node.states[s].settable;
-      }
-      View reset = object();
-      reset.set("call", fmt::format("{}.reset({{{}}}{})", names_.node_member[n], joined(states),
-                                    simulator_argument(n)));
-      resets.push_back(reset);
-    }
-    view["simulators"] = std::move(simulators);
-    view["engine_states"] = std::move(engine_states);
-    view["resets"] = std::move(resets);
-    view.set("uses_states", uses_states);
-    view.set("ignores_states", !uses_states);
-    add_cursors(view);
-  }
-
-  void add_cursors(View& view) const {
-    View cursors = list();
-    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
-      for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
-        const Reception& reception = plan_.nodes[n].receptions[i];
-        const std::string where =
-            fmt::format("{}.{}", graph_.nodes[n].name, graph_.nodes[n].inputs[i].name);
-        const auto add = [&](const std::string& member, const std::string& type,
-                             const std::string& x) {
-          View cursor = object();
-          cursor.set("member", member);
-          cursor.set("type", type);
-          cursor.set("x", x);
-          cursor.set("where", where);
-          cursors.push_back(cursor);
-        };
-        const std::string x = fmt::format("{}", reception.x);
-        if (reception.count == Reception::Count::delayed) {
-          add(names_.cursor[n][i],
-              fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b), x);
-        } else if (reception.count == Reception::Count::skipped) {
-          add(names_.cursor[n][i],
-              fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b,
-                          reception.off),
-              x);
-        }
-        if (!names_.fresh[n][i].empty()) add(names_.fresh[n][i], "eagerx::NewMessages", "");
-      }
-    }
-    view.set("has_cursors", cursors.is_non_empty_list());
-    view["cursors"] = std::move(cursors);
-  }
-
-  /// The engine, then everything in the order in which it runs.
-  std::vector<std::size_t> all_nodes() const {
-    std::vector<std::size_t> nodes = {Graph::kEngine};
-    for (const auto* phase : {&plan_.before, &plan_.after}) {
-      for (const std::size_t n : *phase) {
-        if (n != Graph::kEngine) nodes.push_back(n);
-      }
-    }
-    return nodes;
-  }
-
-  std::string simulator_argument(std::size_t n) const {
-    const auto& item = graph_.nodes[n].object;
-    return item ? ", " + names_.simulator_member[*item] : "";
-  }
-
   /// Rings that hold a channel as the processor of one of its readers converts it.
-  View conversions(std::size_t n, std::size_t output) const {
+  View conversions(std::size_t n, std::size_t output, const std::string& source) const {
     View views = list();
     for (std::size_t r = plan_.channels.size(); r < plan_.rings.size();
          ++r) {  // behind the channels' own
@@ -236,7 +147,7 @@ class ProgramView {
       View view = object();
       view.set("target", ring_place(plan_, names_, r, seq_of(n)));
       view.set("processor", names_.input_processor[*ring.reader_node][*ring.reader_input]);
-      view.set("source", ring_place(plan_, names_, plan_.nodes[n].rings[output], seq_of(n)));
+      view.set("source", source);
       views.push_back(view);
     }
     return views;
@@ -253,9 +164,10 @@ class ProgramView {
       View action = object();
       action.set("field", output.name);
       action.set("place", names_.place(output.span));
-      action.set("ring", ring_place(plan_, names_, plan_.nodes[Graph::kEnvironment].rings[a],
-                                    seq_of(Graph::kEnvironment)));
-      action.set("conversions", conversions(Graph::kEnvironment, a));
+      const std::string ring = ring_place(plan_, names_, plan_.nodes[Graph::kEnvironment].rings[a],
+                                          seq_of(Graph::kEnvironment));
+      action.set("ring", ring);
+      action.set("conversions", conversions(Graph::kEnvironment, a, "action." + output.name));
       action.set("channel", channel(Graph::kEnvironment, a));
       action.set("seq", seq_of(Graph::kEnvironment));
       actions.push_back(action);
@@ -314,6 +226,8 @@ class ProgramView {
     view.set("seq", seq_of(n));
     view.set("counter", names_.counter[plan_.nodes[n].rate]);
     view.set("io", names_.io[n]);
+    view.set("only_in_episodes", graph_.has_reset_nodes() && node.waits_during_reset);
+    view.set("always", !graph_.has_reset_nodes() || !node.waits_during_reset);
     engine ? add_engine(view, n) : add_node(view, n);
     return view;
   }
@@ -330,18 +244,27 @@ class ProgramView {
   void add_node(View& view, std::size_t n) const {
     const GraphNode& node = graph_.nodes[n];
     std::vector<std::string> inputs, outputs;
-    for (std::size_t i = 0; i < node.inputs.size(); ++i)
-      inputs.push_back(window_argument(plan_, names_, n, i));
-    View raw = list(), published = list();
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+      if (!node.inputs[i].feedthrough) inputs.push_back(window_argument(plan_, names_, n, i));
+    }
+    View raw = list(), published = list(), slots = list();
     for (std::size_t o = 0; o < node.outputs.size(); ++o) {
       const Output& output = node.outputs[o];
-      const std::string ring = ring_place(plan_, names_, plan_.nodes[n].rings[o], seq_of(n));
+      const std::size_t ring_index = plan_.nodes[n].rings[o];
+      std::string ring = ring_place(plan_, names_, ring_index, seq_of(n));
+      if (plan_.rings[ring_index].capacity > 1) {
+        View slot = object();
+        slot.set("slot", "new_" + output.name);
+        slot.set("ring", ring);
+        slots.push_back(slot);
+        ring = "new_" + output.name;
+      }
       const std::string local = "raw_" + output.name;
       View message = object();
       message.set("ring", ring);
       message.set("channel", channel(n, o));
       message.set("seq", seq_of(n));
-      message.set("conversions", conversions(n, o));
+      message.set("conversions", conversions(n, o, ring));
       message.set("converted", output.processor.has_value());
       message.set("processor", names_.output_processor[n][o]);
       message.set("local", local);
@@ -355,10 +278,32 @@ class ProgramView {
     }
     view.set("inputs", "{" + joined(inputs) + "}");
     view.set("outputs", "{" + joined(outputs) + "}");
+    view["slots"] = std::move(slots);
     view["raw"] = std::move(raw);
     view["published"] = std::move(published);
-    view.set("arguments",
-             fmt::format("eagerx::Tick{{{}}}, in, out{}", seq_of(n), simulator_argument(n)));
+    view.set("tick", fmt::format("eagerx::Tick{{{}}}", seq_of(n)));
+    view.set("simulator_argument", simulator_argument(plan_, names_, n));
+    add_feedthroughs(view, n);
+  }
+
+  /// What a reset node passes on while there is no reset.
+  void add_feedthroughs(View& view, std::size_t n) const {
+    const GraphNode& node = graph_.nodes[n];
+    std::vector<std::string> windows;
+    View passed = list();
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+      if (!node.inputs[i].feedthrough) continue;
+      windows.push_back(window_argument(plan_, names_, n, i));
+      View item = object();
+      item.set("field", node.inputs[i].name);
+      passed.push_back(item);
+    }
+    view.set("is_reset_node", !node.targets.empty());
+    view.set("is_plain_node", node.targets.empty());
+    view.set("feedthroughs", "{" + joined(windows) + "}");
+    view["passed"] = std::move(passed);
+    view.set("targets", names_.targets_member[n]);
+    view.set("done", names_.done_member[n]);
   }
 
   void add_observation(View& view) const {
@@ -388,7 +333,7 @@ class ProgramView {
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i)
       add(names_.simulator_type[i], names_.simulator_member[i]);
-    for (const std::size_t n : all_nodes())
+    for (const std::size_t n : nodes_in_order(plan_))
       add(fmt::format("{}<{}>", graph_.nodes[n].entity->cpp.name, names_.io[n]),
           names_.node_member[n]);
     view["rings"] = std::move(rings);
@@ -403,7 +348,9 @@ class ProgramView {
 }  // namespace
 
 View program_view(const Plan& plan, const ProgramNames& names) {
-  return ProgramView(plan, names).make();
+  View view = ProgramView(plan, names).make();
+  add_reset(plan, names, view);
+  return view;
 }
 
 }  // namespace eagerx::gen

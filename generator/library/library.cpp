@@ -78,6 +78,10 @@ const PortManifest* Entity::state(std::string_view name) const {
   return find_port(states, name);
 }
 
+const PortManifest* Entity::target(std::string_view name) const {
+  return find_port(targets, name);
+}
+
 const Entity* Library::find(const std::string& id) const {
   const auto found = entities.find(id);
   return found == entities.end() ? nullptr : &found->second;

@@ -41,6 +41,7 @@ struct PortManifest {
   std::optional<std::uint32_t> window;
   std::optional<Rational> delay_s;
   std::optional<bool> skip;
+  std::optional<Node> max_delay;  // the entity sets the delay at its reset; may be `$(config x)`
 };
 
 /// A C++ class and the header that defines it, as generated code includes it.
@@ -68,6 +69,7 @@ struct Entity {
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
   std::vector<Parameter> config;
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
+  std::vector<PortManifest> targets;  // a node with targets is a reset node
   std::vector<ObjectEngine> object_engines;
   std::string path;          // of the manifest, as messages show it
   std::string include_root;  // folder that the include is relative to
@@ -77,6 +79,7 @@ struct Entity {
   [[nodiscard]] const PortManifest* sensor(std::string_view name) const;
   [[nodiscard]] const PortManifest* actuator(std::string_view name) const;
   [[nodiscard]] const PortManifest* state(std::string_view name) const;
+  [[nodiscard]] const PortManifest* target(std::string_view name) const;
 };
 
 /// A board or system that generated programs run on.

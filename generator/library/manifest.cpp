@@ -95,6 +95,7 @@ std::vector<PortManifest> read_ports(const Node& root, const char* key) {
     }
     if (const Node* delay = entry.value.find("delay")) port.delay_s = Rational::parse(delay->text);
     if (const Node* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
+    port.max_delay = node_at(entry.value, "max_delay");
     result.push_back(std::move(port));
   }
   return result;
@@ -188,6 +189,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.states = read_ports(root, "states");
   entity.sensors = read_ports(root, "sensors");
   entity.actuators = read_ports(root, "actuators");
+  entity.targets = read_ports(root, "targets");
   if (entity.kind == EntityKind::engine_state || entity.kind == EntityKind::engine_node) {
     entity.engines = texts_at(root, "engines");
   }
@@ -204,11 +206,14 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
       implementation.engine = {entry.key, entry.key_span};
       implementation.model = read_cpp(*entry.value.find("model"), folder);
       implementation.nodes = read_entities(entry.value, "nodes", diagnostics);
-      implementation.connections = read_connections(entry.value.find("connections"));
+      implementation.connections = read_connections(entry.value.find("connections"), diagnostics);
       implementation.states = read_entities(entry.value, "states", diagnostics);
       entity.object_engines.push_back(std::move(implementation));
     }
   }
+  if (root.find("kind")->text == "reset_node" && (entity.targets.empty() || entity.outputs.empty()))
+    diagnostics.error("E0206", entity.id.span,
+                      "a reset node has at least one output and one target");
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return entity;
 }

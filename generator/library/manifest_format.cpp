@@ -89,7 +89,13 @@ Fields states() {
 }
 
 Fields node_ports() {
-  return Fields{{"inputs", ports("inputs", port_fields() + connection_defaults()), false, "inputs"},
+  const Fields max_delay = {{"max_delay",
+                             format::one_of("a delay in seconds or `$(config NAME)`",
+                                            {format::decimal("a delay in seconds", 0.0, false),
+                                             format::text("`$(config NAME)`")}),
+                             false, "the entity sets the delay at its reset, up to this"}};
+  return Fields{{"inputs", ports("inputs", port_fields() + connection_defaults() + max_delay),
+                 false, "inputs"},
                 {"outputs", ports("outputs", port_fields()), false, "outputs"}} +
          states();
 }
@@ -140,13 +146,18 @@ FormatPtr target_format() {
 }  // namespace
 
 std::vector<std::string> manifest_kinds() {
-  return {"node", "engine", "engine_node", "engine_state", "object", "processor", "target"};
+  return {"node",         "reset_node", "engine",    "engine_node",
+          "engine_state", "object",     "processor", "target"};
 }
 
 const Format* manifest_format(std::string_view kind) {
   const Fields space = {{"space", space_format(Reference::accept, true), false, "what it takes"}};
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
       {"node", format::record("a node", common("node") + cpp() + config() + node_ports())},
+      {"reset_node",
+       format::record("a reset node", common("reset_node") + cpp() + config() + node_ports() +
+                                          Fields{{"targets", ports("targets", port_fields()), true,
+                                                  "states that it brings about"}})},
       {"engine",
        format::record("an engine",
                       common("engine") + cpp() + config() + states() +

@@ -52,8 +52,8 @@ class Planner {
     add_channels();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) receive(n);
     size_rings();
-    plan_.schedule =
-        make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate, graph_.nodes.size());
+    plan_.schedule = make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate,
+                                   graph_.nodes.size(), graph_.has_reset_nodes());
     if (diagnostics_.error_count() != errors_before) return std::nullopt;
     return std::move(plan_);
   }

@@ -40,6 +40,12 @@ struct Reception {
   Count count = Count::ticks;
   std::size_t ring = 0;
   std::int64_t a = 1, b = 1, x = 0, off = 0;
+  /// A delay that a reset may change: x = ceil(delay in ns · num / den), with the delay of the
+  /// graph to begin with and never more than the longest.
+  struct Changing {
+    std::int64_t num = 0, den = 1, first_ns = 0, longest_ns = 0;
+  };
+  std::optional<Changing> changing;
   std::uint64_t max_size = 1;  // most messages in the window
   bool always_full = true;
 };

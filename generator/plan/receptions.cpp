@@ -20,17 +20,49 @@ std::int64_t ceil_div(std::int64_t x, std::int64_t y) {
 std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
                                 const Rational& rate, Diagnostics& diagnostics) {
   const Rational ratio = source_rate / rate;
-  const Rational quanta = Rational(ratio.den()) * source_rate * input.delay_s;
+  const Rational quanta =
+      Rational(ratio.den()) * source_rate * input.max_delay_s.value_or(input.delay_s);
   if (ratio.overflowed() || quanta.overflowed() || ratio.num() > kMaxTerm ||
       ratio.den() > kMaxTerm || quanta.ceil() > kMaxTerm) {
     diagnostics.error(
         "E0402", input.span,
         fmt::format(
             "the rates {} Hz and {} Hz with a delay of {} s are too far apart to count exactly",
-            source_rate.to_string(), rate.to_string(), input.delay_s.to_string()));
+            source_rate.to_string(), rate.to_string(),
+            input.max_delay_s.value_or(input.delay_s).to_string()));
     return std::nullopt;
   }
-  return Counts{ratio.num(), ratio.den(), quanta.ceil(), input.skip};
+  const Rational now = Rational(ratio.den()) * source_rate * input.delay_s;
+  return Counts{ratio.num(), ratio.den(), now.ceil(), input.skip};
+}
+
+constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+
+std::int64_t nanoseconds(const Rational& seconds) {
+  return (seconds * Rational(kNsPerSecond)).ceil();
+}
+
+/// What a program needs to turn a delay into x.
+std::optional<Reception::Changing> changing_of(const Input& input, const Counts& counts,
+                                               const Rational& source_rate,
+                                               Diagnostics& diagnostics) {
+  const Rational factor =
+      Rational(counts.b) * source_rate / Rational(kNsPerSecond);  // quanta in a nanosecond
+  Reception::Changing changing;
+  changing.num = factor.num();
+  changing.den = factor.den();
+  changing.first_ns = nanoseconds(input.delay_s);
+  changing.longest_ns = nanoseconds(*input.max_delay_s);
+  std::int64_t product = 0;
+  const bool fits = !factor.overflowed() &&
+                    !__builtin_mul_overflow(changing.num, changing.longest_ns, &product) &&
+                    !__builtin_add_overflow(product, changing.den, &product);
+  if (fits) return changing;
+  diagnostics.error(
+      "E0402", input.span,
+      fmt::format("a delay of up to {} s at {} Hz is too long to count in nanoseconds",
+                  input.max_delay_s->to_string(), source_rate.to_string()));
+  return std::nullopt;
 }
 
 /// What to do about a skipped input without a message at tick 1.
@@ -53,6 +85,10 @@ Reception::Count count_kind(const Counts& counts) {
   if (!counts.skip) return counts.x == 0 ? Reception::Count::ticks : Reception::Count::delayed;
   const bool divides = counts.a == 1 || counts.b == 1;
   return counts.x == 0 && divides ? Reception::Count::ticks_before : Reception::Count::skipped;
+}
+
+Reception::Count changing_kind(const Input& input) {
+  return input.skip ? Reception::Count::skipped : Reception::Count::delayed;
 }
 
 /// Messages to keep and most messages in the window, from what happens at the ticks themselves. The
@@ -95,6 +131,36 @@ Need need_of(const Counts& counts, std::int64_t window, bool source_first) {
                                      : bound(counts, window);
 }
 
+/// Whether a skipped input is still empty at its second tick.
+bool starves(const Counts& counts, std::int64_t window) {
+  return counts.skip && window > 0 && counts.at(0) + counts.at(1) == 0;
+}
+
+/// The most that any delay up to the longest needs.
+Need need_of_all(Counts counts, std::int64_t longest_x, std::int64_t window, bool source_first) {
+  constexpr std::int64_t kMostTried = 10'000;
+  if (!counts.skip || longest_x > kMostTried) {  // grows with the delay
+    counts.x = longest_x;
+    return counts.skip ? bound(counts, window) : need_of(counts, window, source_first);
+  }
+  Need most;
+  for (counts.x = 0; counts.x <= longest_x; ++counts.x) {
+    const Need need = need_of(counts, window, source_first);
+    most = {std::max(most.keep, need.keep), std::max(most.window, need.window)};
+  }
+  return most;
+}
+
+void report_starving(const Input& input, const Counts& counts, const Rational& source_rate,
+                     Diagnostics& diagnostics) {
+  auto& problem = diagnostics.error(
+      "E0401", input.span,
+      fmt::format("`{}` is skipped and still has no message at its second tick{}", input.written,
+                  input.max_delay_s ? " with its longest delay" : ""));
+  problem.label = "EAGERx drops the callback then, and everything behind it waits for ever";
+  problem.help = advice(counts, source_rate);
+}
+
 }  // namespace
 
 std::optional<Reception> plan_reception(const Input& input, const Rational& source_rate_hz,
@@ -102,17 +168,17 @@ std::optional<Reception> plan_reception(const Input& input, const Rational& sour
                                         std::uint64_t& needed, Diagnostics& diagnostics) {
   const auto counts = counts_of(input, source_rate_hz, rate_hz, diagnostics);
   if (!counts) return std::nullopt;
-  if (input.skip && input.window > 0 && counts->at(0) + counts->at(1) == 0) {
-    auto& problem = diagnostics.error(
-        "E0401", input.span,
-        fmt::format("`{}` is skipped and still has no message at its second tick", input.written));
-    problem.label = "EAGERx drops the callback then, and everything behind it waits for ever";
-    problem.help = advice(*counts, source_rate_hz);
+  Counts longest = *counts;
+  if (input.max_delay_s)
+    longest.x = (Rational(counts->b) * source_rate_hz * *input.max_delay_s).ceil();
+  if (starves(longest, input.window)) {
+    report_starving(input, longest, source_rate_hz, diagnostics);
     return std::nullopt;
   }
-  const Need need = need_of(*counts, input.window, source_first);
+  const Need need = input.max_delay_s ? need_of_all(*counts, longest.x, input.window, source_first)
+                                      : need_of(*counts, input.window, source_first);
   Reception reception;
-  reception.count = count_kind(*counts);
+  reception.count = input.max_delay_s ? changing_kind(input) : count_kind(*counts);
   reception.a = counts->a;
   reception.b = counts->b;
   reception.x = counts->x;
@@ -120,7 +186,11 @@ std::optional<Reception> plan_reception(const Input& input, const Rational& sour
   reception.max_size = static_cast<std::uint64_t>(std::max<std::int64_t>(1, need.window));
   reception.always_full =
       !input.skip &&
-      (input.window == 1 || (input.window == 0 && counts->a == counts->b && counts->x == 0));
+      (input.window == 1 || (input.window == 0 && counts->a == counts->b && longest.x == 0));
+  if (input.max_delay_s) {
+    reception.changing = changing_of(input, *counts, source_rate_hz, diagnostics);
+    if (!reception.changing) return std::nullopt;
+  }
   needed = static_cast<std::uint64_t>(need.keep);
   return reception;
 }

@@ -102,7 +102,7 @@ std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics
 }
 
 Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environment,
-                       std::size_t nodes) {
+                       std::size_t nodes, bool resets) {
   Schedule schedule;
   auto masks = list_slots(rates);
   if (masks) schedule.slots = masks->size();
@@ -115,7 +115,8 @@ Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environm
                           return (m & environment_bit) != 0;
                         }) == 1;
   const std::set<std::uint64_t> distinct(masks->begin(), masks->end());
-  const bool constants = one_step && runs_of(*masks) <= kMaxConstantSlots &&
+  const bool constants = one_step && (!resets || masks->size() == 1) &&
+                         runs_of(*masks) <= kMaxConstantSlots &&
                          nodes * distinct.size() <= kMaxSpecialisations;
   schedule.form = constants ? ScheduleForm::constants : ScheduleForm::table;
   if (!constants && masks->size() > kMaxTableSlots) {

@@ -13,8 +13,8 @@ namespace eagerx::gen {
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics);
 
 /// The slots and the cheapest form for them. `environment`: index of its rate; `nodes`: how many
-/// there are.
+/// there are; `resets`: whether there are reset nodes, which may end at any slot of a step.
 Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environment,
-                       std::size_t nodes);
+                       std::size_t nodes, bool resets = false);
 
 }  // namespace eagerx::gen

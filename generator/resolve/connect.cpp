@@ -25,10 +25,14 @@ Port split(const std::string& text) {
           text.substr(second + 1)};
 }
 
+/// Names in the order of the ports; feedthroughs, which share them with outputs, left out.
 template <class Ports>
 std::vector<std::string> names_of(const Ports& ports) {
   std::vector<std::string> result;
   for (const auto& port : ports) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(port)>, DraftInput>) {
+      if (port.feedthrough) continue;
+    }
     if constexpr (std::is_same_v<std::decay_t<decltype(port)>, PortManifest>) {
       result.push_back(port.name.value);
     } else {
@@ -68,14 +72,22 @@ std::vector<PortIndex> find_ports(const Draft& draft, const Port& port, Side sid
     return actuator == object->actuators.end() ? std::vector<PortIndex>{} : actuator->second;
   }
   const auto index = find_node(draft, port.owner, side);
-  const char* section = side == Side::from ? "outputs" : "inputs";
-  if (!index || (!port.section.empty() && port.section != section)) return {};
+  if (!index) return {};
   const DraftNode& node = draft.nodes[*index];
-  const std::vector<std::string> names =
-      side == Side::from ? names_of(node.outputs) : names_of(node.inputs);
-  const auto found = std::find(names.begin(), names.end(), port.name);
-  if (found == names.end()) return {};
-  return {{*index, static_cast<std::size_t>(found - names.begin())}};
+  if (side == Side::from) {
+    if (!port.section.empty() && port.section != "outputs") return {};
+    const auto found = std::find_if(node.outputs.begin(), node.outputs.end(),
+                                    [&](const DraftOutput& o) { return o.name == port.name; });
+    if (found == node.outputs.end()) return {};
+    return {{*index, static_cast<std::size_t>(found - node.outputs.begin())}};
+  }
+  const bool feedthrough = port.section == "feedthroughs";
+  if (!feedthrough && !port.section.empty() && port.section != "inputs") return {};
+  const auto found = std::find_if(node.inputs.begin(), node.inputs.end(), [&](const DraftInput& i) {
+    return i.name == port.name && i.feedthrough == feedthrough;
+  });
+  if (found == node.inputs.end()) return {};
+  return {{*index, static_cast<std::size_t>(found - node.inputs.begin())}};
 }
 
 class Connector {
@@ -84,6 +96,7 @@ class Connector {
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
+      if (is_target(connection)) continue;
       const auto sources = find(connection.from, Side::from);
       const auto targets = find(connection.to, Side::to);
       // A connection with one wrong end says that the other end is not left open.
@@ -152,6 +165,10 @@ class Connector {
 
   void report_port_of_node(const DraftNode& node, const Port& port,
                            const Spanned<std::string>& text, Side side) {
+    if (port.section == "feedthroughs") {
+      report_feedthrough(node, port, text);
+      return;
+    }
     const bool environment = node.node.role == NodeRole::environment;
     const auto inputs = names_of(node.inputs), outputs = names_of(node.outputs);
     const Entity* entity = node.node.entity;
@@ -173,6 +190,18 @@ class Connector {
     }
     sends ? report_unknown_port(port, text, side, outputs, "output", inputs, "input")
           : report_unknown_port(port, text, side, inputs, "input", outputs, "output");
+  }
+
+  void report_feedthrough(const DraftNode& node, const Port& port,
+                          const Spanned<std::string>& text) {
+    std::vector<std::string> known;
+    for (const auto& input : node.inputs) {
+      if (input.feedthrough) known.push_back(input.name);
+    }
+    diagnostics()
+        .error("E0307", text.span,
+               fmt::format("`{}` has no feedthrough `{}`", port.owner, port.name))
+        .help = suggestion(port.name, known, "only reset nodes have feedthroughs, one an output");
   }
 
   void report_unknown_port(const Port& port, const Spanned<std::string>& text, Side side,
@@ -274,6 +303,7 @@ class Connector {
           problem.help += ": a sensor in use depends on it, or it is listed in `actuators:`";
         } else {
           problem.help += n == Graph::kEnvironment ? ", or leave it out of `observations:`"
+                          : input.feedthrough      ? ": what it sends when there is no reset"
                                                    : ", or leave it out with `inputs:`";
         }
       }
@@ -326,7 +356,7 @@ std::vector<std::string> input_names(const Draft& draft) {
   }
   for (const auto& node : draft.nodes) {
     if (node.node.role != NodeRole::node) continue;
-    for (const auto& input : node.inputs) result.push_back(node.node.name + "." + input.name);
+    for (const auto& input : node.inputs) result.push_back(input.written);
   }
   return result;
 }

@@ -47,8 +47,9 @@ std::vector<double> bounds_of(const std::optional<Node>& node, const References&
 }  // namespace
 
 DraftInput* DraftNode::input(std::string_view name) {
-  const auto found = std::find_if(inputs.begin(), inputs.end(),
-                                  [&](const DraftInput& i) { return i.name == name; });
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const DraftInput& i) {
+    return i.name == name && !i.feedthrough;
+  });
   return found == inputs.end() ? nullptr : &*found;
 }
 
@@ -119,6 +120,25 @@ PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::stri
   return overlay(std::move(base), over);
 }
 
+std::optional<Space> complete(const PartialSpace& partial) {
+  if (!partial.dtype || !partial.shape) return std::nullopt;
+  return Space{*partial.dtype, *partial.shape, partial.low, partial.high};
+}
+
+PartialSpace partial_of(const Space& space) {
+  PartialSpace partial;
+  partial.dtype = space.dtype;
+  partial.shape = space.shape;
+  partial.low = space.low;
+  partial.high = space.high;
+  return partial;
+}
+
+bool fits(const PartialSpace& declared, const Space& arriving) {
+  return (!declared.dtype || *declared.dtype == arriving.dtype) &&
+         (!declared.shape || *declared.shape == arriving.shape);
+}
+
 std::string describe(const PartialSpace& space) {
   std::string result = space.dtype ? std::string(to_string(*space.dtype)) : "any dtype";
   return result +
@@ -132,11 +152,38 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return known.empty() ? otherwise : fmt::format("there is {}", fmt::join(known, ", "));
 }
 
+DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
+                       const References& references, Diagnostics& diagnostics) {
+  DraftInput input;
+  input.name = port.name.value;
+  input.written = written;
+  input.span = span;
+  input.declared = partial_space(port.space, references, diagnostics);
+  input.settings.window = port.window;
+  input.settings.delay_s = port.delay_s;
+  input.settings.skip = port.skip;
+  input.entity_sets_delay = port.max_delay.has_value();
+  if (!port.max_delay) return input;
+  const Node longest = substitute(*port.max_delay, references, diagnostics);
+  const auto seconds = longest.is_scalar() ? Rational::parse(longest.text) : std::nullopt;
+  if (seconds && *seconds >= Rational()) {
+    input.settings.max_delay_s = Spanned<Rational>{*seconds, longest.span};
+  } else if (!is_unresolved(longest)) {
+    diagnostics.error("E0204", longest.span,
+                      fmt::format("expected a delay in seconds, found {}", describe(longest)));
+  }
+  return input;
+}
+
 ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over) {
   if (over.window) base.window = over.window;
   if (over.delay_s) base.delay_s = over.delay_s;
   if (over.skip) base.skip = over.skip;
   if (over.processor) base.processor = over.processor;
+  if (over.max_delay_s) base.max_delay_s = over.max_delay_s;
+  // A delay that is written replaces one that is drawn, and the other way round.
+  if (over.delay_s) base.random_delay.reset();
+  if (over.random_delay) base.random_delay = over.random_delay;
   return base;
 }
 

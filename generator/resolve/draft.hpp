@@ -27,6 +27,8 @@ struct ConnectionSettings {
   std::optional<Rational> delay_s;
   std::optional<bool> skip;
   std::optional<ProcessorSpec> processor;
+  std::optional<Spanned<Rational>> max_delay_s;
+  std::optional<RandomSpec> random_delay;
 };
 
 struct DraftEdge {
@@ -43,6 +45,8 @@ struct DraftInput {
   PartialSpace declared;
   ConnectionSettings settings;
   std::optional<DraftEdge> edge;
+  bool entity_sets_delay = false;
+  bool feedthrough = false;
 };
 
 struct DraftOutput {
@@ -57,6 +61,7 @@ struct DraftNode {
   std::vector<DraftInput> inputs;
   std::vector<DraftOutput> outputs;
 
+  /// By name, feedthroughs apart.
   [[nodiscard]] DraftInput* input(std::string_view name);
   [[nodiscard]] DraftOutput* output(std::string_view name);
 };
@@ -92,6 +97,14 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over);
 /// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
 PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
                     Diagnostics& diagnostics);
+/// An input as its manifest describes it.
+DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
+                       const References& references, Diagnostics& diagnostics);
+/// The space if dtype and shape are known.
+std::optional<Space> complete(const PartialSpace& partial);
+PartialSpace partial_of(const Space& space);
+/// Whether what arrives has the dtype and shape that are declared, where they are.
+bool fits(const PartialSpace& declared, const Space& arriving);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);
 /// "did you mean `…`?", else what there is, else `otherwise`.
@@ -108,12 +121,25 @@ void add_engine(Draft& draft, const ResolveOptions& options);
 void add_nodes(Draft& draft);
 void add_objects(Draft& draft);
 void check_cycles(Draft& draft);
-void connect(Draft& draft);         // the user's connections; unconnected ports
-void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
-void resolve_states(Draft& draft);  // how states are drawn
+void connect(Draft& draft);          // the user's connections; unconnected ports
+void resolve_spaces(Draft& draft);   // spaces and processors; fills the graph's inputs and outputs
+void resolve_states(Draft& draft);   // how states are drawn
+void resolve_targets(Draft& draft);  // which states the reset nodes bring about
+
+/// A processor between a port with the space `arriving` and its receiver; `source`: where the
+/// message comes from. Problems: E0303 to E0306, E0312.
+std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
+                                        const Space& arriving, Span source);
+/// How `name` is drawn, checked against its space (E0322, E0327).
+std::optional<Random> read_random(const std::string& name, const Space& space,
+                                  const RandomSpec& spec, Diagnostics& diagnostics);
+/// What a reset needs of the finished graph (E0317, E0318); marks what cannot run during one.
+void check_resets(Graph& graph, Diagnostics& diagnostics);
 /// The space that an input is declared with, by the name that connections call it; nullopt if there
 /// is none.
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);
+/// Whether a connection asks a reset node for a state: `to: node.targets.name`.
+bool is_target(const ConnectionSpec& connection);
 /// All names that `to:` may say.
 std::vector<std::string> input_names(const Draft& draft);
 
@@ -124,6 +150,8 @@ ConnectionSettings settings_of(const Spec& spec) {
   if (spec.delay_s) result.delay_s = spec.delay_s->value;
   if (spec.skip) result.skip = spec.skip->value;
   result.processor = spec.processor;
+  result.max_delay_s = spec.max_delay_s;
+  result.random_delay = spec.random_delay;
   return result;
 }
 

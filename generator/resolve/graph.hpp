@@ -2,6 +2,7 @@
 // checked.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -65,6 +66,14 @@ struct Output {
   Span span;
 };
 
+/// How a state or a delay gets its value at a reset. Vectors hold one value for each element.
+struct Random {
+  RandomSpec::Kind kind = RandomSpec::Kind::value;
+  std::vector<double> first, second;         // value; low, high; mean, std
+  std::vector<std::vector<double>> choices;  // choice
+  Span span;
+};
+
 /// An input and the connection that feeds it.
 struct Input {
   std::string name;
@@ -75,15 +84,22 @@ struct Input {
   std::optional<Processor> processor;
   std::uint32_t window = 1;
   Rational delay_s;
+  std::optional<Rational> max_delay_s;  // a reset may change the delay up to this
+  bool entity_sets_delay = false;       // at its reset; else only the program's interface does
+  std::optional<Random> random_delay;
   bool skip = false;
+  bool feedthrough = false;  // of a reset node: `name` is the output that it is passed on to
   Span span;
 };
 
-/// How a state gets its value at a reset. Vectors hold one value for each element.
-struct Random {
-  RandomSpec::Kind kind = RandomSpec::Kind::value;
-  std::vector<double> first, second;         // value; low, high; mean, std
-  std::vector<std::vector<double>> choices;  // choice
+/// What a reset node is asked to bring about: a state of an object or of a node.
+struct ResetTarget {
+  std::string name;
+  std::optional<std::size_t> object;  // the state's owner
+  std::size_t node = 0;               // the same, if it is no object
+  std::size_t state = 0;
+  Space space;  // as the callback sees it, after the processor
+  std::optional<Processor> processor;
   Span span;
 };
 
@@ -93,10 +109,13 @@ struct State {
   Space space;
   bool settable = true;          // named in the graph; a node also has states that nobody sets
   std::optional<Random> random;  // without: only set through the program's interface
+  std::optional<Processor> processor;  // `space` is before it, as States holds it
   // objects only: the engine state that carries it out
   const Entity* engine_state = nullptr;
   Config config;
   Span span;
+  /// What its owner is given.
+  [[nodiscard]] const Space& received() const { return processor ? processor->output : space; }
 };
 
 enum class NodeRole : std::uint8_t { environment, engine, node, engine_node };
@@ -111,6 +130,8 @@ struct GraphNode {
   std::vector<Input> inputs;
   std::vector<Output> outputs;
   std::vector<State> states;
+  std::vector<ResetTarget> targets;   // reset nodes only
+  bool waits_during_reset = false;    // needs the environment's actions, which a reset has not
   std::optional<std::size_t> object;  // engine nodes: whose
   Span span;
 };
@@ -142,6 +163,7 @@ struct Graph {
       nodes;  // [0] environment, [1] engine, then the others in the order written
   std::vector<Object> objects;
   Agent agent;
+  Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
   Span span;
 
@@ -149,6 +171,10 @@ struct Graph {
   static constexpr std::size_t kEngine = 1;
   [[nodiscard]] const GraphNode& environment() const { return nodes[kEnvironment]; }
   [[nodiscard]] const GraphNode& engine() const { return nodes[kEngine]; }
+  [[nodiscard]] bool has_reset_nodes() const {
+    return std::any_of(nodes.begin(), nodes.end(),
+                       [](const GraphNode& node) { return !node.targets.empty(); });
+  }
 };
 
 /// What the command line may say besides the graph.

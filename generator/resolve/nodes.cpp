@@ -8,10 +8,6 @@
 namespace eagerx::gen {
 namespace {
 
-ConnectionSettings manifest_settings(const PortManifest& port) {
-  return {port.window, port.delay_s, port.skip, std::nullopt};
-}
-
 const ComponentSpec* find_component(const std::optional<std::vector<ComponentSpec>>& components,
                                     const std::string& name) {
   if (!components) return nullptr;
@@ -36,6 +32,17 @@ bool report_unknown(const std::optional<std::vector<ComponentSpec>>& components,
         .help = suggestion(component.name.value, known, fmt::format("it has no {}s", what));
   }
   return diagnostics.error_count() != errors_before;
+}
+
+/// What a reset node sends while there is no reset.
+DraftInput feedthrough_of(const DraftOutput& output, const std::string& node) {
+  DraftInput input;
+  input.name = output.name;
+  input.written = fmt::format("{}.feedthroughs.{}", node, output.name);
+  input.span = output.span;
+  if (!output.declared.like) input.declared = output.declared;
+  input.feedthrough = true;
+  return input;
 }
 
 bool is_selected(const std::optional<std::vector<ComponentSpec>>& components,
@@ -117,10 +124,8 @@ void add_nodes(Draft& draft) {
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
         const std::string written = spec.name.value + "." + port.name.value;
-        DraftInput input{
-            port.name.value,         written,
-            spec.name.span,          partial_space(port.space, references, draft.diagnostics),
-            manifest_settings(port), std::nullopt};
+        DraftInput input =
+            draft_input(port, written, spec.name.span, references, draft.diagnostics);
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
           input.span = component->name.span;
           input.settings = overlay(input.settings, settings_of(*component));
@@ -144,6 +149,8 @@ void add_nodes(Draft& draft) {
                        spec.name.value + "." + port.name.value, draft.diagnostics);
           }
         }
+        if (!entity->targets.empty())
+          node.inputs.push_back(feedthrough_of(output, spec.name.value));
         node.outputs.push_back(std::move(output));
       }
     }

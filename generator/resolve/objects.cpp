@@ -134,10 +134,8 @@ class ObjectBuilder {
           .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
     }
     for (const auto& port : entity.inputs) {
-      node.inputs.push_back({port.name.value, node.node.name + "." + port.name.value,
-                             spec_.name.span, partial_space(port.space, references, diagnostics()),
-                             ConnectionSettings{port.window, port.delay_s, port.skip, std::nullopt},
-                             std::nullopt});
+      node.inputs.push_back(draft_input(port, node.node.name + "." + port.name.value,
+                                        spec_.name.span, references, diagnostics()));
       if (port.name.value == "tick")
         node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
     }
@@ -215,8 +213,11 @@ class ObjectBuilder {
     if (actuator == nullptr || !input || !is_free(nodes_[*target].inputs[*input], connection))
       return;
     DraftInput& port = nodes_[*target].inputs[*input];
-    port.settings =
-        overlay(port.settings, {actuator->window, actuator->delay_s, actuator->skip, std::nullopt});
+    ConnectionSettings declared;
+    declared.window = actuator->window;
+    declared.delay_s = actuator->delay_s;
+    declared.skip = actuator->skip;
+    port.settings = overlay(port.settings, declared);
     port.settings = overlay(port.settings, settings_of(connection));
     port.written = spec_.name.value + "." + name;
     port.declared =

@@ -99,9 +99,12 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   add_objects(draft);
   connect(draft);
   resolve_states(draft);
+  resolve_targets(draft);
   resolve_agent(draft);
   check_cycles(draft);
   resolve_spaces(draft);
+  if (spec.reset_timeout_s) draft.graph.reset_timeout_s = spec.reset_timeout_s->value;
+  if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(draft.graph);
 }

@@ -10,25 +10,6 @@
 namespace eagerx::gen {
 namespace {
 
-std::optional<Space> complete(const PartialSpace& partial) {
-  if (!partial.dtype || !partial.shape) return std::nullopt;
-  return Space{*partial.dtype, *partial.shape, partial.low, partial.high};
-}
-
-PartialSpace partial_of(const Space& space) {
-  PartialSpace partial;
-  partial.dtype = space.dtype;
-  partial.shape = space.shape;
-  partial.low = space.low;
-  partial.high = space.high;
-  return partial;
-}
-
-bool fits(const PartialSpace& declared, const Space& arriving) {
-  return (!declared.dtype || *declared.dtype == arriving.dtype) &&
-         (!declared.shape || *declared.shape == arriving.shape);
-}
-
 class SpaceResolver {
  public:
   explicit SpaceResolver(Draft& draft) : draft_(draft) {
@@ -128,7 +109,7 @@ class SpaceResolver {
     Output output{draft.name, *raw, *raw, std::nullopt, draft.span};
     if (!check_bounds(*raw, draft.declared.span)) return true;
     if (draft.processor) {
-      output.processor = make_processor(*draft.processor, *raw, draft.span);
+      output.processor = make_processor(draft_, *draft.processor, *raw, draft.span);
       if (!output.processor) return true;
       output.space = output.processor->output;
     }
@@ -176,10 +157,13 @@ class SpaceResolver {
     input.window = draft.settings.window.value_or(1);
     input.delay_s = draft.settings.delay_s.value_or(Rational{});
     input.skip = draft.settings.skip.value_or(false);
+    input.feedthrough = draft.feedthrough;
     input.span = draft.span;
+    set_changing_delay(draft, input);
     input.space = source->space;
     if (draft.settings.processor) {
-      input.processor = make_processor(*draft.settings.processor, source->space, draft.edge->span);
+      input.processor =
+          make_processor(draft_, *draft.settings.processor, source->space, draft.edge->span);
       if (!input.processor) return true;
       input.space = input.processor->output;
     }
@@ -190,6 +174,58 @@ class SpaceResolver {
     if (!check_bounds(input.space, draft.span)) return true;
     slot.port = std::move(input);
     return true;
+  }
+
+  /// A delay that a reset may change, and the longest it can become.
+  void set_changing_delay(const DraftInput& draft, Input& input) {
+    input.entity_sets_delay = draft.entity_sets_delay;
+    if (draft.settings.max_delay_s) input.max_delay_s = draft.settings.max_delay_s->value;
+    if (draft.settings.random_delay) draw_delay(*draft.settings.random_delay, input);
+    if (input.max_delay_s && *input.max_delay_s < input.delay_s) {
+      const Span span = draft.settings.max_delay_s ? draft.settings.max_delay_s->span : draft.span;
+      diagnostics().error(
+          "E0327", span,
+          fmt::format("`max_delay` ({} s) is below the delay of `{}` ({} s)",
+                      input.max_delay_s->to_string(), draft.written, input.delay_s.to_string()));
+    }
+    if (draft_.spec.simulate_delays && !draft_.spec.simulate_delays->value) {
+      input.delay_s = Rational{};
+      input.max_delay_s.reset();
+      input.random_delay.reset();
+    }
+  }
+
+  void draw_delay(const RandomSpec& spec, Input& input) {
+    Space seconds{Dtype::float64, {}, {0.0}, {}};
+    if (input.max_delay_s) seconds.high = {input.max_delay_s->to_double()};
+    input.random_delay = read_random("delay", seconds, spec, diagnostics());
+    if (!input.random_delay) return;
+    const auto longest = longest_delay(*input.random_delay);
+    if (!input.max_delay_s) input.max_delay_s = longest;
+    if (!input.max_delay_s) {
+      diagnostics().error("E0327", spec.span, "this delay has no longest value").help =
+          "give `max_delay` beside it: memory is set aside for that";
+    }
+  }
+
+  /// In whole nanoseconds, as delays count at run time.
+  static std::optional<Rational> longest_delay(const Random& random) {
+    constexpr double kNsPerSecond = 1e9;
+    double longest = 0.0;
+    switch (random.kind) {
+      case RandomSpec::Kind::normal:
+        return std::nullopt;
+      case RandomSpec::Kind::choice:
+        for (const auto& choice : random.choices) longest = std::max(longest, choice.front());
+        break;
+      case RandomSpec::Kind::value:
+        longest = random.first.front();
+        break;
+      default:
+        longest = random.second.front();
+    }
+    if (longest * kNsPerSecond > 1e18) return std::nullopt;
+    return Rational(static_cast<std::int64_t>(std::ceil(longest * kNsPerSecond)), 1'000'000'000);
   }
 
   bool agrees(const DraftInput& draft, const Input& input) {
@@ -239,41 +275,6 @@ class SpaceResolver {
       return false;
     }
     return true;
-  }
-
-  /// `source`: where the message comes from.
-  std::optional<Processor> make_processor(const ProcessorSpec& spec, const Space& arriving,
-                                          Span source) {
-    const std::size_t errors_before = diagnostics().error_count();
-    const Entity* entity =
-        find_entity(draft_.library, spec.type, EntityKind::processor, diagnostics());
-    if (entity == nullptr) return std::nullopt;
-    Processor processor;
-    processor.entity = entity;
-    processor.span = spec.type.span;
-    processor.config = resolve_config(*entity, spec.config, spec.type.span, diagnostics());
-    const References references = references_of(*entity, spec.config);
-    const PartialSpace takes =
-        partial_space(entity->inputs.front().space, references, diagnostics());
-    processor.input = arriving;
-    if (!fits(takes, arriving)) {
-      auto& problem =
-          diagnostics().error("E0306", spec.type.span,
-                              fmt::format("`{}` takes {}, but gets {}", entity->id.value,
-                                          describe(takes), arriving.describe()));
-      problem.notes.push_back({"this is where it comes from", source, arriving.describe()});
-    }
-    PartialSpace gives = partial_space(entity->outputs.front().space, references, diagnostics());
-    if (gives.like) gives = overlay(partial_of(arriving), gives);
-    const auto output = complete(gives);
-    if (!output) {
-      diagnostics().error(
-          "E0312", spec.type.span,
-          fmt::format("the manifest of `{}` does not say what it gives", entity->id.value));
-    }
-    if (diagnostics().error_count() != errors_before) return std::nullopt;
-    processor.output = *output;
-    return processor;
   }
 
   /// Everything is connected and no space was refused, so what is missing was never written.

@@ -135,6 +135,15 @@ class RandomReader {
   bool good_ = true;
 };
 
+}  // namespace
+
+std::optional<Random> read_random(const std::string& name, const Space& space,
+                                  const RandomSpec& spec, Diagnostics& diagnostics) {
+  return RandomReader(name, space, spec, diagnostics).read();
+}
+
+namespace {
+
 std::optional<Space> state_space(const PortManifest& port, const References& references,
                                  Diagnostics& diagnostics) {
   const PartialSpace partial = partial_space(port.space, references, diagnostics);
@@ -149,8 +158,8 @@ std::optional<Space> state_space(const PortManifest& port, const References& ref
 }
 
 /// The states that the user named, each with its space and how it is drawn.
-std::vector<State> read_states(const Entity& entity, const EntitySpec& spec,
-                               Diagnostics& diagnostics) {
+std::vector<State> read_states(Draft& draft, const Entity& entity, const EntitySpec& spec) {
+  Diagnostics& diagnostics = draft.diagnostics;
   std::vector<State> result;
   const References references = references_of(entity, spec.config);
   for (const auto& state_spec : spec.states) {
@@ -166,12 +175,14 @@ std::vector<State> read_states(const Entity& entity, const EntitySpec& spec,
     }
     const auto space = state_space(*port, references, diagnostics);
     if (!space) continue;
-    State state{state_spec.name.value, *space, true, std::nullopt, nullptr, {},
-                state_spec.name.span};
-    if (state_spec.random) {
-      state.random =
-          RandomReader(state_spec.name.value, *space, *state_spec.random, diagnostics).read();
-    }
+    State state;
+    state.name = state_spec.name.value;
+    state.space = *space;
+    state.span = state_spec.name.span;
+    if (state_spec.random)
+      state.random = read_random(state.name, *space, *state_spec.random, diagnostics);
+    if (state_spec.processor)
+      state.processor = make_processor(draft, *state_spec.processor, *space, port->name.span);
     result.push_back(std::move(state));
   }
   return result;
@@ -186,9 +197,13 @@ void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
                                    [&](const State& s) { return s.name == port.name.value; });
     if (named) continue;
     const auto space = state_space(port, references_of(*node.entity, config), diagnostics);
-    if (space)
-      node.states.push_back(
-          {port.name.value, *space, false, std::nullopt, nullptr, {}, port.name.span});
+    if (!space) continue;
+    State state;
+    state.name = port.name.value;
+    state.space = *space;
+    state.settable = false;
+    state.span = port.name.span;
+    node.states.push_back(std::move(state));
   }
 }
 
@@ -227,8 +242,7 @@ void resolve_states(Draft& draft) {
     const bool other_engine = engine && node.node.entity->id.value !=
                                             draft.spec.engine.type.value;  // of the command line
     if (!other_engine) {
-      node.node.states =
-          read_states(*node.node.entity, engine ? draft.spec.engine : *spec, draft.diagnostics);
+      node.node.states = read_states(draft, *node.node.entity, engine ? draft.spec.engine : *spec);
     }
     add_unnamed_states(node.node, engine ? draft.spec.engine.config : spec->config,
                        draft.diagnostics);
@@ -236,7 +250,7 @@ void resolve_states(Draft& draft) {
   for (std::size_t i = 0; i < draft.graph.objects.size(); ++i) {
     Object& object = draft.graph.objects[i];
     if (object.entity == nullptr || object.implementation == nullptr) continue;
-    object.states = read_states(*object.entity, draft.spec.objects[i], draft.diagnostics);
+    object.states = read_states(draft, *object.entity, draft.spec.objects[i]);
     for (auto& state : object.states)
       bind_engine_state(draft, object, draft.spec.objects[i], state);
   }

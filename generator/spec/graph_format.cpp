@@ -29,11 +29,42 @@ FormatPtr processor_format() {
        format::name("the name of a processor")});
 }
 
+Field processor_field() {
+  return {"processor", processor_format(), false, "converts every message"};
+}
+
+std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more) {
+  fields.insert(fields.end(), more.begin(), more.end());
+  return fields;
+}
+
+std::vector<Field> random_fields() {
+  const FormatPtr value =
+      format::one_of("a number or a list of numbers",
+                     {format::list("a list of numbers", format::number("a number"), 1),
+                      format::number("a number")});
+  const auto pair = [&](const char* what, const char* first, const char* second) {
+    return format::record(what, {{first, value, true, first}, {second, value, true, second}});
+  };
+  return {{"value", value, false, "always this value"},
+          {"uniform", pair("`uniform`", "low", "high"), false, "uniform between low and high"},
+          {"normal", pair("`normal`", "mean", "std"), false, "normally distributed"},
+          {"log_uniform", pair("`log_uniform`", "low", "high"), false, "uniform in the logarithm"},
+          {"choice", format::list("a list of values", value, 1), false,
+           "one of these, each as likely"}};
+}
+
 std::vector<Field> connection_settings() {
   return {{"window", format::integer("a number of messages", 0, 1'000'000), false,
            "how many of the last messages the receiver sees; 0: those that are new"},
-          {"delay", format::decimal("a delay in seconds", 0.0, false), false,
-           "seconds from sending to receiving"},
+          {"delay",
+           format::one_of("a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
+                          "0.1}}`",
+                          {format::record("how a delay is drawn", random_fields()),
+                           format::decimal("a delay in seconds", 0.0, false)}),
+           false, "seconds from sending to receiving, or how they are drawn at every reset"},
+          {"max_delay", format::decimal("a delay in seconds", 0.0, false), false,
+           "longest delay that a reset may set"},
           {"skip", format::boolean(), false,
            "take the message of the tick before, which breaks a cycle"}};
 }
@@ -46,28 +77,10 @@ FormatPtr selection(const std::string& what, std::vector<Field> settings) {
 }
 
 FormatPtr states_format() {
-  const FormatPtr value =
-      format::one_of("a number or a list of numbers",
-                     {format::list("a list of numbers", format::number("a number"), 1),
-                      format::number("a number")});
-  const auto pair = [&](const char* what, const char* first, const char* second) {
-    return format::record(what, {{first, value, true, first}, {second, value, true, second}});
-  };
-  const FormatPtr drawn = format::record(
-      "how a state gets its value",
-      {{"value", value, false, "always this value"},
-       {"uniform", pair("`uniform`", "low", "high"), false, "uniform between low and high"},
-       {"normal", pair("`normal`", "mean", "std"), false, "normally distributed"},
-       {"log_uniform", pair("`log_uniform`", "low", "high"), false, "uniform in the logarithm"},
-       {"choice", format::list("a list of values", value, 1), false,
-        "one of these, each as likely"}});
+  const FormatPtr drawn =
+      format::record("how a state gets its value", with(random_fields(), {processor_field()}));
   return format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
                                               {drawn, format::keyword({"uniform"})}));
-}
-
-std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more) {
-  fields.insert(fields.end(), more.begin(), more.end());
-  return fields;
 }
 
 Field type_field(const char* what) {
@@ -81,9 +94,6 @@ Field rate_field(bool required, const char* about) {
 }
 Field space_field() {
   return {"space", space_format(Reference::refuse, false), false, "what its messages may hold"};
-}
-Field processor_field() {
-  return {"processor", processor_format(), false, "converts every message"};
 }
 Field states_field() {
   return {"states", states_format(), false,
@@ -173,7 +183,9 @@ FormatPtr connections_format() {
                  format::port("`entity.port`, such as `pendulum.theta` or `actions.voltage`"), true,
                  "the sending port"},
                 {"to", format::port("`entity.port`, such as `pendulum.u` or `observations.angle`"),
-                 true, "the receiving port"},
+                 true,
+                 "the receiving port; of a reset node also `node.feedthroughs.OUTPUT` and, from "
+                 "`object.states.STATE`, `node.targets.TARGET`"},
                 processor_field()},
                connection_settings())));
 }
@@ -197,12 +209,17 @@ const Format& graph_format() {
         "the rate of the environment in Hz: one step is 1/rate seconds"},
        {"real", format::keyword({"float", "double"}), false,
         "type that engines and nodes calculate in (default float)"},
+       {"reset_timeout", format::decimal("a time in seconds", 0.0, true), false,
+        "longest time that reset nodes may take, in seconds of the graph (default 60)"},
        {"library", format::list("a list of folders", format::text("a folder")), false,
         "folders with entities of your own, relative to this file"},
        {"engine",
-        format::record("the engine",
-                       {type_field("the id of an engine"), rate_field(true, "its rate in Hz"),
-                        config_field(), states_field()}),
+        format::record("the engine", {type_field("the id of an engine"),
+                                      rate_field(true, "its rate in Hz"),
+                                      config_field(),
+                                      states_field(),
+                                      {"simulate_delays", format::boolean(), false,
+                                       "false: every delay counts as 0 (default true)"}}),
         true, "what the objects run on"},
        {"objects", format::map("objects", object_format()), false,
         "robots, things, sensors, actuators"},

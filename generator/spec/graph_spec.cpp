@@ -37,27 +37,41 @@ ProcessorSpec read_processor(const Node& node) {
   return {text_of(*node.find("type")), read_config(node.find("config"))};
 }
 
+/// nullopt if nothing is said of the value.
+std::optional<RandomSpec> read_random(const Node& node, Diagnostics& diagnostics);
+
 template <class Spec>
-void read_connection_settings(const Node& node, Spec& spec) {
+void read_delay(const Node& node, Spec& spec, Diagnostics& diagnostics) {
+  if (node.is_scalar()) {
+    spec.delay_s = Spanned<Rational>{rational_of(node), node.span};
+  } else {
+    spec.random_delay = read_random(node, diagnostics);
+  }
+}
+
+template <class Spec>
+void read_connection_settings(const Node& node, Spec& spec, Diagnostics& diagnostics) {
   spec.window = optional_of<std::uint32_t>(node, "window", count_of);
-  spec.delay_s = optional_of<Rational>(node, "delay", rational_of);
+  if (const Node* delay = node.find("delay")) read_delay(*delay, spec, diagnostics);
+  spec.max_delay_s = optional_of<Rational>(node, "max_delay", rational_of);
   spec.skip = optional_of<bool>(node, "skip", bool_of);
   if (const Node* processor = node.find("processor")) spec.processor = read_processor(*processor);
 }
 
-ComponentSpec read_component(const std::string& name, Span span, const Node& settings) {
+ComponentSpec read_component(const std::string& name, Span span, const Node& settings,
+                             Diagnostics& diagnostics) {
   ComponentSpec spec;
   spec.name = {name, span};
   spec.rate = optional_of<Rational>(settings, "rate", rational_of);
   if (const Node* space = settings.find("space")) spec.space = read_space(*space);
-  read_connection_settings(settings, spec);
+  read_connection_settings(settings, spec, diagnostics);
   return spec;
 }
 
 std::vector<ComponentSpec> read_selection(const Node& node, Diagnostics& diagnostics) {
   std::vector<ComponentSpec> result;
   for (const auto& entry : node.entries) {
-    result.push_back(read_component(entry.key, entry.key_span, entry.value));
+    result.push_back(read_component(entry.key, entry.key_span, entry.value, diagnostics));
   }
   for (const auto& item : node.items) {
     const auto earlier = std::find_if(result.begin(), result.end(), [&](const ComponentSpec& c) {
@@ -68,7 +82,7 @@ std::vector<ComponentSpec> read_selection(const Node& node, Diagnostics& diagnos
           .notes.push_back({"first here", earlier->name.span, ""});
       continue;
     }
-    result.push_back(read_component(item.text, item.span, Node{}));
+    result.push_back(read_component(item.text, item.span, Node{}, diagnostics));
   }
   return result;
 }
@@ -80,16 +94,21 @@ std::optional<std::vector<ComponentSpec>> read_optional_selection(const Node& no
   return read_selection(*selection, diagnostics);
 }
 
-RandomSpec read_random(const Node& node, Diagnostics& diagnostics) {
+std::optional<RandomSpec> read_random(const Node& node, Diagnostics& diagnostics) {
   RandomSpec spec;
   spec.span = node.span;
   if (node.is_scalar()) return spec;  // uniform in its space
-  if (node.entries.size() != 1) {
+  std::vector<const Node::Entry*> ways;
+  for (const auto& entry : node.entries) {
+    if (entry.key != "processor") ways.push_back(&entry);
+  }
+  if (ways.empty() && node.find("processor") != nullptr) return std::nullopt;
+  if (ways.size() != 1) {
     diagnostics.error("E0206", node.span, "a state gets its value in exactly one way").help =
         "write one of value, uniform, normal, log_uniform, choice";
     return spec;
   }
-  const auto& [key, key_span, value] = node.entries.front();
+  const auto& [key, key_span, value] = *ways.front();
   spec.span = key_span;
   if (key == "value" || key == "choice") {
     spec.kind = key == "value" ? RandomSpec::Kind::value : RandomSpec::Kind::choice;
@@ -159,7 +178,7 @@ std::vector<Setting> read_config(const Node* node) {
   return result;
 }
 
-std::vector<ConnectionSpec> read_connections(const Node* node) {
+std::vector<ConnectionSpec> read_connections(const Node* node, Diagnostics& diagnostics) {
   std::vector<ConnectionSpec> result;
   if (node == nullptr) return result;
   for (const auto& item : node->items) {
@@ -167,7 +186,7 @@ std::vector<ConnectionSpec> read_connections(const Node* node) {
     spec.span = item.span;
     spec.from = text_of(*item.find("from"));
     spec.to = text_of(*item.find("to"));
-    read_connection_settings(item, spec);
+    read_connection_settings(item, spec, diagnostics);
     result.push_back(std::move(spec));
   }
   return result;
@@ -182,8 +201,10 @@ EntitySpec read_entity(const std::string& name, Span span, const Node& node,
   spec.config = read_config(node.find("config"));
   if (const Node* states = node.find("states")) {
     for (const auto& entry : states->entries) {
-      StateSpec state{{entry.key, entry.key_span}, std::nullopt};
+      StateSpec state{{entry.key, entry.key_span}, std::nullopt, std::nullopt};
       if (!entry.value.is_null()) state.random = read_random(entry.value, diagnostics);
+      if (const Node* processor = entry.value.find("processor"))
+        state.processor = read_processor(*processor);
       spec.states.push_back(std::move(state));
     }
   }
@@ -209,6 +230,8 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
   const auto engine = std::find_if(root.entries.begin(), root.entries.end(),
                                    [](const Node::Entry& entry) { return entry.key == "engine"; });
   spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
+  spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
+  spec.reset_timeout_s = optional_of<Rational>(root, "reset_timeout", rational_of);
   const auto read_all = [&](const char* key, std::vector<EntitySpec>& into) {
     const Node* map = root.find(key);
     if (map == nullptr) return;
@@ -220,7 +243,7 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
   read_all("nodes", spec.nodes);
   spec.actions = read_selection(*root.find("actions"), diagnostics);
   spec.observations = read_selection(*root.find("observations"), diagnostics);
-  spec.connections = read_connections(root.find("connections"));
+  spec.connections = read_connections(root.find("connections"), diagnostics);
   spec.agent = read_agent(root.find("agent"), diagnostics);
   return spec;
 }

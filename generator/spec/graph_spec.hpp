@@ -40,7 +40,7 @@ struct ProcessorSpec {
   std::vector<Setting> config;
 };
 
-/// How a state gets its value at a reset.
+/// How a state or a delay gets its value at a reset.
 struct RandomSpec {
   enum class Kind : std::uint8_t { value, uniform, normal, log_uniform, choice };
   Kind kind = Kind::uniform;
@@ -57,12 +57,15 @@ struct ComponentSpec {
   std::optional<ProcessorSpec> processor;
   std::optional<Spanned<std::uint32_t>> window;
   std::optional<Spanned<Rational>> delay_s;
+  std::optional<Spanned<Rational>> max_delay_s;  // a reset may change the delay up to this
+  std::optional<RandomSpec> random_delay;        // drawn at every reset, in place of delay_s
   std::optional<Spanned<bool>> skip;
 };
 
 struct StateSpec {
   Spanned<std::string> name;
   std::optional<RandomSpec> random;  // without: only the program's interface sets it
+  std::optional<ProcessorSpec> processor;
 };
 
 /// An engine, object or node of the graph, or an engine node of a manifest.
@@ -82,6 +85,8 @@ struct ConnectionSpec {
   Spanned<std::string> to;
   std::optional<Spanned<std::uint32_t>> window;
   std::optional<Spanned<Rational>> delay_s;
+  std::optional<Spanned<Rational>> max_delay_s;
+  std::optional<RandomSpec> random_delay;
   std::optional<Spanned<bool>> skip;
   std::optional<ProcessorSpec> processor;
 };
@@ -102,6 +107,8 @@ struct GraphSpec {
   Spanned<Rational> rate;
   std::string real = "float";
   std::vector<Spanned<std::string>> library;
+  std::optional<Spanned<Rational>> reset_timeout_s;  // of reset nodes
+  std::optional<Spanned<bool>> simulate_delays;      // of the engine; default true
   EntitySpec engine;
   std::vector<EntitySpec> objects;
   std::vector<EntitySpec> nodes;
@@ -130,7 +137,7 @@ FormatPtr engine_nodes_format();
 FormatPtr config_format();
 SpaceSpec read_space(const Node& node);
 std::vector<Setting> read_config(const Node* node);
-std::vector<ConnectionSpec> read_connections(const Node* node);
+std::vector<ConnectionSpec> read_connections(const Node* node, Diagnostics& diagnostics);
 EntitySpec read_entity(const std::string& name, Span span, const Node& node,
                        Diagnostics& diagnostics);
 

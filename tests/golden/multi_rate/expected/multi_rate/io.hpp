@@ -175,8 +175,7 @@ struct EngineIo {
     static constexpr double hmin = 0.0;  // s
     static constexpr int mxstep = 0;
   };
-  struct States {
-  };
+  struct States {};
 };
 
 // slow: ButterworthFilter at 20 Hz, graph.yaml:35:3
@@ -199,8 +198,7 @@ struct SlowIo {
   struct Outputs {
     eagerx::Array<float, 1>& filtered;
   };
-  struct States {
-  };
+  struct States {};
 };
 
 // fast: ButterworthFilter at 30 Hz, graph.yaml:36:3
@@ -223,8 +221,7 @@ struct FastIo {
   struct Outputs {
     eagerx::Array<float, 1>& filtered;
   };
-  struct States {
-  };
+  struct States {};
 };
 
 // left/x: OdeOutput at 20 Hz, graph.yaml:11:3
@@ -245,8 +242,7 @@ struct LeftXIo {
   struct Outputs {
     eagerx::Array<float, 2>& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = LeftSimulator;
 };
 
@@ -268,8 +264,7 @@ struct LeftThetaIo {
   struct Outputs {
     float& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = LeftSimulator;
 };
 
@@ -291,8 +286,7 @@ struct LeftThetaDotIo {
   struct Outputs {
     float& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = LeftSimulator;
 };
 
@@ -316,8 +310,7 @@ struct LeftUIo {
   struct Outputs {
     eagerx::Array<float, 1>& action_applied;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = LeftSimulator;
 };
 
@@ -340,8 +333,7 @@ struct LeftUAppliedIo {
   struct Outputs {
     eagerx::Array<float, 1>& action_applied;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = LeftSimulator;
 };
 
@@ -363,8 +355,7 @@ struct RightXIo {
   struct Outputs {
     eagerx::Array<float, 2>& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = RightSimulator;
 };
 
@@ -386,8 +377,7 @@ struct RightThetaIo {
   struct Outputs {
     float& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = RightSimulator;
 };
 
@@ -411,8 +401,7 @@ struct RightUIo {
   struct Outputs {
     eagerx::Array<float, 1>& action_applied;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = RightSimulator;
 };
 
@@ -435,8 +424,7 @@ struct RightUAppliedIo {
   struct Outputs {
     eagerx::Array<float, 1>& action_applied;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = RightSimulator;
 };
 

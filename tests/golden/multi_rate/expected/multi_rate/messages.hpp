@@ -47,7 +47,7 @@ struct Observation {
   }
 };
 
-/// What a reset may set. A state that is left empty keeps its default.
+/// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {
   std::optional<eagerx::Array<float, 2>> left_model_state{};  // float32 [2], graph.yaml:20:7
   std::optional<float> left_mass{};  // float32 [], graph.yaml:21:7

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <eagerx/cursor.hpp>
+#include <eagerx/delay.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -21,7 +22,7 @@ class Program {
  public:
   [[no_unique_address]] Trace trace;
 
-  /// Starts an episode; the observation of its tick 0.
+  /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) {
     n60Hz_ = 0;
     n30Hz_ = 0;
@@ -29,8 +30,11 @@ class Program {
     n15Hz_ = 0;
     n10Hz_ = 0;
     slot_ = 0;
-    left_simulator_.reset();
-    right_simulator_.reset();
+    if (!started_) {
+      left_simulator_.reset();
+      right_simulator_.reset();
+      started_ = true;
+    }
     if (states.left_model_state) LeftModelState::reset(*states.left_model_state, left_simulator_);
     if (states.left_mass) LeftMass::reset(*states.left_mass, left_simulator_);
     if (states.left_length) LeftLength::reset(*states.left_length, left_simulator_);
@@ -104,13 +108,14 @@ class Program {
       // fast: ButterworthFilter, graph.yaml:36:3
       {
         const FastIo::Inputs in{{action_push_, n10Hz_ - ((due & k10Hz) != 0)}};
+        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)];
         eagerx::Array<float, 1> raw_filtered{};
         FastIo::Outputs out{raw_filtered};
         if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
         fast_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
-        fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)] = FastFilteredProcessor::convert(raw_filtered);
-        right_u_action_[0] = RightUActionProcessor::convert(fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
-        trace(channel::fast_filtered, n30Hz_ - 1, fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
+        new_filtered = FastFilteredProcessor::convert(raw_filtered);
+        right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
+        trace(channel::fast_filtered, n30Hz_ - 1, new_filtered);
       }
       // right/u_applied: ActionApplied, graph.yaml:23:3
       {
@@ -152,12 +157,13 @@ class Program {
       // left/theta_dot: FloatOutput, graph.yaml:11:3
       {
         const LeftThetaDotIo::Inputs in{{left_x_observation_, n20Hz_}};
+        auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)];
         float raw_observation{};
         LeftThetaDotIo::Outputs out{raw_observation};
         if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n30Hz_ - 1, in);
         left_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
-        left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)] = LeftThetaDotObservationProcessor::convert(raw_observation);
-        trace(channel::left_theta_dot_observation, n30Hz_ - 1, left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)]);
+        new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
+        trace(channel::left_theta_dot_observation, n30Hz_ - 1, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
@@ -172,20 +178,22 @@ class Program {
       // right/theta: FloatOutput, graph.yaml:23:3
       {
         const RightThetaIo::Inputs in{{right_x_observation_, n15Hz_}};
-        RightThetaIo::Outputs out{right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)]};
+        auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)];
+        RightThetaIo::Outputs out{new_observation};
         if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("right/theta", RightThetaIo::Rate{}, n15Hz_ - 1, in);
         right_theta_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
-        trace(channel::right_theta_observation, n15Hz_ - 1, right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)]);
+        trace(channel::right_theta_observation, n15Hz_ - 1, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
       // left/u_applied: ActionApplied, graph.yaml:11:3
       {
         const LeftUAppliedIo::Inputs in{{engine_tick_, n60Hz_}, {left_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
-        LeftUAppliedIo::Outputs out{left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]};
+        auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)];
+        LeftUAppliedIo::Outputs out{new_action_applied};
         if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n10Hz_ - 1, in);
         left_u_applied_.callback(eagerx::Tick{n10Hz_ - 1}, in, out, left_simulator_);
-        trace(channel::left_u_applied_action_applied, n10Hz_ - 1, left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]);
+        trace(channel::left_u_applied_action_applied, n10Hz_ - 1, new_action_applied);
       }
     }
   }
@@ -197,10 +205,11 @@ class Program {
       // slow: ButterworthFilter, graph.yaml:35:3
       {
         const SlowIo::Inputs in{{action_voltage_, slow_signal_cursor_.take()}};
-        SlowIo::Outputs out{slow_filtered_[eagerx::ring_position<2>(n20Hz_ - 1)]};
+        auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n20Hz_ - 1)];
+        SlowIo::Outputs out{new_filtered};
         if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("slow", SlowIo::Rate{}, n20Hz_ - 1, in);
         slow_.callback(eagerx::Tick{n20Hz_ - 1}, in, out);
-        trace(channel::slow_filtered, n20Hz_ - 1, slow_filtered_[eagerx::ring_position<2>(n20Hz_ - 1)]);
+        trace(channel::slow_filtered, n20Hz_ - 1, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -243,9 +252,9 @@ class Program {
   eagerx::Seq n10Hz_ = 0;
 
   // Messages received, where that is not simply what was sent.
-  eagerx::DelayCursor<3, 1> observation_speeds_cursor_{};  // environment.speeds
-  eagerx::NewMessages observation_recent_new_{};  // environment.recent
-  eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // environment.other
+  eagerx::DelayCursor<3, 1> observation_speeds_cursor_{};  // observations.speeds
+  eagerx::NewMessages observation_recent_new_{};  // observations.recent
+  eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // observations.other
   eagerx::DelayCursor<1, 2> slow_signal_cursor_{};  // slow.signal
   eagerx::SkipCursor<2, 3, 1> right_u_applied_action_applied_cursor_{};  // right/u_applied.action_applied
 
@@ -266,6 +275,7 @@ class Program {
   eagerx::Array<float, 1> right_u_applied_action_applied_[1]{};
   eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
   eagerx::Array<float, 1> right_u_action_[1]{};
+  bool started_ = false;
 
   // Simulators, engine and nodes.
   LeftSimulator left_simulator_{};

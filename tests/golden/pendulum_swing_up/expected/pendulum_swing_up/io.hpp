@@ -78,8 +78,7 @@ struct EngineIo {
     static constexpr double hmin = 0.0;  // s
     static constexpr int mxstep = 0;
   };
-  struct States {
-  };
+  struct States {};
 };
 
 // smooth: ButterworthFilter at 30 Hz, graph.yaml:19:3
@@ -102,8 +101,7 @@ struct SmoothIo {
   struct Outputs {
     eagerx::Array<float, 1>& filtered;
   };
-  struct States {
-  };
+  struct States {};
 };
 
 // pendulum/x: OdeOutput at 30 Hz, graph.yaml:13:3
@@ -124,8 +122,7 @@ struct PendulumXIo {
   struct Outputs {
     eagerx::Array<float, 2>& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = PendulumSimulator;
 };
 
@@ -147,8 +144,7 @@ struct PendulumThetaIo {
   struct Outputs {
     float& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = PendulumSimulator;
 };
 
@@ -170,8 +166,7 @@ struct PendulumThetaDotIo {
   struct Outputs {
     float& observation;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = PendulumSimulator;
 };
 
@@ -195,8 +190,7 @@ struct PendulumUIo {
   struct Outputs {
     eagerx::Array<float, 1>& action_applied;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = PendulumSimulator;
 };
 
@@ -219,8 +213,7 @@ struct PendulumUAppliedIo {
   struct Outputs {
     eagerx::Array<float, 1>& action_applied;
   };
-  struct States {
-  };
+  struct States {};
   using Simulator = PendulumSimulator;
 };
 

@@ -39,7 +39,7 @@ struct Observation {
   }
 };
 
-/// What a reset may set. A state that is left empty keeps its default.
+/// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {
   std::optional<eagerx::Array<float, 2>> pendulum_model_state{};  // float32 [2], graph.yaml:16:7
 

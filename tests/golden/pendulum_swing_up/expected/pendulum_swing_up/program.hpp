@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include <eagerx/cursor.hpp>
+#include <eagerx/delay.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -21,10 +22,13 @@ class Program {
  public:
   [[no_unique_address]] Trace trace;
 
-  /// Starts an episode; the observation of its tick 0.
+  /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) {
     n30Hz_ = 0;
-    pendulum_simulator_.reset();
+    if (!started_) {
+      pendulum_simulator_.reset();
+      started_ = true;
+    }
     if (states.pendulum_model_state) PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
     engine_.reset({});
     pendulum_u_applied_.reset({}, pendulum_simulator_);
@@ -142,6 +146,7 @@ class Program {
   eagerx::Array<float, 1> pendulum_u_action_applied_[1]{};
   eagerx::Array<float, 1> pendulum_u_applied_action_applied_[1]{};
   eagerx::Array<float, 2> observation_angle_[1]{};
+  bool started_ = false;
 
   // Simulators, engine and nodes.
   PendulumSimulator pendulum_simulator_{};

@@ -1,0 +1,286 @@
+// Reset nodes: the states they bring about, what they pass on otherwise, and who can run while they
+// do.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/resolve/draft.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::string_view kTargets = ".targets.";
+constexpr std::string_view kStates = ".states.";
+
+/// "rst.targets.g0" with ".targets." → {"rst", "g0"}
+std::optional<std::pair<std::string, std::string>> split(const std::string& text,
+                                                         std::string_view section) {
+  const std::size_t place = text.find(section);
+  if (place == std::string::npos) return std::nullopt;
+  return std::pair(text.substr(0, place), text.substr(place + section.size()));
+}
+
+/// The states of an object or a node, and where they are.
+struct Owner {
+  std::optional<std::size_t> object;
+  std::size_t node = 0;
+  const std::vector<State>* states = nullptr;
+  const Entity* entity = nullptr;
+};
+
+class TargetResolver {
+ public:
+  explicit TargetResolver(Draft& draft) : draft_(draft) {}
+
+  void run() {
+    for (const auto& connection : draft_.spec.connections) {
+      if (is_target(connection)) connect(connection);
+    }
+    for (const auto& node : draft_.nodes) report_idle(node);
+  }
+
+ private:
+  Diagnostics& diagnostics() { return draft_.diagnostics; }
+
+  void connect(const ConnectionSpec& connection) {
+    DraftNode* node = find_reset_node(connection.to);
+    const Owner owner = find_owner(connection.from);
+    if (node == nullptr || owner.states == nullptr) return;
+    const std::string name = split(connection.to.value, kTargets)->second;
+    const PortManifest* port = node->node.entity->target(name);
+    if (port == nullptr) {
+      std::vector<std::string> known;
+      for (const auto& target : node->node.entity->targets) known.push_back(target.name.value);
+      diagnostics()
+          .error("E0307", connection.to.span,
+                 fmt::format("`{}` has no target `{}`", node->node.entity->id.value, name))
+          .help = suggestion(name, known, "it has no targets");
+      return;
+    }
+    const auto state = find_state(owner, connection.from);
+    if (!state || !is_free(*node, name, connection)) return;
+    add(*node, *port, owner, *state, connection);
+  }
+
+  DraftNode* find_reset_node(const Spanned<std::string>& to) {
+    const std::string name = split(to.value, kTargets)->first;
+    for (auto& node : draft_.nodes) {
+      if (node.node.name != name || node.node.role != NodeRole::node) continue;
+      if (node.node.entity == nullptr) return nullptr;  // reported already
+      if (!node.node.entity->targets.empty()) return &node;
+      diagnostics()
+          .error(
+              "E0307", to.span,
+              fmt::format("`{}` is a {}, which has no targets", name, node.node.entity->id.value))
+          .help = "only reset nodes have targets";
+      return nullptr;
+    }
+    std::vector<std::string> known;
+    for (const auto& node : draft_.nodes) {
+      if (node.node.entity != nullptr && !node.node.entity->targets.empty())
+        known.push_back(node.node.name);
+    }
+    if (!draft_.doubtful.contains(name)) {
+      diagnostics()
+          .error("E0309", to.span, fmt::format("there is no reset node `{}` in this graph", name))
+          .help = suggestion(name, known, "the graph has no reset nodes");
+    }
+    return nullptr;
+  }
+
+  Owner find_owner(const Spanned<std::string>& from) {
+    const auto parts = split(from.value, kStates);
+    if (!parts) {
+      diagnostics().error("E0309", from.span, fmt::format("`{}` is no state", from.value)).help =
+          "a target is a state: write `from: object.states.name`";
+      return {};
+    }
+    const std::string& name = parts->first;
+    for (std::size_t i = 0; i < draft_.graph.objects.size(); ++i) {
+      const Object& object = draft_.graph.objects[i];
+      if (object.name == name) return {i, 0, &object.states, object.entity};
+    }
+    for (std::size_t i = 0; i < draft_.nodes.size(); ++i) {
+      const GraphNode& node = draft_.nodes[i].node;
+      if (node.name == name && node.role == NodeRole::node)
+        return {std::nullopt, i, &node.states, node.entity};
+    }
+    if (!draft_.doubtful.contains(name)) {
+      std::vector<std::string> known;
+      for (const auto& object : draft_.graph.objects) known.push_back(object.name);
+      diagnostics()
+          .error("E0309", from.span,
+                 fmt::format("there is nothing called `{}` in this graph", name))
+          .help = suggestion(name, known, "the graph has no objects");
+    }
+    return {};
+  }
+
+  std::optional<std::size_t> find_state(const Owner& owner, const Spanned<std::string>& from) {
+    const auto [name, state] = *split(from.value, kStates);
+    std::vector<std::string> known;
+    for (std::size_t i = 0; i < owner.states->size(); ++i) {
+      if (!(*owner.states)[i].settable) continue;
+      if ((*owner.states)[i].name == state) return i;
+      known.push_back((*owner.states)[i].name);
+    }
+    if (owner.entity == nullptr || draft_.doubtful.contains(name)) return std::nullopt;
+    const bool exists = owner.entity->state(state) != nullptr;
+    auto& problem = diagnostics().error(
+        "E0307", from.span,
+        exists ? fmt::format("`{}` is not among the states of `{}`", state, name)
+               : fmt::format("`{}` has no state `{}`", owner.entity->id.value, state));
+    problem.help = exists ? fmt::format("add it to `states:` of `{}`", name)
+                          : suggestion(state, known, "it has no states in this graph");
+    return std::nullopt;
+  }
+
+  bool is_free(const DraftNode& node, const std::string& name, const ConnectionSpec& connection) {
+    for (const auto& target : node.node.targets) {
+      if (target.name != name) continue;
+      diagnostics()
+          .error("E0311", connection.to.span,
+                 fmt::format("`{}` is connected twice", connection.to.value))
+          .notes.push_back({"the first connection", target.span, ""});
+      return false;
+    }
+    return true;
+  }
+
+  void add(DraftNode& node, const PortManifest& port, const Owner& owner, std::size_t index,
+           const ConnectionSpec& connection) {
+    const State& state = (*owner.states)[index];
+    ResetTarget target;
+    target.name = port.name.value;
+    target.object = owner.object;
+    target.node = owner.node;
+    target.state = index;
+    target.space = state.space;
+    target.span = connection.to.span;
+    if (connection.processor) {
+      target.processor =
+          make_processor(draft_, *connection.processor, state.space, connection.from.span);
+      if (!target.processor) return;
+      target.space = target.processor->output;
+    }
+    const auto spec =
+        std::find_if(draft_.spec.nodes.begin(), draft_.spec.nodes.end(),
+                     [&](const EntitySpec& s) { return s.name.value == node.node.name; });
+    const PartialSpace declared =
+        partial_space(port.space, references_of(*node.node.entity, spec->config), diagnostics());
+    if (!fits(declared, target.space)) {
+      const bool dtype = !declared.dtype || *declared.dtype == target.space.dtype;
+      auto& problem =
+          diagnostics().error(dtype ? "E0306" : "E0305", connection.to.span,
+                              fmt::format("`{}` takes {}, but gets {}", connection.to.value,
+                                          describe(declared), target.space.describe()));
+      problem.notes.push_back(
+          {"this is where it comes from", connection.from.span, target.space.describe()});
+      return;
+    }
+    node.node.targets.push_back(std::move(target));
+  }
+
+  /// A reset node that nobody asks for anything would never run.
+  void report_idle(const DraftNode& node) {
+    const Entity* entity = node.node.entity;
+    if (entity == nullptr || node.node.role != NodeRole::node || entity->targets.empty()) return;
+    const bool tried = std::any_of(draft_.spec.connections.begin(), draft_.spec.connections.end(),
+                                   [&](const auto& c) {
+                                     const auto parts = split(c.to.value, kTargets);
+                                     return parts && parts->first == node.node.name;
+                                   });
+    if (tried) return;
+    diagnostics()
+        .error("E0310", node.node.span, fmt::format("`{}` has no target", node.node.name))
+        .help = fmt::format("add a connection `{{from: object.states.name, to: {}.targets.{}}}`",
+                            node.node.name, entity->targets.front().name.value);
+  }
+
+  Draft& draft_;
+};
+
+/// EAGERx's rules for feedthroughs: the message of the same tick, whenever there is one.
+void check_feedthrough(const Graph& graph, const GraphNode& node, const Input& input,
+                       Diagnostics& diagnostics) {
+  const GraphNode& source = graph.nodes[input.source_node];
+  if (!(source.rate_hz == node.rate_hz)) {
+    auto& problem = diagnostics.error(
+        "E0317", input.span,
+        fmt::format("`{}` ticks at {} Hz, but what it gets at {} Hz", input.written,
+                    node.rate_hz.to_string(), source.rate_hz.to_string()));
+    problem.help = "a reset node has the rate of what it passes on";
+  }
+  if (input.skip || input.window == 0) {
+    diagnostics
+        .error("E0318", input.span,
+               fmt::format("`{}` cannot have {}", input.written,
+                           input.skip ? "`skip: true`" : "`window: 0`"))
+        .help = "a reset node needs a message to pass on at every tick";
+  }
+  const auto output = std::find_if(node.outputs.begin(), node.outputs.end(),
+                                   [&](const Output& o) { return o.name == input.name; });
+  if (output->raw.dtype == input.space.dtype && output->raw.shape == input.space.shape) return;
+  diagnostics.error(output->raw.dtype == input.space.dtype ? "E0306" : "E0305", input.span,
+                    fmt::format("`{}` is {}, but passes on {}", input.written,
+                                output->raw.describe(), input.space.describe()));
+}
+
+/// Everything that waits for an action, feedthroughs apart.
+void mark_waiting(Graph& graph) {
+  std::vector<std::size_t> todo = {Graph::kEnvironment};
+  while (!todo.empty()) {
+    const std::size_t source = todo.back();
+    todo.pop_back();
+    for (std::size_t n = Graph::kEngine + 1; n < graph.nodes.size(); ++n) {
+      GraphNode& node = graph.nodes[n];
+      const bool reads = std::any_of(node.inputs.begin(), node.inputs.end(), [&](const Input& i) {
+        return i.source_node == source && !i.feedthrough;
+      });
+      if (!reads || node.waits_during_reset) continue;
+      node.waits_during_reset = true;
+      todo.push_back(n);
+    }
+  }
+}
+
+}  // namespace
+
+bool is_target(const ConnectionSpec& connection) {
+  return split(connection.to.value, kTargets).has_value();
+}
+
+void resolve_targets(Draft& draft) {
+  TargetResolver(draft).run();
+}
+
+void check_resets(Graph& graph, Diagnostics& diagnostics) {
+  if (!graph.has_reset_nodes()) return;
+  for (const auto& node : graph.nodes) {
+    for (const auto& input : node.inputs) {
+      if (input.feedthrough) check_feedthrough(graph, node, input, diagnostics);
+    }
+  }
+  mark_waiting(graph);
+  for (const auto& node : graph.nodes) {
+    const bool synchronised =
+        node.role == NodeRole::engine_node &&
+        std::any_of(node.inputs.begin(), node.inputs.end(),
+                    [](const Input& i) { return i.source_node == Graph::kEngine; });
+    const bool stuck = node.waits_during_reset && (synchronised || !node.targets.empty());
+    if (!stuck) continue;
+    const auto input = std::find_if(node.inputs.begin(), node.inputs.end(), [&](const Input& i) {
+      return !i.feedthrough && (i.source_node == Graph::kEnvironment ||
+                                graph.nodes[i.source_node].waits_during_reset);
+    });
+    auto& problem = diagnostics.error(
+        "E0318", input->span,
+        fmt::format("`{}` waits for an action, and during a reset there is none", input->written));
+    problem.label = "the reset would never end";
+    problem.help = node.targets.empty()
+                       ? "put a reset node in between: it takes the action as a feedthrough"
+                       : "a reset node decides without the agent";
+  }
+}
+
+}  // namespace eagerx::gen
