@@ -177,7 +177,7 @@ class ResetView {
                                        : names_.node_state[target.node][target.state]);
         targets.push_back(optional(field, names_.target_processor[n][t]));
         asked.push_back(field);
-        open.push_back(fmt::format("({0}.{2} && !{1}.{2})", names_.targets_member[n],
+        open.push_back(fmt::format("{0}.{2} && !{1}.{2}", names_.targets_member[n],
                                    names_.done_member[n], target.name));
       }
       View item = object();
@@ -191,8 +191,12 @@ class ResetView {
     view_.set("has_reset_nodes", graph_.has_reset_nodes());
     view_.set("no_reset_nodes", !graph_.has_reset_nodes());
     view_["reset_nodes"] = std::move(reset_nodes);
-    view_.set("asked", fmt::format("{}", fmt::join(asked, " || ")));
-    view_.set("open", fmt::format("{}", fmt::join(open, " || ")));
+    // One condition needs no parentheses.
+    const bool several = asked.size() > 1;
+    const std::string any = fmt::format("{}", fmt::join(asked, " || "));
+    view_.set("asked", several ? "(" + any + ")" : any);
+    view_.set("open", several ? fmt::format("({})", fmt::join(open, ") || (")) : joined(open));
+    view_.set("environment_counter", names_.counter[plan_.nodes[Graph::kEnvironment].rate]);
     const Rational ticks = graph_.reset_timeout_s * graph_.environment().rate_hz;
     view_.set("reset_ticks", fmt::format("{}", ticks.ceil()));
     view_.set("reset_timeout", graph_.reset_timeout_s.to_string());
