@@ -244,6 +244,16 @@ void mark_waiting(Graph& graph) {
   }
 }
 
+/// Whether a reset would wait for this node for ever: the engine for its engine nodes, everybody
+/// for reset nodes.
+bool is_stuck(const GraphNode& node) {
+  const bool synchronised = node.role == NodeRole::engine_node &&
+                            std::any_of(node.inputs.begin(), node.inputs.end(), [](const Input& i) {
+                              return i.source_node == Graph::kEngine;
+                            });
+  return node.waits_during_reset && (synchronised || !node.targets.empty());
+}
+
 }  // namespace
 
 bool is_target(const ConnectionSpec& connection) {
@@ -263,16 +273,13 @@ void check_resets(Graph& graph, Diagnostics& diagnostics) {
   }
   mark_waiting(graph);
   for (const auto& node : graph.nodes) {
-    const bool synchronised =
-        node.role == NodeRole::engine_node &&
-        std::any_of(node.inputs.begin(), node.inputs.end(),
-                    [](const Input& i) { return i.source_node == Graph::kEngine; });
-    const bool stuck = node.waits_during_reset && (synchronised || !node.targets.empty());
-    if (!stuck) continue;
+    if (!is_stuck(node)) continue;
     const auto input = std::find_if(node.inputs.begin(), node.inputs.end(), [&](const Input& i) {
-      return !i.feedthrough && (i.source_node == Graph::kEnvironment ||
-                                graph.nodes[i.source_node].waits_during_reset);
+      const GraphNode& source = graph.nodes[i.source_node];
+      const bool waits = i.source_node == Graph::kEnvironment || source.waits_during_reset;
+      return !i.feedthrough && waits && !is_stuck(source);
     });
+    if (input == node.inputs.end()) continue;  // follows from another one
     auto& problem = diagnostics.error(
         "E0318", input->span,
         fmt::format("`{}` waits for an action, and during a reset there is none", input->written));

@@ -72,11 +72,12 @@ class RandomReader {
       if (value >= low && value <= high) continue;
       const Span place =
           node.is_sequence() && i < node.items.size() ? node.items[i].span : node.span;
+      const std::string what =
+          size == 1 ? fmt::format("`{}`", name_) : fmt::format("element {} of `{}`", i, name_);
       return fail("E0327", place,
-                  size == 1
-                      ? fmt::format("`{}` must be from {} to {}", name_, shown(low), shown(high))
-                      : fmt::format("element {} of `{}` must be from {} to {}", i, name_,
-                                    shown(low), shown(high)));
+                  space_.high.empty()
+                      ? fmt::format("{} must be at least {}", what, shown(low))
+                      : fmt::format("{} must be from {} to {}", what, shown(low), shown(high)));
     }
     return *result;
   }

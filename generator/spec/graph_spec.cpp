@@ -104,9 +104,9 @@ std::optional<RandomSpec> read_random(const Node& node, Diagnostics& diagnostics
   }
   if (ways.empty() && node.find("processor") != nullptr) return std::nullopt;
   if (ways.size() != 1) {
-    diagnostics.error("E0206", node.span, "a state gets its value in exactly one way").help =
+    diagnostics.error("E0206", node.span, "a value is drawn in exactly one way").help =
         "write one of value, uniform, normal, log_uniform, choice";
-    return spec;
+    return std::nullopt;
   }
   const auto& [key, key_span, value] = *ways.front();
   spec.span = key_span;

@@ -118,6 +118,43 @@ TEST(Receptions, RingsAreExactlyAsLargeAsNeeded) {
   EXPECT_GT(planned_connections, 1000);
 }
 
+/// Plans with delays from 0 to the longest; nullopt if some of them starve the input.
+std::optional<Planned> plan_changing(const Connection& c, std::uint32_t window, bool source_first) {
+  Diagnostics diagnostics;
+  Planned planned;
+  Input input = input_of(c, window);
+  input.max_delay_s = c.delay_s;
+  input.delay_s = Rational(0);
+  const auto reception =
+      plan_reception(input, c.source_rate, c.rate, source_first, planned.needed, diagnostics);
+  if (!reception) return std::nullopt;
+  planned.reception = *reception;
+  return planned;
+}
+
+TEST(Receptions, RingsOfChangingDelaysHoldWhatAnyDelayNeedsAndNoMore) {
+  int planned_connections = 0;
+  for_each_connection([&](const Connection& c, std::uint32_t window, bool source_first) {
+    const auto planned = plan_changing(c, window, source_first);
+    if (!planned) return;
+    ++planned_connections;
+    std::uint64_t keep = 1, held = 1;
+    constexpr int kDelays = 40;
+    for (int i = 0; i <= kDelays; ++i) {
+      const Connection delayed{c.source_rate, c.rate, c.delay_s * Rational(i, kDelays), c.skip};
+      const Happened happened = run(delayed, window, source_first, enough_ticks(c, window));
+      keep = std::max(keep, happened.keep);
+      held = std::max(held, happened.window);
+    }
+    EXPECT_EQ(planned->needed, keep) << describe(c, window, source_first);
+    EXPECT_EQ(planned->reception.max_size, held) << describe(c, window, source_first);
+    ASSERT_TRUE(planned->reception.changing);
+    EXPECT_TRUE(planned->reception.count == Reception::Count::delayed ||
+                planned->reception.count == Reception::Count::skipped);
+  });
+  EXPECT_GT(planned_connections, 500);
+}
+
 TEST(Receptions, OnlySkippedInputsWithoutAMessageAtTickOneAreRefused) {
   for_each_connection([&](const Connection& c, std::uint32_t window, bool source_first) {
     const bool starves = c.skip && window > 0 && expected_count(c, 0) + expected_count(c, 1) == 0;

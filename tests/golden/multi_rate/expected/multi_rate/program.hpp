@@ -275,7 +275,8 @@ class Program {
   eagerx::Array<float, 1> right_u_applied_action_applied_[1]{};
   eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
   eagerx::Array<float, 1> right_u_action_[1]{};
-  bool started_ = false;
+
+  bool started_ = false;  // whether there was a reset at all
 
   // Simulators, engine and nodes.
   LeftSimulator left_simulator_{};

@@ -146,7 +146,8 @@ class Program {
   eagerx::Array<float, 1> pendulum_u_action_applied_[1]{};
   eagerx::Array<float, 1> pendulum_u_applied_action_applied_[1]{};
   eagerx::Array<float, 2> observation_angle_[1]{};
-  bool started_ = false;
+
+  bool started_ = false;  // whether there was a reset at all
 
   // Simulators, engine and nodes.
   PendulumSimulator pendulum_simulator_{};
