@@ -46,7 +46,8 @@ class Emitter {
   void add_common(View& view) const {
     const std::size_t dot = options_.version.find('.');
     view.set("name", plan_.graph->name);
-    view.set("namespace", plan_.graph->name);
+    // A graph may be called `time` or `read`, as functions of the C library are.
+    view.set("namespace", "graphs::" + plan_.graph->name);
     view.set("header", plan_.graph->name + "/graph.hpp");
     view.set("file",
              view.get("file") != nullptr ? *view.get("file") : View(plan_.graph->file_name));

@@ -9,7 +9,7 @@
 
 namespace {
 
-using pendulum_swing_up::Graph;
+using graphs::pendulum_swing_up::Graph;
 
 struct NoWatch {
   static bool go_on() { return true; }

@@ -7,7 +7,7 @@
 namespace eagerx::bench {
 
 std::uint32_t run_generated(std::uint64_t steps) {
-  using many_nodes::Graph;
+  using graphs::many_nodes::Graph;
   auto& program = target::program_of_run<Graph::Program<NoTrace>>;
   std::uint32_t seen = program.reset({}).seen_0.back();
   for (std::uint64_t step = 0; step < steps; ++step) {

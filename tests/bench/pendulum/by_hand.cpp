@@ -48,7 +48,7 @@ Seen run_by_hand(bool policy, std::uint64_t steps) {
     if (policy) {
       const float input[] = {seen.cosine, seen.sine, seen.theta_dot};
       float output[1];
-      pendulum_swing_up::policy::evaluate(input, output);
+      graphs::pendulum_swing_up::policy::evaluate(input, output);
       action = -kMostVolt + (0.5F * (output[0] + 1.0F)) * (kMostVolt + kMostVolt);
     }
     const float voltage = kB0 * action + z1;

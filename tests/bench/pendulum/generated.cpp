@@ -7,7 +7,7 @@
 namespace eagerx::bench {
 
 Seen run_generated(bool policy, std::uint64_t steps) {
-  using pendulum_swing_up::Graph;
+  using graphs::pendulum_swing_up::Graph;
   auto& program = target::program_of_run<Graph::Program<NoTrace>>;
   const auto agent = policy ? target::Agent::policy : target::Agent::zero;
   Graph::States states;

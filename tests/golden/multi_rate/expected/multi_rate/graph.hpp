@@ -12,14 +12,14 @@
 
 #include "multi_rate/program.hpp"
 
-namespace multi_rate {
+namespace graphs::multi_rate {
 
 struct Graph {
   template <class Trace>
-  using Program = multi_rate::Program<Trace>;
-  using Action = multi_rate::Action;
-  using Observation = multi_rate::Observation;
-  using States = multi_rate::States;
+  using Program = graphs::multi_rate::Program<Trace>;
+  using Action = graphs::multi_rate::Action;
+  using Observation = graphs::multi_rate::Observation;
+  using States = graphs::multi_rate::States;
   using Rate = eagerx::Rate<10>;  // of the environment
 
   static constexpr const char* kName = "multi_rate";
@@ -125,4 +125,4 @@ struct Graph {
   }
 };
 
-}  // namespace multi_rate
+}  // namespace graphs::multi_rate

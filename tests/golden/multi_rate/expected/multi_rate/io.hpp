@@ -23,7 +23,7 @@
 
 #include "multi_rate/messages.hpp"
 
-namespace multi_rate {
+namespace graphs::multi_rate {
 
 /// What engines and nodes calculate in.
 using Real = double;
@@ -48,7 +48,7 @@ inline constexpr std::uint32_t slow_filtered = 13;
 
 // left: Pendulum on OdeEngine, graph.yaml:11:3
 struct LeftSimulatorIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   struct Config {
   };
 };
@@ -56,7 +56,7 @@ using LeftSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<L
 
 // right: Pendulum on OdeEngine, graph.yaml:23:3
 struct RightSimulatorIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   struct Config {
   };
 };
@@ -64,7 +64,7 @@ using RightSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<
 
 // left.model_state: OdeEngineState, graph.yaml:20:7
 struct LeftModelStateIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using State = eagerx::Array<float, 2>;
   using Simulator = LeftSimulator;
   struct Config {
@@ -74,7 +74,7 @@ using LeftModelState = eagerx::models::OdeEngineState<LeftModelStateIo>;
 
 // left.mass: DummyState, graph.yaml:21:7
 struct LeftMassIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = LeftSimulator;
   struct Config {
@@ -84,7 +84,7 @@ using LeftMass = eagerx::models::DummyState<LeftMassIo>;
 
 // left.length: DummyState, graph.yaml:22:7
 struct LeftLengthIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = LeftSimulator;
   struct Config {
@@ -94,7 +94,7 @@ using LeftLength = eagerx::models::DummyState<LeftLengthIo>;
 
 // right.model_state: OdeEngineState, graph.yaml:30:7
 struct RightModelStateIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using State = eagerx::Array<float, 2>;
   using Simulator = RightSimulator;
   struct Config {
@@ -104,7 +104,7 @@ using RightModelState = eagerx::models::OdeEngineState<RightModelStateIo>;
 
 // right.max_speed: DummyState, graph.yaml:31:7
 struct RightMaxSpeedIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = RightSimulator;
   struct Config {
@@ -114,7 +114,7 @@ using RightMaxSpeed = eagerx::models::DummyState<RightMaxSpeedIo>;
 
 // right.length: DummyState, graph.yaml:32:7
 struct RightLengthIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = RightSimulator;
   struct Config {
@@ -124,7 +124,7 @@ using RightLength = eagerx::models::DummyState<RightLengthIo>;
 
 // observations.angle: DecomposedAngle, graph.yaml:55:59
 struct ObservationAngleProcessorIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Input = float;
   using Output = eagerx::Array<float, 2>;
   struct Config {
@@ -134,7 +134,7 @@ using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAng
 
 // fast.filtered: Negate, graph.yaml:43:29
 struct FastFilteredProcessorIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
   using Output = eagerx::Array<float, 1>;
   struct Config {
@@ -144,7 +144,7 @@ using FastFilteredProcessor = eagerx::models::Negate<FastFilteredProcessorIo>;
 
 // left/theta_dot.observation: Negate, graph.yaml:15:40
 struct LeftThetaDotObservationProcessorIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Input = float;
   using Output = float;
   struct Config {
@@ -154,7 +154,7 @@ using LeftThetaDotObservationProcessor = eagerx::models::Negate<LeftThetaDotObse
 
 // right/u.action: Identity, graph.yaml:54:51
 struct RightUActionProcessorIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
   using Output = eagerx::Array<float, 1>;
   struct Config {
@@ -164,7 +164,7 @@ using RightUActionProcessor = eagerx::models::Identity<RightUActionProcessorIo>;
 
 // engine: OdeEngine at 60 Hz, graph.yaml:8:1
 struct EngineIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<60>;
   struct Config {
     static constexpr auto method = eagerx::models::OdeMethod::rk4;
@@ -180,7 +180,7 @@ struct EngineIo {
 
 // slow: ButterworthFilter at 20 Hz, graph.yaml:35:3
 struct SlowIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
   struct Config {
     static constexpr int order = 1;
@@ -203,7 +203,7 @@ struct SlowIo {
 
 // fast: ButterworthFilter at 30 Hz, graph.yaml:36:3
 struct FastIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr int order = 3;
@@ -226,7 +226,7 @@ struct FastIo {
 
 // left/x: OdeOutput at 20 Hz, graph.yaml:11:3
 struct LeftXIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
   struct Config {
     static constexpr int size = 2;
@@ -248,7 +248,7 @@ struct LeftXIo {
 
 // left/theta: FloatOutput at 20 Hz, graph.yaml:11:3
 struct LeftThetaIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
   struct Config {
     static constexpr int idx = 0;
@@ -270,7 +270,7 @@ struct LeftThetaIo {
 
 // left/theta_dot: FloatOutput at 30 Hz, graph.yaml:11:3
 struct LeftThetaDotIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr int idx = 1;
@@ -292,7 +292,7 @@ struct LeftThetaDotIo {
 
 // left/u: OdeInput at 30 Hz, graph.yaml:11:3
 struct LeftUIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr std::array<double, 1> default_action = {0.0};
@@ -316,7 +316,7 @@ struct LeftUIo {
 
 // left/u_applied: ActionApplied at 10 Hz, graph.yaml:11:3
 struct LeftUAppliedIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<10>;
   struct Config {
   };
@@ -339,7 +339,7 @@ struct LeftUAppliedIo {
 
 // right/x: OdeOutput at 15 Hz, graph.yaml:23:3
 struct RightXIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<15>;
   struct Config {
     static constexpr int size = 2;
@@ -361,7 +361,7 @@ struct RightXIo {
 
 // right/theta: FloatOutput at 15 Hz, graph.yaml:23:3
 struct RightThetaIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<15>;
   struct Config {
     static constexpr int idx = 0;
@@ -383,7 +383,7 @@ struct RightThetaIo {
 
 // right/u: OdeInput at 20 Hz, graph.yaml:23:3
 struct RightUIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
   struct Config {
     static constexpr std::array<double, 1> default_action = {0.0};
@@ -407,7 +407,7 @@ struct RightUIo {
 
 // right/u_applied: ActionApplied at 30 Hz, graph.yaml:23:3
 struct RightUAppliedIo {
-  using Real = multi_rate::Real;
+  using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
   };
@@ -428,4 +428,4 @@ struct RightUAppliedIo {
   using Simulator = RightSimulator;
 };
 
-}  // namespace multi_rate
+}  // namespace graphs::multi_rate

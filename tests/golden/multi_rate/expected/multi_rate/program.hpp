@@ -14,7 +14,7 @@
 
 #include "multi_rate/io.hpp"
 
-namespace multi_rate {
+namespace graphs::multi_rate {
 
 /// The whole graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
 template <class Trace = eagerx::NoTrace>
@@ -295,4 +295,4 @@ class Program {
   eagerx::models::OdeInput<LeftUIo> left_u_{};
 };
 
-}  // namespace multi_rate
+}  // namespace graphs::multi_rate

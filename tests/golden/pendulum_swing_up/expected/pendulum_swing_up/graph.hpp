@@ -13,14 +13,14 @@
 #include "pendulum_swing_up/program.hpp"
 #include "pendulum_swing_up/policy.hpp"
 
-namespace pendulum_swing_up {
+namespace graphs::pendulum_swing_up {
 
 struct Graph {
   template <class Trace>
-  using Program = pendulum_swing_up::Program<Trace>;
-  using Action = pendulum_swing_up::Action;
-  using Observation = pendulum_swing_up::Observation;
-  using States = pendulum_swing_up::States;
+  using Program = graphs::pendulum_swing_up::Program<Trace>;
+  using Action = graphs::pendulum_swing_up::Action;
+  using Observation = graphs::pendulum_swing_up::Observation;
+  using States = graphs::pendulum_swing_up::States;
   using Rate = eagerx::Rate<30>;  // of the environment
 
   static constexpr const char* kName = "pendulum_swing_up";
@@ -97,4 +97,4 @@ struct Graph {
   }
 };
 
-}  // namespace pendulum_swing_up
+}  // namespace graphs::pendulum_swing_up

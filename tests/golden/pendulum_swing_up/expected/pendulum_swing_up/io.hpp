@@ -20,7 +20,7 @@
 
 #include "pendulum_swing_up/messages.hpp"
 
-namespace pendulum_swing_up {
+namespace graphs::pendulum_swing_up {
 
 /// What engines and nodes calculate in.
 using Real = float;
@@ -39,7 +39,7 @@ inline constexpr std::uint32_t smooth_filtered = 7;
 
 // pendulum: Pendulum on OdeEngine, graph.yaml:13:3
 struct PendulumSimulatorIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   struct Config {
   };
 };
@@ -47,7 +47,7 @@ using PendulumSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumO
 
 // pendulum.model_state: OdeEngineState, graph.yaml:16:7
 struct PendulumModelStateIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using State = eagerx::Array<float, 2>;
   using Simulator = PendulumSimulator;
   struct Config {
@@ -57,7 +57,7 @@ using PendulumModelState = eagerx::models::OdeEngineState<PendulumModelStateIo>;
 
 // observations.angle: DecomposedAngle, graph.yaml:31:63
 struct ObservationAngleProcessorIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Input = float;
   using Output = eagerx::Array<float, 2>;
   struct Config {
@@ -67,7 +67,7 @@ using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAng
 
 // engine: OdeEngine at 30 Hz, graph.yaml:7:1
 struct EngineIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr auto method = eagerx::models::OdeMethod::rk4;
@@ -83,7 +83,7 @@ struct EngineIo {
 
 // smooth: ButterworthFilter at 30 Hz, graph.yaml:19:3
 struct SmoothIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr int order = 2;
@@ -106,7 +106,7 @@ struct SmoothIo {
 
 // pendulum/x: OdeOutput at 30 Hz, graph.yaml:13:3
 struct PendulumXIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr int size = 2;
@@ -128,7 +128,7 @@ struct PendulumXIo {
 
 // pendulum/theta: FloatOutput at 30 Hz, graph.yaml:13:3
 struct PendulumThetaIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr int idx = 0;
@@ -150,7 +150,7 @@ struct PendulumThetaIo {
 
 // pendulum/theta_dot: FloatOutput at 30 Hz, graph.yaml:13:3
 struct PendulumThetaDotIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr int idx = 1;
@@ -172,7 +172,7 @@ struct PendulumThetaDotIo {
 
 // pendulum/u: OdeInput at 30 Hz, graph.yaml:13:3
 struct PendulumUIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
     static constexpr std::array<double, 1> default_action = {0.0};
@@ -196,7 +196,7 @@ struct PendulumUIo {
 
 // pendulum/u_applied: ActionApplied at 30 Hz, graph.yaml:13:3
 struct PendulumUAppliedIo {
-  using Real = pendulum_swing_up::Real;
+  using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
   struct Config {
   };
@@ -217,4 +217,4 @@ struct PendulumUAppliedIo {
   using Simulator = PendulumSimulator;
 };
 
-}  // namespace pendulum_swing_up
+}  // namespace graphs::pendulum_swing_up

@@ -9,7 +9,7 @@
 
 #include <eagerx/policy.hpp>
 
-namespace pendulum_swing_up::policy {
+namespace graphs::pendulum_swing_up::policy {
 
 inline constexpr std::size_t kInputs = 3;
 inline constexpr std::size_t kOutputs = 1;
@@ -624,4 +624,4 @@ inline void evaluate(const float (&observation)[kInputs], float (&action)[kOutpu
   eagerx::dense<eagerx::Activation::tanh>(kLayer3, hidden2, action);
 }
 
-}  // namespace pendulum_swing_up::policy
+}  // namespace graphs::pendulum_swing_up::policy

@@ -14,7 +14,7 @@
 
 #include "pendulum_swing_up/io.hpp"
 
-namespace pendulum_swing_up {
+namespace graphs::pendulum_swing_up {
 
 /// The whole graph in one object: no heap, all zero until the first reset. A step is 1/30 s.
 template <class Trace = eagerx::NoTrace>
@@ -160,4 +160,4 @@ class Program {
   eagerx::models::OdeInput<PendulumUIo> pendulum_u_{};
 };
 
-}  // namespace pendulum_swing_up
+}  // namespace graphs::pendulum_swing_up
