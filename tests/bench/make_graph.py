@@ -16,6 +16,7 @@ from pathlib import Path
 WIDTH = 50
 RATES_HZ = [10, 20, 30, 40, 60]
 ENVIRONMENT_HZ = 20
+ENGINE_HZ = 10
 SEED = 20
 
 
@@ -55,7 +56,7 @@ def pick_input(rng, number, layer, half, count):
     return item
 
 
-def make_nodes(count):
+def make_nodes(count, rates_hz=RATES_HZ):
     rng = random.Random(SEED)
     half = max(1, (count // WIDTH) // 2)  # layer from which on nodes act
     nodes = []
@@ -63,7 +64,7 @@ def make_nodes(count):
         layer = number // WIDTH
         ports = 1 if rng.random() < 0.4 else 2
         inputs = [pick_input(rng, number, layer, half, count) for _ in range(ports)]
-        nodes.append(Mix(number, rng.choice(RATES_HZ), inputs))
+        nodes.append(Mix(number, rng.choice(rates_hz), inputs))
     return nodes, half
 
 
@@ -74,7 +75,7 @@ def graph_text(name, nodes, half):
         f"# {len(nodes)} trivial nodes, made by tests/bench/make_graph.py.",
         f"name: {name}",
         f"rate: {ENVIRONMENT_HZ}",
-        "engine: {type: OdeEngine, rate: 10}",
+        f"engine: {{type: OdeEngine, rate: {ENGINE_HZ}}}",
         "actions:",
         "  drive: {space: {dtype: uint32, shape: [], low: 0, high: 1000}}",
         f"observations: [{', '.join(f'seen_{i}' for i in range(len(observed)))}]",
@@ -138,8 +139,8 @@ def by_hand_text(nodes):
     return "\n".join(lines + ["}", "", "}  // namespace eagerx::bench", ""])
 
 
-def write(count, folder, name):
-    nodes, half = make_nodes(count)
+def write(count, folder, name, rates_hz=RATES_HZ):
+    nodes, half = make_nodes(count, rates_hz)
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "graph.yaml").write_text(graph_text(name, nodes, half))

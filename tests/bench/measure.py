@@ -1,4 +1,5 @@
 """How tests/bench/run builds, runs and measures."""
+import math
 import os
 import re
 import resource
@@ -7,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
+from fractions import Fraction
 from pathlib import Path
 
 import make_graph as graphs
@@ -89,9 +91,17 @@ def processor_time_s(*command):
     return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 
 
-def make_graph(nodes, folder):
-    graphs.write(nodes, folder, "many_nodes")
+def make_graph(nodes, folder, rates_hz=graphs.RATES_HZ):
+    graphs.write(nodes, folder, "many_nodes", rates_hz)
     return folder / "graph.yaml"
+
+
+def slots(rates_hz):
+    """Instants of the hyperperiod at which something is due, the environment and the engine included."""
+    rates = [Fraction(str(rate)) for rate in [*rates_hz, graphs.ENVIRONMENT_HZ, graphs.ENGINE_HZ]]
+    hyperperiod_s = Fraction(1, math.gcd(*(rate.numerator for rate in rates)))
+    hyperperiod_s *= math.lcm(*(rate.denominator for rate in rates))
+    return len({tick / rate for rate in rates for tick in range(int(hyperperiod_s * rate))})
 
 
 def generation(build, graph, out, repeats):
