@@ -15,6 +15,7 @@ struct RunPlan {
   std::uint32_t episodes = 1;
   std::uint64_t steps = 300;  // of each episode
   std::uint64_t seed = 1;
+  std::uint32_t environment = 0;  // one of many with this seed, each with numbers of its own
 };
 
 /// Where actions come from. `csv` exists on targets with files only.
@@ -70,7 +71,7 @@ template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
     if (!watch.go_on()) return;
-    const EpisodeKey key{plan.seed, 0, episode};
+    const EpisodeKey key{plan.seed, plan.environment, episode};
     program.trace.episode(episode);
     typename Graph::Observation observation = program.reset(Graph::draw(key));
     watch.reset(episode, observation);
@@ -81,6 +82,15 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
       watch.step(episode, step + 1, action, observation);
     }
   }
+}
+
+/// What a program counts besides its messages: f(name, count) for each.
+template <class Program, class F>
+void for_each_fault(const Program& program, F&& f) {
+  if constexpr (requires { program.reset_timeouts(); })
+    f("reset timeouts", program.reset_timeouts());
+  if constexpr (requires { program.refused_delays(); })
+    f("refused delays", program.refused_delays());
 }
 
 /// The program object of a run. All-zero until its first reset, so it lives in .bss.

@@ -131,6 +131,15 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
 
   Watch<Graph> watch(options, csv, trace);
   std::uint64_t hash = 0;
+  Summary summary{.graph = Graph::kName,
+                  .engine = Graph::kEngine,
+                  .agent = std::string(agent),
+                  .seed = options.plan.seed};
+  const auto note_faults = [&](const auto& program) {
+    target::for_each_fault(program, [&](const char* name, std::uint32_t count) {
+      summary.faults.emplace_back(name, count);
+    });
+  };
   if (options.hash || trace.is_open()) {
     auto& program = target::program_of_run<typename Graph::template Program<Recorder>>;
     if (trace.is_open()) {
@@ -139,15 +148,13 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
     }
     run_program(options, table, program, watch);
     hash = program.trace.hash();
+    note_faults(program);
   } else {
-    run_program(options, table, target::program_of_run<typename Graph::template Program<NoTrace>>,
-                watch);
+    auto& program = target::program_of_run<typename Graph::template Program<NoTrace>>;
+    run_program(options, table, program, watch);
+    note_faults(program);
   }
 
-  Summary summary{.graph = Graph::kName,
-                  .engine = Graph::kEngine,
-                  .agent = std::string(agent),
-                  .seed = options.plan.seed};
   watch.finish(summary);
   const bool csv_closed = close_output(csv, options.csv);
   const bool trace_closed = close_output(trace, options.trace);

@@ -31,6 +31,9 @@ bool set_steps(Options& options, std::string_view value) {
 bool set_seed(Options& options, std::string_view value) {
   return parse_number(value, std::uint64_t{0}, options.plan.seed);
 }
+bool set_environment(Options& options, std::string_view value) {
+  return parse_number(value, std::uint32_t{0}, options.plan.environment);
+}
 bool set_agent(Options& options, std::string_view value) {
   if (value.ends_with(".csv")) {
     options.agent = Agent::csv;
@@ -85,6 +88,9 @@ constexpr std::array kOptions{
            set_steps},
     Option{"--seed", "N", "a whole number from 0 to 18446744073709551615",
            "seed of everything that is random", set_seed},
+    Option{"--environment", "K", "a whole number from 0 to 4294967295",
+           "which of many environments with this seed: each has random numbers of its own",
+           set_environment},
     Option{"--agent", "AGENT", "`policy`, `zero`, `random` or a file ending in `.csv`",
            "policy, zero, random or FILE.csv", set_agent},
     Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, a row a step",
@@ -178,6 +184,8 @@ std::string options_help(const Options& defaults) {
     if (option.name == "--episodes") line += " (" + std::to_string(defaults.plan.episodes) + ")";
     if (option.name == "--steps") line += " (" + std::to_string(defaults.plan.steps) + ")";
     if (option.name == "--seed") line += " (" + std::to_string(defaults.plan.seed) + ")";
+    if (option.name == "--environment")
+      line += " (" + std::to_string(defaults.plan.environment) + ")";
     if (option.name == "--agent") {
       line += " (" + std::string(target::name_of(defaults.agent));
       if (defaults.agent == Agent::csv) line += " " + defaults.action_file;

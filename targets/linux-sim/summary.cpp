@@ -43,6 +43,9 @@ std::string summary_text(const Summary& summary) {
     }
     add(text, "overruns", overruns);
   }
+  for (const auto& [name, count] : summary.faults) {
+    if (count > 0) add(text, name, std::to_string(count));
+  }
   if (summary.interrupted) text += "interrupted\n";
   return text;
 }

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace eagerx::linux_sim {
 
@@ -18,6 +20,7 @@ struct Summary {
   bool paced = false;
   std::uint64_t overruns = 0;
   double worst_overrun_s = 0.0;
+  std::vector<std::pair<std::string, std::uint64_t>> faults;  // that the program has counted
   bool interrupted = false;
 };
 

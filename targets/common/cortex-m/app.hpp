@@ -188,6 +188,9 @@ int run(const char* board) {
   print("steps", watch.steps());
   print("program", sizeof program, " bytes");
   print("stack", stack_used_bytes(), " bytes");
+  target::for_each_fault(program, [](const char* name, std::uint32_t count) {
+    if (count > 0) print(name, count);
+  });
   console.text("trace hash 0x");
   console.hex(program.trace.hash());
   console.text("\n");

@@ -91,11 +91,17 @@ TEST(LinuxSimOptions, MistakesComeWithHelp) {
             "both `--csv` and `--trace` want the standard output / give one of them a file");
 }
 
+TEST(LinuxSimOptions, AnEnvironmentIsANumber) {
+  EXPECT_EQ(error_of({"--environment", "-1"}),
+            "`-1` is not a value of `--environment` / it is a whole number from 0 to 4294967295");
+}
+
 TEST(LinuxSimOptions, HelpNamesEveryOption) {
   const std::string help = options_help({});
   for (const char* option :
-       {"--episodes N", "--steps N", "--seed N", "--agent AGENT", "--csv FILE", "--trace FILE",
-        "--hash", "--real-time-factor X", "--quiet", "--help", "--version", "Exit codes: 0"}) {
+       {"--episodes N", "--steps N", "--seed N", "--environment K", "--agent AGENT", "--csv FILE",
+        "--trace FILE", "--hash", "--real-time-factor X", "--quiet", "--help", "--version",
+        "Exit codes: 0"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
 }
