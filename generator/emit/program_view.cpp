@@ -237,6 +237,14 @@ class ProgramView {
     simulators.insert(simulators.end(), names_.simulator_member.begin(),
                       names_.simulator_member.end());
     view.set("simulators", joined(simulators));
+    View simulated = list();
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
+      View item = object();
+      item.set("object", string_literal(graph_.objects[i].name));
+      item.set("simulator", names_.simulator_member[i]);
+      simulated.push_back(item);
+    }
+    view["simulated"] = std::move(simulated);
     view.set("ring", ring_place(plan_, names_, plan_.nodes[n].rings.front(), seq_of(n)));
     view.set("channel", channel(n, 0));
   }

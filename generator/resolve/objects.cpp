@@ -89,17 +89,27 @@ class ObjectBuilder {
             const std::vector<PortManifest>& ports, std::string_view what,
             std::set<std::string>& into) {
     if (!chosen) return;
+    for (const auto& item : *chosen) into.insert(item.name.value);
+    if (report_unknown(chosen, ports, entity_, what)) draft_.doubtful.insert(spec_.name.value);
+  }
+
+  /// Reports names in a selection that `entity` does not have; true if there was any.
+  bool report_unknown(const std::optional<std::vector<ComponentSpec>>& chosen,
+                      const std::vector<PortManifest>& ports, const Entity& entity,
+                      std::string_view what) {
+    if (!chosen) return false;
     std::vector<std::string> known;
     for (const auto& port : ports) known.push_back(port.name.value);
+    bool any = false;
     for (const auto& item : *chosen) {
-      into.insert(item.name.value);
       if (std::find(known.begin(), known.end(), item.name.value) != known.end()) continue;
+      any = true;
       diagnostics()
           .error("E0307", item.name.span,
-                 fmt::format("`{}` has no {} `{}`", entity_.id.value, what, item.name.value))
+                 fmt::format("`{}` has no {} `{}`", entity.id.value, what, item.name.value))
           .help = suggestion(item.name.value, known, fmt::format("it has no {}s", what));
-      draft_.doubtful.insert(spec_.name.value);
     }
+    return any;
   }
 
   void draft_engine_nodes() {
@@ -133,13 +143,17 @@ class ObjectBuilder {
                              implementation_.engine.value))
           .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
     }
+    report_unknown(spec.inputs, entity.inputs, entity, "input");
+    report_unknown(spec.outputs, entity.outputs, entity, "output");
     for (const auto& port : entity.inputs) {
+      if (spec.inputs && component(spec.inputs, port.name.value) == nullptr) continue;
       node.inputs.push_back(draft_input(port, node.node.name + "." + port.name.value,
                                         spec_.name.span, references, diagnostics()));
       if (port.name.value == "tick")
         node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
     }
     for (const auto& port : entity.outputs) {
+      if (spec.outputs && component(spec.outputs, port.name.value) == nullptr) continue;
       node.outputs.push_back({port.name.value, spec_.name.span,
                               partial_space(port.space, references, diagnostics()), std::nullopt});
     }

@@ -194,10 +194,16 @@ FormatPtr engine_nodes_format() {
   const FormatPtr rate = format::one_of(
       "a rate in Hz, or `$(sensors NAME rate)`, `$(actuators NAME rate)`, `$(config NAME)`",
       {rate_format(), format::text("a reference such as `$(sensors theta rate)`")});
-  return format::map("engine nodes",
-                     format::record("an engine node", {type_field("the id of an engine node"),
-                                                       {"rate", rate, true, "its rate in Hz"},
-                                                       config_field()}));
+  return format::map(
+      "engine nodes",
+      format::record("an engine node",
+                     {type_field("the id of an engine node"),
+                      {"rate", rate, true, "its rate in Hz"},
+                      config_field(),
+                      {"inputs", format::list("a list of inputs", format::name("a name")), false,
+                       "inputs to use (default: all)"},
+                      {"outputs", format::list("a list of outputs", format::name("a name")), false,
+                       "outputs to use (default: all)"}}));
 }
 
 const Format& graph_format() {

@@ -19,6 +19,14 @@ inline constexpr bool traces_inputs = requires {
   requires Trace::kInputs;
 };
 
+/// A trace that also wants to see the objects has `static constexpr bool kSimulators = true` and
+/// `simulator(const char* object, Seq tick, const Simulator& simulator)`, which is called at every
+/// tick of the engine.
+template <class Trace>
+inline constexpr bool traces_simulators = requires {
+  requires Trace::kSimulators;
+};
+
 /// Costs nothing.
 struct NoTrace {
   void episode(std::uint32_t /*index*/) {}

@@ -1,0 +1,120 @@
+"""From a graph to a program that can be driven: the generator, the compiler, the driver."""
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import threading
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+FLAGS = ["-std=c++20", "-O0", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", f"-I{ROOT / 'runtime'}", f"-I{ROOT}", f"-I{HERE}"]
+
+
+class Failure(Exception):
+    """Something could not be made or run."""
+
+
+class Refused(Exception):
+    """The generator has errors: `codes`, and `text` as the user sees them."""
+
+    def __init__(self, codes, text):
+        super().__init__(text)
+        self.codes, self.text = codes, text
+
+
+def call(command, text=None):
+    command = [str(part) for part in command]
+    result = subprocess.run(command, input=text, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    if result.returncode:
+        raise Failure(f"{' '.join(command)}\nexit code {result.returncode}\n{short_end(result.stdout)}")
+    return result.stdout
+
+
+def short_end(text, most=4000):
+    return text if len(text) <= most else "… " + text[-most:]
+
+
+def built_generator(jobs):
+    """Builds eagerx-gen in build-release/, as CMake's preset says."""
+    folder = ROOT / "build-release"
+    cache = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+    if not (folder / "CMakeCache.txt").exists():
+        call(["cmake", "-S", ROOT, "--preset", "release", "-DEAGERX_BUILD_TESTS=OFF", *cache])
+    call(["cmake", "--build", folder, "--target", "eagerx-gen", "-j", jobs])
+    return folder / "eagerx-gen"
+
+
+class Builder:
+    """Makes programs below `work`; graphs whose code is the same share one."""
+
+    def __init__(self, generator, work, library=(), compiler=None):
+        self.generator, self.work = pathlib.Path(generator), pathlib.Path(work)
+        self.library = [HERE / "models", *library]
+        self.compiler = compiler or os.environ.get("CXX", "c++")
+        self.lock = threading.Lock()
+        self.shared_lock = threading.Lock()
+        self.shared_made = False
+        self.programs = {}  # hash of the code → lock, program
+        self.count = 0
+
+    def shared(self):
+        """What all programs need: the driver, and its headers and the runtime's, compiled once."""
+        with self.shared_lock:
+            if not self.shared_made:
+                header = self.work / "common.hpp"
+                includes = sorted((ROOT / "runtime/eagerx").glob("*.hpp"))
+                lines = ["driver.hpp", "array", "bit", "cstdint", "limits", "optional"]
+                lines += [f"eagerx/{path.name}" for path in includes if path.name not in ("eigen.hpp", "policy.hpp")]
+                header.write_text("".join(f"#include <{line}>\n" for line in lines))
+                call([self.compiler, *FLAGS, "-x", "c++-header", header, "-o", f"{header}.gch"])
+                call([self.compiler, *FLAGS, "-c", HERE / "driver.cpp", "-o", self.work / "driver.o"])
+                self.shared_made = True
+
+    def generate(self, graph, options=()):
+        """The folder with the code of a graph file."""
+        with self.lock:
+            self.count += 1
+            out = self.work / "generated" / str(self.count)
+        command = [self.generator, "generate", graph, "-o", out, "--real", "double", "--quiet", *options]
+        for folder in self.library:
+            command += ["--path", folder]
+        command = [str(part) for part in command]
+        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        if result.returncode == 1:
+            raise Refused(re.findall(r"error\[(E\d+)\]", result.stderr), result.stderr)
+        if result.returncode:
+            raise Failure(f"{' '.join(command)}\nexit code {result.returncode}\n{result.stderr}")
+        return out
+
+    def program(self, graph, options=()):
+        """The program of a graph file."""
+        folder = self.generate(graph, options)
+        header = next(folder.glob("*/graph.hpp"))
+        name = header.parent.name
+        code = "".join(path.read_text() for path in sorted(header.parent.glob("*.hpp")))
+        code = re.sub(rf"\b{name}\b", "graph", re.sub(r"//.*", "", code))
+        key = hashlib.sha256(code.encode()).hexdigest()[:16]
+        with self.lock:
+            entry = self.programs.setdefault(key, [threading.Lock(), None])
+        with entry[0]:
+            if entry[1] is None:
+                entry[1] = self.build(folder, name, key)
+        return entry[1]
+
+    def build(self, folder, name, key):
+        self.shared()
+        source, program = self.work / f"{key}.cpp", self.work / key
+        source.write_text(f'#include "{name}/graph.hpp"\n\nint main() {{ return eagerx::conformance::run<{name}::Graph>(); }}\n')
+        call([self.compiler, *FLAGS, "-include", self.work / "common.hpp", f"-I{folder}", source, self.work / "driver.o", "-o", program])
+        return program
+
+
+def run(program, script):
+    return call([program], script)
+
+
+def problems(text):
+    return json.loads(text)
