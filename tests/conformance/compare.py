@@ -23,6 +23,7 @@ class Totals:
         self.ticks = self.inputs = self.messages = self.observations = self.simulators = 0
         self.values = 0  # numbers compared
         self.late = 0  # inputs of the engine where EAGERx hands a message over later than ours has it
+        self.processed = 0  # outputs behind a processor
         self.largest = 0.0  # deviation
         self.where = ""
         self.pictures = []
@@ -161,7 +162,9 @@ class Comparison:
                 continue
             if name not in got.sent:
                 self.fail(node, tick, f"output `{name}`", value, "nothing")
-            if name not in processed:  # recorded before the processor; its receivers' messages are behind it
+            if name in processed:  # recorded before the processor; its receivers' messages are behind it
+                self.totals.processed += 1
+            else:
                 self.values(node, tick, f"output `{name}`", value, got.sent[name])
 
     def observations(self):

@@ -1,6 +1,5 @@
 """From a graph to a program that can be driven: the generator, the compiler, the driver."""
 import hashlib
-import json
 import os
 import pathlib
 import re
@@ -73,12 +72,30 @@ class Builder:
                 call([self.compiler, *FLAGS, "-c", HERE / "driver.cpp", "-o", self.work / "driver.o"])
                 self.shared_made = True
 
-    def generate(self, graph, options=()):
+    def options(self, graph, recording):
+        """What a file of Graph.save does not say: the engine and the rates."""
+        if recording is None or not re.search(r"^engine_id: null$", graph.read_text(), re.MULTILINE):
+            return []
+        options = ["--rate", recording.rate, "--engine-rate", recording.content["engine"]["rate"]]
+        engine = recording.nodes.get("engine")
+        return options + (["--engine", self.engines()[engine["entity_id"]]] if engine else [])
+
+    def engines(self):
+        """Our names of EAGERx's engines."""
+        found = {}
+        for folder in [ROOT / "models", *self.library]:
+            for manifest in folder.glob("engines/*/manifest.yaml"):
+                text = manifest.read_text()
+                for theirs in re.findall(r"[\w.]+/\w+", re.search(r"^eagerx: (.*)", text, re.MULTILINE)[1]):
+                    found[theirs] = re.search(r"^id: (\w+)", text, re.MULTILINE)[1]
+        return found
+
+    def generate(self, graph, recording=None):
         """The folder with the code of a graph file."""
         with self.lock:
             self.count += 1
             out = self.work / "generated" / str(self.count)
-        command = [self.generator, "generate", graph, "-o", out, "--real", "double", "--quiet", *options]
+        command = [self.generator, "generate", graph, "-o", out, "--real", "double", "--quiet", *self.options(graph, recording)]
         for folder in self.library:
             command += ["--path", folder]
         command = [str(part) for part in command]
@@ -89,9 +106,9 @@ class Builder:
             raise Failure(f"{' '.join(command)}\nexit code {result.returncode}\n{result.stderr}")
         return out
 
-    def program(self, graph, options=()):
+    def program(self, graph, recording=None):
         """The program of a graph file."""
-        folder = self.generate(graph, options)
+        folder = self.generate(graph, recording)
         header = next(folder.glob("*/graph.hpp"))
         name = header.parent.name
         code = "".join(path.read_text() for path in sorted(header.parent.glob("*.hpp")))
@@ -111,10 +128,3 @@ class Builder:
         call([self.compiler, *FLAGS, "-include", self.work / "common.hpp", f"-I{folder}", source, self.work / "driver.o", "-o", program])
         return program
 
-
-def run(program, script):
-    return call([program], script)
-
-
-def problems(text):
-    return json.loads(text)
