@@ -104,7 +104,11 @@ class Planner {
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const Input& input = node.inputs[i];
       std::uint64_t needed = 1;
-      const bool source_first = place_[input.source_node] < place_[n];
+      // A callback writes its output into the ring while it still reads: where it reads that ring
+      // itself, the message it writes needs a place of its own.
+      const bool writes_what_it_reads = input.source_node == n && !input.processor &&
+                                        !node.outputs[input.source_output].processor;
+      const bool source_first = place_[input.source_node] < place_[n] || writes_what_it_reads;
       auto reception = plan_reception(input, graph_.nodes[input.source_node].rate_hz, node.rate_hz,
                                       source_first, needed, diagnostics_);
       if (!reception) reception.emplace();

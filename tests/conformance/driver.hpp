@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/trace.hpp>
 #include <memory>
 #include <type_traits>
 
@@ -35,9 +36,15 @@ class Line {
 /// Ends the program: the script does not fit it.
 [[noreturn]] void refuse(const char* what, const char* name);
 
-inline void print(bool value) { std::printf(" %d", value ? 1 : 0); }
-inline void print(double value) { std::printf(" %#.17g", value); }
-inline void print(std::int64_t value) { std::printf(" %" PRId64, value); }
+inline void print(bool value) {
+  std::printf(" %d", value ? 1 : 0);
+}
+inline void print(double value) {
+  std::printf(" %#.17g", value);
+}
+inline void print(std::int64_t value) {
+  std::printf(" %" PRId64, value);
+}
 
 template <class Message>
 void print_message(const Message& message) {
@@ -76,10 +83,11 @@ struct PrintingTrace {
   static constexpr bool kInputs = true;
   static constexpr bool kSimulators = true;
 
-  void episode(std::uint32_t /*index*/) {}
+  HashTrace hash;
 
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+    hash(channel, seq, message);
     std::printf("sent %s %" PRIu64, Graph::kChannels[channel], seq);
     print_message(message);
     std::printf("\n");
@@ -177,6 +185,7 @@ int run() {
       refuse("command", line->text());
     }
   }
+  std::printf("hash %016" PRIx64 "\n", program->trace.hash.hash());
   return 0;
 }
 

@@ -108,7 +108,10 @@ class Builder:
 
     def program(self, graph, recording=None):
         """The program of a graph file."""
-        folder = self.generate(graph, recording)
+        return self.program_of(self.generate(graph, recording))
+
+    def program_of(self, folder):
+        """The program of generated code."""
         header = next(folder.glob("*/graph.hpp"))
         name = header.parent.name
         code = "".join(path.read_text() for path in sorted(header.parent.glob("*.hpp")))

@@ -62,6 +62,8 @@ def parse(text):
             episode.observations.append({})
         elif word == "seen":
             episode.observations[-1][rest[0]] = [number(value) for value in rest[1:]]
+        elif word == "hash":
+            break
         elif word == "reset":
             episode, pending = Episode(), []
             episodes.append(episode)

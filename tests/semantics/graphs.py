@@ -1,4 +1,4 @@
-"""Graphs of integer entities (tests/data/semantics/models): written by hand, and drawn at random. A graph is made
+"""Graphs of integer entities (tests/conformance/models): written by hand, and drawn at random. A graph is made
 here once and turned into both the generator's YAML and the network of kahn.py.
 """
 import random
@@ -38,7 +38,7 @@ class Graph:
         if self.things:
             lines.append("objects:")
         for name, (nid, rates) in self.things.items():
-            lines.append(f"  {name}:\n    type: OracleObject\n    config: {{nid: {nid}}}\n    states: {{st0: uniform}}")
+            lines.append(f"  {name}:\n    type: OObject\n    config: {{nid: {nid}}}\n    states: {{st0: uniform}}")
             for kind, first in (("sensors", "s"), ("actuators", "a")):
                 chosen = [f"{port}: {{rate: {rate}}}" for port, rate in rates.items() if port[0] == first]
                 if chosen:
@@ -46,7 +46,7 @@ class Graph:
         if self.count_nodes:
             lines.append("nodes:")
         for name, (nid, rate, inputs, outputs, add) in self.count_nodes.items():
-            chosen = ", ".join(f"{o}: {{processor: {{type: Add, config: {{k: {add[o]}}}}}}}" if o in add else f"{o}: {{}}" for o in outputs)
+            chosen = ", ".join(f"{o}: {{processor: {{type: AddProc, config: {{k: {add[o]}}}}}}}" if o in add else f"{o}: {{}}" for o in outputs)
             lines.append(f"  {name}: {{type: CountNode, rate: {rate}, config: {{nid: {nid}}}, inputs: [{', '.join(inputs)}], "
                          f"outputs: {{{chosen}}}, states: {{s0: uniform}}}}")
         lines.append("actions:")
@@ -59,7 +59,7 @@ class Graph:
             if settings.get("skip"):
                 text += ", skip: true"
             if "add" in settings:
-                text += f", processor: {{type: Add, config: {{k: {settings['add']}}}}}"
+                text += f", processor: {{type: AddProc, config: {{k: {settings['add']}}}}}"
             lines.append(f"  - {{from: {source}, to: {target}{text}}}")
         lines.append("agent: random")
         return "\n".join(lines) + "\n"

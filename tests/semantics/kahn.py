@@ -3,6 +3,7 @@ that fire, in any order, when the formula of section 3 is satisfied. Nothing her
 programs count, order or store anything. Rates and delays are fractions.
 """
 import functools
+import json
 import math
 import random
 from fractions import Fraction
@@ -56,6 +57,28 @@ class Input:
         return result
 
 
+    def writes_what_it_reads(self, nodes, node):
+        """A callback's output is written where its input still is, unless a processor stands between."""
+        return self.source == node.name and self.output not in node.add and self.add is None
+
+    def most_held(self, nodes, node, source_first):
+        """The most messages from the oldest in the window to the newest sent, at any tick: what a ring must hold.
+        The pattern repeats when the rates have come together once after delay and window."""
+        source = nodes[self.source]
+        ratio = source.rate / node.rate
+        full = max(1, self.window) * math.ceil(1 / ratio) + math.ceil(self.delay * node.rate)
+        consumed, most = 0, 1
+        for tick in range(full + 2 * ratio.denominator + 8):
+            new = count(source.rate, node.rate, self.delay, self.skip, tick)
+            consumed += new
+            held = new if self.window == 0 else min(self.window, consumed)
+            latest = ratio * tick  # the source's newest tick, perhaps of this instant
+            sent = math.floor(latest) + (1 if source_first or latest.denominator > 1 else 0)
+            if held:
+                most = max(most, sent - (consumed - held))
+        return most
+
+
 class Node:
     """kind: environment, engine, count, sensor or actuator."""
 
@@ -88,8 +111,8 @@ def fold(windows, h):
 class Record:
     """What happened at a tick of a node."""
 
-    def __init__(self, time, windows, sent):
-        self.time, self.windows, self.sent = time, windows, sent
+    def __init__(self, time, windows, sent, simulators):
+        self.time, self.windows, self.sent, self.simulators = time, windows, sent, simulators
 
 
 class Network:
@@ -117,13 +140,16 @@ class Network:
                 return behind - {"environment"}
             behind |= more
 
-    def run(self, steps, states, actions, order):
-        """Records of an episode up to the environment's tick `steps`: (node, tick) → Record.
-        `actions[k][name]`: message; `order`: a random.Random that chooses who fires."""
+    def start(self, states):
         for node in self.nodes.values():
             node.reset(states.get((node.name, "s0")))
         self.state = {thing: states.get((thing, "st0"), (0, 0))[0] for thing in self.objects}
         self.inputs = {thing: {} for thing in self.objects}
+
+    def run(self, steps, states, actions, order):
+        """Records of an episode up to the environment's tick `steps`: (node, tick) → Record.
+        `actions[k][name]`: message; `order`: a random.Random that chooses who fires."""
+        self.start(states)
         end = Fraction(steps) / self.nodes["environment"].rate
         records = {}
         waiting = sorted(self.nodes)  # who may have become ready
@@ -131,9 +157,9 @@ class Network:
             place = order.randrange(len(waiting))
             waiting[place], waiting[-1] = waiting[-1], waiting[place]
             node = self.nodes[waiting.pop()]
-            while self._ready(node, end):
+            while node.time() <= end and self.is_ready(node):
                 tick = node.tick
-                record = self._fire(node, actions if tick < steps else None)
+                record = self.fire(node, actions if tick < steps else None)
                 if not (node.name in self.behind and record.time == end):
                     records[node.name, tick] = record
                 waiting += [name for name in self.readers[node.name] if name not in waiting]
@@ -142,8 +168,9 @@ class Network:
                     break
         return records
 
-    def _ready(self, node, end):
-        if node.time() > end or not all(item.available(self.nodes, node, node.tick) for item in node.inputs):
+    def is_ready(self, node):
+        """Whether its messages are there, and, of the engine and its nodes, whether it is their turn."""
+        if not all(item.available(self.nodes, node, node.tick) for item in node.inputs):
             return False
         others = self.nodes.values()
         if node.kind == "engine":  # earliest first
@@ -152,14 +179,16 @@ class Network:
             return self.nodes["engine"].time() > node.time()
         return True
 
-    def _fire(self, node, actions):
+    def fire(self, node, actions):
         windows = [(item.name, item.take(self.nodes, node, node.tick)) for item in node.inputs]
         sent = getattr(self, "_" + node.kind)(node, windows, actions)
         for output, message in sent.items():
             if output in node.add:
                 message = (message[0], message[1] + node.add[output])
             node.sent[output].append(message)
-        record = Record(node.time(), windows, {output: node.sent[output][-1] for output in sent})
+        simulators = {thing: {"state": self.state[thing], "input": sum(self.inputs[thing].values()) % MODULUS}
+                      for thing in (self.objects if node.kind == "engine" else [])}
+        record = Record(node.time(), windows, {output: node.sent[output][-1] for output in sent}, simulators)
         node.tick += 1
         return record
 
@@ -189,39 +218,65 @@ class Network:
         return self._message(node, h)
 
 
-def recording(network, steps, episodes, seed):
-    """Lines in the format of tests/conformance. `episodes`: the states of each. Every episode is simulated twice
-    in different firing orders, which must make no difference."""
-    nodes = network.nodes
+def recording(name, network, steps, episodes, seed):
+    """What EAGERx would have recorded, in the form of its recordings (tests/conformance/README.md). `episodes`: the
+    states of each. Every episode is simulated twice in different firing orders, which must make no difference."""
     chooser = random.Random(seed)
+    content = {"name": name, "env_rate": number(network.nodes["environment"].rate), "env_trace": [],
+               "nodes": {node.name: described(network, node) for node in network.nodes.values()},
+               "node_trace": {name: [] for name in network.nodes}}
     for states in episodes:
-        actions = [{output: (chooser.randrange(1000), chooser.randrange(1000)) for output in nodes["environment"].outputs}
+        actions = [{output: (chooser.randrange(1000), chooser.randrange(1000)) for output in network.nodes["environment"].outputs}
                    for _ in range(steps)]
         records = network.run(steps, states, actions, random.Random(1))
         again = network.run(steps, states, actions, random.Random(2))
         assert {k: v.__dict__ for k, v in records.items()} == {k: v.__dict__ for k, v in again.items()}
-        yield "episode"
-        for (owner, state), value in states.items():
-            values = value if isinstance(value, tuple) else (value,)
-            yield ",".join(["state", f"{owner}_{state}"] + [str(v) for v in values])
-        for (name, tick), record in sorted(records.items()):
-            yield f"tick,{name},{tick},{round(float(record.time), 12)!r}"
-            for item, (_, window) in zip(nodes[name].inputs, record.windows):
-                source = nodes[item.source]
-                stamps = [repr(round(float(source.time(seq)), 12)) for seq, _ in window]
-                values = [str(v) for _, message in window for v in (message if isinstance(message, tuple) else (message,))]
-                yield ",".join(["in", item.name, str(len(window))] + [str(seq) for seq, _ in window] + stamps + values)
-                if name == "environment":
-                    yield ",".join(["obs", item.name] + padded(item, window))
-            for output, message in record.sent.items():
-                yield ",".join(["out", output] + [str(v) for v in (message if isinstance(message, tuple) else (message,))])
+        observations = [{item.name: padded(item, window) for item, (_, window) in
+                         zip(network.nodes["environment"].inputs, records["environment", k].windows)} for k in range(steps + 1)]
+        content["env_trace"].append({
+            "states": {f"{owner}/{state}": value for (owner, state), value in states.items()}, "reset_obs": observations[0],
+            "steps": [{"action": action, "obs": seen} for action, seen in zip(actions, observations[1:])]})
+        for node in network.nodes.values():
+            ticks = [records[node.name, k] for k in range(node.tick) if (node.name, k) in records]
+            content["node_trace"][node.name].append(list(recorded(network, node, ticks)))
+    return json.loads(json.dumps(content))  # lists for tuples
+
+
+def number(rate):
+    return int(rate) if rate.denominator == 1 else float(rate)
+
+
+def described(network, node):
+    inputs = [{"name": item.name, "source": f"{item.source}/outputs/{item.output}", "skip": item.skip} for item in node.inputs]
+    outputs = [{"name": output, "processor": None, "shape": [2]} for output in node.outputs]
+    return {"rate": number(node.rate), "inputs": inputs, "outputs": outputs}
+
+
+def recorded(network, node, ticks):
+    """The ticks of an episode; a message is handed over at the first tick that sees it."""
+    handed = {}
+    for tick, record in enumerate(ticks):
+        inputs = {}
+        for item, (_, window) in zip(node.inputs, record.windows):
+            source = network.nodes[item.source]
+            first = [handed.setdefault((item.name, seq), tick) for seq, _ in window]
+            inputs[item.name] = {
+                "rate_in": number(source.rate), "seq": [seq for seq, _ in window], "sc": [stamp(source, seq) for seq, _ in window],
+                "t_node_seq": first, "t_node_sc": [stamp(node, n) for n in first], "msgs": [message for _, message in window]}
+        result = {"tick": tick, "t_n": stamp(node, tick), "num_ticks": tick, "inputs": inputs, "out": record.sent or None}
+        if node.kind == "engine":
+            result["sim"] = record.simulators
+        yield result
+
+
+def stamp(node, tick):
+    return round(float(node.time(tick)), 12)
 
 
 def padded(item, window):
-    """An observation as the agent sees it: copies of the oldest message in front; zeros without any (EAGERx: NaN,
-    which integers do not have)."""
+    """An observation as the agent sees it: copies of the oldest message in front, "nan" without any."""
     messages = [message for _, message in window]
     if item.window > 0:
         missing = item.window - len(messages)
-        messages = [messages[0] if messages else (0, 0)] * missing + messages
-    return [str(v) for message in messages for v in message]
+        messages = [messages[0] if messages else ("nan", "nan")] * missing + messages
+    return messages
