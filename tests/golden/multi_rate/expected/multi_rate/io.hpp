@@ -192,7 +192,7 @@ struct SlowIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("signal", signal);
+      f("signal", this->signal);
     }
   };
   struct Outputs {
@@ -215,7 +215,7 @@ struct FastIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("signal", signal);
+      f("signal", this->signal);
     }
   };
   struct Outputs {
@@ -236,7 +236,7 @@ struct LeftXIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
+      f("tick", this->tick);
     }
   };
   struct Outputs {
@@ -258,7 +258,7 @@ struct LeftThetaIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("observation_array", observation_array);
+      f("observation_array", this->observation_array);
     }
   };
   struct Outputs {
@@ -280,7 +280,7 @@ struct LeftThetaDotIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("observation_array", observation_array);
+      f("observation_array", this->observation_array);
     }
   };
   struct Outputs {
@@ -303,8 +303,8 @@ struct LeftUIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
-      f("action", action);
+      f("tick", this->tick);
+      f("action", this->action);
     }
   };
   struct Outputs {
@@ -326,8 +326,8 @@ struct LeftUAppliedIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
-      f("action_applied", action_applied);
+      f("tick", this->tick);
+      f("action_applied", this->action_applied);
     }
   };
   struct Outputs {
@@ -349,7 +349,7 @@ struct RightXIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
+      f("tick", this->tick);
     }
   };
   struct Outputs {
@@ -371,7 +371,7 @@ struct RightThetaIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("observation_array", observation_array);
+      f("observation_array", this->observation_array);
     }
   };
   struct Outputs {
@@ -394,8 +394,8 @@ struct RightUIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
-      f("action", action);
+      f("tick", this->tick);
+      f("action", this->action);
     }
   };
   struct Outputs {
@@ -417,8 +417,8 @@ struct RightUAppliedIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
-      f("action_applied", action_applied);
+      f("tick", this->tick);
+      f("action_applied", this->action_applied);
     }
   };
   struct Outputs {

@@ -23,8 +23,8 @@ struct Action {
 
   template <class F>
   void for_each(F&& f) const {
-    f("voltage", voltage);
-    f("push", push);
+    f("voltage", this->voltage);
+    f("push", this->push);
   }
 };
 
@@ -39,11 +39,11 @@ struct Observation {
 
   template <class F>
   void for_each(F&& f) const {
-    f("angle", angle);
-    f("speeds", speeds);
-    f("recent", recent);
-    f("applied", applied);
-    f("other", other);
+    f("angle", this->angle);
+    f("speeds", this->speeds);
+    f("recent", this->recent);
+    f("applied", this->applied);
+    f("other", this->other);
   }
 };
 
@@ -59,12 +59,12 @@ struct States {
   /// f(name, optional message) for each.
   template <class F>
   void for_each(F&& f) {
-    f("left_model_state", left_model_state);
-    f("left_mass", left_mass);
-    f("left_length", left_length);
-    f("right_model_state", right_model_state);
-    f("right_max_speed", right_max_speed);
-    f("right_length", right_length);
+    f("left_model_state", this->left_model_state);
+    f("left_mass", this->left_mass);
+    f("left_length", this->left_length);
+    f("right_model_state", this->right_model_state);
+    f("right_max_speed", this->right_max_speed);
+    f("right_length", this->right_length);
   }
 };
 

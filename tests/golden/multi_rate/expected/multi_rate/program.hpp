@@ -102,6 +102,8 @@ class Program {
         if (n60Hz_ > 1) engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n60Hz_ - 1);
         trace(channel::engine_tick, n60Hz_ - 1, engine_tick_[0]);
+        if constexpr (eagerx::traces_simulators<Trace>) trace.simulator("left", n60Hz_ - 1, left_simulator_);
+        if constexpr (eagerx::traces_simulators<Trace>) trace.simulator("right", n60Hz_ - 1, right_simulator_);
       }
     }
     if ((due & k30Hz) != 0) {

@@ -95,7 +95,7 @@ struct SmoothIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("signal", signal);
+      f("signal", this->signal);
     }
   };
   struct Outputs {
@@ -116,7 +116,7 @@ struct PendulumXIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
+      f("tick", this->tick);
     }
   };
   struct Outputs {
@@ -138,7 +138,7 @@ struct PendulumThetaIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("observation_array", observation_array);
+      f("observation_array", this->observation_array);
     }
   };
   struct Outputs {
@@ -160,7 +160,7 @@ struct PendulumThetaDotIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("observation_array", observation_array);
+      f("observation_array", this->observation_array);
     }
   };
   struct Outputs {
@@ -183,8 +183,8 @@ struct PendulumUIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
-      f("action", action);
+      f("tick", this->tick);
+      f("action", this->action);
     }
   };
   struct Outputs {
@@ -206,8 +206,8 @@ struct PendulumUAppliedIo {
 
     template <class F>
     void for_each(F&& f) const {
-      f("tick", tick);
-      f("action_applied", action_applied);
+      f("tick", this->tick);
+      f("action_applied", this->action_applied);
     }
   };
   struct Outputs {

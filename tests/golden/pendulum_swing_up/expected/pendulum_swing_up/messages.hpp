@@ -22,7 +22,7 @@ struct Action {
 
   template <class F>
   void for_each(F&& f) const {
-    f("voltage", voltage);
+    f("voltage", this->voltage);
   }
 };
 
@@ -34,8 +34,8 @@ struct Observation {
 
   template <class F>
   void for_each(F&& f) const {
-    f("angle", angle);
-    f("theta_dot", theta_dot);
+    f("angle", this->angle);
+    f("theta_dot", this->theta_dot);
   }
 };
 
@@ -46,7 +46,7 @@ struct States {
   /// f(name, optional message) for each.
   template <class F>
   void for_each(F&& f) {
-    f("pendulum_model_state", pendulum_model_state);
+    f("pendulum_model_state", this->pendulum_model_state);
   }
 };
 

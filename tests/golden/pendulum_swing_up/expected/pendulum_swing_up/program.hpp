@@ -65,6 +65,7 @@ class Program {
         if (n30Hz_ > 1) engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n30Hz_ - 1);
         trace(channel::engine_tick, n30Hz_ - 1, engine_tick_[0]);
+        if constexpr (eagerx::traces_simulators<Trace>) trace.simulator("pendulum", n30Hz_ - 1, pendulum_simulator_);
       }
       // pendulum/u_applied: ActionApplied, graph.yaml:13:3
       {
