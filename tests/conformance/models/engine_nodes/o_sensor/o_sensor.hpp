@@ -17,7 +17,9 @@ class OSensor {
 
   void callback(const eagerx::Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out,
                 Simulator& simulator) {
-    constexpr bool kReadsState = requires { in.tick; };
+    constexpr bool kReadsState = requires {
+      in.tick;
+    };
     const std::int64_t state = kReadsState ? simulator.state : 0;
     send(out, Io::Config::nid + Io::Config::index, tick, fold(in, state));
   }
