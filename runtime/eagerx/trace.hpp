@@ -20,8 +20,9 @@ inline constexpr bool traces_inputs = requires {
 };
 
 /// A trace that also wants to see the objects has `static constexpr bool kSimulators = true` and
-/// `simulator(const char* object, Seq tick, const Simulator& simulator)`, which is called at every
-/// tick of the engine.
+/// `simulator(const char* object, Seq tick, Simulator& simulator)`, which is called at every tick
+/// of the engine, before anything reads it; at tick 0 it may set the state that the episode begins
+/// in.
 template <class Trace>
 inline constexpr bool traces_simulators = requires {
   requires Trace::kSimulators;

@@ -9,8 +9,11 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
+#include <map>
 #include <memory>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace eagerx::conformance {
 
@@ -84,6 +87,7 @@ struct PrintingTrace {
   static constexpr bool kSimulators = true;
 
   HashTrace hash;
+  std::map<std::string, std::vector<double>> begin_in;  // states of objects at the engine's tick 0
 
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
@@ -106,8 +110,14 @@ struct PrintingTrace {
     });
   }
 
+  void reset_phase(bool begins) { std::printf("phase %d\n", begins ? 1 : 0); }
+
   template <class Simulator>
-  void simulator(const char* object, Seq tick, const Simulator& simulator) {
+  void simulator(const char* object, Seq tick, Simulator& simulator) {
+    const auto begin = begin_in.find(object);
+    if constexpr (requires { simulator.state; }) {
+      if (tick == 0 && begin != begin_in.end()) set_elements(simulator.state, begin->second);
+    }
     std::printf("input %s %" PRIu64, object, tick);
     if constexpr (requires { simulator.input(); }) {
       print_message(simulator.input());
@@ -120,6 +130,18 @@ struct PrintingTrace {
   }
 
  private:
+  template <class Values>
+  static void set_elements(Values& values, const std::vector<double>& wanted) {
+    if constexpr (requires { values.begin(); }) {
+      auto value = wanted.begin();
+      for (auto& element : values) {
+        if (value == wanted.end()) refuse("an object with so few values", "state");
+        element = static_cast<std::remove_reference_t<decltype(element)>>(*value++);
+      }
+    } else {
+      values = static_cast<Values>(wanted.at(0));
+    }
+  }
   template <class Values>
   static void print_elements(const Values& values) {
     if constexpr (requires { values.begin(); }) {
@@ -175,10 +197,15 @@ int run() {
       set_state(states, *line);
     } else if (line->begins_with("action")) {
       set_action<Graph>(action, *line);
+    } else if (line->begins_with("object")) {
+      std::vector<double>& values = program->trace.begin_in[line->text()];
+      for (std::size_t i = 0; i < line->values(); ++i)
+        values.push_back(std::strtod(line->value(i), nullptr));
     } else if (line->begins_with("reset")) {
       std::printf("reset\n");
       print_observation(program->reset(states));
       states = {};
+      program->trace.begin_in.clear();
     } else if (line->begins_with("step")) {
       print_observation(program->step(action));
     } else {

@@ -30,6 +30,8 @@ class Recording:
         self.nodes = {name: node for name, node in content.get("nodes", {}).items() if "rate" in node}
         self.episodes = content.get("env_trace", [])
         self.ticks = content.get("node_trace", {})
+        self.phases = content.get("reset_trace", {})  # after each episode: the routine of the reset nodes
+        self.has_reset_nodes = any(node.get("targets") for node in self.nodes.values())
         self.exact = content.get("values_exact", True)
         self.rate = content["env_rate"]
 
@@ -61,27 +63,56 @@ class Recording:
         return len(self.episodes[episode]["steps"]) / self.rate
 
     def states(self, episode):
-        """The states that are set, by their address."""
-        return dict(self.episodes[episode]["states"])
+        """The states that are set, by their address. After the last episode: what the reset nodes were asked for."""
+        if episode < len(self.episodes):
+            return dict(self.episodes[episode]["states"])
+        states = {}
+        for name, node in self.nodes.items():
+            for target in node.get("targets", []):
+                for tick in self.phase(name, episode - 1)[:1]:
+                    states[target["source"].replace("/states/", "/")] = tick["inputs"][target["name"]]["msgs"][0]
+        return states
+
+    def phase(self, node, episode):
+        """Ticks of the routine of the reset nodes after an episode."""
+        phases = self.phases.get(node, [])
+        return phases[episode] if episode < len(phases) else []
+
+    def phase_end(self, episode):
+        """Time of the last callback of a reset node after an episode; None without any."""
+        return max((tick["t_n"] for name, node in self.nodes.items() if node.get("targets")
+                    for tick in self.phase(name, episode)), default=None)
+
+    def begins_in(self, episode):
+        """States of objects that no reset sets: where the routine, or the episode before, happened to end."""
+        chosen = {address.split("/")[0] for address in self.states(episode)}
+        return {thing: flat(sim["state"]) for thing, sim in self.ticks["engine"][episode][0].get("sim", {}).items()
+                if self.has_reset_nodes or thing not in chosen}
 
     def script(self):
-        """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode. After the last
-        step of an episode more steps, with actions zero, reach what other nodes had already executed."""
+        """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode; programs with reset
+        nodes do that themselves. After the last step of an episode more steps, with actions zero, reach what other
+        nodes had already executed; the routine of the reset nodes reaches it too."""
         lines = []
         for index, episode in enumerate(self.episodes):
-            for _ in range(2 if index == 0 else 1):
-                for name, value in self.states(index).items():
-                    lines.append(words("state", name, flat(value)))
+            for _ in range(2 if index == 0 and not self.has_reset_nodes else 1):
+                lines += [words("state", name, flat(value)) for name, value in self.states(index).items()]
+                lines += [words("object", name, values) for name, values in self.begins_in(index).items()]
                 lines.append("reset")
             for step in episode["steps"]:
-                for name, value in step["action"].items():
-                    lines.append(words("action", name, flat(value)))
+                lines += [words("action", name, flat(value)) for name, value in step["action"].items()]
                 lines.append("step")
-            for output in self.nodes["environment"]["outputs"]:
-                lines.append(words("action", output["name"], [0] * math.prod(output["shape"])))
-            last = max(ticks[index][-1]["t_n"] for ticks in self.ticks.values() if ticks[index])
-            lines += ["step"] * (1 + math.ceil((last - self.end(index)) * self.rate))
+            if self.phase_end(index) is None:
+                lines += self.more_steps(index)
+        if self.phase_end(len(self.episodes) - 1) is not None:
+            lines += [words("state", name, flat(value)) for name, value in self.states(len(self.episodes)).items()]
+            lines.append("reset")
         return "\n".join(lines) + "\n"
+
+    def more_steps(self, index):
+        lines = [words("action", output["name"], [0] * math.prod(output["shape"])) for output in self.nodes["environment"]["outputs"]]
+        last = max(ticks[index][-1]["t_n"] for ticks in self.ticks.values() if ticks[index])
+        return lines + ["step"] * (1 + math.ceil((last - self.end(index)) * self.rate))
 
 
 def words(*parts):

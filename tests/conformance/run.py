@@ -13,17 +13,20 @@ class Window:
 
 
 class Tick:
-    """`time`: None of the engine, which has no inputs in our programs."""
+    """`time`: None of the engine, which has no inputs in our programs. `phase`: in the routine of the reset nodes."""
 
-    def __init__(self, time=None):
-        self.time = time
+    def __init__(self, time, phase):
+        self.time, self.phase = time, phase
         self.windows = {}
         self.sent = {}
         self.callbacks = 0  # before this one
 
 
 class Episode:
+    """With the routine of the reset nodes that comes after it."""
+
     def __init__(self):
+        self.phase = False
         self.ticks = {}  # node → {tick: Tick}
         self.before_engine = {}  # tick of the engine → [(node, output, seq, values)] sent since its last one
         self.simulators = {}  # (object, tick of the engine) → {"input": values, "state": values}
@@ -32,7 +35,7 @@ class Episode:
     def tick(self, node, tick, time=None):
         ticks = self.ticks.setdefault(node, {})
         if tick not in ticks:
-            ticks[tick] = Tick(time)
+            ticks[tick] = Tick(time, self.phase)
             ticks[tick].callbacks = len(ticks) - 1
         return ticks[tick]
 
@@ -40,9 +43,18 @@ class Episode:
 def parse(text):
     """All episodes, the initialisation too."""
     episodes, now, pending = [], None, []
-    episode = None
+    episode, ended = None, True
     for line in text.splitlines():
         word, *rest = line.split(" ")
+        if word == "reset":
+            ended = True
+            continue
+        if word == "phase":
+            episode.phase, ended = rest[0] == "1", rest[0] == "0"
+            continue
+        if ended:
+            episode, pending, ended = Episode(), [], False
+            episodes.append(episode)
         if word == "window":
             now.windows[rest[0]] = Window(int(rest[1]), rest[2:])
         elif word == "tick":
@@ -64,9 +76,6 @@ def parse(text):
             episode.observations[-1][rest[0]] = [number(value) for value in rest[1:]]
         elif word == "hash":
             break
-        elif word == "reset":
-            episode, pending = Episode(), []
-            episodes.append(episode)
         else:
             raise ValueError(f"line `{line}`")
     return episodes
