@@ -127,7 +127,7 @@ class Builder:
     def build(self, folder, name, key):
         self.shared()
         source, program = self.work / f"{key}.cpp", self.work / key
-        source.write_text(f'#include "{name}/graph.hpp"\n\nint main() {{ return eagerx::conformance::run<{name}::Graph>(); }}\n')
+        source.write_text(f'#include "{name}/graph.hpp"\n\nint main() {{ return eagerx::conformance::run<graphs::{name}::Graph>(); }}\n')
         call([self.compiler, *FLAGS, "-include", self.work / "common.hpp", f"-I{folder}", source, self.work / "driver.o", "-o", program])
         return program
 
