@@ -93,7 +93,7 @@ class ResetView {
     const State& state = graph_.nodes[n].states[s];
     if (!state.settable) return "{}";
     uses_states_ = true;
-    const std::string value =
+    std::string value =
         optional("states." + names_.node_state[n][s], names_.node_state_processor[n][s]);
     if (!is_node_target_[n][s]) return value;
     return fmt::format("sets_targets ? {} : std::nullopt",
