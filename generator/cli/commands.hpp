@@ -1,8 +1,11 @@
 // The commands of eagerx-gen.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "generator/read/rational.hpp"
 
 namespace eagerx::gen {
 
@@ -11,10 +14,11 @@ enum ExitCode : int { kDone = 0, kProblems = 1, kWrongUsage = 2, kInputOutput = 
 
 struct Options {
   std::string graph;
-  std::string output;                // empty: generated/<name of the graph>
-  std::vector<std::string> targets;  // empty: linux-sim
-  std::string engine, real;          // empty: the graph's
-  std::vector<std::string> paths;    // folders of the user's own entities and targets
+  std::string output;                               // empty: generated/<name of the graph>
+  std::vector<std::string> targets;                 // empty: linux-sim
+  std::string engine, real;                         // empty: the graph's
+  std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
+  std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
   std::string entity;  // info
   bool json = false;   // --diagnostics=json
@@ -23,6 +27,7 @@ struct Options {
 
 int generate_command(const Options& options);
 int check_command(const Options& options);
+int import_command(const Options& options);
 int info_command(const Options& options);
 int schema_command();
 

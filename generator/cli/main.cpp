@@ -24,6 +24,27 @@ void add_selection(CLI::App& app, Options& options) {
       ->type_name("NAME");
 }
 
+void add_rate(CLI::App& app, const char* name, const char* about,
+              std::optional<eagerx::gen::Rational>& rate) {
+  app.add_option_function<std::string>(
+         name, [&rate](const std::string& text) { rate = eagerx::gen::Rational::parse(text); },
+         about)
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            const auto value = eagerx::gen::Rational::parse(text);
+            return value && *value > eagerx::gen::Rational() ? std::string()
+                                                             : text + " is no rate in Hz";
+          },
+          ""))
+      ->type_name("HZ");
+}
+
+void add_rates(CLI::App& app, Options& options) {
+  add_rate(app, "--rate", "rate of the environment instead of the graph's", options.rate_hz);
+  add_rate(app, "--engine-rate", "rate of the engine instead of the graph's",
+           options.engine_rate_hz);
+}
+
 void add_library(CLI::App& app, Options& options) {
   app.add_option("--path", options.paths,
                  "folder with entities or targets of your own, may be repeated")
@@ -48,12 +69,14 @@ void add_diagnostics(CLI::App& app, Options& options) {
 }
 
 constexpr const char* kFooter =
-    "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`.\n"
+    "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may also be a "
+    "file "
+    "that EAGERx's Graph.save or BaseEnv.save wrote.\n"
     "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug in "
     "eagerx-gen.";
 
 bool is_command(const char* word) {
-  for (const char* command : {"generate", "check", "info", "schema"}) {
+  for (const char* command : {"generate", "check", "import", "info", "schema"}) {
     if (std::string_view(word) == command) return true;
   }
   return false;
@@ -68,17 +91,30 @@ int run(std::vector<std::string> arguments) {
   CLI::App& generate = *app.add_subcommand("generate", "write the program of a graph");
   CLI::App& check = *app.add_subcommand("check", "only look for problems");
   CLI::App& info = *app.add_subcommand("info", "list entities and targets, or explain one");
+  CLI::App& import = *app.add_subcommand(
+      "import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph");
   const CLI::App& schema =
       *app.add_subcommand("schema", "print the JSON schema of graph files, for editors");
   add_graph(generate, options);
   add_output(generate, options);
   add_selection(generate, options);
+  add_rates(generate, options);
   add_library(generate, options);
   add_diagnostics(generate, options);
   add_graph(check, options);
   add_selection(check, options);
+  add_rates(check, options);
   add_library(check, options);
   add_diagnostics(check, options);
+  import.add_option("state", options.graph, "the file that EAGERx saved")
+      ->required()
+      ->type_name("STATE.yaml");
+  import.add_option("-o,--output", options.output, "the graph to write (default: print it)")
+      ->type_name("GRAPH.yaml");
+  import.add_option("--engine", options.engine, "engine, if the file has none")->type_name("NAME");
+  add_rates(import, options);
+  add_library(import, options);
+  add_diagnostics(import, options);
   info.add_option("entity", options.entity, "id of an entity or target")->type_name("ENTITY");
   add_library(info, options);
   try {
@@ -88,6 +124,7 @@ int run(std::vector<std::string> arguments) {
   }
   if (generate.parsed()) return eagerx::gen::generate_command(options);
   if (check.parsed()) return eagerx::gen::check_command(options);
+  if (import.parsed()) return eagerx::gen::import_command(options);
   if (schema.parsed()) return eagerx::gen::schema_command();
   return eagerx::gen::info_command(options);
 }

@@ -38,25 +38,59 @@ void read_network(Run& run) {
   run.network = read_policy(path.string(), agent.file.value, agent.file.span, run.diagnostics);
 }
 
-}  // namespace
-
-void load(Run& run, const Options& options) {
-  load_library_for(run, options, {});
-}
-
-bool make(Run& run, const Options& options) {
-  const Node tree = read_yaml_file(options.graph, run.sources, run.diagnostics);
-  if (run.diagnostics.has_errors()) return false;
+/// The spec of a graph in our own form, with the rates of the command line, and its library.
+bool read_own_graph(Run& run, const Node& tree, const Options& options) {
   run.spec = read_graph_spec(tree, options.graph, run.diagnostics);
   std::vector<Spanned<std::string>> folders;
   if (run.spec) {
     for (const auto& folder : run.spec->library)
       folders.push_back(
           {(fs::path(options.graph).parent_path() / folder.value).string(), folder.span});
+    if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
+    if (options.engine_rate_hz)
+      run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
   }
   const std::size_t errors_before = run.diagnostics.error_count();
   load_library_for(run, options, folders);
-  if (!run.spec || run.diagnostics.error_count() != errors_before) return false;
+  return run.spec && run.diagnostics.error_count() == errors_before;
+}
+
+}  // namespace
+
+void load(Run& run, const Options& options) {
+  load_library_for(run, options, {});
+}
+
+Node read_graph_file(Run& run, const std::string& path) {
+  Diagnostics strict;
+  Node tree = read_yaml_file(path, run.sources, strict);
+  if (strict.has_errors() && !strict.has_io_errors()) {
+    // A file of EAGERx may have Python's tags; in a graph they are mistakes.
+    Diagnostics tolerant;
+    Node tagged = read_yaml_file(path, run.sources, tolerant, Tags::accept);
+    if (is_saved_graph(tagged)) return tagged;
+  }
+  run.diagnostics = std::move(strict);
+  return tree;
+}
+
+std::optional<ImportedGraph> import_file(Run& run, const Node& tree, const Options& options) {
+  load_library_for(run, options, {});
+  if (run.diagnostics.has_errors()) return std::nullopt;
+  return import_graph(tree, options.graph, run.library,
+                      {options.engine, options.engine_rate_hz, options.rate_hz}, run.diagnostics);
+}
+
+bool make(Run& run, const Options& options) {
+  const Node tree = read_graph_file(run, options.graph);
+  if (run.diagnostics.has_errors()) return false;
+  if (is_saved_graph(tree)) {
+    auto imported = import_file(run, tree, options);
+    if (!imported) return false;
+    run.spec = std::move(imported->spec);
+  } else if (!read_own_graph(run, tree, options)) {
+    return false;
+  }
   read_network(run);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real}, run.diagnostics);
   if (!run.graph) return false;
@@ -67,6 +101,7 @@ bool make(Run& run, const Options& options) {
 
 int finish(Run& run, const Options& options) {
   run.diagnostics.sort_by_place();
+  if (options.quiet) run.diagnostics.drop_notes();
   if (options.json) {
     std::fputs(render_json(run.diagnostics, run.sources).c_str(), stderr);
   } else if (!run.diagnostics.all().empty()) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "generator/cli/commands.hpp"
+#include "generator/import/import.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/policy/network.hpp"
 
@@ -24,7 +25,11 @@ struct Run {
 
 /// Loads the library for a command that has no graph.
 void load(Run& run, const Options& options);
-/// read → spec → resolve → plan, and the policy. True if there was no problem.
+/// The graph file; of EAGERx's own too, with Python's tags.
+Node read_graph_file(Run& run, const std::string& path);
+/// EAGERx's file through the manifests of the library, which is loaded.
+std::optional<ImportedGraph> import_file(Run& run, const Node& tree, const Options& options);
+/// read → spec (or import) → resolve → plan, and the policy. True if there was no problem.
 bool make(Run& run, const Options& options);
 /// Prints what was found to the standard error and returns the exit code.
 int finish(Run& run, const Options& options);

@@ -50,18 +50,23 @@ class Writer {
 
   std::optional<WriteResult> run(const std::vector<GeneratedFile>& files) {
     const std::vector<std::string> earlier = earlier_files(folder_);
+    if (!write(files)) return std::nullopt;
+    remove_stale(earlier, files);
+    return result_;
+  }
+
+  bool write(const std::vector<GeneratedFile>& files) {
     for (const auto& file : files) {
-      if (!prepare(file)) return std::nullopt;
+      if (!prepare(file)) return false;
     }
     for (const auto& [temporary, path] : pending_) {
       std::error_code error;
       fs::rename(temporary, path, error);
-      if (error) return fail(path, error.message());
+      if (error) return fail(path, error.message()).has_value();
     }
     result_.written = pending_.size();
     pending_.clear();
-    remove_stale(earlier, files);
-    return result_;
+    return true;
   }
 
  private:
@@ -115,6 +120,11 @@ std::optional<WriteResult> write_files(const std::string& folder, std::vector<Ge
   for (const auto& file : files) list += file.path + "\n";
   files.push_back({kList, list});
   return Writer(folder, diagnostics).run(files);
+}
+
+bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
+  return Writer(fs::path(path).parent_path(), diagnostics)
+      .write({{fs::path(path).filename().string(), text}});
 }
 
 }  // namespace eagerx::gen

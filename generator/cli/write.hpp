@@ -18,4 +18,7 @@ struct WriteResult {
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 
+/// Writes one file, also beside its place first. False: E0901.
+bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics);
+
 }  // namespace eagerx::gen

@@ -27,6 +27,14 @@ Diagnostic& Diagnostics::warning(std::string code, Span span, std::string messag
   return all_.emplace_back(make(Severity::warning, std::move(code), span, std::move(message)));
 }
 
+Diagnostic& Diagnostics::note(Span span, std::string message) {
+  return all_.emplace_back(make(Severity::note, "", span, std::move(message)));
+}
+
+void Diagnostics::drop_notes() {
+  std::erase_if(all_, [](const Diagnostic& d) { return d.severity == Severity::note; });
+}
+
 Diagnostic& Diagnostics::io_error(std::string code, Span span, std::string message) {
   ++io_errors_;
   Diagnostic& diagnostic = error(std::move(code), span, std::move(message));

@@ -39,7 +39,7 @@ class SourceMap {
   std::vector<File> files_;
 };
 
-enum class Severity : std::uint8_t { error, warning };
+enum class Severity : std::uint8_t { error, warning, note };
 
 /// One problem. `code` is stable ("E0201"), `message` lower case with `identifiers` in backticks.
 struct Diagnostic {
@@ -65,11 +65,16 @@ class Diagnostics {
   /// Adds an error and returns it, so that label, notes and help can be set.
   Diagnostic& error(std::string code, Span span, std::string message);
   Diagnostic& warning(std::string code, Span span, std::string message);
+  /// What was decided for the user; no problem.
+  Diagnostic& note(Span span, std::string message);
   /// An error of reading or writing.
   Diagnostic& io_error(std::string code, Span span, std::string message);
 
   /// Problems in the order of the file they are in, those without a place first.
   void sort_by_place();
+
+  /// Leaves only errors and warnings.
+  void drop_notes();
 
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return errors_; }

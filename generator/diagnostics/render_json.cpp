@@ -17,13 +17,18 @@ Json to_json(const Span& span, const SourceMap& sources) {
               {"length", span.length}};
 }
 
+const char* to_string(Severity severity) {
+  if (severity == Severity::error) return "error";
+  return severity == Severity::warning ? "warning" : "note";
+}
+
 Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   Json notes = Json::array();
   for (const Diagnostic::Note& note : diagnostic.notes) {
     notes.push_back(Json{
         {"message", note.message}, {"span", to_json(note.span, sources)}, {"label", note.label}});
   }
-  return Json{{"severity", diagnostic.severity == Severity::error ? "error" : "warning"},
+  return Json{{"severity", to_string(diagnostic.severity)},
               {"code", diagnostic.code},
               {"message", diagnostic.message},
               {"span", to_json(diagnostic.span, sources)},

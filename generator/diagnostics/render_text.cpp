@@ -49,10 +49,9 @@ class TextRenderer {
       : sources_(sources), palette_(color ? kColored : kPlain) {}
 
   void add(const Diagnostic& diagnostic) {
-    const bool is_error = diagnostic.severity == Severity::error;
-    const std::string_view color = is_error ? palette_.error : palette_.warning;
+    const auto [word, color] = heading(diagnostic.severity);
     gutter_ = gutter_width(diagnostic);
-    text_ += fmt::format("{}{}", color, is_error ? "error" : "warning");
+    text_ += fmt::format("{}{}", color, word);
     if (!diagnostic.code.empty()) text_ += fmt::format("[{}]", diagnostic.code);
     text_ += fmt::format("{}{}: {}{}\n", palette_.off, palette_.bold,
                          escape_unprintable(diagnostic.message), palette_.off);
@@ -77,6 +76,12 @@ class TextRenderer {
   }
 
  private:
+  [[nodiscard]] std::pair<std::string_view, std::string_view> heading(Severity severity) const {
+    if (severity == Severity::error) return {"error", palette_.error};
+    if (severity == Severity::warning) return {"warning", palette_.warning};
+    return {"note", palette_.note};
+  }
+
   [[nodiscard]] bool has_excerpt(const Span& span) const {
     return has_place(span) && span.line > 0 && !sources_.line(span.file, span.line).empty();
   }
@@ -131,7 +136,10 @@ std::string render_text(const Diagnostics& diagnostics, const SourceMap& sources
   TextRenderer renderer(sources, color);
   for (const Diagnostic& diagnostic : diagnostics.all()) renderer.add(diagnostic);
   const std::size_t errors = diagnostics.error_count();
-  return renderer.finish(errors, diagnostics.all().size() - errors);
+  const auto warnings =
+      std::count_if(diagnostics.all().begin(), diagnostics.all().end(),
+                    [](const Diagnostic& d) { return d.severity == Severity::warning; });
+  return renderer.finish(errors, static_cast<std::size_t>(warnings));
 }
 
 }  // namespace eagerx::gen

@@ -1,0 +1,63 @@
+// eagerx-gen import: a file of EAGERx, rewritten as a graph.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folders of `--path` as the graph names them, so that it can be used without that option.
+std::vector<Spanned<std::string>> library_of(const Options& options) {
+  std::vector<Spanned<std::string>> result;
+  const fs::path base = fs::absolute(options.output).lexically_normal().parent_path();
+  for (const auto& path : options.paths) {
+    const fs::path folder = fs::absolute(path).lexically_normal();
+    result.push_back(
+        {options.output.empty() ? folder.string() : folder.lexically_relative(base).string(), {}});
+  }
+  return result;
+}
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return fs::equivalent(a, b, ignored);
+}
+
+}  // namespace
+
+int import_command(const Options& options) {
+  Run run;
+  const Node tree = read_graph_file(run, options.graph);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (!is_saved_graph(tree)) {
+    run.diagnostics
+        .error("E0802", tree.span,
+               "this is no file that Graph.save or BaseEnv.save of EAGERx wrote")
+        .help = "such a file has `nodes:`, `connects:` and `gui_state:`";
+    return finish(run, options);
+  }
+  auto imported = import_file(run, tree, options);
+  if (!imported) return finish(run, options);
+  imported->spec.library = library_of(options);
+  const std::string text = write_graph(*imported);
+  if (options.output.empty()) {
+    std::fputs(text.c_str(), stdout);
+  } else if (is_same_file(options.graph, options.output)) {
+    run.diagnostics
+        .io_error("E0901", {}, fmt::format("`{}` is the file that is read", options.output))
+        .help = "give another name with `-o`";
+  } else if (write_file(options.output, text, run.diagnostics) && !options.quiet) {
+    fmt::print("{}: {} objects, {} nodes, {} connections\n", options.output,
+               imported->spec.objects.size(), imported->spec.nodes.size(),
+               imported->spec.connections.size());
+  }
+  return finish(run, options);
+}
+
+}  // namespace eagerx::gen

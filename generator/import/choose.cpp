@@ -1,0 +1,164 @@
+// What Graph.save does not write: the engine, its rate and the environment's.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/import/translate.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+Spanned<Node> rate_node(const Rational& rate, Span span) {
+  return {made_scalar(rate.to_string(), span), span};
+}
+
+/// Engines that every object is implemented for.
+std::vector<std::string> common_engines(const Translation& t) {
+  std::vector<std::string> result = t.counterparts.library().ids(EntityKind::engine);
+  for (const auto& object : t.result.spec.objects) {
+    const Entity* entity = t.counterparts.library().find(object.type.value);
+    std::erase_if(result, [&](const std::string& engine) {
+      return std::none_of(entity->object_engines.begin(), entity->object_engines.end(),
+                          [&](const ObjectEngine& o) { return o.engine.value == engine; });
+    });
+  }
+  return result;
+}
+
+void choose_type(Translation& t) {
+  GraphSpec& spec = t.result.spec;
+  const Span whole{spec.file, 0, 0, 0};
+  EntitySpec& engine = spec.engine;
+  engine.name = {"engine", whole};
+  if (!t.options.engine.empty()) {
+    engine.type = {t.options.engine, {}};
+    t.result.remarks["engine"] = "from --engine";
+    return;
+  }
+  const std::vector<std::string> known = common_engines(t);
+  if (known.size() == 1) {
+    engine.type = {known.front(), whole};
+    t.result.remarks["engine"] = spec.objects.empty()
+                                     ? "the only engine there is"
+                                     : "the only engine that every object is made for";
+    t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
+                                          known.front(), t.result.remarks["engine"]));
+    return;
+  }
+  auto& problem = t.diagnostics.error(
+      "E0804", whole,
+      known.empty() ? "the file has no engine, and none is made for every object"
+                    : "the file has no engine, and there is more than one");
+  for (const auto& object : spec.objects) {
+    const Entity* entity = t.counterparts.library().find(object.type.value);
+    std::vector<std::string> engines;
+    for (const auto& implementation : entity->object_engines)
+      engines.push_back(implementation.engine.value);
+    problem.notes.push_back(
+        {fmt::format("`{}` is made for {}", object.name.value,
+                     engines.empty() ? "none" : fmt::format("{}", fmt::join(engines, ", "))),
+         object.type.span, ""});
+  }
+  problem.help = known.empty() ? "implement them for a common engine in their manifests"
+                               : fmt::format("choose with `--engine`: {}", fmt::join(known, ", "));
+}
+
+/// The rate of a sensor or actuator in the file.
+std::optional<Rational> port_rate(const Translation& t, const SavedEnd& end) {
+  const SavedEntity* entity = t.saved.find(end.entity);
+  const SavedPort* port = entity != nullptr ? entity->port(end.section, end.port) : nullptr;
+  const Node* rate = port != nullptr ? port->find("rate") : nullptr;
+  // The reader of entities has reported what is no rate.
+  return rate != nullptr && rate->is_scalar() ? Rational::parse(rate->text) : std::nullopt;
+}
+
+/// The fastest engine node; each ticks at the rate of a sensor or actuator.
+std::optional<Rational> fastest_engine_node(const Translation& t) {
+  std::optional<Rational> fastest;
+  for (const auto& entity : t.saved.entities) {
+    for (const char* section : {"sensors", "actuators"}) {
+      const auto ports = entity.ports.find(section);
+      if (entity.kind != SavedEntity::Kind::object || ports == entity.ports.end()) continue;
+      for (const auto& port : ports->second) {
+        if (!entity.is_selected(section, port.name.value)) continue;
+        const auto rate = port_rate(t, {entity.name.value, section, port.name.value, {}});
+        if (rate && (!fastest || *rate > *fastest)) fastest = rate;
+      }
+    }
+  }
+  return fastest;
+}
+
+void choose_engine_rate(Translation& t) {
+  EntitySpec& engine = t.result.spec.engine;
+  const Span whole{t.result.spec.file, 0, 0, 0};
+  if (t.options.engine_rate_hz) {
+    engine.rate = rate_node(*t.options.engine_rate_hz, {});
+    t.result.remarks["engine.rate"] = "from --engine-rate";
+    return;
+  }
+  if (engine.rate) return;
+  const auto fastest = fastest_engine_node(t);
+  if (!fastest) {
+    t.diagnostics.error("E0804", whole, "the file has no rate for the engine").help =
+        "give it with `--engine-rate`";
+    return;
+  }
+  engine.rate = rate_node(*fastest, whole);
+  t.result.remarks["engine.rate"] = "that of the fastest sensor or actuator";
+  t.diagnostics
+      .note(whole, fmt::format("the file has no rate for the engine: {} Hz is taken, {}",
+                               fastest->to_string(), t.result.remarks["engine.rate"]))
+      .help = "another one is given with `--engine-rate`";
+}
+
+/// The rate at which an end of a connection sends or takes.
+std::optional<Rational> rate_of(const Translation& t, const SavedEnd& end) {
+  const SavedEntity* entity = t.saved.find(end.entity);
+  if (entity == nullptr) return std::nullopt;
+  if (entity->kind == SavedEntity::Kind::object) return port_rate(t, end);
+  const Node* rate = entity->parameter("rate");
+  return rate != nullptr && rate->is_scalar() ? Rational::parse(rate->text) : std::nullopt;
+}
+
+}  // namespace
+
+void choose_engine(Translation& t) {
+  if (t.result.spec.engine.type.value.empty()) choose_type(t);
+  if (!t.result.spec.engine.type.value.empty()) choose_engine_rate(t);
+}
+
+void choose_rate(Translation& t) {
+  Spanned<Rational>& rate = t.result.spec.rate;
+  const SavedEntity& environment = *t.saved.find("environment");
+  const Span whole{t.result.spec.file, 0, 0, 0};
+  if (t.options.rate_hz) {
+    rate = {*t.options.rate_hz, whole};
+    t.result.remarks["rate"] = "from --rate";
+    return;
+  }
+  if (const Node* saved = environment.parameter("rate")) {
+    if (const auto value = saved_rate(*saved, t.diagnostics)) rate = {*value, saved->span};
+    return;
+  }
+  std::optional<Rational> fastest;
+  for (const auto& link : t.saved.links) {
+    const bool acts = link.from.entity == "environment";
+    if (!acts && link.to.entity != "environment") continue;
+    const auto other = rate_of(t, acts ? link.to : link.from);
+    if (other && (!fastest || *other > *fastest)) fastest = other;
+  }
+  if (!fastest) {
+    t.diagnostics.error("E0804", whole, "the file has no rate for the environment").help =
+        "give it with `--rate`";
+    return;
+  }
+  rate = {*fastest, whole};
+  t.result.remarks["rate"] = "the fastest of what it observes and acts on";
+  t.diagnostics
+      .note(whole, fmt::format("the file has no rate for the environment: {} Hz is taken, {}",
+                               fastest->to_string(), t.result.remarks["rate"]))
+      .help = "another one is given with `--rate`";
+}
+
+}  // namespace eagerx::gen

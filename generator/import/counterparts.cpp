@@ -1,0 +1,236 @@
+#include "generator/import/counterparts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "generator/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// What EAGERx writes for every entity, and what only says how Python runs it.
+constexpr std::array kAlways = {"name",
+                                "rate",
+                                "process",
+                                "color",
+                                "log_level",
+                                "entity_id",
+                                "inputs",
+                                "outputs",
+                                "states",
+                                "log_level_memory",
+                                "sensors",
+                                "actuators",
+                                "targets",
+                                "feedthroughs",
+                                "executable",
+                                "sync",
+                                "node_names",
+                                "simulate_delays",
+                                "real_time_factor",
+                                "target_addresses",
+                                "processor_type"};
+
+bool is_kind(const Entity& entity, Use use) {
+  switch (use) {
+    case Use::engine:
+      return entity.kind == EntityKind::engine;
+    case Use::object:
+      return entity.kind == EntityKind::object;
+    case Use::processor:
+      return entity.kind == EntityKind::processor;
+    case Use::node:
+      break;
+  }
+  // Whatever else may stand under `nodes:`.
+  static constexpr std::array kOthers = {EntityKind::engine, EntityKind::object,
+                                         EntityKind::processor, EntityKind::engine_node,
+                                         EntityKind::engine_state};
+  return std::find(kOthers.begin(), kOthers.end(), entity.kind) == kOthers.end();
+}
+
+const char* to_string(Use use) {
+  switch (use) {
+    case Use::engine:
+      return "engine";
+    case Use::object:
+      return "object";
+    case Use::processor:
+      return "processor";
+    case Use::node:
+      break;
+  }
+  return "node";
+}
+
+bool holds(const std::vector<Setting>& when, const Node& config) {
+  return std::all_of(when.begin(), when.end(), [&](const Setting& setting) {
+    const Node* value = config.find(setting.name);
+    return value != nullptr ? same_value(setting.value, *value) : setting.value.is_null();
+  });
+}
+
+std::string class_of(const std::string& id) {
+  return id.substr(id.rfind('/') + 1);
+}
+
+/// An entity that stands for a class of the same name in another module, if there is one.
+std::pair<const Entity*, std::string> namesake(const Library& library, const std::string& id,
+                                               Use use) {
+  for (const auto& [name, entity] : library.entities) {
+    for (const auto& eagerx : entity.eagerx_ids) {
+      if (is_kind(entity, use) && eagerx.id.value != id &&
+          class_of(eagerx.id.value) == class_of(id))
+        return {&entity, eagerx.id.value};
+    }
+  }
+  return {nullptr, ""};
+}
+
+}  // namespace
+
+bool same_value(const Node& a, const Node& b) {
+  if (a.is_sequence() && a.items.size() == 1 && b.is_scalar()) return same_value(a.items[0], b);
+  if (b.is_sequence() && b.items.size() == 1 && a.is_scalar()) return same_value(a, b.items[0]);
+  if (a.kind != b.kind || a.items.size() != b.items.size() ||
+      a.entries.size() != b.entries.size() || is_python_object(a) != is_python_object(b))
+    return false;
+  for (std::size_t i = 0; i < a.items.size(); ++i) {
+    if (!same_value(a.items[i], b.items[i])) return false;
+  }
+  for (const auto& entry : a.entries) {
+    const Node* other = b.find(entry.key);
+    if (other == nullptr || !same_value(entry.value, *other)) return false;
+  }
+  if (!a.is_scalar()) return true;
+  const auto left = a.quoted ? std::nullopt : parse_number(a.text);
+  const auto right = b.quoted ? std::nullopt : parse_number(b.text);
+  return left && right ? *left == *right : a.text == b.text;
+}
+
+const Entity* Counterparts::find(const Spanned<std::string>& id, const Node& config, Use use,
+                                 const std::string& user) {
+  const Entity* best = nullptr;
+  std::size_t conditions = 0;
+  bool known = false, ambiguous = false;
+  for (const auto& [name, entity] : library_.entities) {
+    for (const auto& eagerx : entity.eagerx_ids) {
+      if (eagerx.id.value != id.value || !is_kind(entity, use)) continue;
+      known = true;
+      if (!holds(eagerx.when, config)) continue;
+      const bool first = best == nullptr;
+      // The one that says most of the parameters.
+      if (!first && eagerx.when.size() < conditions) continue;
+      ambiguous = !first && eagerx.when.size() == conditions && best != &entity;
+      if (ambiguous) continue;
+      best = &entity;
+      conditions = eagerx.when.size();
+    }
+  }
+  if (best == nullptr) {
+    Missing& missing = missing_[id.value];
+    missing.use = use;
+    missing.other_parameters = known;
+    missing.users.emplace_back(user, id.span);
+  } else if (ambiguous) {
+    diagnostics_
+        .error("E0801", id.span, fmt::format("more than one entity stands for `{}`", id.value))
+        .help = fmt::format("one of them is `{}`: tell them apart with `when:` in their manifests",
+                            best->id.value);
+  }
+  return best;
+}
+
+bool Counterparts::stands_for(const Entity& entity, const std::string& id) {
+  return std::any_of(entity.eagerx_ids.begin(), entity.eagerx_ids.end(),
+                     [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
+}
+
+std::vector<Setting> Counterparts::settings(const Entity& entity, const Node& config,
+                                            const std::string& user) {
+  std::vector<Setting> result;
+  std::vector<std::string> taken;
+  for (const auto& parameter : entity.config) {
+    taken.push_back(parameter.eagerx);
+    const auto entry = std::find_if(config.entries.begin(), config.entries.end(),
+                                    [&](const auto& e) { return e.key == parameter.eagerx; });
+    if (entry == config.entries.end() || entry->value.is_null()) continue;
+    if (is_python_object(entry->value)) {
+      diagnostics_
+          .error("E0803", entry->value.span,
+                 fmt::format("`{}` of {} is a Python object, `{}`", entry->key, user,
+                             entry->value.text))
+          .help = "save the graph with a plain number, text or list in its place";
+      continue;
+    }
+    if (parameter.fallback && same_value(*parameter.fallback, entry->value)) continue;
+    result.push_back({parameter.name.value, entry->key_span, entry->value});
+  }
+  for (const auto& eagerx : entity.eagerx_ids) {
+    for (const auto& condition : eagerx.when) taken.push_back(condition.name);
+  }
+  std::vector<std::string> unknown;
+  Span span;
+  for (const auto& entry : config.entries) {
+    if (std::find(taken.begin(), taken.end(), entry.key) != taken.end() ||
+        std::find(kAlways.begin(), kAlways.end(), entry.key) != kAlways.end())
+      continue;
+    if (unknown.empty()) span = entry.key_span;
+    unknown.push_back(entry.key);
+  }
+  if (!unknown.empty()) {
+    diagnostics_.note(span, fmt::format("`{}` of {} {} left out: `{}` has no such parameter",
+                                        fmt::join(unknown, "`, `"), user,
+                                        unknown.size() == 1 ? "is" : "are", entity.id.value));
+  }
+  return result;
+}
+
+std::optional<ProcessorSpec> Counterparts::processor(const SavedPort& port,
+                                                     const std::string& user) {
+  const Node* saved = port.find("processor");
+  if (saved == nullptr) return std::nullopt;
+  const Node* type = saved->find("processor_type");
+  if (type == nullptr || !type->is_scalar()) {
+    diagnostics_.error("E0802", saved->span,
+                       fmt::format("the processor of {} has no `processor_type`", user));
+    return std::nullopt;
+  }
+  // The parameters stand beside the type, or under `config`.
+  const Node* config = saved->find("config");
+  const Node& parameters = config != nullptr && config->is_map() ? *config : *saved;
+  const Entity* entity =
+      find({type->text, type->span}, parameters, Use::processor, "the processor of " + user);
+  if (entity == nullptr) return std::nullopt;
+  return ProcessorSpec{{entity->id.value, type->span},
+                       settings(*entity, parameters, "the processor of " + user)};
+}
+
+void Counterparts::report_missing() {
+  for (const auto& [id, missing] : missing_) {
+    const auto& [user, span] = missing.users.front();
+    auto& problem = diagnostics_.error(
+        "E0801", span,
+        missing.other_parameters
+            ? fmt::format("`{}` has no counterpart in C++ for these parameters", id)
+            : fmt::format("`{}` has no counterpart in C++", id));
+    problem.label = fmt::format("used by {}", user);
+    constexpr std::size_t kMostUsers = 8;
+    for (std::size_t i = 1; i < std::min(missing.users.size(), kMostUsers); ++i)
+      problem.notes.push_back(
+          {fmt::format("used by {} too", missing.users[i].first), missing.users[i].second, ""});
+    const auto [other, other_id] = namesake(library_, id, missing.use);
+    problem.help = fmt::format(
+        "write {} {} with `eagerx: [{}]` in its manifest.yaml, and give its folder with `--path`",
+        missing.use == Use::engine || missing.use == Use::object ? "an" : "a",
+        to_string(missing.use), id);
+    if (other != nullptr) {
+      problem.help += fmt::format("\n`{}` stands for `{}`: if that is the same, add `{}` to it",
+                                  other->id.value, other_id, id);
+    }
+  }
+}
+
+}  // namespace eagerx::gen

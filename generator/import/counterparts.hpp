@@ -1,0 +1,54 @@
+// Our entities for EAGERx's, found through their manifests, with their parameters.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "generator/import/saved.hpp"
+#include "generator/library/library.hpp"
+
+namespace eagerx::gen {
+
+/// What an entity of EAGERx is used as.
+enum class Use : std::uint8_t { engine, node, object, processor };
+
+class Counterparts {
+ public:
+  Counterparts(const Library& library, Diagnostics& diagnostics)
+      : library_(library), diagnostics_(diagnostics) {}
+
+  /// Our entity for `id` with these parameters, or nullptr. `user`: who needs it, as messages say
+  /// it ("the node `smooth`").
+  const Entity* find(const Spanned<std::string>& id, const Node& config, Use use,
+                     const std::string& user);
+  /// Whether our entity stands for this one of EAGERx, whatever its parameters.
+  [[nodiscard]] static bool stands_for(const Entity& entity, const std::string& id);
+
+  /// The parameters in our words, without those that have their default. What our entity does not
+  /// have is noted; `user` as above.
+  std::vector<Setting> settings(const Entity& entity, const Node& config, const std::string& user);
+  /// The processor of a port, if it has one.
+  std::optional<ProcessorSpec> processor(const SavedPort& port, const std::string& user);
+
+  /// Reports every id that was asked for and has no counterpart (E0801), each once.
+  void report_missing();
+  [[nodiscard]] bool any_missing() const { return !missing_.empty(); }
+  [[nodiscard]] const Library& library() const { return library_; }
+
+ private:
+  struct Missing {
+    Use use;
+    std::vector<std::pair<std::string, Span>> users;
+    bool other_parameters = false;  // there is one, for other values of its parameters
+  };
+
+  const Library& library_;
+  Diagnostics& diagnostics_;
+  std::map<std::string, Missing> missing_;
+};
+
+/// Whether two values are the same: 1 and 1.0, [0] and 0.
+bool same_value(const Node& a, const Node& b);
+
+}  // namespace eagerx::gen

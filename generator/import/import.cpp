@@ -1,0 +1,36 @@
+#include "generator/import/import.hpp"
+
+#include "generator/import/translate.hpp"
+
+namespace eagerx::gen {
+
+bool is_saved_graph(const Node& root) {
+  return root.is_map() && root.find("nodes") != nullptr && root.find("connects") != nullptr &&
+         root.find("gui_state") != nullptr;
+}
+
+std::optional<ImportedGraph> import_graph(const Node& root, const std::string& path,
+                                          const Library& library, const ImportOptions& options,
+                                          Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  const auto failed = [&] { return diagnostics.error_count() != errors_before; };
+  auto saved = read_saved_graph(root, diagnostics);
+  if (!saved) return std::nullopt;
+  Counterparts counterparts(library, diagnostics);
+  const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
+  Translation t{*saved, counterparts, options, diagnostics, {}, {}, {}, {}, {}};
+  t.result.spec.file = root.span.file;
+  t.result.spec.path = path;
+  translate_names(t);
+  translate_entities(t);
+  if (whole && !counterparts.any_missing()) choose_engine(t);
+  if (whole) translate_connections(t);
+  counterparts.report_missing();  // all of them at once
+  if (failed()) return std::nullopt;
+  choose_rate(t);
+  translate_environment(t);
+  if (failed()) return std::nullopt;
+  return std::move(t.result);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,40 @@
+// A second front end: files that EAGERx's Graph.save and BaseEnv.save write, as a GraphSpec.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "generator/library/library.hpp"
+
+namespace eagerx::gen {
+
+/// What Graph.save does not write; empty: chosen, with a note.
+struct ImportOptions {
+  std::string engine;
+  std::optional<Rational> engine_rate_hz, rate_hz;
+};
+
+struct ImportedGraph {
+  GraphSpec spec;
+  /// Why something is as it is, for the reader of the rewritten file: "name", "rate", "engine",
+  /// "engine.rate".
+  std::map<std::string, std::string> remarks;
+};
+
+/// Whether this is such a file: a mapping with `nodes`, `connects` and `gui_state`.
+bool is_saved_graph(const Node& root);
+
+/// Translates the file through the manifests of `library`. Spans point into the saved file.
+/// Problems, all reported, nullopt: E0801 an entity without counterpart, E0802 not such a file,
+/// E0803 a Python object where a value is needed, E0804 an engine or rate that has to be given,
+/// E0805 an object that cannot be put back, E0807 what graphs here cannot say. Warnings: E0806
+/// differences between an object here and in the file.
+std::optional<ImportedGraph> import_graph(const Node& root, const std::string& path,
+                                          const Library& library, const ImportOptions& options,
+                                          Diagnostics& diagnostics);
+
+/// The graph as a person would write it: reading it back gives the same graph.
+std::string write_graph(const ImportedGraph& graph);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,169 @@
+// What PyYAML writes for values that YAML does not have: tuples, and the scalars and arrays of
+// numpy.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "generator/import/saved.hpp"
+#include "generator/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::string_view kYaml = "tag:yaml.org,2002:";
+constexpr const char* kPythonObject =
+    "python object";  // as a tag, which trees from files never have
+
+bool is_plain(std::string_view tag) {
+  static constexpr std::array<std::string_view, 20> kPlain = {
+      "str",         "int",          "float",       "bool",           "null",
+      "seq",         "map",          "set",         "omap",           "python/tuple",
+      "python/list", "python/dict",  "python/str",  "python/unicode", "python/int",
+      "python/long", "python/float", "python/bool", "python/none",    "timestamp"};
+  if (tag.empty() || tag == "!" || tag == "?") return true;
+  if (!tag.starts_with(kYaml)) return false;
+  return std::find(kPlain.begin(), kPlain.end(), tag.substr(kYaml.size())) != kPlain.end();
+}
+
+std::optional<std::string> decode_base64(std::string_view text) {
+  static constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string result;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char c : text) {
+    if (c == '\n' || c == ' ' || c == '=') continue;
+    const std::size_t value = kLetters.find(c);
+    if (value == std::string_view::npos) return std::nullopt;
+    bits = (bits << 6U | static_cast<std::uint32_t>(value)) & 0xffffffU;
+    count += 6;
+    if (count >= 8) {
+      count -= 8;
+      result += static_cast<char>(bits >> static_cast<unsigned>(count) & 0xffU);
+    }
+  }
+  return result;
+}
+
+bool has_python_tag(const Node& node, std::string_view ending) {
+  return node.tag.starts_with(kYaml) && node.tag.ends_with(ending);
+}
+
+/// "f8", "i4", "b1", … of a numpy.dtype; empty if it is none that is written in digits. Big-endian
+/// ones say so in their state.
+std::string dtype_of(const Node& node) {
+  if (!has_python_tag(node, "apply:numpy.dtype")) return {};
+  const Node* arguments = node.find("args");
+  const Node* state = node.find("state");
+  if (arguments == nullptr || arguments->items.empty() || state == nullptr ||
+      state->items.size() < 2 || state->items[1].text == ">")
+    return {};
+  return arguments->items[0].text;
+}
+
+template <class T>
+std::string as_text(const char* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  if constexpr (std::is_floating_point_v<T>) {
+    std::string text = fmt::format("{}", value);
+    if (text == "inf" || text == "-inf") return text.front() == '-' ? "-.inf" : ".inf";
+    return text.find("nan") != std::string::npos ? ".nan" : text;
+  } else {
+    return fmt::format("{}", +value);
+  }
+}
+
+using Decode = std::string (*)(const char*);
+
+/// How one element is read, and how long it is.
+std::pair<Decode, std::size_t> decoder(std::string_view dtype) {
+  if (std::endian::native != std::endian::little) return {nullptr, 0};
+  if (dtype == "f8") return {as_text<double>, 8};
+  if (dtype == "f4") return {as_text<float>, 4};
+  if (dtype == "i8") return {as_text<std::int64_t>, 8};
+  if (dtype == "i4") return {as_text<std::int32_t>, 4};
+  if (dtype == "i2") return {as_text<std::int16_t>, 2};
+  if (dtype == "i1") return {as_text<std::int8_t>, 1};
+  if (dtype == "u8") return {as_text<std::uint64_t>, 8};
+  if (dtype == "u4") return {as_text<std::uint32_t>, 4};
+  if (dtype == "u2") return {as_text<std::uint16_t>, 2};
+  if (dtype == "u1") return {as_text<std::uint8_t>, 1};
+  if (dtype == "b1")
+    return {[](const char* byte) { return std::string(*byte != 0 ? "true" : "false"); }, 1};
+  return {nullptr, 0};
+}
+
+Node scalar(std::string text, const Span& span) {
+  Node node;
+  node.kind = NodeKind::scalar;
+  node.text = std::move(text);
+  node.span = span;
+  return node;
+}
+
+/// numpy.float64(0.5): the dtype and the bytes.
+std::optional<Node> numpy_scalar(const Node& node) {
+  if (!has_python_tag(node, "multiarray.scalar") || node.items.size() != 2) return std::nullopt;
+  const auto [decode, size] = decoder(dtype_of(node.items[0]));
+  const auto bytes = decode_base64(node.items[1].text);
+  if (decode == nullptr || !bytes || bytes->size() != size) return std::nullopt;
+  return scalar(decode(bytes->data()), node.span);
+}
+
+/// numpy.array([1.0, 2.0]), one axis only: state (version, shape, dtype, order, bytes).
+std::optional<Node> numpy_array(const Node& node) {
+  if (!has_python_tag(node, "multiarray._reconstruct")) return std::nullopt;
+  const Node* state = node.find("state");
+  if (state == nullptr || state->items.size() != 5 || state->items[1].items.size() != 1)
+    return std::nullopt;
+  const auto [decode, size] = decoder(dtype_of(state->items[2]));
+  const auto bytes = decode_base64(state->items[4].text);
+  const auto length = parse_int(state->items[1].items[0].text);
+  if (decode == nullptr || !bytes || !length || *length < 0 ||
+      bytes->size() / size != static_cast<std::size_t>(*length) || bytes->size() % size != 0)
+    return std::nullopt;
+  Node list;
+  list.kind = NodeKind::sequence;
+  list.span = node.span;
+  for (std::size_t i = 0; i < bytes->size(); i += size)
+    list.items.push_back(scalar(decode(bytes->data() + i), node.span));
+  return list;
+}
+
+/// "!!python/name:package.function"
+std::string shown_tag(std::string_view tag) {
+  return tag.starts_with(kYaml) ? fmt::format("!!{}", tag.substr(kYaml.size())) : std::string(tag);
+}
+
+}  // namespace
+
+bool is_python_object(const Node& node) {
+  return node.tag == kPythonObject;
+}
+
+Node plain_values(const Node& node) {
+  if (!is_plain(node.tag)) {
+    if (auto number = numpy_scalar(node)) return std::move(*number);
+    if (auto list = numpy_array(node)) return std::move(*list);
+    Node opaque = scalar(shown_tag(node.tag), node.span);
+    opaque.tag = kPythonObject;
+    opaque.quoted = true;
+    return opaque;
+  }
+  Node result;
+  result.kind = node.kind;
+  result.span = node.span;
+  result.text = node.text;
+  result.quoted = node.quoted || has_python_tag(node, ":str") || has_python_tag(node, "/str");
+  if (has_python_tag(node, "python/none")) result.kind = NodeKind::null;
+  for (const auto& item : node.items) result.items.push_back(plain_values(item));
+  for (const auto& entry : node.entries)
+    result.entries.push_back({entry.key, entry.key_span, plain_values(entry.value)});
+  return result;
+}
+
+}  // namespace eagerx::gen

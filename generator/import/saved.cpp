@@ -1,0 +1,265 @@
+#include "generator/import/saved.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::array kSections = {"inputs",    "outputs", "states",      "sensors",
+                                  "actuators", "targets", "feedthroughs"};
+
+/// Replaces `$(config x)` by that parameter, in a file as a whole no more often than is sensible: a
+/// long list of references to a long list would otherwise grow without limit.
+class Substitution {
+ public:
+  Node run(Node value, const Node& config) {
+    for (auto& item : value.items) item = run(std::move(item), config);
+    for (auto& entry : value.entries) entry.value = run(std::move(entry.value), config);
+    if (!value.is_scalar() || !value.text.starts_with("$(config ") || !value.text.ends_with(')'))
+      return value;
+    constexpr std::size_t kPrefix = std::string_view("$(config ").size();
+    if (!afford(config.entries.size())) return value;  // for the search
+    const Node* found = config.find(value.text.substr(kPrefix, value.text.size() - kPrefix - 1));
+    return found != nullptr && afford(*found) ? *found : value;
+  }
+
+ private:
+  bool afford(std::size_t cost) {
+    const bool enough = cost <= left_;
+    left_ -= enough ? cost : left_;
+    return enough;
+  }
+
+  bool afford(const Node& node) {
+    return afford(1 + node.text.size()) &&
+           std::all_of(node.items.begin(), node.items.end(),
+                       [&](const Node& item) { return afford(item); }) &&
+           std::all_of(node.entries.begin(), node.entries.end(),
+                       [&](const Node::Entry& entry) { return afford(entry.value); });
+  }
+
+  std::size_t left_ = 20'000'000;  // nodes, letters and entries looked at
+};
+
+class SavedReader {
+ public:
+  SavedReader(const Node& root, Diagnostics& diagnostics)
+      : root_(root), diagnostics_(diagnostics) {}
+
+  std::optional<SavedGraph> read() {
+    const std::size_t errors_before = diagnostics_.error_count();
+    saved_.file = root_.span.file;
+    read_entities(member(root_, "nodes"), saved_.entities);
+    if (const Node* backup = root_.find("backup"); backup != nullptr && backup->is_map())
+      read_backup(*backup);
+    read_links(*root_.find("connects"));
+    if (saved_.find("environment") == nullptr && diagnostics_.error_count() == errors_before)
+      fail(member(root_, "nodes").span, "the graph has no node `environment`");
+    if (diagnostics_.error_count() != errors_before) return std::nullopt;
+    return std::move(saved_);
+  }
+
+ private:
+  void fail(Span span, std::string message) {
+    diagnostics_.error("E0802", span, std::move(message)).help =
+        "this is no file as EAGERx's Graph.save or BaseEnv.save writes it";
+  }
+
+  /// The mapping under `key`; reported and empty if it is something else.
+  const Node& member(const Node& map, const char* key) {
+    static const Node kEmpty = [] {
+      Node node;
+      node.kind = NodeKind::map;
+      return node;
+    }();
+    const Node* value = map.find(key);
+    if (value == nullptr || value->is_null()) return kEmpty;
+    if (value->is_map()) return *value;
+    fail(value->span, fmt::format("expected a mapping for `{}`, found {}", key, describe(*value)));
+    return kEmpty;
+  }
+
+  void read_entities(const Node& nodes, std::vector<SavedEntity>& into) {
+    for (const auto& entry : nodes.entries) {
+      if (auto entity = read_entity(entry)) into.push_back(std::move(*entity));
+    }
+  }
+
+  /// Only objects: of everything else the nodes themselves say more.
+  void read_backup(const Node& backup) {
+    for (const auto& entry : backup.entries) {
+      if (!entry.value.is_map() || entry.value.find("entity_type") == nullptr) continue;
+      if (auto entity = read_entity(entry)) saved_.backup.push_back(std::move(*entity));
+    }
+  }
+
+  std::optional<SavedEntity> read_entity(const Node::Entry& entry) {
+    const Node& node = entry.value;
+    if (!node.is_map()) {
+      fail(node.span, fmt::format("expected a mapping for the node `{}`, found {}", entry.key,
+                                  describe(node)));
+      return std::nullopt;
+    }
+    SavedEntity entity;
+    entity.name = {entry.key, entry.key_span};
+    entity.config = plain_values(member(node, "config"));
+    entity.kind = kind_of(entry.key, node);
+    const char* type = entity.kind == SavedEntity::Kind::object ? "entity_type" : "node_type";
+    const Node* id = entity.config.find("entity_id");
+    if (id == nullptr || !id->is_scalar()) id = node.find(type);
+    if (id == nullptr || !id->is_scalar()) {
+      fail(entry.key_span, fmt::format("the node `{}` has no `entity_id`", entry.key));
+      return std::nullopt;
+    }
+    entity.id = {id->text, id->span};
+    for (const char* section : kSections) {
+      read_ports(node, section, entity);
+      entity.selected[section] = texts(entity.config.find(section));
+    }
+    // Feedthroughs are selected with the outputs that they are for.
+    entity.selected["feedthroughs"] = entity.selected["outputs"];
+    if (entity.kind == SavedEntity::Kind::engine) read_objects(member(node, "objects"), entity);
+    return entity;
+  }
+
+  static SavedEntity::Kind kind_of(const std::string& name, const Node& node) {
+    if (node.find("entity_type") != nullptr) return SavedEntity::Kind::object;
+    if (name == "environment") return SavedEntity::Kind::environment;
+    return name == "engine" ? SavedEntity::Kind::engine : SavedEntity::Kind::node;
+  }
+
+  void read_ports(const Node& node, const char* section, SavedEntity& entity) {
+    for (const auto& entry : member(node, section).entries) {
+      if (!entry.value.is_map()) {
+        fail(entry.value.span,
+             fmt::format("expected a mapping for `{}.{}.{}`, found {}", entity.name.value, section,
+                         entry.key, describe(entry.value)));
+        continue;
+      }
+      entity.ports[section].push_back(
+          {{entry.key, entry.key_span},
+           substitution_.run(plain_values(entry.value), entity.config)});
+    }
+  }
+
+  std::vector<Spanned<std::string>> texts(const Node* list) {
+    std::vector<Spanned<std::string>> result;
+    if (list == nullptr || list->is_null()) return result;
+    if (!list->is_sequence()) {
+      fail(list->span, fmt::format("expected a list of names, found {}", describe(*list)));
+      return result;
+    }
+    for (const auto& item : list->items) {
+      const bool twice = std::any_of(result.begin(), result.end(), [&](const auto& earlier) {
+        return earlier.value == item.text;
+      });
+      if (item.is_scalar() && twice) {
+        fail(item.span, fmt::format("`{}` is listed twice", item.text));
+      } else if (item.is_scalar()) {
+        result.push_back({item.text, item.span});
+      } else {
+        fail(item.span, fmt::format("expected a name, found {}", describe(item)));
+      }
+    }
+    return result;
+  }
+
+  void read_objects(const Node& objects, const SavedEntity& engine) {
+    for (const auto& entry : objects.entries) {
+      if (!entry.value.is_map()) {
+        fail(entry.value.span, fmt::format("expected a mapping for the object `{}`, found {}",
+                                           entry.key, describe(entry.value)));
+        continue;
+      }
+      SavedObject object;
+      object.name = {entry.key, entry.key_span};
+      object.parameters = plain_values(member(entry.value, "add_object"));
+      for (const auto& state : member(entry.value, "engine_states").entries)
+        object.states.push_back({state.key, state.key_span});
+      object.nodes = texts(entry.value.find("nodes"));
+      saved_.objects.push_back(std::move(object));
+    }
+    constexpr std::string_view kSupervisor = "/supervisor";
+    for (const auto& name : texts(engine.config.find("node_names"))) {
+      if (name.value.ends_with(kSupervisor))
+        saved_.env_name = name.value.substr(0, name.value.size() - kSupervisor.size());
+    }
+  }
+
+  void read_links(const Node& connects) {
+    if (!connects.is_sequence() && !connects.is_null())
+      fail(connects.span,
+           fmt::format("expected a list of connections, found {}", describe(connects)));
+    for (const auto& written : connects.items) {
+      const Node item = plain_values(written);
+      const bool pair = item.is_sequence() && item.items.size() == 2;
+      const auto from = pair ? end_of(item.items[0]) : std::nullopt;
+      const auto to = pair ? end_of(item.items[1]) : std::nullopt;
+      if (from && to) {
+        saved_.links.push_back({*from, *to});
+      } else {
+        fail(written.span, "expected a source and a target, each [node, kind, name]");
+      }
+    }
+  }
+
+  static std::optional<SavedEnd> end_of(const Node& node) {
+    if (!node.is_sequence() || node.items.size() != 3) return std::nullopt;
+    for (const auto& item : node.items) {
+      if (!item.is_scalar()) return std::nullopt;
+    }
+    return SavedEnd{node.items[0].text, node.items[1].text, node.items[2].text, node.items[2].span};
+  }
+
+  const Node& root_;
+  Diagnostics& diagnostics_;
+  Substitution substitution_;
+  SavedGraph saved_;
+};
+
+}  // namespace
+
+const Node* SavedPort::find(std::string_view key) const {
+  const Node* value = settings.find(key);
+  return value == nullptr || value->is_null() ? nullptr : value;
+}
+
+const SavedPort* SavedEntity::port(std::string_view section, std::string_view wanted) const {
+  const auto found = ports.find(section);
+  if (found == ports.end()) return nullptr;
+  for (const auto& port : found->second) {
+    if (port.name.value == wanted) return &port;
+  }
+  return nullptr;
+}
+
+bool SavedEntity::is_selected(std::string_view section, std::string_view wanted) const {
+  const auto found = selected.find(section);
+  return found != selected.end() &&
+         std::any_of(found->second.begin(), found->second.end(),
+                     [&](const Spanned<std::string>& s) { return s.value == wanted; });
+}
+
+const Node* SavedEntity::parameter(std::string_view key) const {
+  const Node* value = config.find(key);
+  return value == nullptr || value->is_null() ? nullptr : value;
+}
+
+const SavedEntity* SavedGraph::find(std::string_view name) const {
+  const auto found = std::find_if(entities.begin(), entities.end(),
+                                  [&](const SavedEntity& e) { return e.name.value == name; });
+  return found == entities.end() ? nullptr : &*found;
+}
+
+bool SavedGraph::flattened() const {
+  return find("engine") != nullptr;
+}
+
+std::optional<SavedGraph> read_saved_graph(const Node& root, Diagnostics& diagnostics) {
+  return SavedReader(root, diagnostics).read();
+}
+
+}  // namespace eagerx::gen

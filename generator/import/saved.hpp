@@ -1,0 +1,83 @@
+// The file that EAGERx's Graph.save and BaseEnv.save write, typed but not yet in our words.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/read/tree.hpp"
+#include "generator/spec/graph_spec.hpp"
+
+namespace eagerx::gen {
+
+/// An input, output, sensor, actuator, state, target or feedthrough with its settings, in which
+/// `$(config x)` is replaced.
+struct SavedPort {
+  Spanned<std::string> name;
+  Node settings;
+
+  /// The setting, or nullptr if it is not there or null.
+  [[nodiscard]] const Node* find(std::string_view key) const;
+};
+
+/// Sections are "inputs", "outputs", "states", "sensors", "actuators", "targets", "feedthroughs".
+struct SavedEntity {
+  enum class Kind : std::uint8_t { environment, engine, node, object };
+  Kind kind = Kind::node;
+  Spanned<std::string> name;
+  Spanned<std::string> id;  // module/Class
+  Node config;
+  std::map<std::string, std::vector<SavedPort>, std::less<>> ports;  // selected or not
+  std::map<std::string, std::vector<Spanned<std::string>>, std::less<>> selected;
+
+  [[nodiscard]] const SavedPort* port(std::string_view section, std::string_view wanted) const;
+  [[nodiscard]] bool is_selected(std::string_view section, std::string_view wanted) const;
+  /// The parameter, or nullptr if it is not there or null.
+  [[nodiscard]] const Node* parameter(std::string_view key) const;
+};
+
+struct SavedEnd {
+  std::string entity, section, port;
+  Span span;
+};
+
+struct SavedLink {
+  SavedEnd from, to;
+};
+
+/// What remains of an object in a flattened file: it has become engine nodes called object/….
+struct SavedObject {
+  Spanned<std::string> name;
+  Node parameters;  // of the engine for this object
+  std::vector<Spanned<std::string>> states;
+  std::vector<Spanned<std::string>> nodes;
+};
+
+struct SavedGraph {
+  FileId file = FileId::none;
+  std::vector<SavedEntity> entities;
+  std::vector<SavedLink> links;
+  std::vector<SavedEntity> backup;      // the objects as they were added
+  std::vector<SavedObject> objects;     // flattened files
+  std::optional<std::string> env_name;  // flattened files
+
+  [[nodiscard]] const SavedEntity* find(std::string_view name) const;
+  [[nodiscard]] bool flattened() const;  // written by BaseEnv.save
+};
+
+/// Typed form of the tree; nullopt after E0802 (it does not have the form of such a file).
+std::optional<SavedGraph> read_saved_graph(const Node& root, Diagnostics& diagnostics);
+
+/// The tree with Python's tuples, texts, numbers and numpy's scalars as plain YAML. What else has a
+/// Python tag becomes a scalar for which is_python_object() holds.
+Node plain_values(const Node& node);
+bool is_python_object(const Node& node);
+
+/// Our object in place of the engine nodes of each object, as Graph.save would have written it.
+/// False: it could not be done (E0801, E0805); the engine nodes are gone all the same.
+class Counterparts;
+bool rebuild_objects(SavedGraph& saved, Counterparts& counterparts, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

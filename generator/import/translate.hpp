@@ -1,0 +1,63 @@
+// The steps of import_graph().
+#pragma once
+
+#include <set>
+
+#include "generator/import/counterparts.hpp"
+#include "generator/import/import.hpp"
+
+namespace eagerx::gen {
+
+/// What is known while a file is translated.
+struct Translation {
+  const SavedGraph& saved;
+  Counterparts& counterparts;
+  const ImportOptions& options;
+  Diagnostics& diagnostics;
+  ImportedGraph result;
+  std::map<std::string, const Entity*> entities;             // by saved name; nullptr: reported
+  std::map<std::string, std::string> names;                  // saved name → ours
+  std::map<std::string, std::string> actions, observations;  // the same for the environment's
+
+  [[nodiscard]] const Entity* entity(const std::string& name) const {
+    const auto found = entities.find(name);
+    return found == entities.end() ? nullptr : found->second;
+  }
+  /// How the object is made on the graph's engine, or nullptr.
+  [[nodiscard]] const ObjectEngine* implementation(const Entity& object) const;
+};
+
+// In this order.
+void translate_names(Translation& t);  // and the name of the graph
+void translate_entities(Translation& t);
+void choose_engine(Translation& t);
+void choose_rate(Translation& t);
+void translate_connections(Translation& t);
+void translate_environment(Translation& t);  // actions and observations
+
+/// A rate in Hz, a delay in seconds; reported (E0802) and nullopt if the node is something else.
+std::optional<Rational> saved_rate(const Node& node, Diagnostics& diagnostics);
+std::optional<Rational> saved_delay(const Node& node, Diagnostics& diagnostics);
+
+/// The rate of a sensor or actuator as the manifest gives it with these settings, or nullopt.
+std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
+                                      const std::vector<Setting>& settings);
+
+/// The space as saved, without bounds that only say that there are none; nullopt if it says
+/// nothing. Not checked: that is for what goes into the graph.
+std::optional<SpaceSpec> saved_space(const SavedPort& port);
+/// Reports what a graph could not say (E02xx).
+bool check_space(const SpaceSpec& space, Diagnostics& diagnostics);
+/// Whether a manifest gives all of the space, in numbers.
+bool same_space(const SpaceSpec& saved, const SpaceSpec& manifest);
+/// What the manifest leaves open or contradicts, dtype and shape only; nullopt: nothing.
+std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& manifest);
+
+/// The port of a manifest that a saved port is, or nullptr.
+const PortManifest* manifest_port(const Entity& entity, std::string_view section,
+                                  std::string_view name);
+
+/// A scalar that was not in the file, at `span`.
+Node made_scalar(std::string text, Span span);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,194 @@
+// Rates, delays and spaces as they are saved.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "generator/import/translate.hpp"
+#include "generator/read/scalar.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// Exact where the decimals fit; a double printed with all its digits may not, and is rounded to
+/// the twelve digits that EAGERx itself keeps of a time.
+std::optional<Rational> decimal(const Node& node) {
+  if (!node.is_scalar() || node.quoted) return std::nullopt;
+  if (const auto exact = Rational::parse(node.text)) return exact;
+  const auto number = parse_number(node.text);
+  return number && std::isfinite(*number) ? Rational::parse(fmt::format("{:.12g}", *number))
+                                          : std::nullopt;
+}
+
+std::optional<Rational> checked(const Node& node, const char* what, bool zero,
+                                Diagnostics& diagnostics) {
+  const auto value = decimal(node);
+  if (value && !value->overflowed() && (*value > Rational() || (zero && *value == Rational())))
+    return value;
+  diagnostics.error("E0802", node.span, fmt::format("expected {}, found {}", what, describe(node)));
+  return std::nullopt;
+}
+
+/// numpy's nan_to_num writes the largest numbers for infinity.
+bool is_unbounded(double bound, std::string_view dtype) {
+  const double magnitude = std::fabs(bound);
+  if (!(magnitude < std::numeric_limits<double>::max())) return true;
+  return dtype == "float32" && magnitude >= static_cast<double>(std::numeric_limits<float>::max());
+}
+
+bool all_unbounded(const Node& bound, std::string_view dtype) {
+  if (bound.is_sequence()) {
+    return std::all_of(bound.items.begin(), bound.items.end(),
+                       [&](const Node& item) { return all_unbounded(item, dtype); });
+  }
+  const auto number = parse_number(bound.text);
+  return number && is_unbounded(*number, dtype);
+}
+
+/// Nested lists (of matrices) in one, row by row; infinite where there is no bound.
+void flatten(const Node& bound, std::string_view dtype, std::vector<Node>& into) {
+  for (const auto& item : bound.items) flatten(item, dtype, into);
+  if (bound.is_sequence()) return;
+  Node number = bound;
+  const auto value = parse_number(bound.text);
+  if (value && is_unbounded(*value, dtype)) number.text = *value < 0 ? "-.inf" : ".inf";
+  into.push_back(std::move(number));
+}
+
+std::optional<Node> bound_of(const SavedPort& port, const Node* space, const char* key,
+                             std::string_view dtype) {
+  const Node* bound = space->find(key);
+  if (bound == nullptr || bound->is_null() || bound->is_map() || is_python_object(*bound) ||
+      dtype == "bool" || all_unbounded(*bound, dtype))
+    return std::nullopt;
+  if (bound->is_scalar()) return *bound;
+  Node list = *bound;
+  list.items.clear();
+  flatten(*bound, dtype, list.items);
+  for (auto& item : list.items) item.span = item.span.line == 0 ? port.name.span : item.span;
+  return list;
+}
+
+bool same_shape(const Node& a, const Node& b) {
+  return a.is_sequence() && b.is_sequence() && a.items.size() == b.items.size() &&
+         std::equal(a.items.begin(), a.items.end(), b.items.begin(),
+                    [](const Node& x, const Node& y) { return x.text == y.text; });
+}
+
+/// float32 bounds are saved with all the digits of the float: -3.140000104904175 is -3.14.
+bool same_bound(const std::optional<Node>& a, const std::optional<Node>& b, bool single) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  const auto count = [](const Node& n) { return n.is_sequence() ? n.items.size() : 1; };
+  const auto at = [](const Node& n, std::size_t i) -> const Node& {
+    return n.is_sequence() ? n.items[n.items.size() == 1 ? 0 : i] : n;
+  };
+  if (count(*a) != count(*b) && count(*a) != 1 && count(*b) != 1) return false;
+  for (std::size_t i = 0; i < std::max(count(*a), count(*b)); ++i) {
+    if (count(*a) == 0 || count(*b) == 0) return false;
+    const auto x = parse_number(at(*a, i).text), y = parse_number(at(*b, i).text);
+    if (!x || !y) return false;
+    if (*x != *y && !(single && static_cast<float>(*x) == static_cast<float>(*y))) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Node made_scalar(std::string text, Span span) {
+  Node node;
+  node.kind = NodeKind::scalar;
+  node.text = std::move(text);
+  node.span = span;
+  return node;
+}
+
+std::optional<Rational> saved_rate(const Node& node, Diagnostics& diagnostics) {
+  return checked(node, "a rate in Hz", false, diagnostics);
+}
+
+std::optional<Rational> saved_delay(const Node& node, Diagnostics& diagnostics) {
+  return checked(node, "a delay in seconds", true, diagnostics);
+}
+
+std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
+                                      const std::vector<Setting>& settings) {
+  if (!port.rate) return std::nullopt;
+  const std::string& text = port.rate->text;
+  constexpr std::string_view kPrefix = "$(config ";
+  if (!text.starts_with(kPrefix) || !text.ends_with(')')) return Rational::parse(text);
+  const std::string name = text.substr(kPrefix.size(), text.size() - kPrefix.size() - 1);
+  for (const auto& setting : settings) {
+    if (setting.name == name) return Rational::parse(setting.value.text);
+  }
+  for (const auto& parameter : entity.config) {
+    if (parameter.name.value == name && parameter.fallback)
+      return Rational::parse(parameter.fallback->text);
+  }
+  return std::nullopt;
+}
+
+const PortManifest* manifest_port(const Entity& entity, std::string_view section,
+                                  std::string_view name) {
+  if (section == "inputs") return entity.input(name);
+  if (section == "outputs") return entity.output(name);
+  if (section == "sensors") return entity.sensor(name);
+  if (section == "actuators") return entity.actuator(name);
+  return section == "states" ? entity.state(name) : nullptr;
+}
+
+std::optional<SpaceSpec> saved_space(const SavedPort& port) {
+  const Node* saved = port.find("space");
+  if (saved == nullptr || !saved->is_map()) return std::nullopt;
+  SpaceSpec space;
+  space.span = port.name.span;
+  const Node* dtype = saved->find("dtype");
+  if (dtype != nullptr && dtype->is_scalar())
+    space.dtype = Spanned<std::string>{dtype->text, dtype->span};
+  const std::string_view name = space.dtype ? std::string_view(space.dtype->value) : "";
+  const Node* shape = saved->find("shape");
+  if (shape != nullptr && shape->is_sequence()) space.shape = *shape;
+  space.low = bound_of(port, saved, "low", name);
+  space.high = bound_of(port, saved, "high", name);
+  if (!space.dtype && !space.shape && !space.low && !space.high) return std::nullopt;
+  return space;
+}
+
+bool check_space(const SpaceSpec& space, Diagnostics& diagnostics) {
+  Node node;
+  node.kind = NodeKind::map;
+  node.span = space.span;
+  const auto add = [&](const char* key, const std::optional<Node>& value) {
+    if (value) node.entries.push_back({key, value->span, *value});
+  };
+  if (space.dtype) add("dtype", made_scalar(space.dtype->value, space.dtype->span));
+  add("shape", space.shape);
+  add("low", space.low);
+  add("high", space.high);
+  return check(node, *space_format(Reference::refuse, false), diagnostics);
+}
+
+bool same_space(const SpaceSpec& saved, const SpaceSpec& manifest) {
+  const bool single = saved.dtype && saved.dtype->value == "float32";
+  return saved.dtype && manifest.dtype && saved.dtype->value == manifest.dtype->value &&
+         saved.shape && manifest.shape && same_shape(*saved.shape, *manifest.shape) &&
+         same_bound(saved.low, manifest.low, single) &&
+         same_bound(saved.high, manifest.high, single);
+}
+
+std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& manifest) {
+  SpaceSpec result;
+  result.span = saved.span;
+  const bool dtype = manifest.dtype && saved.dtype && manifest.dtype->value == saved.dtype->value;
+  if (!dtype) result.dtype = saved.dtype;
+  const bool literal =
+      manifest.shape && std::none_of(manifest.shape->items.begin(), manifest.shape->items.end(),
+                                     [](const Node& item) { return item.text.starts_with("$("); });
+  const bool shape =
+      manifest.shape && saved.shape && (!literal || same_shape(*manifest.shape, *saved.shape));
+  if (!shape) result.shape = saved.shape;
+  if (!result.dtype && !result.shape) return std::nullopt;
+  return result;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,218 @@
+// A GraphSpec as text, in the order in which a person writes a graph.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "generator/import/import.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kWidth = 110;
+
+/// Whether the text can stand without quotes wherever values stand.
+bool is_plain(const std::string& text) {
+  const auto letter = [](unsigned char c) { return std::isalnum(c) != 0; };
+  return std::any_of(text.begin(), text.end(), letter) &&
+         std::all_of(text.begin(), text.end(), [&](char c) {
+           return letter(static_cast<unsigned char>(c)) ||
+                  std::string_view("_./+-").find(c) != std::string_view::npos;
+         });
+}
+
+std::string quoted(const std::string& text) {
+  const bool simple =
+      std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
+  std::string result;
+  if (simple) {
+    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
+    return "'" + result + "'";
+  }
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') result += '\\';
+    if (byte < 0x20 || byte == 0x7f) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  return "\"" + result + "\"";
+}
+
+std::string text_of(const Node& node) {
+  std::vector<std::string> items;
+  switch (node.kind) {
+    case NodeKind::null:
+      return "null";
+    case NodeKind::scalar:
+      return !node.quoted && is_plain(node.text) ? node.text : quoted(node.text);
+    case NodeKind::sequence:
+      for (const auto& item : node.items) items.push_back(text_of(item));
+      return fmt::format("[{}]", fmt::join(items, ", "));
+    case NodeKind::map:
+      for (const auto& entry : node.entries) {
+        items.push_back(fmt::format("{}: {}", is_plain(entry.key) ? entry.key : quoted(entry.key),
+                                    text_of(entry.value)));
+      }
+      return fmt::format("{{{}}}", fmt::join(items, ", "));
+  }
+  return "null";
+}
+
+std::string config_text(const std::vector<Setting>& config) {
+  std::vector<std::string> items;
+  for (const auto& setting : config)
+    items.push_back(fmt::format("{}: {}", setting.name, text_of(setting.value)));
+  return fmt::format("{{{}}}", fmt::join(items, ", "));
+}
+
+std::string space_text(const SpaceSpec& space) {
+  std::vector<std::string> items;
+  if (space.dtype) items.push_back("dtype: " + space.dtype->value);
+  if (space.shape) items.push_back("shape: " + text_of(*space.shape));
+  if (space.low) items.push_back("low: " + text_of(*space.low));
+  if (space.high) items.push_back("high: " + text_of(*space.high));
+  return fmt::format("{{{}}}", fmt::join(items, ", "));
+}
+
+std::string processor_text(const ProcessorSpec& processor) {
+  if (processor.config.empty()) return processor.type.value;
+  return fmt::format("{{type: {}, config: {}}}", processor.type.value,
+                     config_text(processor.config));
+}
+
+std::string component_text(const ComponentSpec& component) {
+  std::vector<std::string> items;
+  if (component.rate) items.push_back("rate: " + component.rate->value.to_string());
+  if (component.space) items.push_back("space: " + space_text(*component.space));
+  if (component.processor) items.push_back("processor: " + processor_text(*component.processor));
+  return items.empty() ? "" : fmt::format(" {{{}}}", fmt::join(items, ", "));
+}
+
+class GraphWriter {
+ public:
+  explicit GraphWriter(const ImportedGraph& graph) : graph_(graph), spec_(graph.spec) {}
+
+  std::string write() {
+    add_heading();
+    line(0, fmt::format("name: {}", spec_.name.value), "name");
+    line(0, fmt::format("rate: {}", spec_.rate.value.to_string()), "rate");
+    if (!spec_.library.empty()) add_library();
+    add_engine();
+    add_entities("objects", spec_.objects);
+    add_entities("nodes", spec_.nodes);
+    text_ += '\n';
+    add_selection(0, "actions", spec_.actions);
+    add_selection(0, "observations", spec_.observations);
+    add_connections();
+    return std::move(text_);
+  }
+
+ private:
+  void line(std::size_t indent, const std::string& content, const std::string& remark = "") {
+    text_ += std::string(indent, ' ') + content;
+    const auto found = graph_.remarks.find(remark);
+    if (found != graph_.remarks.end()) text_ += "  # " + found->second;
+    text_ += '\n';
+  }
+
+  void add_heading() {
+    std::string file = std::filesystem::path(spec_.path).filename().string();
+    for (char& c : file) {
+      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+    }
+    line(0, fmt::format("# Written by `eagerx-gen import` from {}.", file));
+  }
+
+  void add_library() {
+    std::vector<std::string> folders;
+    for (const auto& folder : spec_.library)
+      folders.push_back(is_plain(folder.value) ? folder.value : quoted(folder.value));
+    line(0, fmt::format("library: [{}]", fmt::join(folders, ", ")));
+  }
+
+  void add_engine() {
+    text_ += '\n';
+    line(0, "engine:");
+    line(2, "type: " + spec_.engine.type.value, "engine");
+    line(2, "rate: " + spec_.engine.rate->value.text, "engine.rate");
+    if (!spec_.engine.config.empty()) line(2, "config: " + config_text(spec_.engine.config));
+    add_states(2, spec_.engine.states);
+  }
+
+  void add_entities(const char* section, const std::vector<EntitySpec>& entities) {
+    if (entities.empty()) return;
+    text_ += '\n';
+    line(0, fmt::format("{}:", section));
+    for (const auto& entity : entities) {
+      line(2, entity.name.value + ":");
+      line(4, "type: " + entity.type.value);
+      if (entity.rate) line(4, "rate: " + entity.rate->value.text);
+      if (!entity.config.empty()) line(4, "config: " + config_text(entity.config));
+      if (entity.sensors) add_selection(4, "sensors", *entity.sensors);
+      if (entity.actuators) add_selection(4, "actuators", *entity.actuators);
+      if (entity.inputs) add_selection(4, "inputs", *entity.inputs);
+      if (entity.outputs) add_selection(4, "outputs", *entity.outputs);
+      add_states(4, entity.states);
+    }
+  }
+
+  void add_states(std::size_t indent, const std::vector<StateSpec>& states) {
+    if (states.empty()) return;
+    line(indent, "states:");
+    for (const auto& state : states)
+      line(indent + 2, state.name.value + ":  # set through the program's interface");
+  }
+
+  void add_selection(std::size_t indent, const char* key,
+                     const std::vector<ComponentSpec>& components) {
+    std::vector<std::string> names;
+    bool settings = false;
+    for (const auto& component : components) {
+      names.push_back(component.name.value);
+      settings = settings || !component_text(component).empty();
+    }
+    const std::string list = fmt::format("{}: [{}]", key, fmt::join(names, ", "));
+    if (!settings && indent + list.size() <= kWidth) {
+      line(indent, list);
+      return;
+    }
+    line(indent, fmt::format("{}:", key));
+    for (const auto& component : components)
+      line(indent + 2, fmt::format("{}:{}", component.name.value, component_text(component)));
+  }
+
+  void add_connections() {
+    text_ += '\n';
+    if (spec_.connections.empty()) line(0, "connections: []");
+    if (spec_.connections.empty()) return;
+    line(0, "connections:");
+    for (const auto& connection : spec_.connections) {
+      std::string content =
+          fmt::format("- {{from: {}, to: {}", connection.from.value, connection.to.value);
+      if (connection.window) content += fmt::format(", window: {}", connection.window->value);
+      if (connection.delay_s)
+        content += fmt::format(", delay: {}", connection.delay_s->value.to_string());
+      if (connection.skip)
+        content += fmt::format(", skip: {}", connection.skip->value ? "true" : "false");
+      if (connection.processor)
+        content += fmt::format(", processor: {}", processor_text(*connection.processor));
+      line(2, content + "}");
+    }
+  }
+
+  const ImportedGraph& graph_;
+  const GraphSpec& spec_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::string write_graph(const ImportedGraph& graph) {
+  return GraphWriter(graph).write();
+}
+
+}  // namespace eagerx::gen
