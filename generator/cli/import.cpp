@@ -15,11 +15,12 @@ namespace fs = std::filesystem;
 /// The folders of `--path` as the graph names them, so that it can be used without that option.
 std::vector<Spanned<std::string>> library_of(const Options& options) {
   std::vector<Spanned<std::string>> result;
-  const fs::path base = fs::absolute(options.output).lexically_normal().parent_path();
   for (const auto& path : options.paths) {
-    const fs::path folder = fs::absolute(path).lexically_normal();
-    result.push_back(
-        {options.output.empty() ? folder.string() : folder.lexically_relative(base).string(), {}});
+    fs::path folder = fs::absolute(path).lexically_normal();
+    if (!options.output.empty())
+      folder =
+          folder.lexically_relative(fs::absolute(options.output).lexically_normal().parent_path());
+    result.push_back({folder.string(), {}});
   }
   return result;
 }

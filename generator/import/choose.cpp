@@ -12,14 +12,39 @@ Spanned<Node> rate_node(const Rational& rate, Span span) {
   return {made_scalar(rate.to_string(), span), span};
 }
 
-/// Engines that every object is implemented for.
+/// Whether the implementation has every sensor, actuator and state of the object that is in use.
+bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine& implementation) {
+  const auto& inside = implementation.connections;
+  const auto has = [&](std::string_view section, const std::string& port) {
+    const std::string name = fmt::format("{}.{}", section, port);
+    if (section == "states") {
+      return std::any_of(implementation.states.begin(), implementation.states.end(),
+                         [&](const EntitySpec& s) { return s.name.value == port; });
+    }
+    return std::any_of(inside.begin(), inside.end(), [&](const ConnectionSpec& c) {
+      return c.from.value == name || c.to.value == name;
+    });
+  };
+  const auto used = [&](const SavedEnd& end) {
+    return end.entity != object.name.value || has(end.section, end.port);
+  };
+  const auto& states = object.selected.at("states");
+  return std::all_of(t.saved.links.begin(), t.saved.links.end(),
+                     [&](const SavedLink& link) { return used(link.from) && used(link.to); }) &&
+         std::all_of(states.begin(), states.end(),
+                     [&](const auto& state) { return has("states", state.value); });
+}
+
+/// Engines that every object is implemented for, with all that the graph uses of it.
 std::vector<std::string> common_engines(const Translation& t) {
   std::vector<std::string> result = t.counterparts.library().ids(EntityKind::engine);
-  for (const auto& object : t.result.spec.objects) {
-    const Entity* entity = t.counterparts.library().find(object.type.value);
+  for (const auto& object : t.saved.entities) {
+    if (object.kind != SavedEntity::Kind::object) continue;
+    const Entity* entity = t.entity(object.name.value);
     std::erase_if(result, [&](const std::string& engine) {
-      return std::none_of(entity->object_engines.begin(), entity->object_engines.end(),
-                          [&](const ObjectEngine& o) { return o.engine.value == engine; });
+      return std::none_of(
+          entity->object_engines.begin(), entity->object_engines.end(),
+          [&](const ObjectEngine& o) { return o.engine.value == engine && has_all(t, object, o); });
     });
   }
   return result;
@@ -38,9 +63,8 @@ void choose_type(Translation& t) {
   const std::vector<std::string> known = common_engines(t);
   if (known.size() == 1) {
     engine.type = {known.front(), whole};
-    t.result.remarks["engine"] = spec.objects.empty()
-                                     ? "the only engine there is"
-                                     : "the only engine that every object is made for";
+    t.result.remarks["engine"] = spec.objects.empty() ? "the only engine there is"
+                                                      : "the only one that has all of its objects";
     t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
                                           known.front(), t.result.remarks["engine"]));
     return;
@@ -142,10 +166,16 @@ void choose_rate(Translation& t) {
     return;
   }
   std::optional<Rational> fastest;
+  const char* reason = "the fastest of what it observes and acts on";
   for (const auto& link : t.saved.links) {
     const bool acts = link.from.entity == "environment";
     if (!acts && link.to.entity != "environment") continue;
     const auto other = rate_of(t, acts ? link.to : link.from);
+    if (other && link.to.section == "feedthroughs") {
+      fastest = other;  // a reset node has the rate of what it passes on
+      reason = "that of the reset node that passes its actions on";
+      break;
+    }
     if (other && (!fastest || *other > *fastest)) fastest = other;
   }
   if (!fastest) {
@@ -154,7 +184,7 @@ void choose_rate(Translation& t) {
     return;
   }
   rate = {*fastest, whole};
-  t.result.remarks["rate"] = "the fastest of what it observes and acts on";
+  t.result.remarks["rate"] = reason;
   t.diagnostics
       .note(whole, fmt::format("the file has no rate for the environment: {} Hz is taken, {}",
                                fastest->to_string(), t.result.remarks["rate"]))

@@ -166,7 +166,12 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const Node& co
       continue;
     }
     if (parameter.fallback && same_value(*parameter.fallback, entry->value)) continue;
-    result.push_back({parameter.name.value, entry->key_span, entry->value});
+    // Python takes [0] where ours takes 0.
+    const bool list =
+        parameter.type == Parameter::Type::integers || parameter.type == Parameter::Type::numbers;
+    const bool single = entry->value.is_sequence() && entry->value.items.size() == 1;
+    result.push_back({parameter.name.value, entry->key_span,
+                      single && !list ? entry->value.items[0] : entry->value});
   }
   for (const auto& eagerx : entity.eagerx_ids) {
     for (const auto& condition : eagerx.when) taken.push_back(condition.name);

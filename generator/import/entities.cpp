@@ -133,14 +133,11 @@ class EntityTranslator {
 
   void add_states(const SavedEntity& saved, EntitySpec& made) {
     for (const auto& name : saved.selected.at("states")) {
-      made.states.push_back({name, std::nullopt});
-      const SavedPort* port = saved.port("states", name.value);
-      if (port == nullptr || port->find("processor") == nullptr) continue;
-      t_.diagnostics
-          .error(
-              "E0807", port->find("processor")->span,
-              fmt::format("the state `{}` of `{}` has a processor", name.value, saved.name.value))
-          .help = "states have no processors here: set the converted value, or leave it out";
+      StateSpec state;
+      state.name = name;
+      if (const SavedPort* port = saved.port("states", name.value))
+        state.processor = t_.counterparts.processor(*port, written(saved, name.value));
+      made.states.push_back(std::move(state));
     }
   }
 

@@ -115,7 +115,7 @@ class GraphWriter {
   void line(std::size_t indent, const std::string& content, const std::string& remark = "") {
     text_ += std::string(indent, ' ') + content;
     const auto found = graph_.remarks.find(remark);
-    if (found != graph_.remarks.end()) text_ += "  # " + found->second;
+    if (found != graph_.remarks.end()) text_ += " # " + found->second;
     text_ += '\n';
   }
 
@@ -163,8 +163,13 @@ class GraphWriter {
   void add_states(std::size_t indent, const std::vector<StateSpec>& states) {
     if (states.empty()) return;
     line(indent, "states:");
-    for (const auto& state : states)
-      line(indent + 2, state.name.value + ":  # set through the program's interface");
+    for (const auto& state : states) {
+      const std::string settings =
+          state.processor ? fmt::format(" {{processor: {}}}", processor_text(*state.processor))
+                          : "";
+      line(indent + 2,
+           state.name.value + ":" + settings + " # set through the program's interface");
+    }
   }
 
   void add_selection(std::size_t indent, const char* key,
