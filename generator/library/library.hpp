@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/library/condition.hpp"
 #include "generator/spec/graph_spec.hpp"
 
 namespace eagerx::gen {
@@ -30,6 +31,14 @@ struct Parameter {
   std::vector<std::string> options;  // keyword
   std::string cpp_class;             // keyword: the C++ enumeration
   std::string eagerx;                // its name in EAGERx
+};
+
+/// What parameters, ports and the rate must fulfil together.
+struct Requirement {
+  Condition that;
+  std::string text;     // as written
+  std::string because;  // the same in words
+  Span span;
 };
 
 /// An input, output, sensor, actuator or state.
@@ -68,6 +77,7 @@ struct Entity {
   CppClass simulator;                // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
   std::vector<Parameter> config;
+  std::vector<Requirement> requirements;
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<PortManifest> targets;  // a node with targets is a reset node
   std::vector<ObjectEngine> object_engines;

@@ -67,6 +67,20 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
   return result;
 }
 
+/// Afterwards: conditions speak of parameters and ports.
+std::vector<Requirement> read_requirements(const Node& root, const Entity& entity,
+                                           Diagnostics& diagnostics) {
+  std::vector<Requirement> result;
+  const Node* list = root.find("requires");
+  if (list == nullptr) return result;
+  for (const auto& item : list->items) {
+    const Node& that = *item.find("that");
+    if (auto condition = read_condition(that, entity, diagnostics))
+      result.push_back({std::move(*condition), that.text, text_at(item, "because"), that.span});
+  }
+  return result;
+}
+
 std::vector<EagerxId> read_eagerx_ids(const Node& root) {
   std::vector<EagerxId> result;
   const Node* list = root.find("eagerx");
@@ -214,6 +228,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   if (root.find("kind")->text == "reset_node" && (entity.targets.empty() || entity.outputs.empty()))
     diagnostics.error("E0206", entity.id.span,
                       "a reset node has at least one output and one target");
+  entity.requirements = read_requirements(root, entity, diagnostics);
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return entity;
 }

@@ -45,6 +45,15 @@ FormatPtr parameter_format() {
        {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"}});
 }
 
+FormatPtr requirements_format() {
+  return format::list(
+      "a list of conditions",
+      format::record("a condition",
+                     {{"that", format::text("a condition such as `low < high`"), true,
+                       "a condition such as `low < high`"},
+                      {"because", format::text("a text"), true, "what it means, in one line"}}));
+}
+
 Fields port_fields() {
   return {{"space", space_format(Reference::accept, true), false, "what its messages may hold"},
           {"unit", format::text("a unit"), false, "unit"},
@@ -79,7 +88,8 @@ Fields cpp() {
 }
 
 Fields config() {
-  return {{"config", format::map("parameters", parameter_format()), false, "parameters"}};
+  return {{"config", format::map("parameters", parameter_format()), false, "parameters"},
+          {"requires", requirements_format(), false, "what they must fulfil together"}};
 }
 Fields engines() {
   return {{"engines", texts(), false, "engines it works with (default: all)"}};

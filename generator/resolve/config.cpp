@@ -192,8 +192,11 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    if (auto value = Reader(parameter, *node, diagnostics).read())
-      result.push_back(std::move(*value));
+    auto value = Reader(parameter, *node, diagnostics).read();
+    if (!value) continue;
+    value->given = setting != nullptr;
+    value->span = setting != nullptr ? setting->value.span : span;
+    result.push_back(std::move(*value));
   }
   return result;
 }

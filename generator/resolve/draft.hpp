@@ -135,6 +135,8 @@ std::optional<Random> read_random(const std::string& name, const Space& space,
                                   const RandomSpec& spec, Diagnostics& diagnostics);
 /// What a reset needs of the finished graph (E0317, E0318); marks what cannot run during one.
 void check_resets(Graph& graph, Diagnostics& diagnostics);
+/// What manifests require of parameters, ports and rates together (E0328).
+void check_limits(Draft& draft);
 /// The space that an input is declared with, by the name that connections call it; nullopt if there
 /// is none.
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);

@@ -48,6 +48,8 @@ struct ConfigValue {
   std::variant<std::int64_t, double, bool, std::string, std::vector<std::int64_t>,
                std::vector<double>>
       value;
+  bool given = false;  // false: the manifest's default
+  Span span{};         // where it was given, else where it could have been
 };
 using Config = std::vector<ConfigValue>;  // in the order of the manifest
 

@@ -153,6 +153,13 @@ FormatPtr config_format() {
   return format::map("parameters", format::any("a value"));
 }
 
+const std::vector<std::string>& dtype_names() {
+  static const std::vector<std::string> kNames = {"float32", "float64", "int8",  "int16",
+                                                  "int32",   "int64",   "uint8", "uint16",
+                                                  "uint32",  "uint64",  "bool"};
+  return kNames;
+}
+
 FormatPtr space_format(Reference references, bool like) {
   const FormatPtr dimension = format::integer("a size of at least 1", 1, 1'000'000'000);
   const FormatPtr shape = references == Reference::refuse
@@ -160,10 +167,7 @@ FormatPtr space_format(Reference references, bool like) {
                               : format::one_of("a size or `$(config NAME)`",
                                                {dimension, format::text("`$(config NAME)`")});
   std::vector<Field> fields = {
-      {"dtype",
-       format::keyword({"float32", "float64", "int8", "int16", "int32", "int64", "uint8", "uint16",
-                        "uint32", "uint64", "bool"}),
-       false, "type of an element, by numpy's names"},
+      {"dtype", format::keyword(dtype_names()), false, "type of an element, by numpy's names"},
       {"shape", format::list("a list of sizes, `[]` for a scalar", shape), false,
        "sizes, `[]` for a scalar"},
       {"low", bound_format(references), false, "lowest value"},

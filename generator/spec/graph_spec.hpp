@@ -131,6 +131,8 @@ enum class Reference : std::uint8_t {
   refuse,
   accept
 };  // whether `$(config x)` may stand for a number
+/// "float32", "uint8", …
+const std::vector<std::string>& dtype_names();
 FormatPtr space_format(Reference references, bool like);
 FormatPtr connections_format();
 FormatPtr engine_nodes_format();

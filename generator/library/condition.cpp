@@ -1,0 +1,214 @@
+// Conditions evaluated.
+#include "generator/library/condition.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace eagerx::gen {
+namespace {
+
+using Op = ConditionStep::Op;
+using Value = ConditionValue;
+using Number = ConditionNumber;
+
+double as_double(const Number& number) {
+  return std::visit([](auto value) { return static_cast<double>(value); }, number);
+}
+
+Number number_of(const Value& value) {
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  const auto* real = std::get_if<double>(&value);
+  return real != nullptr ? *real : std::numeric_limits<double>::quiet_NaN();
+}
+
+Value value_of(const Number& number) {
+  return std::visit([](auto value) { return Value(value); }, number);
+}
+
+bool less(const Number& a, const Number& b) {
+  if (std::holds_alternative<std::int64_t>(a) && std::holds_alternative<std::int64_t>(b))
+    return std::get<std::int64_t>(a) < std::get<std::int64_t>(b);
+  return as_double(a) < as_double(b);
+}
+
+bool equal(const Number& a, const Number& b) {
+  if (std::holds_alternative<std::int64_t>(a) && std::holds_alternative<std::int64_t>(b))
+    return std::get<std::int64_t>(a) == std::get<std::int64_t>(b);
+  return as_double(a) == as_double(b);
+}
+
+bool equal(const Value& a, const Value& b) {
+  if (std::holds_alternative<bool>(a) || std::holds_alternative<std::string>(a)) return a == b;
+  return equal(number_of(a), number_of(b));
+}
+
+Value arithmetic(Op op, const Number& a, const Number& b) {
+  const auto* whole_a = std::get_if<std::int64_t>(&a);
+  const auto* whole_b = std::get_if<std::int64_t>(&b);
+  const bool whole = whole_a != nullptr && whole_b != nullptr;
+  std::int64_t result = 0;
+  switch (op) {
+    case Op::add:
+      if (whole && !__builtin_add_overflow(*whole_a, *whole_b, &result)) return result;
+      return as_double(a) + as_double(b);
+    case Op::subtract:
+      if (whole && !__builtin_sub_overflow(*whole_a, *whole_b, &result)) return result;
+      return as_double(a) - as_double(b);
+    case Op::multiply:
+      if (whole && !__builtin_mul_overflow(*whole_a, *whole_b, &result)) return result;
+      return as_double(a) * as_double(b);
+    default:
+      return as_double(a) / as_double(b);
+  }
+}
+
+bool compare(Op op, const Value& a, const Value& b) {
+  switch (op) {
+    case Op::less:
+      return less(number_of(a), number_of(b));
+    case Op::less_equal:
+      return less(number_of(a), number_of(b)) || equal(number_of(a), number_of(b));
+    case Op::greater:
+      return less(number_of(b), number_of(a));
+    case Op::greater_equal:
+      return less(number_of(b), number_of(a)) || equal(number_of(a), number_of(b));
+    case Op::equal:
+      return equal(a, b);
+    default:
+      return !equal(a, b);
+  }
+}
+
+class Stack {
+ public:
+  void apply(const ConditionStep& step) {
+    switch (step.op) {
+      case Op::constant:
+      case Op::fact:
+        return push(step.value);
+      case Op::negate:
+        return push(arithmetic(Op::subtract, std::int64_t{0}, number_of(pop())));
+      case Op::logical_not:
+        return push(!is_true(pop()));
+      case Op::length:
+        return push(static_cast<std::int64_t>(pop_list().size()));
+      case Op::increasing:
+        return push(increasing(pop_list()));
+      case Op::least:
+      case Op::most:
+        return push(extreme(step));
+      case Op::one_of:
+        return push(one_of(step.count));
+      default:
+        return binary(step.op);
+    }
+  }
+
+  void push(Value value) { values_.push_back(std::move(value)); }
+
+  Value pop() {
+    if (values_.empty()) return false;
+    Value value = std::move(values_.back());
+    values_.pop_back();
+    return value;
+  }
+
+  static bool is_true(const Value& value) {
+    const bool* truth = std::get_if<bool>(&value);
+    return truth != nullptr && *truth;
+  }
+
+ private:
+  std::vector<Number> pop_list() {
+    Value value = pop();
+    if (auto* list = std::get_if<std::vector<Number>>(&value)) return std::move(*list);
+    return {number_of(value)};
+  }
+
+  void binary(Op op) {
+    const Value b = pop();
+    const Value a = pop();
+    switch (op) {
+      case Op::logical_and:
+        return push(is_true(a) && is_true(b));
+      case Op::logical_or:
+        return push(is_true(a) || is_true(b));
+      case Op::add:
+      case Op::subtract:
+      case Op::multiply:
+      case Op::divide:
+        return push(arithmetic(op, number_of(a), number_of(b)));
+      default:
+        return push(compare(op, a, b));
+    }
+  }
+
+  static bool increasing(const std::vector<Number>& list) {
+    return std::adjacent_find(list.begin(), list.end(), [](const Number& a, const Number& b) {
+             return !less(a, b);
+           }) == list.end();
+  }
+
+  /// Of no numbers at all, the least is infinite and the most is minus infinite: what must hold for
+  /// each of them holds.
+  Value extreme(const ConditionStep& step) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const bool least = step.op == Op::least;
+    Number result = least ? kInfinity : -kInfinity;
+    for (std::size_t i = 0; i < step.count; ++i) {
+      for (const Number& number : pop_list()) {
+        const double value = as_double(number);
+        if (std::isnan(value)) return value;
+        if (least ? less(number, result) : less(result, number)) result = number;
+      }
+    }
+    return value_of(result);
+  }
+
+  bool one_of(std::size_t count) {
+    std::vector<Value> choices;
+    for (std::size_t i = 0; i < count; ++i) choices.push_back(pop());
+    const Value value = pop();
+    return std::any_of(choices.begin(), choices.end(),
+                       [&](const Value& choice) { return equal(value, choice); });
+  }
+
+  std::vector<Value> values_;
+};
+
+}  // namespace
+
+std::optional<bool> holds(const Condition& condition, const Facts& facts) {
+  Stack stack;
+  for (const auto& step : condition) {
+    if (step.op != Op::fact) {
+      stack.apply(step);
+      continue;
+    }
+    const auto fact = facts.find(step.fact);
+    if (fact == facts.end()) return std::nullopt;
+    stack.push(fact->second);
+  }
+  return Stack::is_true(stack.pop());
+}
+
+std::string to_string(const ConditionValue& value) {
+  struct Writer {
+    std::string operator()(bool truth) const { return truth ? "true" : "false"; }
+    std::string operator()(std::int64_t whole) const { return fmt::format("{}", whole); }
+    std::string operator()(double real) const { return fmt::format("{}", real); }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const std::vector<Number>& list) const {
+      std::vector<std::string> items;
+      for (const Number& number : list)
+        items.push_back(std::visit([](auto item) { return fmt::format("{}", item); }, number));
+      return fmt::format("[{}]", fmt::join(items, ", "));
+    }
+  };
+  return std::visit(Writer{}, value);
+}
+
+}  // namespace eagerx::gen

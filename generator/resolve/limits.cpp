@@ -1,0 +1,125 @@
+// What manifests require of parameters, ports and rates together.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/resolve/draft.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+struct FactOf {
+  template <class T>
+  ConditionValue operator()(const std::vector<T>& list) const {
+    return std::vector<ConditionNumber>(list.begin(), list.end());
+  }
+  template <class T>
+  ConditionValue operator()(const T& value) const {
+    return value;
+  }
+};
+
+void add_port(Facts& facts, const std::string& port, const Space& space) {
+  facts[fmt::format("size({})", port)] = static_cast<std::int64_t>(space.size());
+  facts[fmt::format("dtype({})", port)] = std::string(to_string(space.dtype));
+}
+
+Facts facts_of(const GraphNode& node) {
+  Facts facts;
+  // Zero is a rate that was refused.
+  if (node.rate_hz != Rational()) facts["rate"] = node.rate_hz.to_double();
+  for (const auto& input : node.inputs) {
+    const std::string port = "inputs." + input.name;
+    add_port(facts, port, input.space);
+    facts[fmt::format("window({})", port)] = static_cast<std::int64_t>(input.window);
+  }
+  for (const auto& output : node.outputs) add_port(facts, "outputs." + output.name, output.raw);
+  for (const auto& state : node.states) add_port(facts, "states." + state.name, state.received());
+  return facts;
+}
+
+Facts facts_of(const Processor& processor) {
+  Facts facts;
+  add_port(facts, "inputs.input", processor.input);
+  add_port(facts, "outputs.output", processor.output);
+  return facts;
+}
+
+/// "`cutoff_hz` is 20, `rate` is 30"
+std::string shown(const Condition& condition, const Facts& facts) {
+  std::vector<std::string> items;
+  for (const auto& step : condition) {
+    if (step.op != ConditionStep::Op::fact) continue;
+    const std::string item =
+        fmt::format("`{}` is {}", step.written, to_string(facts.at(step.fact)));
+    if (std::find(items.begin(), items.end(), item) == items.end()) items.push_back(item);
+  }
+  return fmt::format("{}", fmt::join(items, ", "));
+}
+
+/// The first parameter of the condition that was given, else the entity.
+Span place_of(const Condition& condition, const Config& config, Span entity) {
+  for (const auto& step : condition) {
+    const auto item = std::find_if(config.begin(), config.end(), [&](const ConfigValue& c) {
+      return c.given && c.parameter->name.value == step.fact;
+    });
+    if (item != config.end()) return item->span;
+  }
+  return entity;
+}
+
+void check(const Entity& entity, const Config& config, Facts facts, Span span,
+           Diagnostics& diagnostics) {
+  if (entity.requirements.empty()) return;
+  for (const auto& item : config)
+    facts[item.parameter->name.value] = std::visit(FactOf{}, item.value);
+  for (const auto& requirement : entity.requirements) {
+    if (holds(requirement.that, facts).value_or(true)) continue;
+    auto& problem = diagnostics.error(
+        "E0328", place_of(requirement.that, config, span),
+        fmt::format("`{}` cannot work so: {}", entity.id.value, requirement.because));
+    problem.label = shown(requirement.that, facts);
+    problem.notes.push_back(
+        {fmt::format("it requires `{}`", requirement.text), requirement.span, ""});
+  }
+}
+
+void check(const std::optional<Processor>& processor, Diagnostics& diagnostics) {
+  if (processor)
+    check(*processor->entity, processor->config, facts_of(*processor), processor->span,
+          diagnostics);
+}
+
+void check(const GraphNode& node, Diagnostics& diagnostics) {
+  if (node.entity != nullptr)
+    check(*node.entity, node.config, facts_of(node), node.span, diagnostics);
+  for (const auto& input : node.inputs) check(input.processor, diagnostics);
+  for (const auto& output : node.outputs) check(output.processor, diagnostics);
+  for (const auto& state : node.states) check(state.processor, diagnostics);
+  for (const auto& target : node.targets) check(target.processor, diagnostics);
+}
+
+void check(const Object& object, Diagnostics& diagnostics) {
+  if (object.entity == nullptr) return;
+  check(*object.entity, object.config, {}, object.span, diagnostics);
+  for (const auto& state : object.states) {
+    check(state.processor, diagnostics);
+    if (state.engine_state == nullptr) continue;
+    Facts facts;
+    add_port(facts, "states.space", state.received());
+    check(*state.engine_state, state.config, std::move(facts), state.span, diagnostics);
+  }
+}
+
+}  // namespace
+
+void check_limits(Draft& draft) {
+  const auto& complete = draft.graph.nodes;
+  for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
+    // After other problems the ports are not known; what is said of parameters and rates still is.
+    check(complete.empty() ? draft.nodes[n].node : complete[n], draft.diagnostics);
+  }
+  for (const auto& object : draft.graph.objects) check(object, draft.diagnostics);
+}
+
+}  // namespace eagerx::gen
