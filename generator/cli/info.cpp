@@ -34,6 +34,8 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
     if (port.window) more += fmt::format(", window {}", *port.window);
     if (port.skip.value_or(false)) more += ", skip";
+    if (port.max_delay)
+      more += fmt::format(", sets its delay up to {} s", text_of(*port.max_delay));
     fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
     if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
   }
@@ -85,8 +87,20 @@ void print_parameters(const std::vector<Parameter>& parameters) {
   }
 }
 
+void print_requirements(const std::vector<Requirement>& requirements) {
+  if (requirements.empty()) return;
+  fmt::print("\nrequires\n");
+  for (const auto& requirement : requirements)
+    fmt::print("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
+}
+
+/// A node with targets is a reset node, whatever it is otherwise.
+std::string_view kind_of(const Entity& entity) {
+  return entity.targets.empty() ? to_string(entity.kind) : "reset node";
+}
+
 void print_entity(const Entity& entity) {
-  fmt::print("{} ({})\n{}\n", entity.id.value, to_string(entity.kind), entity.summary);
+  fmt::print("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
   if (!entity.description.empty()) fmt::print("\n{}", entity.description);
   print_eagerx_ids(entity);
   if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
@@ -97,7 +111,9 @@ void print_entity(const Entity& entity) {
   print_ports("actuators", entity.actuators);
   print_ports("inputs", entity.inputs);
   print_ports("outputs", entity.outputs);
-  print_ports("states", entity.states);
+  print_ports(entity.kind == EntityKind::engine_state ? "state" : "states", entity.states);
+  print_ports("targets", entity.targets);
+  print_requirements(entity.requirements);
   if (!entity.cpp.include.empty())
     fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
 }

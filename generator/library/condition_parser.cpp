@@ -282,15 +282,15 @@ class Parser : private ConditionText {
 
   void check_comparable(Op op, const Type& left, const Type& right) {
     if (!good()) return;
-    if (left.kind == Type::Kind::word) {
-      return right.kind == Type::Kind::text ? check_choice(left, right) : unknown(left);
-    }
+    const bool equality = op == Op::equal || op == Op::not_equal;
+    const bool wrong =
+        left.kind == Type::Kind::list ||
+        (left.kind != Type::Kind::number && left.kind != Type::Kind::word && !equality);
+    if (wrong) fail(left.begin, fmt::format("{} cannot be compared so", to_string(left.kind)));
+    if (left.kind == Type::Kind::word)
+      return right.kind == Type::Kind::text && equality ? check_choice(left, right) : unknown(left);
     if (right.kind == Type::Kind::word && left.kind == Type::Kind::text)
       return check_choice(right, left);
-    const bool equality = op == Op::equal || op == Op::not_equal;
-    if (left.kind == Type::Kind::list || (!equality && left.kind != Type::Kind::number)) {
-      return fail(left.begin, fmt::format("{} cannot be compared so", to_string(left.kind)));
-    }
     expect(right, left.kind);
   }
 

@@ -77,10 +77,10 @@ void check(const Entity& entity, const Config& config, Facts facts, Span span,
     if (holds(requirement.that, facts).value_or(true)) continue;
     auto& problem = diagnostics.error(
         "E0328", place_of(requirement.that, config, span),
-        fmt::format("`{}` cannot work so: {}", entity.id.value, requirement.because));
+        fmt::format("`{}` requires that {}", entity.id.value, requirement.because));
     problem.label = shown(requirement.that, facts);
     problem.notes.push_back(
-        {fmt::format("it requires `{}`", requirement.text), requirement.span, ""});
+        {fmt::format("as its manifest says: `{}`", requirement.text), requirement.span, ""});
   }
 }
 

@@ -103,12 +103,9 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_agent(draft);
   check_cycles(draft);
   resolve_spaces(draft);
-<<<<<<< HEAD
   if (spec.reset_timeout_s) draft.graph.reset_timeout_s = spec.reset_timeout_s->value;
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
-=======
   check_limits(draft);
->>>>>>> 49b1627 (Manifests state conditions on parameters, ports and rates (requires:), checked before the C++ compiler would complain)
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(draft.graph);
 }
