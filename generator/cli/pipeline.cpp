@@ -66,9 +66,9 @@ Node read_graph_file(Run& run, const std::string& path) {
   Node tree = read_yaml_file(path, run.sources, strict);
   if (strict.has_errors() && !strict.has_io_errors()) {
     // A file of EAGERx may have Python's tags; in a graph they are mistakes.
-    Diagnostics tolerant;
-    Node tagged = read_yaml_file(path, run.sources, tolerant, Tags::accept);
-    if (is_saved_graph(tagged)) return tagged;
+    const std::string& text = run.sources.text(strict.all().front().span.file);
+    if (text.find("\ngui_state:") != std::string::npos)
+      return read_yaml_text(path, text, run.sources, run.diagnostics, Tags::accept);
   }
   run.diagnostics = std::move(strict);
   return tree;

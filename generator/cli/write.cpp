@@ -77,7 +77,7 @@ class Writer {
       return true;
     }
     std::error_code error;
-    fs::create_directories(path.parent_path(), error);
+    if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (error) return fail(path.parent_path(), error.message()).has_value();
     if (fs::is_directory(path, error)) return fail(path, "it is a folder").has_value();
     const fs::path temporary =

@@ -133,7 +133,9 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const Node& con
     Missing& missing = missing_[id.value];
     missing.use = use;
     missing.other_parameters = known;
-    missing.users.emplace_back(user, id.span);
+    const bool again = std::any_of(missing.users.begin(), missing.users.end(),
+                                   [&](const auto& other) { return other.first == user; });
+    if (!again) missing.users.emplace_back(user, id.span);
   } else if (ambiguous) {
     diagnostics_
         .error("E0801", id.span, fmt::format("more than one entity stands for `{}`", id.value))
@@ -179,7 +181,7 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const Node& co
   std::vector<std::string> unknown;
   Span span;
   for (const auto& entry : config.entries) {
-    if (std::find(taken.begin(), taken.end(), entry.key) != taken.end() ||
+    if (entry.value.is_null() || std::find(taken.begin(), taken.end(), entry.key) != taken.end() ||
         std::find(kAlways.begin(), kAlways.end(), entry.key) != kAlways.end())
       continue;
     if (unknown.empty()) span = entry.key_span;

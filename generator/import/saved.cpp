@@ -21,27 +21,29 @@ class Substitution {
     if (!value.is_scalar() || !value.text.starts_with("$(config ") || !value.text.ends_with(')'))
       return value;
     constexpr std::size_t kPrefix = std::string_view("$(config ").size();
-    if (!afford(config.entries.size())) return value;  // for the search
+    if (!spend(searches_, config.entries.size())) return value;
     const Node* found = config.find(value.text.substr(kPrefix, value.text.size() - kPrefix - 1));
     return found != nullptr && afford(*found) ? *found : value;
   }
 
  private:
-  bool afford(std::size_t cost) {
-    const bool enough = cost <= left_;
-    left_ -= enough ? cost : left_;
+  static bool spend(std::size_t& left, std::size_t cost) {
+    const bool enough = cost <= left;
+    left -= enough ? cost : left;
     return enough;
   }
 
   bool afford(const Node& node) {
-    return afford(1 + node.text.size()) &&
+    constexpr std::size_t kTextOfANode = 64;
+    return spend(nodes_, 1 + node.text.size() / kTextOfANode) &&
            std::all_of(node.items.begin(), node.items.end(),
                        [&](const Node& item) { return afford(item); }) &&
            std::all_of(node.entries.begin(), node.entries.end(),
                        [&](const Node::Entry& entry) { return afford(entry.value); });
   }
 
-  std::size_t left_ = 20'000'000;  // nodes, letters and entries looked at
+  std::size_t searches_ = 50'000'000;  // entries looked at
+  std::size_t nodes_ = 300'000;        // copied
 };
 
 class SavedReader {

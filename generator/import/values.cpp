@@ -26,14 +26,20 @@ std::optional<Rational> checked(const Node& node, const char* what, bool zero,
   const auto value = decimal(node);
   if (value && !value->overflowed() && (*value > Rational() || (zero && *value == Rational())))
     return value;
-  diagnostics.error("E0802", node.span, fmt::format("expected {}, found {}", what, describe(node)));
+  const bool object = is_python_object(node);
+  diagnostics.error(object ? "E0803" : "E0802", node.span,
+                    object
+                        ? fmt::format("expected {}, found a Python object, `{}`", what, node.text)
+                        : fmt::format("expected {}, found {}", what, describe(node)));
   return std::nullopt;
 }
 
 /// numpy's nan_to_num writes the largest numbers for infinity.
 bool is_unbounded(double bound, std::string_view dtype) {
   const double magnitude = std::fabs(bound);
+  constexpr double kLargestInteger = 9.2233720368547758e18;
   if (!(magnitude < std::numeric_limits<double>::max())) return true;
+  if (dtype.find("int") != std::string_view::npos) return magnitude >= kLargestInteger;
   return dtype == "float32" && magnitude >= static_cast<double>(std::numeric_limits<float>::max());
 }
 
@@ -52,7 +58,8 @@ void flatten(const Node& bound, std::string_view dtype, std::vector<Node>& into)
   if (bound.is_sequence()) return;
   Node number = bound;
   const auto value = parse_number(bound.text);
-  if (value && is_unbounded(*value, dtype)) number.text = *value < 0 ? "-.inf" : ".inf";
+  if (value && dtype.starts_with("float") && is_unbounded(*value, dtype))
+    number.text = *value < 0 ? "-.inf" : ".inf";
   into.push_back(std::move(number));
 }
 
@@ -134,6 +141,8 @@ const PortManifest* manifest_port(const Entity& entity, std::string_view section
   if (section == "outputs") return entity.output(name);
   if (section == "sensors") return entity.sensor(name);
   if (section == "actuators") return entity.actuator(name);
+  if (section == "feedthroughs") return entity.output(name);  // what it passes on
+  if (section == "targets") return entity.target(name);
   return section == "states" ? entity.state(name) : nullptr;
 }
 

@@ -55,9 +55,21 @@ bool check_brackets(const Locator& locator, const ReadLimits& limits, Diagnostic
   return true;
 }
 
+/// yaml-cpp 0.7 loses its way at `- !!binary |`, which PyYAML writes for numpy's values. Without
+/// the bar, the same lines are a plain text, and everything keeps its place.
+std::string without_bars(std::string_view text) {
+  std::string result(text);
+  constexpr std::string_view kBinary = "!!binary |\n";
+  for (std::size_t at = result.find(kBinary); at != std::string::npos;
+       at = result.find(kBinary, at + kBinary.size()))
+    result[at + kBinary.size() - 2] = ' ';
+  return result;
+}
+
 /// Runs yaml-cpp: the only place where it can throw.
-void parse(const Locator& locator, TreeBuilder& builder, Diagnostics& diagnostics) {
-  std::istringstream stream{std::string(locator.text())};
+void parse(const Locator& locator, TreeBuilder& builder, Tags tags, Diagnostics& diagnostics) {
+  std::istringstream stream{tags == Tags::accept ? without_bars(locator.text())
+                                                 : std::string(locator.text())};
   try {
     YAML::Parser parser(stream);
     if (parser.HandleNextDocument(builder)) parser.HandleNextDocument(builder);
@@ -83,7 +95,7 @@ Node read_text(FileId file, std::string_view text, Diagnostics& diagnostics, Tag
   const Locator locator(file, text);
   if (!check_brackets(locator, limits, diagnostics)) return {};
   TreeBuilder builder(locator, tags, limits, diagnostics);
-  parse(locator, builder, diagnostics);
+  parse(locator, builder, tags, diagnostics);
   if (diagnostics.error_count() > errors_before) return {};
   Node root = builder.take_root();
   if (root.is_null()) {

@@ -1,0 +1,245 @@
+#include "generator/import/import.hpp"
+
+#include <gtest/gtest.h>
+
+#include "generator/import/counterparts.hpp"
+#include "generator/import/saved.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// A text of EAGERx, imported with the oracle's entities.
+struct Import {
+  explicit Import(const std::string& text, const ImportOptions& options = {}) {
+    const Node tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
+    if (diagnostics.has_errors()) return;
+    saved = is_saved_graph(tree);
+    library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
+    graph = import_graph(tree, "state.yaml", library, options, diagnostics);
+  }
+
+  [[nodiscard]] std::string report() const { return render_text(diagnostics, sources, false); }
+  [[nodiscard]] std::string text() const { return graph ? write_graph(*graph) : report(); }
+  [[nodiscard]] std::vector<std::string> codes() const {
+    std::vector<std::string> result;
+    for (const auto& d : diagnostics.all()) {
+      if (d.severity != Severity::note) result.push_back(d.code);
+    }
+    return result;
+  }
+
+  SourceMap sources;
+  Diagnostics diagnostics;
+  bool saved = false;
+  Library library;
+  std::optional<ImportedGraph> graph;
+};
+
+using Codes = std::vector<std::string>;
+
+constexpr const char* kSpace = "{dtype: int64, low: 0, high: 1000000000, shape: [2]}";
+
+std::string environment(const std::string& rate = "null", const std::string& space = kSpace) {
+  return "  environment:\n"
+         "    config: {entity_id: eagerx.core.nodes/EnvNode, inputs: [obs], outputs: [act], "
+         "rate: " +
+         rate + ", states: []}\n    inputs: {obs: {space: " + kSpace +
+         ", window: 1}}\n    outputs: {act: {space: " + space + "}}\n";
+}
+
+std::string object(const std::string& config = "chain: false, nid: 20",
+                   const std::string& sensor = "rate: 10") {
+  return "  obj:\n    entity_type: oracle_nodes/OObject\n"
+         "    config: {entity_id: oracle_nodes/OObject, actuators: [a0], sensors: [s0], states: "
+         "[], " +
+         config + "}\n    sensors: {s0: {" + sensor + "}}\n" +
+         "    actuators: {a0: {rate: 20, window: 1}}\n";
+}
+
+std::string file(const std::string& nodes, const std::string& links = "") {
+  return "connects:\n- [[environment, outputs, act], [obj, actuators, a0]]\n"
+         "- [[obj, sensors, s0], [environment, inputs, obs]]\n" +
+         links + "gui_state: {}\nnodes:\n" + nodes;
+}
+
+/// BaseEnv.save of the same graph; `inputs` of the engine node s3 of an object with a chain.
+std::string flattened(const std::string& inputs) {
+  const std::string node = "node_type: x, config: {rate: 10, nid: 1, outputs: [o0], inputs: ";
+  return "backup:\n" + object("chain: true, nid: 20") +
+         "connects:\n- [[environment, outputs, act], [obj/a0, inputs, i0]]\n"
+         "- [[obj/a0, outputs, o0], [obj/s3, inputs, i1]]\n"
+         "- [[obj/s3, outputs, o0], [environment, inputs, obs]]\n"
+         "gui_state: {}\nnodes:\n" +
+         environment("10") +
+         "  engine: {config: {entity_id: oracle_nodes/OracleEngine, rate: 20, node_names: "
+         "[robot/supervisor]}, objects: {obj: {add_object: {nid: 30}, engine_states: {st0: {}}, "
+         "nodes: [obj/a0, obj/s3]}}}\n"
+         "  obj/a0: {" +
+         node +
+         "[tick, i0], entity_id: oracle_nodes/OActuator}, inputs: {i0: {delay: 0.02, window: "
+         "3}}}\n" +
+         "  obj/s3: {" + node +
+         "[i0, i1], entity_id: oracle_nodes/OSensor}, inputs: {i1: " + inputs +
+         "}, outputs: {o0: {processor: null}}}\n";
+}
+
+TEST(SavedGraph, IsKnownByItsForm) {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const auto is_saved = [&](const std::string& text) {
+    return is_saved_graph(read_yaml_text("x", text, sources, diagnostics));
+  };
+  EXPECT_TRUE(is_saved("nodes: {}\nconnects: []\ngui_state: {}\n"));
+  EXPECT_FALSE(is_saved("nodes: {}\nconnections: []\n"));
+  EXPECT_FALSE(is_saved("[nodes, connects, gui_state]\n"));
+}
+
+TEST(PlainValues, TuplesAndNumpyAreValuesAndOtherObjectsAreNot) {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const Node tree = read_yaml_text("x", R"(
+tuple: !!python/tuple [1, !!python/unicode 'a']
+scalar: !!python/object/apply:numpy.core.multiarray.scalar
+- &id001 !!python/object/apply:numpy.dtype
+  args: [f4, false, true]
+  state: !!python/tuple [3, <, null, null, null, -1, -1, 0]
+- !!binary |
+  AADAPw==
+array: !!python/object/apply:numpy.core.multiarray._reconstruct
+  args: [!!python/name:numpy.ndarray '', !!python/tuple [0], !!binary Yg==]
+  state: !!python/tuple [1, !!python/tuple [2], !!python/object/apply:numpy.dtype {args: [i2], state: [3, <]}, false, !!binary AQD+/w==]
+wrong: !!python/object/apply:numpy.core.multiarray.scalar [*id001, !!binary AA==]
+other: !!python/object:package.Class {a: 1}
+)",
+                                   sources, diagnostics, Tags::accept);
+  ASSERT_FALSE(diagnostics.has_errors()) << render_text(diagnostics, sources, false);
+  const Node plain = plain_values(tree);
+  EXPECT_EQ(plain.find("tuple")->items[1].text, "a");
+  EXPECT_EQ(plain.find("scalar")->text, "1.5");
+  ASSERT_EQ(plain.find("array")->items.size(), 2U);
+  EXPECT_EQ(plain.find("array")->items[0].text, "1");
+  EXPECT_EQ(plain.find("array")->items[1].text, "-2");
+  EXPECT_TRUE(is_python_object(*plain.find("wrong")));
+  EXPECT_TRUE(is_python_object(*plain.find("other")));
+}
+
+TEST(ImportGraph, ChoosesWhatIsNotSavedAndSaysSo) {
+  const Import import(file(environment() + object()));
+  ASSERT_TRUE(import.graph) << import.report();
+  EXPECT_TRUE(import.saved);
+  EXPECT_EQ(import.graph->spec.name.value, "state");
+  EXPECT_EQ(import.graph->spec.engine.type.value, "OracleEngine");
+  EXPECT_EQ(import.graph->spec.engine.rate->value.text, "20");
+  EXPECT_EQ(import.graph->spec.rate.value, Rational(20));
+  EXPECT_EQ(import.diagnostics.all().size(), 3U);
+  for (const auto& d : import.diagnostics.all()) EXPECT_EQ(d.severity, Severity::note);
+}
+
+TEST(ImportGraph, TheCommandLineWins) {
+  const Import import(file(environment("5") + object()),
+                      {"Anything", Rational(100), Rational(1, 3)});
+  ASSERT_TRUE(import.graph) << import.report();
+  EXPECT_EQ(import.graph->spec.engine.type.value, "Anything");
+  EXPECT_EQ(import.graph->spec.engine.rate->value.text, "100");
+  EXPECT_EQ(import.graph->spec.rate.value, Rational(1, 3));
+}
+
+TEST(ImportGraph, ParametersDecideWhichEntityIsMeant) {
+  EXPECT_NE(
+      Import(file(environment() + object("chain: false, nid: 20"))).text().find("type: OObject\n"),
+      std::string::npos);
+  EXPECT_NE(Import(file(environment() + object("chain: true, nid: 20")))
+                .text()
+                .find("type: OObjectChain\n"),
+            std::string::npos);
+  const Import neither(file(environment() + object("chain: 3, nid: 20")));
+  EXPECT_EQ(neither.codes(), Codes{"E0801"});
+  EXPECT_NE(neither.report().find("for these parameters"), std::string::npos);
+}
+
+TEST(ImportGraph, ParametersAreRenamedAndUnknownOnesNoted) {
+  const Import import(file(environment("10") + object("chain: false, nid: 7, extra: 3")));
+  EXPECT_NE(import.text().find("config: {number: 7}"), std::string::npos);
+  EXPECT_NE(import.report().find("`extra` of the object `obj` is left out"), std::string::npos);
+}
+
+TEST(ImportGraph, OnlyWhatDiffersFromTheManifestIsWritten) {
+  const std::string text =
+      Import(file(environment("10") + object("chain: false, nid: 20", "rate: 1.0"))).text();
+  EXPECT_EQ(text.find("sensors:"), std::string::npos) << text;
+  EXPECT_NE(text.find("actions: [act]"), std::string::npos) << text;
+  const std::string bounded =
+      Import(file(environment("10", "{dtype: int64, low: 0, high: 5, shape: [2]}") + object()))
+          .text();
+  EXPECT_NE(bounded.find("act: {space: {dtype: int64, shape: [2], low: 0, high: 5}}"),
+            std::string::npos)
+      << bounded;
+}
+
+TEST(ImportGraph, ObjectsOfAFlattenedFileArePutBack) {
+  const Import import(flattened("{skip: true, window: 1, delay: 0.0}"));
+  ASSERT_TRUE(import.graph) << import.report();
+  EXPECT_TRUE(import.codes().empty()) << import.report();
+  const std::string text = import.text();
+  for (const char* part :
+       {"name: robot\n", "type: OObjectChain", "config: {number: 30}", "s3: {rate: 10}",
+        "st0:", "{from: actions.act, to: obj.a0, window: 3, delay: 0.02}",
+        "{from: obj.s3, to: observations.obs}"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+TEST(ImportGraph, DifferencesWithinAnObjectAreWarnings) {
+  const Import import(flattened("{skip: false, window: 2, delay: 0.0}"));
+  ASSERT_TRUE(import.graph) << import.report();
+  EXPECT_EQ(import.codes(), (Codes{"E0806", "E0806"})) << import.report();
+}
+
+TEST(ImportGraph, ReferencesCannotGrowWithoutLimit) {
+  std::string many = "chain: false, nid: 20, big: [", uses;
+  for (int i = 0; i < 20'000; ++i) many += "0,";
+  for (int i = 0; i < 20'000; ++i) uses += "$(config big),";
+  const Import import(
+      file(environment("10") + object(many + "0]", "rate: 10, list: [" + uses + "0]")));
+  EXPECT_TRUE(import.graph) << import.report();
+}
+
+TEST(ImportGraph, AliasBombsAreRefused) {
+  std::string bomb = "a0: &a0 [x]\n";
+  for (int i = 1; i < 40; ++i) {
+    const std::string last = "*a" + std::to_string(i - 1);
+    bomb +=
+        "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + last + ", " + last + "]\n";
+  }
+  const Import import(bomb + file(environment() + object()));
+  EXPECT_EQ(import.codes(), Codes{"E0110"}) << import.report();
+}
+
+TEST(WriteGraph, TextsSurvive) {
+  ImportedGraph graph;
+  graph.spec.name.value = "x";
+  graph.spec.path = "x.yaml";
+  graph.spec.rate.value = Rational(1);
+  graph.spec.engine.type.value = "E";
+  graph.spec.engine.rate = Spanned<Node>{};
+  graph.spec.engine.rate->value.text = "1";
+  const std::vector<std::string> texts = {"plain",      "",           "it's",         "a: b", "#",
+                                          "two\nlines", "\x01\t\"\\", "\u00e9\u2028", "null", "-",
+                                          "[",          "*a",         "12",           " "};
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    Node value;
+    value.kind = NodeKind::scalar;
+    value.text = texts[i];
+    value.quoted = true;
+    graph.spec.engine.config.push_back({"t" + std::to_string(i), {}, value});
+  }
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const Node tree = read_yaml_text("x.yaml", write_graph(graph), sources, diagnostics);
+  ASSERT_FALSE(diagnostics.has_errors()) << render_text(diagnostics, sources, false);
+  const Node* config = tree.find("engine")->find("config");
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    EXPECT_EQ(config->entries.at(i).value.text, texts[i]);
+}
+
+}  // namespace
+}  // namespace eagerx::gen
