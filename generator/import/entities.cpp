@@ -123,6 +123,14 @@ class EntityTranslator {
       if (const auto value = saved_rate(*rate, t_.diagnostics))
         engine.rate = rate_node(*value, rate->span);
     }
+    const Node* delays = saved.parameter("simulate_delays");
+    if (delays != nullptr && delays->text == "false") {
+      t_.diagnostics
+          .note(delays->span,
+                "delays are simulated: `simulate_delays: false` does nothing in EAGERx")
+          .help =
+          "in a graph of your own, `simulate_delays: false` under `engine:` counts them as 0";
+    }
     const Node* sync = saved.parameter("sync");
     if (sync != nullptr && sync->text == "false") {
       t_.diagnostics

@@ -6,16 +6,11 @@
 #include <set>
 
 #include "generator/import/counterparts.hpp"
+#include "generator/import/rebuilt.hpp"
 #include "generator/read/rational.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-/// "sensors.theta" → {"sensors", "theta"}
-std::pair<std::string, std::string> split(const std::string& port) {
-  const std::size_t dot = port.find('.');
-  return {port.substr(0, dot), dot == std::string::npos ? "" : port.substr(dot + 1)};
-}
 
 void set_entry(Node& map, const char* key, const Node& value) {
   map.kind = NodeKind::map;
@@ -26,49 +21,6 @@ void set_entry(Node& map, const char* key, const Node& value) {
   }
   map.entries.push_back({key, value.span, value});
 }
-
-/// One object: its engine nodes in the file, and those of our manifest that they are.
-struct Rebuilt {
-  SavedEntity object;
-  const Entity* entity = nullptr;
-  const ObjectEngine* implementation = nullptr;
-  std::map<std::string, std::string> matches;  // engine node of the file → of the manifest
-
-  /// The implementation's name for an engine node of the file, or "".
-  [[nodiscard]] std::string match(const std::string& node) const {
-    const auto found = matches.find(node);
-    return found == matches.end() ? "" : found->second;
-  }
-  /// Sensors that this output becomes, those of the object's own selection first.
-  [[nodiscard]] std::vector<std::string> sensors(const std::string& node,
-                                                 const std::string& output) const {
-    std::vector<std::string> result;
-    for (const auto& connection : implementation->connections) {
-      const auto [section, name] = split(connection.to.value);
-      if (connection.from.value == node + "." + output && section == "sensors")
-        result.push_back(name);
-    }
-    std::stable_partition(result.begin(), result.end(), [&](const std::string& sensor) {
-      return object.is_selected("sensors", sensor);
-    });
-    return result;
-  }
-  [[nodiscard]] const ConnectionSpec* actuator(const std::string& node,
-                                               const std::string& input) const {
-    for (const auto& connection : implementation->connections) {
-      if (connection.to.value == node + "." + input &&
-          connection.from.value.starts_with("actuators."))
-        return &connection;
-    }
-    return nullptr;
-  }
-  [[nodiscard]] const ConnectionSpec* inside(const std::string& from, const std::string& to) const {
-    for (const auto& connection : implementation->connections) {
-      if (connection.from.value == from && connection.to.value == to) return &connection;
-    }
-    return nullptr;
-  }
-};
 
 class Rebuilder {
  public:
@@ -220,8 +172,8 @@ class Rebuilder {
       const SavedEntity& saved = *saved_.find(node);
       const Node* rate = saved.parameter("rate");
       for (const auto& connection : rebuilt.implementation->connections) {
-        const auto [from, from_port] = split(connection.from.value);
-        const auto [to, to_port] = split(connection.to.value);
+        const auto [from, from_port] = split_port(connection.from.value);
+        const auto [to, to_port] = split_port(connection.to.value);
         if (to == "sensors" && from == local)
           take_port(rebuilt.object, "sensors", to_port, saved.port("outputs", from_port), rate,
                     connection);
@@ -260,24 +212,10 @@ class Rebuilder {
         for (auto& candidate : rebuilt.object.ports[section]) {
           if (candidate.name.value == name) port = &candidate;
         }
-        if (port == nullptr || is_there(rebuilt, section, name)) continue;
+        if (port == nullptr || rebuilt.has_node_of(section, name)) continue;
         set_entry(port->settings, "rate", *rate);
       }
     }
-  }
-
-  /// Whether the engine node of a sensor or actuator is in the file.
-  static bool is_there(const Rebuilt& rebuilt, std::string_view section, const std::string& name) {
-    for (const auto& connection : rebuilt.implementation->connections) {
-      const bool sensor = section == "sensors";
-      const auto [port_section, port] = split(sensor ? connection.to.value : connection.from.value);
-      if (port_section != section || port != name) continue;
-      const auto [node, other] = split(sensor ? connection.from.value : connection.to.value);
-      for (const auto& [in_file, local] : rebuilt.matches) {
-        if (local == node) return true;
-      }
-    }
-    return false;
   }
 
   [[nodiscard]] const Rebuilt* owner(const std::string& node) const {
@@ -375,7 +313,7 @@ class Rebuilder {
     }
     link.to.entity = object.object.name.value;
     link.to.section = "actuators";
-    link.to.port = split(actuator->from.value).second;
+    link.to.port = split_port(actuator->from.value).second;
     used_.insert(link.to.entity + ".actuators." + link.to.port);
     return true;
   }
@@ -389,8 +327,8 @@ class Rebuilder {
         const bool used =
             used_.contains(fmt::format("{}.{}.{}", rebuilt.object.name.value, section, name));
         const bool listed = rebuilt.object.is_selected(section, name);
-        if (used ||
-            (listed && std::string_view(section) == "sensors" && is_there(rebuilt, section, name)))
+        if (used || (listed && std::string_view(section) == "sensors" &&
+                     rebuilt.has_node_of(section, name)))
           selected.push_back(port.name);
       }
       rebuilt.object.selected[section] = std::move(selected);
