@@ -83,6 +83,10 @@ class Recording:
         return max((tick["t_n"] for name, node in self.nodes.items() if node.get("targets")
                     for tick in self.phase(name, episode)), default=None)
 
+    def asks_reset_nodes(self, episode):
+        targets = {target["source"].replace("/states/", "/") for node in self.nodes.values() for target in node.get("targets", [])}
+        return bool(targets & set(self.states(episode)))
+
     def begins_in(self, episode):
         """States of objects that no reset sets: where the routine, or the episode before, happened to end."""
         chosen = {address.split("/")[0] for address in self.states(episode)}
@@ -90,12 +94,12 @@ class Recording:
                 if self.has_reset_nodes or thing not in chosen}
 
     def script(self):
-        """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode; programs with reset
-        nodes do that themselves. After the last step of an episode more steps, with actions zero, reach what other
+        """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode; programs do that
+        themselves where reset nodes are at work. After the last step of an episode more steps, with actions zero, reach what other
         nodes had already executed; the routine of the reset nodes reaches it too."""
         lines = []
         for index, episode in enumerate(self.episodes):
-            for _ in range(2 if index == 0 and not self.has_reset_nodes else 1):
+            for _ in range(2 if index == 0 and not self.asks_reset_nodes(index) else 1):
                 lines += [words("state", name, flat(value)) for name, value in self.states(index).items()]
                 lines += [words("object", name, values) for name, values in self.begins_in(index).items()]
                 lines.append("reset")

@@ -12,6 +12,7 @@ class Graph:
         self.name, self.rate, self.engine_rate = name, rate, engine_rate
         self.things = {}  # object: (nid, {port: rate})
         self.count_nodes = {}  # node: (nid, rate, inputs, outputs, {output: k})
+        self.reset_nodes = {}  # node: (nid, rate, inputs, outputs, callbacks, object)
         self.actions, self.observations = [], []
         self.connections = []  # (from, to, settings)
         self.states = []
@@ -24,10 +25,15 @@ class Graph:
         self.count_nodes[name] = (nid, rate, list(inputs), list(outputs), add or {})
         return self
 
+    def reset_node(self, name, nid, rate, inputs, callbacks, thing, outputs=("o0",)):
+        """`callbacks`: how many it takes to bring about the state of the object `thing`."""
+        self.reset_nodes[name] = (nid, rate, list(inputs), list(outputs), callbacks, thing)
+        return self
+
     def connect(self, source, target, **settings):
         """`settings`: window, delay (text), skip, add."""
         for end, names in ((source, self.actions), (target, self.observations)):
-            owner, port = end.split(".")
+            owner, port = end.split(".", 1)
             if owner in ("actions", "observations") and port not in names:
                 names.append(port)
         self.connections.append((source, target, settings))
@@ -43,8 +49,11 @@ class Graph:
                 chosen = [f"{port}: {{rate: {rate}}}" for port, rate in rates.items() if port[0] == first]
                 if chosen:
                     lines.append(f"    {kind}: {{{', '.join(chosen)}}}")
-        if self.count_nodes:
+        if self.count_nodes or self.reset_nodes:
             lines.append("nodes:")
+        for name, (nid, rate, inputs, outputs, callbacks, _) in self.reset_nodes.items():
+            lines.append(f"  {name}: {{type: CountReset, rate: {rate}, config: {{nid: {nid}, n_reset: {callbacks}}}, "
+                         f"inputs: [{', '.join(inputs)}], outputs: [{', '.join(outputs)}]}}")
         for name, (nid, rate, inputs, outputs, add) in self.count_nodes.items():
             chosen = ", ".join(f"{o}: {{processor: {{type: AddProc, config: {{k: {add[o]}}}}}}}" if o in add else f"{o}: {{}}" for o in outputs)
             lines.append(f"  {name}: {{type: CountNode, rate: {rate}, config: {{nid: {nid}}}, inputs: [{', '.join(inputs)}], "
@@ -61,6 +70,8 @@ class Graph:
             if "add" in settings:
                 text += f", processor: {{type: AddProc, config: {{k: {settings['add']}}}}}"
             lines.append(f"  - {{from: {source}, to: {target}{text}}}")
+        for name, (*_, thing) in self.reset_nodes.items():
+            lines.append(f"  - {{from: {thing}.states.st0, to: {name}.targets.g0}}")
         lines.append("agent: random")
         return "\n".join(lines) + "\n"
 
@@ -94,6 +105,9 @@ class Graph:
                 nodes[name] = Node(name, kind, Fraction(rate), first + int(port[1]), inputs, thing=thing)
         for name, (nid, rate, inputs, outputs, add) in self.count_nodes.items():
             nodes[name] = Node(name, "count", Fraction(rate), nid, [self._input(f"{name}.{i}", i) for i in inputs], outputs, add=add)
+        for name, (nid, rate, inputs, outputs, callbacks, thing) in self.reset_nodes.items():
+            nodes[name] = Node(name, "reset", Fraction(rate), nid, [self._input(f"{name}.{i}", i) for i in inputs], outputs,
+                               feedthroughs=[self._input(f"{name}.feedthroughs.{o}", o) for o in outputs], target=thing, callbacks=callbacks)
         return Network(nodes)
 
     def draw_episodes(self, seed):
@@ -216,9 +230,31 @@ def by_hand():
     graph.connect("n.o0", "m.i0", skip=True, window=2).connect("m.o1", "m.i1", skip=True, window=0)
     graph.connect("actions.u", "m.i2", add=5).connect("m.o0", "observations.m", skip=True, window=2)
     yield graph.connect("m.o1", "observations.late", skip=True, window=0, delay="0.15")
+    yield from with_reset_nodes()
     yield many("many_constants", "10", ["10", "20"])
     yield many("many_table", "30", ["20", "30", "7"])
     yield many("many_countdown", "30", ["29.97", "30"])
+
+
+def with_reset_nodes():
+    """Reset nodes between the agent and one object or two, at rates that give each form of schedule."""
+    rates = {"same": ["10"] * 6, "divide": ["10", "20", "20", "10", "5", "20"], "odd": ["7", "30", "30", "7", "30", "20"],
+             "slow": ["10", "20", "20", "10", "2.5", "10"], "ntsc": ["29.97", "30", "30", "29.97", "30", "29.97"]}
+    for name, (rate, engine_rate, sensor, actuator, reset, node) in rates.items():
+        graph = Graph(f"reset_{name}", rate, engine_rate).thing("ob", 20, s0=sensor, a0=actuator)
+        graph.reset_node("rst", 300, reset, ["i0", "i1"], 7, "ob").node("n", 200, node, ["i0"]).node("hold", 201, reset, ["i0"])
+        graph.connect("actions.u", "hold.i0").connect("hold.o0", "rst.feedthroughs.o0", window=2).connect("rst.o0", "ob.a0")
+        graph.connect("ob.s0", "n.i0", window=0).connect("n.o0", "rst.i0", window=3).connect("ob.s0", "rst.i1", window=0)
+        yield graph.connect("n.o0", "observations.n").connect("rst.o0", "observations.r", skip=True)
+        graph = Graph(f"reset_two_{name}", rate, engine_rate).thing("ob", 20, s0=sensor, a0=actuator).thing("other", 40, s0=node, a0=rate)
+        graph.reset_node("rst", 300, reset, ["i0"], 5, "ob", ["o0", "o1"]).reset_node("again", 301, node, ["i0"], 9, "other")
+        graph.node("pass", 200, actuator, ["i0", "i1"]).node("hold", 201, reset, ["i0"]).node("also", 202, node, ["i0"])
+        graph.connect("actions.u", "hold.i0").connect("actions.v", "also.i0", window=2)
+        graph.connect("hold.o0", "rst.feedthroughs.o0").connect("hold.o0", "rst.feedthroughs.o1", delay="0.05")
+        graph.connect("also.o0", "again.feedthroughs.o0", add=11)
+        graph.connect("rst.o0", "pass.i0").connect("rst.o1", "pass.i1", skip=True, window=0).connect("pass.o0", "ob.a0", delay="0.1")
+        graph.connect("again.o0", "other.a0").connect("other.s0", "rst.i0", window=2).connect("ob.s0", "again.i0", delay="0.04")
+        yield graph.connect("ob.s0", "observations.s", window=2).connect("other.s0", "observations.t")
 
 
 def many(name, rate, rates):

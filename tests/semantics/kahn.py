@@ -2,6 +2,7 @@
 that fire, in any order, when the formula of section 3 is satisfied. Nothing here knows how the generated
 programs count, order or store anything. Rates and delays are fractions.
 """
+import copy
 import functools
 import json
 import math
@@ -80,19 +81,22 @@ class Input:
 
 
 class Node:
-    """kind: environment, engine, count, sensor or actuator."""
+    """kind: environment, engine, count, sensor, actuator or reset."""
 
-    def __init__(self, name, kind, rate, nid=0, inputs=(), outputs=("o0",), thing=None, add=None):
+    def __init__(self, name, kind, rate, nid=0, inputs=(), outputs=("o0",), thing=None, add=None, feedthroughs=(), target=None, callbacks=0):
         self.name, self.kind, self.rate, self.nid = name, kind, rate, nid
         self.inputs, self.outputs = list(inputs), list(outputs)
         self.thing = thing  # of engine nodes: their object
         self.add = add or {}  # output: what its processor adds
+        # Of reset nodes: what they pass on in an episode, the object whose state they bring about in so many callbacks.
+        self.feedthroughs, self.target, self.callbacks = list(feedthroughs), target, callbacks
 
     def reset(self, state):
         self.tick = 0
         self.sum = state or 0
+        self.called = 0  # callbacks so far: of reset nodes, in their routine
         self.sent = {output: [] for output in self.outputs}
-        for item in self.inputs:
+        for item in self.inputs + self.feedthroughs:
             item.reset()
 
     def time(self, tick=None):
@@ -111,8 +115,9 @@ def fold(windows, h):
 class Record:
     """What happened at a tick of a node."""
 
-    def __init__(self, time, windows, sent, simulators):
-        self.time, self.windows, self.sent, self.simulators = time, windows, sent, simulators
+    def __init__(self, time, called, windows, sent, simulators, target):
+        self.time, self.called, self.windows, self.sent, self.simulators = time, called, windows, sent, simulators
+        self.target = target  # of a reset node in its routine, otherwise None
 
 
 class Network:
@@ -120,12 +125,13 @@ class Network:
 
     def __init__(self, nodes):
         self.nodes = nodes
+        self.state = {}
         self.objects = sorted({node.thing for node in nodes.values() if node.thing})
         self.behind = self._behind_environment()
         coupled = [node.name for node in nodes.values() if node.thing or node.kind == "engine"]
         self.readers = {name: [] for name in nodes}  # and who else waits for it
         for node in nodes.values():
-            for item in node.inputs:
+            for item in node.inputs + node.feedthroughs:
                 self.readers[item.source].append(node.name)
         for name in coupled:
             self.readers[name] += coupled
@@ -135,15 +141,18 @@ class Network:
         behind = {"environment"}
         while True:
             more = {node.name for node in self.nodes.values()
-                    if any(not item.skip and item.source in behind for item in node.inputs)} - behind
+                    if any(not item.skip and item.source in behind for item in node.inputs + node.feedthroughs)} - behind
             if not more:
                 return behind - {"environment"}
             behind |= more
 
     def start(self, states):
+        """Objects with a target begin where they are; at the very first reset they are set too."""
+        reached = {node.target: self.state[node.target] for node in self.nodes.values() if node.target and self.state}
         for node in self.nodes.values():
             node.reset(states.get((node.name, "s0")))
-        self.state = {thing: states.get((thing, "st0"), (0, 0))[0] for thing in self.objects}
+        self.targets = {}  # while reset nodes are at work: the state that each object is to be brought to
+        self.state = {thing: reached.get(thing, states.get((thing, "st0"), (0, 0))[0]) for thing in self.objects}
         self.inputs = {thing: {} for thing in self.objects}
 
     def run(self, steps, states, actions, order):
@@ -151,17 +160,26 @@ class Network:
         `actions[k][name]`: message; `order`: a random.Random that chooses who fires."""
         self.start(states)
         end = Fraction(steps) / self.nodes["environment"].rate
+        return self._fire_all(lambda node: node.time() < end or node.time() == end and node.name not in self.behind,
+                              actions, order)
+
+    def bring_about(self, states, order):
+        """Records of the routine of the reset nodes, until the last one is done."""
+        self.targets = {node.target: states[node.target, "st0"] for node in self.nodes.values() if (node.target, "st0") in states}
+        end = max((node.time(node.tick + node.callbacks - 1) for node in self.nodes.values() if node.target in self.targets),
+                  default=Fraction(-1))
+        return self._fire_all(lambda node: node.time() <= end and node.kind != "environment", [], order)
+
+    def _fire_all(self, may_fire, actions, order):
         records = {}
         waiting = sorted(self.nodes)  # who may have become ready
         while waiting:
             place = order.randrange(len(waiting))
             waiting[place], waiting[-1] = waiting[-1], waiting[place]
             node = self.nodes[waiting.pop()]
-            while node.time() <= end and self.is_ready(node):
+            while may_fire(node) and self.is_ready(node):
                 tick = node.tick
-                record = self.fire(node, actions if tick < steps else None)
-                if not (node.name in self.behind and record.time == end):
-                    records[node.name, tick] = record
+                records[node.name, tick] = self.fire(node, actions if tick < len(actions) else None)
                 waiting += [name for name in self.readers[node.name] if name not in waiting]
                 if order.random() < 0.5:
                     waiting.append(node.name)
@@ -170,7 +188,8 @@ class Network:
 
     def is_ready(self, node):
         """Whether its messages are there, and, of the engine and its nodes, whether it is their turn."""
-        if not all(item.available(self.nodes, node, node.tick) for item in node.inputs):
+        waits_for = node.inputs + ([] if self.targets else node.feedthroughs)
+        if not all(item.available(self.nodes, node, node.tick) for item in waits_for):
             return False
         others = self.nodes.values()
         if node.kind == "engine":  # earliest first
@@ -181,6 +200,8 @@ class Network:
 
     def fire(self, node, actions):
         windows = [(item.name, item.take(self.nodes, node, node.tick)) for item in node.inputs]
+        if node.feedthroughs and not self.targets:
+            windows += [(item.name, item.take(self.nodes, node, node.tick)) for item in node.feedthroughs]
         sent = getattr(self, "_" + node.kind)(node, windows, actions)
         for output, message in sent.items():
             if output in node.add:
@@ -188,12 +209,14 @@ class Network:
             node.sent[output].append(message)
         simulators = {thing: {"state": self.state[thing], "input": sum(self.inputs[thing].values()) % MODULUS}
                       for thing in (self.objects if node.kind == "engine" else [])}
-        record = Record(node.time(), windows, {output: node.sent[output][-1] for output in sent}, simulators)
+        record = Record(node.time(), node.called, windows, {output: node.sent[output][-1] for output in sent}, simulators,
+                        self.targets.get(node.target))
+        node.called += node.kind != "reset" or bool(self.targets)
         node.tick += 1
         return record
 
     def _message(self, node, h):
-        return {output: (node.nid * 100000 + node.tick, (h * 31 + j) % MODULUS) for j, output in enumerate(node.outputs)}
+        return {output: (node.nid * 100000 + node.called, (h * 31 + j) % MODULUS) for j, output in enumerate(node.outputs)}
 
     def _environment(self, node, windows, actions):
         return dict(actions[node.tick]) if actions is not None else {}
@@ -207,6 +230,12 @@ class Network:
 
     def _count(self, node, windows, actions):
         node.sum = fold(windows, node.sum)
+        return self._message(node, node.sum)
+
+    def _reset(self, node, windows, actions):
+        if not self.targets:
+            return {name: window[-1][1] for name, window in windows if name in node.outputs}
+        node.sum = (fold(windows, node.sum) * 131 + self.targets[node.target][0]) % MODULUS
         return self._message(node, node.sum)
 
     def _sensor(self, node, windows, actions):
@@ -224,21 +253,27 @@ def recording(name, network, steps, episodes, seed):
     chooser = random.Random(seed)
     content = {"name": name, "env_rate": number(network.nodes["environment"].rate), "env_trace": [],
                "nodes": {node.name: described(network, node) for node in network.nodes.values()},
-               "node_trace": {name: [] for name in network.nodes}}
-    for states in episodes:
+               "node_trace": {name: [] for name in network.nodes}, "reset_trace": {name: [] for name in network.nodes}}
+    twin = copy.deepcopy(network)
+    for index, states in enumerate(episodes):
         actions = [{output: (chooser.randrange(1000), chooser.randrange(1000)) for output in network.nodes["environment"].outputs}
                    for _ in range(steps)]
-        records = network.run(steps, states, actions, random.Random(1))
-        again = network.run(steps, states, actions, random.Random(2))
-        assert {k: v.__dict__ for k, v in records.items()} == {k: v.__dict__ for k, v in again.items()}
+        after = episodes[min(index + 1, len(episodes) - 1)]
+        records, again = [(one.run(steps, states, actions, order), one.bring_about(after, order))
+                          for one, order in ((network, random.Random(1)), (twin, random.Random(2)))]
+        for part, other in zip(records, again):
+            assert {k: v.__dict__ for k, v in part.items()} == {k: v.__dict__ for k, v in other.items()}
+        episode, phase = records
         observations = [{item.name: padded(item, window) for item, (_, window) in
-                         zip(network.nodes["environment"].inputs, records["environment", k].windows)} for k in range(steps + 1)]
+                         zip(network.nodes["environment"].inputs, episode["environment", k].windows)} for k in range(steps + 1)]
         content["env_trace"].append({
             "states": {f"{owner}/{state}": value for (owner, state), value in states.items()}, "reset_obs": observations[0],
             "steps": [{"action": action, "obs": seen} for action, seen in zip(actions, observations[1:])]})
         for node in network.nodes.values():
-            ticks = [records[node.name, k] for k in range(node.tick) if (node.name, k) in records]
-            content["node_trace"][node.name].append(list(recorded(network, node, ticks)))
+            both = list(recorded(network, node, {**episode, **phase}))
+            first = sum((node.name, k) in episode for k in range(node.tick))
+            content["node_trace"][node.name].append(both[:first])
+            content["reset_trace"][node.name].append(both[first:])
     return json.loads(json.dumps(content))  # lists for tuples
 
 
@@ -247,23 +282,35 @@ def number(rate):
 
 
 def described(network, node):
-    inputs = [{"name": item.name, "source": f"{item.source}/outputs/{item.output}", "skip": item.skip} for item in node.inputs]
+    def ports(items):
+        return [{"name": item.name, "source": f"{item.source}/outputs/{item.output}", "skip": item.skip} for item in items]
+
     outputs = [{"name": output, "processor": None, "shape": [2]} for output in node.outputs]
-    return {"rate": number(node.rate), "inputs": inputs, "outputs": outputs}
+    targets = [{"name": "g0", "source": f"{node.target}/states/st0"}] if node.target else []
+    return {"rate": number(node.rate), "inputs": ports(node.inputs), "feedthroughs": ports(node.feedthroughs),
+            "outputs": outputs, "targets": targets}
 
 
-def recorded(network, node, ticks):
-    """The ticks of an episode; a message is handed over at the first tick that sees it."""
+def recorded(network, node, records):
+    """The ticks of an episode and of the routine behind it; a message is handed over at the first tick that has it."""
     handed = {}
-    for tick, record in enumerate(ticks):
+    for tick in range(node.tick):
+        record = records[node.name, tick]
+        passes = bool(node.feedthroughs) and record.target is None
         inputs = {}
-        for item, (_, window) in zip(node.inputs, record.windows):
+        for item, (_, window) in zip(node.inputs + node.feedthroughs, record.windows):
             source = network.nodes[item.source]
             first = [handed.setdefault((item.name, seq), tick) for seq, _ in window]
+            if passes and item not in node.feedthroughs:
+                continue  # consumed, but not shown
             inputs[item.name] = {
                 "rate_in": number(source.rate), "seq": [seq for seq, _ in window], "sc": [stamp(source, seq) for seq, _ in window],
                 "t_node_seq": first, "t_node_sc": [stamp(node, n) for n in first], "msgs": [message for _, message in window]}
-        result = {"tick": tick, "t_n": stamp(node, tick), "num_ticks": tick, "inputs": inputs, "out": record.sent or None}
+        result = {"tick": tick, "t_n": stamp(node, tick), "num_ticks": record.called, "inputs": inputs, "out": record.sent or None}
+        if record.target:
+            inputs["g0"] = {"msgs": [record.target], "target": True}
+        if passes:
+            result["feedthrough"] = True
         if node.kind == "engine":
             result["sim"] = record.simulators
         yield result

@@ -11,14 +11,20 @@ class Violation(Exception):
 def events(printed):
     """(kind, node, tick or output) of every episode after the first reset, in the program's order: ("tick", node,
     tick, windows) before a callback, with {input: seq of its window}; ("sent", node, output, seq)."""
-    episode = []
+    episode, ended = [], False
     for line in printed.splitlines():
         word, *rest = line.split(" ")
+        if word == "phase":
+            ended = rest[0] == "0"
+            episode.append((word,))
+            continue
         if word == "reset":
-            if episode:
-                yield episode
-            episode = []
-        elif word == "tick":
+            ended = bool(episode)
+            continue
+        if ended:
+            yield [event for event in episode if event[0] != "phase" or event is not episode[-1]]
+            episode, ended = [], False
+        if word == "tick":
             episode.append(("tick", rest[0], int(rest[1]), {}))
         elif word == "window":
             count = int(rest[1])
@@ -33,23 +39,27 @@ def events(printed):
 
 def check_properties(network, recording, printed):
     episodes = list(events(printed))[1:]  # without the initialisation
-    for index, episode in enumerate(episodes):
+    for index, episode in enumerate(episodes[:len(recording.episodes)]):
         actions = [{name: tuple(value) for name, value in step["action"].items()} for step in recording.episodes[index]["steps"]]
         states = {tuple(address.split("/")): tuple(value) if isinstance(value, list) else value
                   for address, value in recording.states(index).items()}
-        replay(network, states, actions, [event for event in episode if event[0] == "tick"])
+        replay(network, states, recording.states(index + 1), actions, [event for event in episode if event[0] != "sent"])
         for event in episode:
             if event[0] == "tick":
                 check_stamps(network, *event[1:])
 
 
-def replay(network, states, actions, ticks):
+def replay(network, states, after, actions, ticks):
     """Every callback of the program is one that a Kahn process network could run at that moment, with the engine as
     early as possible; the ticks of each node are 0, 1, 2, … at tick/rate; and time never runs back."""
     network.start(states)
     now = Fraction(0)
     zeros = {name: (0, 0) for name in network.nodes["environment"].outputs}
-    for _, name, tick, _ in ticks:
+    for kind, *event in ticks:
+        if kind == "phase":
+            network.targets = {address.split("/")[0]: value for address, value in after.items() if address.endswith("/st0")}
+            continue
+        name, tick, _ = event
         node = network.nodes[name]
         if node.tick != tick:
             raise Violation(f"`{name}` runs tick {tick} instead of {node.tick}")
@@ -64,7 +74,7 @@ def replay(network, states, actions, ticks):
 def check_stamps(network, name, tick, windows):
     """No message comes from the future; a skipped one is from an earlier instant."""
     node = network.nodes[name]
-    for item in node.inputs:
+    for item in shown(node, windows):
         for seq in windows[item.name]:
             sent, now = Fraction(seq) / network.nodes[item.source].rate, node.time(tick)
             if sent > now or (item.skip and sent == now):
@@ -93,9 +103,10 @@ class Rings:
         found = {member: (int(capacity), int(needed or 1)) for member, capacity, needed in
                  re.findall(r"(\w+)_\[(\d+)\]\{\};(?:  // .* needs (\d+))?", memory)}
         held = dict.fromkeys(found, 1)
-        for episode in events(printed):
+        episodes = list(events(printed))
+        for episode in episodes:
             occupy(network, episode, held)
-            orders = first_written(episode)
+        orders = first_written(max(episodes, key=len))
         for ring, (capacity, needed) in found.items():
             if capacity != places(needed):
                 raise Violation(f"ring `{ring}` has {capacity} places for {needed} messages")
@@ -121,7 +132,8 @@ def first_written(episode):
     """The place in the program's order of the first message of each node and of the first tick of each."""
     written, read = {}, {}
     for place, event in enumerate(episode):
-        (read if event[0] == "tick" else written).setdefault(event[1], place)
+        if event[0] != "phase":
+            (read if event[0] == "tick" else written).setdefault(event[1], place)
     return written, read
 
 
@@ -131,7 +143,7 @@ def later(network, orders, ring):
     written, read = orders
     most = 1
     for node in network.nodes.values():
-        for item in node.inputs:
+        for item in node.inputs + node.feedthroughs:
             if ring_of(network, node, item) == ring:
                 first = written[item.source] < read[node.name] or item.writes_what_it_reads(network.nodes, node)
                 most = max(most, item.most_held(network.nodes, node, first))
@@ -141,13 +153,16 @@ def later(network, orders, ring):
 def occupy(network, episode, held):
     """The most messages between the oldest in a window and the newest that was written, at every callback."""
     sent = {}
-    for kind, name, tick, windows in episode:
+    for kind, *event in episode:
+        if kind == "phase":
+            continue
         if kind == "sent":
-            output, seq = tick, windows
+            name, output, seq = event
             sent[name, output] = seq + 1
             continue
+        name, tick, windows = event
         node = network.nodes[name]
-        for item in node.inputs:
+        for item in shown(node, windows):
             if not windows[item.name]:
                 continue
             written = sent[item.source, item.output]
@@ -155,6 +170,11 @@ def occupy(network, episode, held):
                 written = tick + 1
             ring = ring_of(network, node, item)
             held[ring] = max(held[ring], written - windows[item.name][0])
+
+
+def shown(node, windows):
+    """The inputs that a callback gets; of a reset node in an episode, its feedthroughs."""
+    return [item for item in node.inputs + node.feedthroughs if item.name in windows]
 
 
 def ring_of(network, node, item):
