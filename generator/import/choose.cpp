@@ -55,9 +55,11 @@ void choose_type(Translation& t) {
   const Span whole{spec.file, 0, 0, 0};
   EntitySpec& engine = spec.engine;
   engine.name = {"engine", whole};
-  if (!t.options.engine.empty()) {
-    engine.type = {t.options.engine, {}};
-    t.result.remarks["engine"] = "from --engine";
+  if (t.saved.engine_id) {
+    Node none;
+    none.kind = NodeKind::map;
+    const Entity* entity = t.counterparts.find(*t.saved.engine_id, none, Use::engine, "the engine");
+    if (entity != nullptr) engine.type = {entity->id.value, t.saved.engine_id->span};
     return;
   }
   const std::vector<std::string> known = common_engines(t);
@@ -85,6 +87,25 @@ void choose_type(Translation& t) {
   }
   problem.help = known.empty() ? "implement them for a common engine in their manifests"
                                : fmt::format("choose with `--engine`: {}", fmt::join(known, ", "));
+}
+
+/// `--engine`: another engine has other parameters and states, so it takes its defaults.
+void take_option(Translation& t) {
+  EntitySpec& engine = t.result.spec.engine;
+  const std::vector<std::string> known = t.counterparts.library().ids(EntityKind::engine);
+  if (std::find(known.begin(), known.end(), t.options.engine) == known.end()) {
+    const std::string near = nearest(t.options.engine, known);
+    t.diagnostics.error("E0303", {}, fmt::format("unknown engine `{}`", t.options.engine)).help =
+        near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+                     : fmt::format("did you mean `{}`?", near);
+    return;
+  }
+  if (engine.type.value == t.options.engine) return;
+  if (engine.name.value.empty()) engine.name = {"engine", {t.result.spec.file, 0, 0, 0}};
+  engine.type = {t.options.engine, {}};
+  engine.config.clear();
+  engine.states.clear();
+  t.result.remarks["engine"] = "from --engine";
 }
 
 /// The rate of a sensor or actuator in the file.
@@ -148,7 +169,11 @@ std::optional<Rational> rate_of(const Translation& t, const SavedEnd& end) {
 }  // namespace
 
 void choose_engine(Translation& t) {
-  if (t.result.spec.engine.type.value.empty()) choose_type(t);
+  if (!t.options.engine.empty()) {
+    take_option(t);
+  } else if (t.result.spec.engine.type.value.empty()) {
+    choose_type(t);
+  }
   if (!t.result.spec.engine.type.value.empty()) choose_engine_rate(t);
 }
 

@@ -58,6 +58,8 @@ class SavedReader {
     if (const Node* backup = root_.find("backup"); backup != nullptr && backup->is_map())
       read_backup(*backup);
     read_links(*root_.find("connects"));
+    const Node* engine = root_.find("engine_id");
+    if (engine != nullptr && engine->is_scalar()) saved_.engine_id = {engine->text, engine->span};
     if (saved_.find("environment") == nullptr && diagnostics_.error_count() == errors_before)
       fail(member(root_, "nodes").span, "the graph has no node `environment`");
     if (diagnostics_.error_count() != errors_before) return std::nullopt;

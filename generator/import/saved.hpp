@@ -62,6 +62,7 @@ struct SavedGraph {
   std::vector<SavedEntity> backup;      // the objects as they were added
   std::vector<SavedObject> objects;     // flattened files
   std::optional<std::string> env_name;  // flattened files
+  std::optional<Spanned<std::string>> engine_id;
 
   [[nodiscard]] const SavedEntity* find(std::string_view name) const;
   [[nodiscard]] bool flattened() const;  // written by BaseEnv.save

@@ -137,11 +137,20 @@ TEST(ImportGraph, ChoosesWhatIsNotSavedAndSaysSo) {
 
 TEST(ImportGraph, TheCommandLineWins) {
   const Import import(file(environment("5") + object()),
-                      {"Anything", Rational(100), Rational(1, 3)});
+                      {"OracleEngine", Rational(100), Rational(1, 3)});
   ASSERT_TRUE(import.graph) << import.report();
-  EXPECT_EQ(import.graph->spec.engine.type.value, "Anything");
+  EXPECT_EQ(import.graph->spec.engine.type.value, "OracleEngine");
+  EXPECT_EQ(Import(file(environment("5") + object()), {"OracelEngine", {}, {}}).codes(),
+            Codes{"E0303"});
   EXPECT_EQ(import.graph->spec.engine.rate->value.text, "100");
   EXPECT_EQ(import.graph->spec.rate.value, Rational(1, 3));
+}
+
+TEST(ImportGraph, AnEngineThatIsOnlyNamedIsTaken) {
+  const Import import("engine_id: oracle_nodes/OracleEngine\n" + file(environment("5") + object()));
+  ASSERT_TRUE(import.graph) << import.report();
+  EXPECT_EQ(import.graph->spec.engine.type.span.line, 1U);
+  EXPECT_EQ(Import("engine_id: a/B\n" + file(environment("5") + object())).codes(), Codes{"E0801"});
 }
 
 TEST(ImportGraph, ParametersDecideWhichEntityIsMeant) {
