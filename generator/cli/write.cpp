@@ -123,7 +123,8 @@ std::optional<WriteResult> write_files(const std::string& folder, std::vector<Ge
 }
 
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
-  return Writer(fs::path(path).parent_path(), diagnostics)
+  const fs::path folder = fs::path(path).parent_path();
+  return Writer(folder.empty() ? "." : folder, diagnostics)
       .write({{fs::path(path).filename().string(), text}});
 }
 

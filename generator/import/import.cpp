@@ -5,8 +5,10 @@
 namespace eagerx::gen {
 
 bool is_saved_graph(const Node& root) {
-  return root.is_map() && root.find("nodes") != nullptr && root.find("connects") != nullptr &&
-         root.find("gui_state") != nullptr;
+  if (!root.is_map()) return false;
+  const auto has = [&](const char* key) { return root.find(key) != nullptr; };
+  // The first of them comes first in the file, so it is there when the rest is cut off.
+  return has("backup") || (has("nodes") && has("connects") && has("gui_state"));
 }
 
 std::optional<ImportedGraph> import_graph(const Node& root, const std::string& path,

@@ -54,6 +54,11 @@ class SavedReader {
   std::optional<SavedGraph> read() {
     const std::size_t errors_before = diagnostics_.error_count();
     saved_.file = root_.span.file;
+    for (const char* key : {"nodes", "connects"}) {
+      if (root_.find(key) == nullptr)
+        fail(root_.span, fmt::format("`{}` is missing: is the file cut off?", key));
+    }
+    if (diagnostics_.error_count() != errors_before) return std::nullopt;
     read_entities(member(root_, "nodes"), saved_.entities);
     if (const Node* backup = root_.find("backup"); backup != nullptr && backup->is_map())
       read_backup(*backup);

@@ -130,5 +130,13 @@ TEST_F(WriteFiles, FollowsNoTemporaryFileOfAnotherRun) {
   EXPECT_EQ(text("a.txt"), "new");
 }
 
+TEST_F(WriteFiles, AFileWithoutAFolderGoesWhereThePersonIs) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  EXPECT_TRUE(write_file("graph.yaml", "name: here\n", diagnostics_));
+  fs::current_path(before);
+  EXPECT_TRUE(fs::exists(folder_ / "graph.yaml"));
+}
+
 }  // namespace
 }  // namespace eagerx::gen

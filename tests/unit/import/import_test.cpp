@@ -90,8 +90,20 @@ TEST(SavedGraph, IsKnownByItsForm) {
     return is_saved_graph(read_yaml_text("x", text, sources, diagnostics));
   };
   EXPECT_TRUE(is_saved("nodes: {}\nconnects: []\ngui_state: {}\n"));
+  EXPECT_TRUE(is_saved("backup: {}\n"));  // cut off
   EXPECT_FALSE(is_saved("nodes: {}\nconnections: []\n"));
   EXPECT_FALSE(is_saved("[nodes, connects, gui_state]\n"));
+}
+
+TEST(SavedGraph, ACutOffFileIsAnError) {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  for (const char* text : {"backup: {}\n", "backup: {}\nnodes: {}\n", "backup:\nconnects: []\n"}) {
+    const std::size_t before = diagnostics.error_count();
+    const Node tree = read_yaml_text("x", text, sources, diagnostics);
+    EXPECT_FALSE(read_saved_graph(tree, diagnostics)) << text;
+    EXPECT_GT(diagnostics.error_count(), before) << text;
+  }
 }
 
 TEST(PlainValues, TuplesAndNumpyAreValuesAndOtherObjectsAreNot) {
