@@ -85,6 +85,11 @@ void print_next_steps(const Run& run, const std::string& folder, const WriteResu
       folder, run.graph->name);
 }
 
+/// "1 node", "2 nodes"
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 }  // namespace
 
 int generate_command(const Options& options) {
@@ -113,9 +118,11 @@ int check_command(const Options& options) {
   if (make(run, options)) find_targets(run, options);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
-    fmt::print("{}: {} nodes, {} rates, {} messages a step at most in memory; no problems\n",
-               options.graph, run.graph->nodes.size(), run.plan->rates.size(),
-               run.plan->rings.size());
+    std::uint64_t messages = 0;
+    for (const auto& ring : run.plan->rings) messages += ring.capacity;
+    fmt::print("{}: {}, {}, {} with room for {}; no problems\n", options.graph,
+               counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
+               counted(run.plan->rings.size(), "buffer"), counted(messages, "message"));
   }
   return code;
 }

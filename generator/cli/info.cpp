@@ -79,8 +79,8 @@ void print_parameters(const std::vector<Parameter>& parameters) {
     std::string more = std::string(type_of(parameter));
     if (!parameter.options.empty()) more = fmt::format("{}", fmt::join(parameter.options, " | "));
     if (!parameter.unit.empty()) more += " " + parameter.unit;
-    if (parameter.low) more += fmt::format(", at least {}", *parameter.low);
-    if (parameter.high) more += fmt::format(", at most {}", *parameter.high);
+    if (parameter.low) more += fmt::format(", at least {}", to_string(*parameter.low));
+    if (parameter.high) more += fmt::format(", at most {}", to_string(*parameter.high));
     more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
                                : " (required)";
     fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);

@@ -9,6 +9,11 @@ namespace {
 
 using eagerx::gen::Options;
 
+/// Without a description: the help shows the choices as the type already.
+CLI::Validator one_of(const std::vector<std::string>& choices) {
+  return CLI::IsMember(choices).description("");
+}
+
 void add_graph(CLI::App& app, Options& options) {
   app.add_option("graph", options.graph, "the graph file")->required()->type_name("GRAPH.yaml");
 }
@@ -17,7 +22,7 @@ void add_selection(CLI::App& app, Options& options) {
   app.add_option("--engine", options.engine, "run on this engine instead of the graph's")
       ->type_name("NAME");
   app.add_option("--real", options.real, "calculate in float or double instead of the graph's")
-      ->check(CLI::IsMember({"float", "double"}))
+      ->check(one_of({"float", "double"}))
       ->type_name("float|double");
   app.add_option("--target", options.targets,
                  "target to make a program for, may be repeated (default: linux-sim)")
@@ -63,7 +68,7 @@ void add_diagnostics(CLI::App& app, Options& options) {
   app.add_option_function<std::string>(
          "--diagnostics", [&options](const std::string& form) { options.json = form == "json"; },
          "form of messages (default: text)")
-      ->check(CLI::IsMember({"text", "json"}))
+      ->check(one_of({"text", "json"}))
       ->type_name("text|json");
   app.add_flag("-q,--quiet", options.quiet, "print problems only");
 }

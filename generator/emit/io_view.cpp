@@ -18,6 +18,13 @@ std::string int_type(std::int64_t value) {
   return small ? "int" : "std::int64_t";
 }
 
+/// The smallest number has no literal: C++ reads a minus and a number that is too large.
+std::string int_literal(std::int64_t value) {
+  constexpr std::int64_t kLowest = std::numeric_limits<std::int64_t>::lowest();
+  return value == kLowest ? "std::numeric_limits<std::int64_t>::lowest()"
+                          : fmt::format("{}", value);
+}
+
 struct CppValue {
   std::string type, value;
 };
@@ -25,9 +32,7 @@ struct CppValue {
 struct ConfigWriter {
   const Parameter& parameter;
 
-  CppValue operator()(std::int64_t value) const {
-    return {int_type(value), fmt::format("{}", value)};
-  }
+  CppValue operator()(std::int64_t value) const { return {int_type(value), int_literal(value)}; }
   CppValue operator()(double value) const { return {"double", double_literal(value)}; }
   CppValue operator()(bool value) const { return {"bool", value ? "true" : "false"}; }
   CppValue operator()(const std::string& value) const {
@@ -37,11 +42,13 @@ struct ConfigWriter {
   }
   CppValue operator()(const std::vector<std::int64_t>& values) const {
     std::string type = "int";
+    std::vector<std::string> literals;
     for (const std::int64_t value : values) {
       if (int_type(value) != "int") type = "std::int64_t";
+      literals.push_back(int_literal(value));
     }
     return {fmt::format("std::array<{}, {}>", type, values.size()),
-            fmt::format("{{{}}}", fmt::join(values, ", "))};
+            fmt::format("{{{}}}", fmt::join(literals, ", "))};
   }
   CppValue operator()(const std::vector<double>& values) const {
     std::vector<std::string> literals;

@@ -70,11 +70,11 @@ bool compare(Op op, const Value& a, const Value& b) {
     case Op::less:
       return less(number_of(a), number_of(b));
     case Op::less_equal:
-      return less(number_of(a), number_of(b)) || equal(number_of(a), number_of(b));
+      return at_most(number_of(a), number_of(b));
     case Op::greater:
       return less(number_of(b), number_of(a));
     case Op::greater_equal:
-      return less(number_of(b), number_of(a)) || equal(number_of(a), number_of(b));
+      return at_most(number_of(b), number_of(a));
     case Op::equal:
       return equal(a, b);
     default:
@@ -195,6 +195,14 @@ std::optional<bool> holds(const Condition& condition, const Facts& facts) {
   return Stack::is_true(stack.pop());
 }
 
+bool at_most(const ConditionNumber& a, const ConditionNumber& b) {
+  return less(a, b) || equal(a, b);
+}
+
+std::string to_string(const ConditionNumber& number) {
+  return std::visit([](auto value) { return fmt::format("{}", value); }, number);
+}
+
 std::string to_string(const ConditionValue& value) {
   struct Writer {
     std::string operator()(bool truth) const { return truth ? "true" : "false"; }
@@ -203,8 +211,7 @@ std::string to_string(const ConditionValue& value) {
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const std::vector<Number>& list) const {
       std::vector<std::string> items;
-      for (const Number& number : list)
-        items.push_back(std::visit([](auto item) { return fmt::format("{}", item); }, number));
+      for (const Number& number : list) items.push_back(eagerx::gen::to_string(number));
       return fmt::format("[{}]", fmt::join(items, ", "));
     }
   };

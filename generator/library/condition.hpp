@@ -75,7 +75,11 @@ std::optional<Condition> read_condition(const Node& text, const Entity& entity,
 /// Whether the condition holds; nullopt if it speaks of something that is not among the facts.
 std::optional<bool> holds(const Condition& condition, const Facts& facts);
 
+/// a <= b; whole numbers are compared exactly. False if one is NaN.
+bool at_most(const ConditionNumber& a, const ConditionNumber& b);
+
 /// A value as messages show it: "20", "[10, 20]", "bandpass".
 std::string to_string(const ConditionValue& value);
+std::string to_string(const ConditionNumber& number);
 
 }  // namespace eagerx::gen

@@ -27,7 +27,7 @@ struct Parameter {
   Type type = Type::number;
   std::string unit, about;
   std::optional<Node> fallback;  // `default:`; without it the parameter must be given
-  std::optional<double> low, high;
+  std::optional<ConditionNumber> low, high;
   std::vector<std::string> options;  // keyword
   std::string cpp_class;             // keyword: the C++ enumeration
   std::string eagerx;                // its name in EAGERx

@@ -39,6 +39,15 @@ Parameter::Type parameter_type(const std::string& word) {
   return word == "ints" ? Parameter::Type::integers : Parameter::Type::numbers;
 }
 
+/// Whole numbers as such: not all of them are doubles.
+std::optional<ConditionNumber> bound_at(const Node& node, const char* key) {
+  const Node* value = node.find(key);
+  if (value == nullptr) return std::nullopt;
+  if (const auto whole = parse_int(value->text)) return *whole;
+  const auto number = parse_number(value->text);
+  return number ? std::optional<ConditionNumber>(*number) : std::nullopt;
+}
+
 std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
   const Node* map = root.find("config");
@@ -50,8 +59,8 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
     parameter.unit = text_at(entry.value, "unit");
     parameter.about = text_at(entry.value, "about");
     parameter.fallback = node_at(entry.value, "default");
-    if (const Node* low = entry.value.find("low")) parameter.low = parse_number(low->text);
-    if (const Node* high = entry.value.find("high")) parameter.high = parse_number(high->text);
+    parameter.low = bound_at(entry.value, "low");
+    parameter.high = bound_at(entry.value, "high");
     parameter.options = texts_at(entry.value, "options");
     parameter.cpp_class = text_at(entry.value, "class");
     const Node* eagerx = entry.value.find("eagerx");

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
+#include <charconv>
+#include <limits>
 
 #include "generator/read/scalar.hpp"
 
@@ -31,14 +34,14 @@ std::string_view type_name(Parameter::Type type) {
   return "";
 }
 
-bool in_range(const Parameter& parameter, double value, const Node& node,
+bool in_range(const Parameter& parameter, const ConditionNumber& value, const Node& node,
               Diagnostics& diagnostics) {
-  const bool low = parameter.low && !(value >= *parameter.low);
-  const bool high = parameter.high && !(value <= *parameter.high);
+  const bool low = parameter.low && !at_most(*parameter.low, value);
+  const bool high = parameter.high && !at_most(value, *parameter.high);
   if (!low && !high) return true;
   diagnostics.error("E0323", node.span, fmt::format("`{}` is out of range", parameter.name.value))
-      .label = low ? fmt::format("must be at least {}", *parameter.low)
-                   : fmt::format("must be at most {}", *parameter.high);
+      .label = low ? fmt::format("must be at least {}", to_string(*parameter.low))
+                   : fmt::format("must be at most {}", to_string(*parameter.high));
   return false;
 }
 
@@ -89,8 +92,7 @@ class Reader {
       return std::nullopt;
     }
     if constexpr (!std::is_same_v<T, bool>) {
-      if (!in_range(parameter_, static_cast<double>(*parsed), node, diagnostics_))
-        return std::nullopt;
+      if (!in_range(parameter_, *parsed, node, diagnostics_)) return std::nullopt;
     }
     return *parsed;
   }
@@ -167,6 +169,21 @@ std::vector<std::string> report_unknown(const Entity& entity, const std::vector<
 std::string with_article(EntityKind kind) {
   const std::string_view name = to_string(kind);
   return fmt::format("{} {}", name.front() == 'e' || name.front() == 'o' ? "an" : "a", name);
+}
+
+/// Whether a whole number of the dtype survives as a double. The largest of a dtype does, as the
+/// double behind it stands for it.
+bool is_kept(std::string_view text, std::optional<Dtype> dtype) {
+  if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+  std::uint64_t magnitude = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), magnitude);
+  if (error != std::errc() || end != text.data() + text.size()) return true;  // told of elsewhere
+  constexpr auto kInt64 = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  constexpr auto kUint64 = std::numeric_limits<std::uint64_t>::max();
+  if (magnitude == kInt64 && dtype != Dtype::uint64) return true;
+  if (magnitude == kUint64 && dtype != Dtype::int64) return true;
+  return magnitude == 0 || std::bit_width(magnitude) - std::countr_zero(magnitude) <=
+                               std::numeric_limits<double>::digits;
 }
 
 }  // namespace
@@ -256,6 +273,20 @@ std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& dia
     result.push_back(*number);
   }
   return result;
+}
+
+bool are_kept(const Node& node, std::optional<Dtype> dtype, const char* code,
+              Diagnostics& diagnostics) {
+  if (dtype && is_floating(*dtype)) return true;
+  const std::vector<Node> items = node.is_sequence() ? node.items : std::vector<Node>{node};
+  for (const auto& item : items) {
+    if (!item.is_scalar() || is_kept(item.text, dtype)) continue;
+    diagnostics.error(code, item.span, fmt::format("`{}` cannot be kept exactly", item.text)).help =
+        "whole numbers beyond 9007199254740992 (two to the 53rd) are rounded: choose one with "
+        "fewer digits, or the largest or smallest of the dtype";
+    return false;
+  }
+  return true;
 }
 
 std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics) {

@@ -32,6 +32,12 @@ std::vector<Setting> substitute(std::vector<Setting> settings, const References&
 /// A number or list of numbers as doubles; nullopt (and E0322) if it is something else.
 std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& diagnostics);
 
+/// Whether the whole numbers of `node` stay what they are: spaces and states keep doubles, which
+/// hold those of up to 53 bits. Without a dtype it may be an integer's. If not, error `code` where
+/// the first of them is.
+bool are_kept(const Node& node, std::optional<Dtype> dtype, const char* code,
+              Diagnostics& diagnostics);
+
 /// A rate from a node that may have been a reference; nullopt (and E0204) if it is no positive
 /// decimal.
 std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics);

@@ -37,11 +37,12 @@ std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics
   return shape;
 }
 
-std::vector<double> bounds_of(const std::optional<Node>& node, const References& references,
-                              Diagnostics& diagnostics) {
+std::vector<double> bounds_of(const std::optional<Node>& node, std::optional<Dtype> dtype,
+                              const References& references, Diagnostics& diagnostics) {
   if (!node) return {};
-  return numbers_of(substitute(*node, references, diagnostics), diagnostics)
-      .value_or(std::vector<double>{});
+  const Node bounds = substitute(*node, references, diagnostics);
+  if (!are_kept(bounds, dtype, "E0326", diagnostics)) return {};
+  return numbers_of(bounds, diagnostics).value_or(std::vector<double>{});
 }
 
 }  // namespace
@@ -66,8 +67,8 @@ PartialSpace partial_space(const SpaceSpec& spec, const References& references,
   if (spec.dtype) result.dtype = dtype_of(spec.dtype->value);
   if (spec.shape)
     result.shape = shape_of(substitute(*spec.shape, references, diagnostics), diagnostics);
-  result.low = bounds_of(spec.low, references, diagnostics);
-  result.high = bounds_of(spec.high, references, diagnostics);
+  result.low = bounds_of(spec.low, result.dtype, references, diagnostics);
+  result.high = bounds_of(spec.high, result.dtype, references, diagnostics);
   if (spec.like) {
     result.like = spec.like->value;
     result.like_span = spec.like->span;

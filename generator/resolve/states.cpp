@@ -54,7 +54,7 @@ class RandomReader {
  private:
   std::vector<double> values(const Node& node, bool in_space) {
     auto result = numbers_of(node, diagnostics_);
-    if (!result) {
+    if (!result || !are_kept(node, space_.dtype, "E0327", diagnostics_)) {
       good_ = false;
       return {};
     }
