@@ -198,11 +198,12 @@ class Rebuilder {
 
   /// An engine node may tick at the rate of a sensor that was pruned itself.
   void take_borrowed_rates(Rebuilt& rebuilt) {
-    for (const auto& [node, local] : rebuilt.matches) {
+    for (const auto& match : rebuilt.matches) {
+      const std::string& node = match.first;
       const Node* rate = saved_.find(node)->parameter("rate");
       const auto spec =
           std::find_if(rebuilt.implementation->nodes.begin(), rebuilt.implementation->nodes.end(),
-                       [&](const EntitySpec& n) { return n.name.value == local; });
+                       [&](const EntitySpec& n) { return n.name.value == match.second; });
       const std::string& text = spec->rate->value.text;  // `$(sensors theta rate)`
       for (const char* section : {"sensors", "actuators"}) {
         const std::string begin = fmt::format("$({} ", section);
