@@ -238,15 +238,16 @@ class Includes {
  public:
   explicit Includes(const IncludePaths& paths) : paths_(paths) {}
 
-  void add(const Entity& entity, const CppClass& cpp) {
+  void add(const std::string& include_root, const CppClass& cpp) {
     if (cpp.include.empty()) return;
-    if (entity.include_root == paths_.builtin_root) {
+    if (include_root == paths_.builtin_root) {
       headers_.insert("<" + cpp.include + ">");
       return;
     }
-    const auto header = std::filesystem::path(entity.include_root) / cpp.include;
+    const auto header = std::filesystem::path(include_root) / cpp.include;
     headers_.insert("\"" + header.lexically_relative(paths_.here).generic_string() + "\"");
   }
+  void add(const Entity& entity, const CppClass& cpp) { add(entity.include_root, cpp); }
   void add(const std::optional<Processor>& processor) {
     if (processor) add(*processor->entity, processor->entity->cpp);
   }
@@ -278,7 +279,7 @@ View includes_view(const Plan& plan, const IncludePaths& paths) {
   }
   includes.add(*graph.engine().entity, graph.engine().entity->simulator);
   for (const auto& item : graph.objects) {
-    includes.add(*item.entity, item.implementation->model);
+    includes.add(item.implementation->include_root, item.implementation->model);
     for (const auto& state : item.states) {
       includes.add(*state.engine_state, state.engine_state->cpp);
       includes.add(state.processor);

@@ -48,16 +48,47 @@ void add(std::map<std::string, Item>& items, Item item, Diagnostics& diagnostics
 }
 
 /// Headers are included relative to the parent of the library folder: `<models/nodes/…>`.
+void make_relative(CppClass& cpp, const fs::path& root) {
+  if (cpp.include.empty()) return;
+  cpp.include =
+      fs::absolute(cpp.include).lexically_normal().lexically_relative(root).generic_string();
+}
+
+void set_include_root(ObjectEngine& implementation, const fs::path& root) {
+  implementation.include_root = root.string();
+  make_relative(implementation.model, root);
+}
+
 void set_include_root(Entity& entity, const fs::path& root) {
   entity.include_root = root.string();
-  const auto relative = [&](CppClass& cpp) {
-    if (cpp.include.empty()) return;
-    cpp.include =
-        fs::absolute(cpp.include).lexically_normal().lexically_relative(root).generic_string();
-  };
-  relative(entity.cpp);
-  relative(entity.simulator);
-  for (auto& implementation : entity.object_engines) relative(implementation.model);
+  make_relative(entity.cpp, root);
+  make_relative(entity.simulator, root);
+  for (auto& implementation : entity.object_engines) set_include_root(implementation, root);
+}
+
+/// Implementations that have manifests of their own are the objects' as if they stood there.
+void add_to_object(Library& library, Implementation implementation, Diagnostics& diagnostics) {
+  const auto& [object, engine] = implementation;
+  const auto found = library.entities.find(object.value);
+  if (found == library.entities.end() || found->second.kind != EntityKind::object) {
+    const std::string near = nearest(object.value, library.ids(EntityKind::object));
+    auto& problem = diagnostics.error(
+        "E0303", object.span, fmt::format("there is no object `{}` to implement", object.value));
+    if (!near.empty()) problem.help = fmt::format("did you mean `{}`?", near);
+    return;
+  }
+  auto& engines = found->second.object_engines;
+  const auto first = std::find_if(engines.begin(), engines.end(), [&](const ObjectEngine& each) {
+    return each.engine.value == engine.engine.value;
+  });
+  if (first != engines.end()) {
+    diagnostics
+        .error("E0302", engine.engine.span,
+               fmt::format("`{}` is implemented for `{}` twice", object.value, engine.engine.value))
+        .notes.push_back({"first here", first->engine.span, ""});
+    return;
+  }
+  engines.push_back(std::move(implementation.engine));
 }
 
 }  // namespace
@@ -117,6 +148,7 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
                      Diagnostics& diagnostics) {
   Library library;
   std::vector<std::string> done;
+  std::vector<Implementation> implementations;
   for (const auto& folder : folders) {
     const fs::path root = fs::absolute(folder.value).lexically_normal();
     const std::string key = (root.has_filename() ? root : root.parent_path()).string();
@@ -131,12 +163,21 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
           add(library.targets, *target, diagnostics);
         continue;
       }
+      if (kind != nullptr && kind->text == "implementation") {
+        if (auto implementation = read_implementation_manifest(tree, path, diagnostics)) {
+          set_include_root(implementation->engine, fs::path(key).parent_path());
+          implementations.push_back(std::move(*implementation));
+        }
+        continue;
+      }
       if (auto entity = read_entity_manifest(tree, path, diagnostics)) {
         set_include_root(*entity, fs::path(key).parent_path());
         add(library.entities, *entity, diagnostics);
       }
     }
   }
+  for (auto& implementation : implementations)
+    add_to_object(library, std::move(implementation), diagnostics);
   return library;
 }
 

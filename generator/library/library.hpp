@@ -46,8 +46,8 @@ struct PortManifest {
   Spanned<std::string> name;
   SpaceSpec space;
   std::string unit, about;
-  std::optional<Node> rate;  // sensors and actuators; may be `$(config x)`
-  std::optional<std::uint32_t> window;
+  std::optional<Node> rate;    // sensors and actuators; may be `$(config x)`
+  std::optional<Node> window;  // may be `$(config x)`
   std::optional<Rational> delay_s;
   std::optional<bool> skip;
   std::optional<Node> max_delay;  // the entity sets the delay at its reset; may be `$(config x)`
@@ -66,6 +66,13 @@ struct ObjectEngine {
   std::vector<EntitySpec> nodes;
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
+  std::string include_root;        // folder that the model's include is relative to
+};
+
+/// An object's implementation for an engine in a manifest of its own.
+struct Implementation {
+  Spanned<std::string> object;
+  ObjectEngine engine;
 };
 
 struct Entity {
@@ -113,14 +120,17 @@ struct Library {
 std::string_view to_string(EntityKind kind);
 
 /// Reads every manifest.yaml below the folders, in the order of their paths; a folder's span is
-/// where it was named. Codes: E0301 a folder that cannot be read, E0302 an id defined twice, E02xx
-/// what is wrong in a manifest.
+/// where it was named. Codes: E0301 a folder that cannot be read, E0302 an id defined twice, E0303
+/// an implementation of an object that there is not, E02xx what is wrong in a manifest.
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics);
 
 /// Typed form of one manifest.
 std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path,
                                            Diagnostics& diagnostics);
+std::optional<Implementation> read_implementation_manifest(const Node& root,
+                                                           const std::string& path,
+                                                           Diagnostics& diagnostics);
 std::optional<Target> read_target_manifest(const Node& root, const std::string& path,
                                            Diagnostics& diagnostics);
 

@@ -113,9 +113,7 @@ std::vector<PortManifest> read_ports(const Node& root, const char* key) {
     port.unit = text_at(entry.value, "unit");
     port.about = text_at(entry.value, "about");
     port.rate = node_at(entry.value, "rate");
-    if (const Node* window = entry.value.find("window")) {
-      port.window = static_cast<std::uint32_t>(parse_int(window->text).value_or(1));
-    }
+    port.window = node_at(entry.value, "window");
     if (const Node* delay = entry.value.find("delay")) port.delay_s = Rational::parse(delay->text);
     if (const Node* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
     port.max_delay = node_at(entry.value, "max_delay");
@@ -173,6 +171,17 @@ PortManifest only_port(const Node& root, const char* key) {
   return port;
 }
 
+ObjectEngine read_implementation(const Spanned<std::string>& engine, const Node& node,
+                                 const fs::path& folder, Diagnostics& diagnostics) {
+  ObjectEngine result;
+  result.engine = engine;
+  result.model = read_cpp(*node.find("model"), folder);
+  result.nodes = read_entities(node, "nodes", diagnostics);
+  result.connections = read_connections(node.find("connections"), diagnostics);
+  result.states = read_entities(node, "states", diagnostics);
+  return result;
+}
+
 bool check_manifest(const Node& root, Diagnostics& diagnostics) {
   const Node* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
@@ -225,13 +234,8 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
     entity.simulator = read_cpp(*simulator, folder);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
     for (const auto& entry : root.find("engines")->entries) {
-      ObjectEngine implementation;
-      implementation.engine = {entry.key, entry.key_span};
-      implementation.model = read_cpp(*entry.value.find("model"), folder);
-      implementation.nodes = read_entities(entry.value, "nodes", diagnostics);
-      implementation.connections = read_connections(entry.value.find("connections"), diagnostics);
-      implementation.states = read_entities(entry.value, "states", diagnostics);
-      entity.object_engines.push_back(std::move(implementation));
+      entity.object_engines.push_back(
+          read_implementation({entry.key, entry.key_span}, entry.value, folder, diagnostics));
     }
   }
   if (root.find("kind")->text == "reset_node" && (entity.targets.empty() || entity.outputs.empty()))
@@ -240,6 +244,20 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.requirements = read_requirements(root, entity, diagnostics);
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return entity;
+}
+
+std::optional<Implementation> read_implementation_manifest(const Node& root,
+                                                           const std::string& path,
+                                                           Diagnostics& diagnostics) {
+  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::size_t errors_before = diagnostics.error_count();
+  const Node& object = *root.find("object");
+  const Node& engine = *root.find("engine");
+  Implementation result{{object.text, object.span},
+                        read_implementation({engine.text, engine.span}, root,
+                                            fs::path(path).parent_path(), diagnostics)};
+  if (diagnostics.error_count() != errors_before) return std::nullopt;
+  return result;
 }
 
 std::optional<Target> read_target_manifest(const Node& root, const std::string& path,

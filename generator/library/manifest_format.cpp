@@ -61,10 +61,13 @@ Fields port_fields() {
 }
 
 Fields connection_defaults() {
-  return {
-      {"window", format::integer("a number of messages", 0, 1'000'000), false, "default window"},
-      {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
-      {"skip", format::boolean(), false, "default skip"}};
+  return {{"window",
+           format::one_of("a number of messages or `$(config NAME)`",
+                          {format::integer("a number of messages", 0, 1'000'000),
+                           format::text("`$(config NAME)`")}),
+           false, "default window"},
+          {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
+          {"skip", format::boolean(), false, "default skip"}};
 }
 
 FormatPtr ports(const std::string& what, const Fields& fields) {
@@ -110,23 +113,33 @@ Fields node_ports() {
          states();
 }
 
-FormatPtr object_engine_format() {
+Fields implementation() {
   const FormatPtr engine_state = format::record(
       "an engine state", {{"type", format::name("the id of an engine state"), true, "its id"},
                           {"config", config_format(), false, "its parameters"}});
-  return format::map(
-      "implementations",
-      format::record("an implementation",
-                     {{"model",
-                       format::record("a model", {{"header", format::text("a header"), true,
-                                                   "header beside the manifest"},
-                                                  {"class", format::text("a C++ class template"),
-                                                   true, "what the engine simulates"}}),
-                       true, "what the engine simulates"},
-                      {"nodes", engine_nodes_format(), false, "engine nodes"},
-                      {"connections", connections_format(), false,
-                       "connections between them, `sensors` and `actuators`"},
-                      {"states", format::map("states", engine_state), false, "engine states"}}));
+  return {{"model",
+           format::record("a model",
+                          {{"header", format::text("a header"), true, "header beside the manifest"},
+                           {"class", format::text("a C++ class template"), true,
+                            "what the engine simulates"}}),
+           true, "what the engine simulates"},
+          {"nodes", engine_nodes_format(), false, "engine nodes"},
+          {"connections", connections_format(), false,
+           "connections between them, `sensors` and `actuators`"},
+          {"states", format::map("states", engine_state), false, "engine states"}};
+}
+
+FormatPtr object_engine_format() {
+  return format::map("implementations", format::record("an implementation", implementation()));
+}
+
+Fields implementation_apart() {
+  return Fields{{"kind", format::keyword({"implementation"}), true, "kind of manifest"},
+                {"object", format::name("the id of an object"), true, "what is implemented"},
+                {"engine", format::name("the id of an engine"), true, "on which engine"},
+                {"summary", format::text("a text"), false, "one line"},
+                {"description", format::text("a text"), false, "equations, units, sources"}} +
+         implementation();
 }
 
 Fields object_ports() {
@@ -156,8 +169,8 @@ FormatPtr target_format() {
 }  // namespace
 
 std::vector<std::string> manifest_kinds() {
-  return {"node",         "reset_node", "engine",    "engine_node",
-          "engine_state", "object",     "processor", "target"};
+  return {"node",   "reset_node", "engine",         "engine_node", "engine_state",
+          "object", "processor",  "implementation", "target"};
 }
 
 const Format* manifest_format(std::string_view kind) {
@@ -189,6 +202,7 @@ const Format* manifest_format(std::string_view kind) {
                                                  false, "what it takes"},
                                                 {"output", space_format(Reference::accept, true),
                                                  true, "what it gives"}})},
+      {"implementation", format::record("an implementation", implementation_apart())},
       {"target", target_format()}};
   const auto found = kFormats.find(kind);
   return found == kFormats.end() ? nullptr : found->second.get();

@@ -223,8 +223,15 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
   for (const auto& parameter : entity.config) {
     const Setting* setting = find_setting(settings, parameter.name.value);
     if (setting == nullptr && !parameter.fallback) continue;
-    result["config " + parameter.name.value] =
-        setting != nullptr ? setting->value : *parameter.fallback;
+    const Node& value = setting != nullptr ? setting->value : *parameter.fallback;
+    result["config " + parameter.name.value] = value;
+    if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
+      continue;
+    Node size;  // a single number is a list of one
+    size.span = value.span;
+    size.kind = NodeKind::scalar;
+    size.text = std::to_string(value.is_sequence() ? value.items.size() : 1);
+    result["size " + parameter.name.value] = size;
   }
   return result;
 }

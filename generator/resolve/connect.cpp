@@ -334,7 +334,10 @@ void connect(Draft& draft) {
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& text) {
   const Port port = split(text);
   const auto found = find_ports(draft, port, Side::to);
-  if (!found.empty()) return draft.nodes[found.front().node].inputs[found.front().port].declared;
+  if (!found.empty()) {
+    const DraftInput& input = draft.nodes[found.front().node].inputs[found.front().port];
+    return input.outside ? *input.outside : input.declared;
+  }
   // An actuator that nothing is connected to.
   const auto spec = std::find_if(draft.spec.objects.begin(), draft.spec.objects.end(),
                                  [&](const EntitySpec& o) { return o.name.value == port.owner; });

@@ -153,6 +153,20 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return known.empty() ? otherwise : fmt::format("there is {}", fmt::join(known, ", "));
 }
 
+std::optional<std::uint32_t> window_of(const PortManifest& port, const References& references,
+                                       Diagnostics& diagnostics) {
+  if (!port.window) return std::nullopt;
+  constexpr std::int64_t kMost = 1'000'000;
+  const Node window = substitute(*port.window, references, diagnostics);
+  const auto count = window.is_scalar() ? parse_int(window.text) : std::nullopt;
+  if (count && *count >= 0 && *count <= kMost) return static_cast<std::uint32_t>(*count);
+  if (!is_unresolved(window)) {
+    diagnostics.error("E0204", window.span,
+                      fmt::format("expected a number of messages, found {}", describe(window)));
+  }
+  return std::nullopt;
+}
+
 DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
                        const References& references, Diagnostics& diagnostics) {
   DraftInput input;
@@ -160,7 +174,7 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
   input.written = written;
   input.span = span;
   input.declared = partial_space(port.space, references, diagnostics);
-  input.settings.window = port.window;
+  input.settings.window = window_of(port, references, diagnostics);
   input.settings.delay_s = port.delay_s;
   input.settings.skip = port.skip;
   input.entity_sets_delay = port.max_delay.has_value();
@@ -174,6 +188,17 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
                       fmt::format("expected a delay in seconds, found {}", describe(longest)));
   }
   return input;
+}
+
+void settle(DraftOutput& output, const ComponentSpec& settings, const std::string& written,
+            Diagnostics& diagnostics) {
+  if (settings.processor) {
+    output.processor = settings.processor;
+    output.published = {};  // of the processor that it replaces
+  }
+  if (!settings.space) return;
+  PartialSpace& space = output.processor ? output.published : output.declared;
+  space = narrow(space, partial_space(*settings.space, {}, diagnostics), written, diagnostics);
 }
 
 ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over) {

@@ -42,9 +42,10 @@ struct DraftInput {
   std::string
       written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
   Span span;
-  PartialSpace declared;
+  PartialSpace declared;  // what the callback takes, after the processor
   ConnectionSettings settings;
   std::optional<DraftEdge> edge;
+  std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
   bool entity_sets_delay = false;
   bool feedthrough = false;
 };
@@ -52,8 +53,9 @@ struct DraftInput {
 struct DraftOutput {
   std::string name;
   Span span;
-  PartialSpace declared;
+  PartialSpace declared;  // what the callback gives
   std::optional<ProcessorSpec> processor;
+  PartialSpace published = {};  // what comes out of the processor
 };
 
 struct DraftNode {
@@ -97,6 +99,9 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over);
 /// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
 PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
                     Diagnostics& diagnostics);
+/// The window that a manifest gives a port.
+std::optional<std::uint32_t> window_of(const PortManifest& port, const References& references,
+                                       Diagnostics& diagnostics);
 /// An input as its manifest describes it.
 DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
                        const References& references, Diagnostics& diagnostics);
@@ -105,6 +110,10 @@ std::optional<Space> complete(const PartialSpace& partial);
 PartialSpace partial_of(const Space& space);
 /// Whether what arrives has the dtype and shape that are declared, where they are.
 bool fits(const PartialSpace& declared, const Space& arriving);
+/// Applies what is said of an output beside its manifest: a processor, and the space of what is
+/// published.
+void settle(DraftOutput& output, const ComponentSpec& settings, const std::string& written,
+            Diagnostics& diagnostics);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);
 /// "did you mean `…`?", else what there is, else `otherwise`.

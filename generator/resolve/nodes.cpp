@@ -142,12 +142,7 @@ void add_nodes(Draft& draft) {
                            partial_space(port.space, references, draft.diagnostics), std::nullopt};
         if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
           output.span = component->name.span;
-          output.processor = component->processor;
-          if (component->space) {
-            output.declared =
-                narrow(output.declared, partial_space(*component->space, {}, draft.diagnostics),
-                       spec.name.value + "." + port.name.value, draft.diagnostics);
-          }
+          settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);
         }
         if (!entity->targets.empty())
           node.inputs.push_back(feedthrough_of(output, spec.name.value));

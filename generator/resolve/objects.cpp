@@ -154,8 +154,17 @@ class ObjectBuilder {
     }
     for (const auto& port : entity.outputs) {
       if (spec.outputs && component(spec.outputs, port.name.value) == nullptr) continue;
-      node.outputs.push_back({port.name.value, spec_.name.span,
-                              partial_space(port.space, references, diagnostics()), std::nullopt});
+      DraftOutput output;
+      output.name = port.name.value;
+      output.span = spec_.name.span;
+      output.declared = partial_space(port.space, references, diagnostics());
+      if (const ComponentSpec* set = component(spec.outputs, port.name.value)) {
+        settle(output, *set, node.node.name + "." + port.name.value, diagnostics());
+        if (output.processor)
+          output.processor->config =
+              substitute(output.processor->config, references_, diagnostics());
+      }
+      node.outputs.push_back(std::move(output));
     }
   }
 
@@ -228,18 +237,23 @@ class ObjectBuilder {
       return;
     DraftInput& port = nodes_[*target].inputs[*input];
     ConnectionSettings declared;
-    declared.window = actuator->window;
+    declared.window = window_of(*actuator, references_, diagnostics());
     declared.delay_s = actuator->delay_s;
     declared.skip = actuator->skip;
     port.settings = overlay(port.settings, declared);
     port.settings = overlay(port.settings, settings_of(connection));
     port.written = spec_.name.value + "." + name;
-    port.declared =
-        narrow(port.declared, partial_space(actuator->space, references_, diagnostics()),
-               port.written, diagnostics());
+    PartialSpace space = partial_space(actuator->space, references_, diagnostics());
     if (const ComponentSpec* set = component(spec_.actuators, name); set != nullptr && set->space) {
-      port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()),
-                             port.written, diagnostics());
+      space =
+          narrow(space, partial_space(*set->space, {}, diagnostics()), port.written, diagnostics());
+    }
+    if (port.settings.processor) {
+      port.settings.processor->config =
+          substitute(port.settings.processor->config, references_, diagnostics());
+      port.outside = space;
+    } else {
+      port.declared = narrow(port.declared, space, port.written, diagnostics());
     }
     check_rate(*actuator, "actuators", nodes_[*target], connection.to.span);
     actuator_targets_.push_back({name, *target, *input});
@@ -256,14 +270,15 @@ class ObjectBuilder {
     if (!sensors_.contains(name)) return;
     DraftOutput& port = nodes_[source].outputs[output];
     const std::string written = spec_.name.value + "." + name;
-    port.declared = narrow(port.declared, partial_space(sensor->space, references_, diagnostics()),
-                           written, diagnostics());
-    if (const ComponentSpec* set = component(spec_.sensors, name)) {
-      port.processor = set->processor;
-      if (set->space)
-        port.declared = narrow(port.declared, partial_space(*set->space, {}, diagnostics()),
-                               written, diagnostics());
+    if (connection.processor) {
+      port.processor = connection.processor;
+      port.processor->config = substitute(port.processor->config, references_, diagnostics());
     }
+    PartialSpace& space = port.processor ? port.published : port.declared;
+    space = narrow(space, partial_space(sensor->space, references_, diagnostics()), written,
+                   diagnostics());
+    if (const ComponentSpec* set = component(spec_.sensors, name))
+      settle(port, *set, written, diagnostics());
     check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
     sensor_sources_.push_back({name, source, output});
   }

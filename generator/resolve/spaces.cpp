@@ -53,8 +53,11 @@ class SpaceResolver {
       }
       if (declared.dtype && declared.shape) continue;
       const DraftInput* input = first_target(a);
-      if (input != nullptr && !input->settings.processor)
+      if (input != nullptr && input->outside) {
+        declared = overlay(*input->outside, declared);
+      } else if (input != nullptr && !input->settings.processor) {
         declared = overlay(input->declared, declared);
+      }
     }
   }
 
@@ -112,9 +115,25 @@ class SpaceResolver {
       output.processor = make_processor(draft_, *draft.processor, *raw, draft.span);
       if (!output.processor) return true;
       output.space = output.processor->output;
+      if (!publishes(draft, output)) return true;
     }
     slot.port = std::move(output);
     return true;
+  }
+
+  /// What comes out of the processor must be what is said of it, and is bounded as is said.
+  bool publishes(const DraftOutput& draft, Output& output) {
+    if (!fits(draft.published, output.space)) {
+      auto& problem =
+          diagnostics().error("E0306", draft.published.span,
+                              fmt::format("`{}` is {} here, but its processor gives {}", draft.name,
+                                          describe(draft.published), output.space.describe()));
+      problem.notes.push_back({"the processor", draft.processor->type.span, ""});
+      return false;
+    }
+    if (!draft.published.low.empty()) output.space.low = draft.published.low;
+    if (!draft.published.high.empty()) output.space.high = draft.published.high;
+    return check_bounds(output.space, draft.published.span);
   }
 
   /// The declared space with what it takes from an input of the same node; nullopt while that is
@@ -161,6 +180,10 @@ class SpaceResolver {
     input.span = draft.span;
     set_changing_delay(draft, input);
     input.space = source->space;
+    if (draft.outside && !fits(*draft.outside, source->space)) {
+      report_misfit(draft, *draft.outside, input);
+      return true;
+    }
     if (draft.settings.processor) {
       input.processor =
           make_processor(draft_, *draft.settings.processor, source->space, draft.edge->span);
@@ -230,22 +253,25 @@ class SpaceResolver {
 
   bool agrees(const DraftInput& draft, const Input& input) {
     if (fits(draft.declared, input.space)) return true;
-    const bool dtype = !draft.declared.dtype || *draft.declared.dtype == input.space.dtype;
-    auto& problem =
-        diagnostics().error(dtype ? "E0306" : "E0305", draft.span,
-                            fmt::format("`{}` takes {}, but gets {}", draft.written,
-                                        describe(draft.declared), input.space.describe()));
+    report_misfit(draft, draft.declared, input);
+    return false;
+  }
+
+  void report_misfit(const DraftInput& draft, const PartialSpace& takes, const Input& input) {
+    const bool dtype = !takes.dtype || *takes.dtype == input.space.dtype;
+    auto& problem = diagnostics().error(dtype ? "E0306" : "E0305", draft.span,
+                                        fmt::format("`{}` takes {}, but gets {}", draft.written,
+                                                    describe(takes), input.space.describe()));
     problem.label = dtype ? "the shapes differ" : "the dtypes differ";
     if (input.processor) {
       problem.notes.push_back(
           {fmt::format("`{}` gives {}", input.processor->entity->id.value, input.space.describe()),
            input.processor->span, ""});
-      return false;
+      return;
     }
     problem.notes.push_back(
         {"this is where it comes from", draft.edge->span, input.space.describe()});
     problem.help = "put a `processor` on the connection, or connect something that fits";
-    return false;
   }
 
   /// Bounds must be one number or one for each element, and fit the dtype.

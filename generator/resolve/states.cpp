@@ -174,8 +174,12 @@ std::vector<State> read_states(Draft& draft, const Entity& entity, const EntityS
           .help = suggestion(state_spec.name.value, known, "it has no states");
       continue;
     }
-    const auto space = state_space(*port, references, diagnostics);
+    auto space = state_space(*port, references, diagnostics);
     if (!space) continue;
+    if (state_spec.space) {
+      space = complete(narrow(partial_of(*space), partial_space(*state_spec.space, {}, diagnostics),
+                              state_spec.name.value, diagnostics));
+    }
     State state;
     state.name = state_spec.name.value;
     state.space = *space;

@@ -47,7 +47,10 @@ std::vector<Field> random_fields() {
     return format::record(what, {{first, value, true, first}, {second, value, true, second}});
   };
   return {{"value", value, false, "always this value"},
-          {"uniform", pair("`uniform`", "low", "high"), false, "uniform between low and high"},
+          {"uniform",
+           format::one_of("`space`, or a range such as `{low: 0.0, high: 1.0}`",
+                          {pair("`uniform`", "low", "high"), format::keyword({"space"})}),
+           false, "uniform between low and high, or in the whole space"},
           {"normal", pair("`normal`", "mean", "std"), false, "normally distributed"},
           {"log_uniform", pair("`log_uniform`", "low", "high"), false, "uniform in the logarithm"},
           {"choice", format::list("a list of values", value, 1), false,
@@ -76,9 +79,13 @@ FormatPtr selection(const std::string& what, std::vector<Field> settings) {
                                                           std::move(settings)))});
 }
 
+Field space_field() {
+  return {"space", space_format(Reference::refuse, false), false, "what its messages may hold"};
+}
+
 FormatPtr states_format() {
-  const FormatPtr drawn =
-      format::record("how a state gets its value", with(random_fields(), {processor_field()}));
+  const FormatPtr drawn = format::record("how a state gets its value",
+                                         with(random_fields(), {space_field(), processor_field()}));
   return format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
                                               {drawn, format::keyword({"uniform"})}));
 }
@@ -91,9 +98,6 @@ Field config_field() {
 }
 Field rate_field(bool required, const char* about) {
   return {"rate", rate_format(), required, about};
-}
-Field space_field() {
-  return {"space", space_format(Reference::refuse, false), false, "what its messages may hold"};
 }
 Field states_field() {
   return {"states", states_format(), false,
@@ -206,8 +210,8 @@ FormatPtr engine_nodes_format() {
                       config_field(),
                       {"inputs", format::list("a list of inputs", format::name("a name")), false,
                        "inputs to use (default: all)"},
-                      {"outputs", format::list("a list of outputs", format::name("a name")), false,
-                       "outputs to use (default: all)"}}));
+                      {"outputs", selection("outputs", {space_field(), processor_field()}), false,
+                       "outputs to use (default: all) and their settings"}}));
 }
 
 const Format& graph_format() {

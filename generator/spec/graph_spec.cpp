@@ -100,9 +100,9 @@ std::optional<RandomSpec> read_random(const Node& node, Diagnostics& diagnostics
   if (node.is_scalar()) return spec;  // uniform in its space
   std::vector<const Node::Entry*> ways;
   for (const auto& entry : node.entries) {
-    if (entry.key != "processor") ways.push_back(&entry);
+    if (entry.key != "processor" && entry.key != "space") ways.push_back(&entry);
   }
-  if (ways.empty() && node.find("processor") != nullptr) return std::nullopt;
+  if (ways.empty() && !node.entries.empty()) return std::nullopt;
   if (ways.size() != 1) {
     diagnostics.error("E0206", node.span, "a value is drawn in exactly one way").help =
         "write one of value, uniform, normal, log_uniform, choice";
@@ -115,6 +115,7 @@ std::optional<RandomSpec> read_random(const Node& node, Diagnostics& diagnostics
     spec.first = value;
     return spec;
   }
+  if (value.is_scalar()) return spec;  // `uniform: space`
   const bool normal = key == "normal";
   spec.kind = normal
                   ? RandomSpec::Kind::normal
@@ -205,6 +206,7 @@ EntitySpec read_entity(const std::string& name, Span span, const Node& node,
       if (!entry.value.is_null()) state.random = read_random(entry.value, diagnostics);
       if (const Node* processor = entry.value.find("processor"))
         state.processor = read_processor(*processor);
+      if (const Node* space = entry.value.find("space")) state.space = read_space(*space);
       spec.states.push_back(std::move(state));
     }
   }

@@ -66,6 +66,7 @@ struct StateSpec {
   Spanned<std::string> name;
   std::optional<RandomSpec> random;  // without: only the program's interface sets it
   std::optional<ProcessorSpec> processor;
+  std::optional<SpaceSpec> space = {};  // in place of the manifest's bounds
 };
 
 /// An engine, object or node of the graph, or an engine node of a manifest.

@@ -1,4 +1,4 @@
-// One element of a message.
+// Some elements of a message.
 #pragma once
 
 #include <cstddef>
@@ -6,15 +6,26 @@
 
 namespace eagerx::models {
 
-/// Element `index` of the message (row-major), as an array of one element.
+/// Element i of the result is element index[i] of the message (row-major).
 template <class Io>
 struct GetIndex {
   static typename Io::Output convert(const typename Io::Input& in) {
-    constexpr auto kIndex = static_cast<std::size_t>(Io::Config::index);
-    static_assert(kIndex < size_of<typename Io::Input>,
-                  "GetIndex: `index` is beyond the end of the message");
-    return filled<typename Io::Output>(
-        static_cast<ScalarOf<typename Io::Output>>(element(in, kIndex)));
+    static_assert(exist(), "GetIndex: `index` is beyond the end of the message");
+    typename Io::Output out{};
+    static_assert(size_of<typename Io::Output> == Io::Config::index.size());
+    for (std::size_t i = 0; i < Io::Config::index.size(); ++i) {
+      const auto index = static_cast<std::size_t>(Io::Config::index[i]);
+      element(out, i) = static_cast<ScalarOf<typename Io::Output>>(element(in, index));
+    }
+    return out;
+  }
+
+ private:
+  static constexpr bool exist() {
+    for (const auto index : Io::Config::index) {
+      if (index < 0 || static_cast<std::size_t>(index) >= size_of<typename Io::Input>) return false;
+    }
+    return true;
   }
 };
 

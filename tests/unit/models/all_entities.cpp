@@ -62,7 +62,7 @@ template class ButterworthFilter<FilterIo<double, testing::Band4>>;
 template class ButterworthFilter<FilterIo<double, testing::Stop8>>;
 template struct DecomposedAngle<ProcessorIo<float, float, Array<float, 2>>>;
 template struct DecomposedAngle<ProcessorIo<double, float, Array<float, 2>>>;
-template struct GetIndex<ProcessorIo<float, Array<float, 3>, Array<float, 1>>>;
+template struct GetIndex<testing::IndexIo<Array<float, 3>, 2, 0>>;
 template struct Negate<ProcessorIo<float, Array<float, 3>, Array<float, 3>>>;
 template struct Negate<ProcessorIo<float, std::int16_t, std::int16_t>>;
 template struct Identity<ProcessorIo<float, float, float>>;

@@ -153,6 +153,16 @@ struct ProcessorIo {
   };
 };
 
+template <class InputType, int... Indices>
+struct IndexIo {
+  using Real = float;
+  using Input = InputType;
+  using Output = Array<float, sizeof...(Indices)>;
+  struct Config {
+    static constexpr std::array<int, sizeof...(Indices)> index = {Indices...};
+  };
+};
+
 template <class RealType, class Message, class Result, template <class> class WindowOf = Latest>
 struct MeanIo {
   using Real = RealType;

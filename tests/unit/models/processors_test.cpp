@@ -29,9 +29,11 @@ TEST(DecomposedAngle, IsCosineAndSine) {
   }
 }
 
-TEST(GetIndex, PicksAnElementAsAnArrayOfOne) {
-  using Processor = GetIndex<ProcessorIo<float, Array<double, 2, 2>, Array<float, 1>>>;
-  EXPECT_EQ(Processor::convert({{0.1, 0.2, 0.3, 0.4}}), (Array<float, 1>{{0.3F}}));
+TEST(GetIndex, PicksElements) {
+  using One = GetIndex<IndexIo<Array<double, 2, 2>, 2>>;
+  EXPECT_EQ(One::convert({{0.1, 0.2, 0.3, 0.4}}), (Array<float, 1>{{0.3F}}));
+  using Three = GetIndex<IndexIo<Array<double, 2, 2>, 3, 0, 3>>;
+  EXPECT_EQ(Three::convert({{0.1, 0.2, 0.3, 0.4}}), (Array<float, 3>{{0.4F, 0.1F, 0.4F}}));
 }
 
 TEST(Negate, ChangesEverySign) {
