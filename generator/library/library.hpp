@@ -59,6 +59,12 @@ struct CppClass {
   std::string include;  // empty: none besides the entity's own
 };
 
+/// A state of an object that is one of an engine node.
+struct NodeState {
+  Spanned<std::string> name;  // of the object
+  Spanned<std::string> node;  // NODE.STATE
+};
+
 /// How an object is made on one engine.
 struct ObjectEngine {
   Spanned<std::string> engine;
@@ -66,7 +72,8 @@ struct ObjectEngine {
   std::vector<EntitySpec> nodes;
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
-  std::string include_root;        // folder that the model's include is relative to
+  std::vector<NodeState> node_states;
+  std::string include_root;  // folder that the model's include is relative to
 };
 
 /// An object's implementation for an engine in a manifest of its own.

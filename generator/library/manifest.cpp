@@ -178,7 +178,20 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const Node&
   result.model = read_cpp(*node.find("model"), folder);
   result.nodes = read_entities(node, "nodes", diagnostics);
   result.connections = read_connections(node.find("connections"), diagnostics);
-  result.states = read_entities(node, "states", diagnostics);
+  const Node* states = node.find("states");
+  for (const auto& entry : states != nullptr ? states->entries : std::vector<Node::Entry>{}) {
+    const Node* owner = entry.value.find("node");
+    if ((owner != nullptr) == (entry.value.find("type") != nullptr)) {
+      diagnostics.error("E0206", entry.key_span,
+                        fmt::format("`{}` is an engine state with a `type`, or the state of a "
+                                    "`node`, and only one of them",
+                                    entry.key));
+    } else if (owner != nullptr) {
+      result.node_states.push_back({{entry.key, entry.key_span}, {owner->text, owner->span}});
+    } else {
+      result.states.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
+    }
+  }
   return result;
 }
 

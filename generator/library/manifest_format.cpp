@@ -115,8 +115,10 @@ Fields node_ports() {
 
 Fields implementation() {
   const FormatPtr engine_state = format::record(
-      "an engine state", {{"type", format::name("the id of an engine state"), true, "its id"},
-                          {"config", config_format(), false, "its parameters"}});
+      "an engine state, or the state of an engine node",
+      {{"type", format::name("the id of an engine state"), false, "its id"},
+       {"config", config_format(), false, "its parameters"},
+       {"node", format::port("`NODE.STATE`"), false, "the engine node's state that it is"}});
   return {{"model",
            format::record("a model",
                           {{"header", format::text("a header"), true, "header beside the manifest"},

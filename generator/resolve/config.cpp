@@ -232,6 +232,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
     size.kind = NodeKind::scalar;
     size.text = std::to_string(value.is_sequence() ? value.items.size() : 1);
     result["size " + parameter.name.value] = size;
+    for (std::size_t i = 0; i < value.items.size(); ++i)
+      result[fmt::format("config {} {}", parameter.name.value, i)] = value.items[i];
   }
   return result;
 }

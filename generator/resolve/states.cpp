@@ -212,6 +212,41 @@ void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
   }
 }
 
+/// A state of an object that is one of an engine node moves there. False if it is none.
+bool move_to_node(Draft& draft, const Object& object, State& state) {
+  const auto& known = object.implementation->node_states;
+  const auto found = std::find_if(known.begin(), known.end(),
+                                  [&](const NodeState& s) { return s.name.value == state.name; });
+  if (found == known.end()) return false;
+  const std::size_t dot = found->node.value.find('.');
+  const std::string owner = object.name + "/" + found->node.value.substr(0, dot);
+  const std::string name = dot == std::string::npos ? "" : found->node.value.substr(dot + 1);
+  for (auto& node : draft.nodes) {
+    if (node.node.name != owner) continue;
+    for (auto& own : node.node.states) {
+      if (own.name != name) continue;
+      if (own.space.dtype != state.space.dtype || own.space.shape != state.space.shape) {
+        draft.diagnostics
+            .error("E0306", found->node.span,
+                   fmt::format("`{}` is {}, but `{}` of `{}` is {}", found->node.value,
+                               own.space.describe(), state.name, object.entity->id.value,
+                               state.space.describe()))
+            .notes.push_back({"used here", state.span, ""});
+      }
+      state.name = name;
+      own = std::move(state);
+      return true;
+    }
+  }
+  draft.diagnostics
+      .error("E0308", state.span,
+             fmt::format("`{}` has no state `{}` here", object.entity->id.value, state.name))
+      .notes.push_back(
+          {fmt::format("there is no state `{}` of an engine node in use", found->node.value),
+           found->node.span, ""});
+  return true;
+}
+
 void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spec, State& state) {
   const auto& known = object.implementation->states;
   const auto found = std::find_if(known.begin(), known.end(),
@@ -255,9 +290,11 @@ void resolve_states(Draft& draft) {
   for (std::size_t i = 0; i < draft.graph.objects.size(); ++i) {
     Object& object = draft.graph.objects[i];
     if (object.entity == nullptr || object.implementation == nullptr) continue;
-    object.states = read_states(draft, *object.entity, draft.spec.objects[i]);
-    for (auto& state : object.states)
+    for (auto& state : read_states(draft, *object.entity, draft.spec.objects[i])) {
+      if (move_to_node(draft, object, state)) continue;
       bind_engine_state(draft, object, draft.spec.objects[i], state);
+      object.states.push_back(std::move(state));
+    }
   }
 }
 

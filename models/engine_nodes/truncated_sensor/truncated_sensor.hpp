@@ -13,7 +13,9 @@ class TruncatedSensor {
  public:
   using Simulator = typename Io::Simulator;
 
-  void reset(const typename Io::States& /*states*/, Simulator& /*simulator*/) {}
+  void reset(const typename Io::States& /*states*/, Simulator& simulator) {
+    simulator.begin_episode();
+  }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
                 Simulator& simulator) {

@@ -6,7 +6,7 @@
 
 namespace eagerx::models {
 
-/// At a reset: simulator state := value [number of states].
+/// At a reset: simulator state := value [number of states], step size not known.
 template <class Io>
 struct OdeEngineState {
   static void reset(const typename Io::State& value, typename Io::Simulator& simulator) {
@@ -17,6 +17,7 @@ struct OdeEngineState {
     for (std::size_t i = 0; i < Simulator::Model::kStates; ++i) {
       simulator.state[i] = static_cast<typename Simulator::Real>(element(value, i));
     }
+    simulator.step_s = {};  // that of the last episode says nothing about this one
   }
 };
 

@@ -21,7 +21,7 @@ struct GymOutcome {
 ///   static constexpr std::size_t kStates, kActions, kObservations, kAttributes;  // at least 1
 ///   static constexpr std::uint32_t kMaxSteps;          // truncated from this step on; 0: never
 ///   static constexpr std::array<const char*, kAttributes> kAttributeNames;  // as Gym calls them
-///   static Array<Real, kStates> initial_state();       // after a reset that sets nothing
+///   static Array<Real, kStates> initial_state();       // until a reset sets it
 ///   static Array<Real, kAttributes> default_attributes();
 ///   static GymOutcome<Real> step(Array<Real, kStates>& state, const Array<Real, kActions>& action,
 ///                                const Array<Real, kAttributes>& attributes);

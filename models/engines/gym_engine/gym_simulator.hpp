@@ -20,11 +20,16 @@ class GymSimulator {
   bool terminated = false;            // in any step of this episode
   bool truncated = false;
 
-  /// State and attributes as the model has them, no step made, action zero.
+  /// State and attributes as the model has them, action zero, a new episode.
   void reset() {
     state = Model::initial_state();
     attributes = Model::default_attributes();
     next_action = {};
+    begin_episode();
+  }
+
+  /// No step made yet. Every engine node that depends on it calls it at its reset.
+  void begin_episode() {
     terminated = false;
     truncated = false;
     steps_ = 0;

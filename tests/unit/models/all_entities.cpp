@@ -2,6 +2,7 @@
 // runtime, no exceptions, no run-time types. compile_models.sh compiles it with every compiler.
 #include <models/engine_nodes/action_actuator/action_actuator.hpp>
 #include <models/engine_nodes/action_applied/action_applied.hpp>
+#include <models/engine_nodes/custom_ode_input/custom_ode_input.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/observation_sensor/observation_sensor.hpp>
 #include <models/engine_nodes/ode_float_output/ode_float_output.hpp>
@@ -18,6 +19,8 @@
 #include <models/engines/gym_engine/gym_engine.hpp>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
 #include <models/nodes/moving_average_filter/moving_average_filter.hpp>
+#include <models/nodes/reset_angle/reset_angle.hpp>
+#include <models/nodes/reset_decomposed_angle/reset_decomposed_angle.hpp>
 #include <models/nodes/windowed_butterworth/windowed_butterworth.hpp>
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
@@ -86,6 +89,13 @@ template class WindowedButterworth<
 template class OdeFloatOutput<testing::OdeFloatOutputIo<PendulumSimulator<float>>>;
 template struct TestPendulumOde<testing::PendulumModelIo<float>>;
 template struct TestPendulumOde<testing::PendulumModelIo<double>>;
+
+template class CustomOdeInput<testing::CustomOdeInputIo<PendulumSimulator<float>>>;
+template struct OdeParameters<testing::AllParametersIo<PendulumSimulator<float>>>;
+template class ResetAngle<testing::ResetAngleIo<float>>;
+template class ResetAngle<testing::ResetAngleIo<double>>;
+template class ResetDecomposedAngle<testing::ResetDecomposedAngleIo<float>>;
+template class ResetDecomposedAngle<testing::ResetDecomposedAngleIo<double>>;
 
 using testing::GymPendulumSimulator;
 template struct GymPendulum<testing::PendulumModelIo<float>>;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <models/engine_nodes/action_applied/action_applied.hpp>
+#include <models/engine_nodes/custom_ode_input/custom_ode_input.hpp>
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/ode_float_output/ode_float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
@@ -122,6 +123,40 @@ TYPED_TEST(EngineNodes, OdeParametersSetsTheNamedOnesOnly) {
   expected[1] = TypeParam(0.25);
   expected[2] = TypeParam(0.125);
   EXPECT_EQ(this->simulator_.parameters, expected);
+}
+
+TYPED_TEST(EngineNodes, OdeParametersTakesItsElementsOfAllParameters) {
+  using Io = AllParametersIo<PendulumSimulator<TypeParam>>;
+  const auto before = this->simulator_.parameters;
+  OdeParameters<Io>::reset({{1.0F, 2.0F, 3.0F, 4.0F, 5.0F, 6.0F, 7.0F, 8.0F}}, this->simulator_);
+  auto expected = before;
+  expected[6] = TypeParam(7);
+  expected[1] = TypeParam(2);
+  EXPECT_EQ(this->simulator_.parameters, expected);
+}
+
+TYPED_TEST(EngineNodes, OdeEngineStateForgetsTheStepSize) {
+  this->simulator_.step_s = TypeParam(0.01);
+  OdeEngineState<StateIo<PendulumSimulator<TypeParam>, TwoFloats>>::reset({{1.5F, -2.0F}},
+                                                                          this->simulator_);
+  EXPECT_EQ(this->simulator_.step_s, TypeParam(0));
+}
+
+TYPED_TEST(EngineNodes, CustomOdeInputPassesItsDelayOn) {
+  using Io = CustomOdeInputIo<PendulumSimulator<TypeParam>>;
+  CustomOdeInput<Io> node;
+  double delay_s = 0.03;
+  node.reset({}, {delay_s}, this->simulator_);
+  EXPECT_EQ(delay_s, 0.03);
+  EXPECT_EQ(this->simulator_.input[0], TypeParam(0.25));
+  node.reset({0.0625F}, {delay_s}, this->simulator_);
+  EXPECT_EQ(delay_s, 0.0625);
+  const Voltage action{{1.5F}};
+  Voltage applied{};
+  typename Io::Outputs out{applied};
+  node.callback({0}, {{&this->tick_, 1, 1}, {&action, 1, 1}}, out, this->simulator_);
+  EXPECT_EQ(this->simulator_.input[0], TypeParam(1.5));
+  EXPECT_EQ(applied, action);
 }
 
 TYPED_TEST(EngineNodes, DummyStateChangesNothing) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <models/nodes/butterworth_filter/butterworth_design.hpp>
+#include <optional>
 
 #include "tests/unit/models/io.hpp"
 
@@ -82,6 +83,21 @@ template <class Simulator>
 struct TwoParametersIo : StateIo<Simulator, TwoFloats> {
   struct Config {
     static constexpr std::array<int, 2> indices = {6, 1};
+  };
+};
+template <class Simulator>
+struct AllParametersIo : StateIo<Simulator, Array<float, 8>> {
+  struct Config {
+    static constexpr std::array<int, 2> indices = {6, 1};
+  };
+};
+template <class Simulator>
+struct CustomOdeInputIo : OdeInputIo<Simulator, Latest> {
+  struct States {
+    std::optional<float> delay{};
+  };
+  struct Delays {
+    double& action;
   };
 };
 template <class Simulator>
@@ -196,6 +212,39 @@ struct WindowedIo {
   };
   struct Outputs {
     Array<float, 1>& filtered;
+  };
+};
+
+/// Of both reset nodes; gains and limits as in EAGERx's tutorials.
+template <class RealType>
+struct ResetAngleIo {
+  using Real = RealType;
+  using Rate = eagerx::Rate<30>;
+  using States = NoStates;
+  struct Config {
+    static constexpr double threshold = 0.1;
+    static constexpr double timeout = 5.0;
+    static constexpr std::array<double, 3> gains = {1.0, 0.5, 0.25};
+    static constexpr std::array<double, 2> u_range = {-2.0, 2.0};
+  };
+  struct Inputs {
+    Latest<float> theta;
+    Latest<float> theta_dot;
+  };
+  struct Outputs {
+    Voltage& u;
+  };
+  struct Targets {
+    std::optional<TwoFloats> goal{};
+  };
+  struct Done {
+    bool goal = false;
+  };
+};
+template <class Real>
+struct ResetDecomposedAngleIo : ResetAngleIo<Real> {
+  struct Inputs {
+    Latest<Array<float, 3>> x;
   };
 };
 

@@ -134,8 +134,10 @@ TYPED_TEST(GymNodes, IsTruncatedFromStep200OnUntilTheReset) {
   EXPECT_EQ(this->flags(), (std::array<std::int64_t, 2>{0, 1}));
   this->step();
   EXPECT_EQ(this->flags(), (std::array<std::int64_t, 2>{0, 1}));
-  this->simulator_.reset();
+  using Io = FlagSensorIo<GymPendulumSimulator<TypeParam>>;
+  TruncatedSensor<Io>().reset({}, this->simulator_);  // a new episode, the same state
   EXPECT_EQ(this->flags(), (std::array<std::int64_t, 2>{0, 0}));
+  EXPECT_NE(this->simulator_.state[0], TypeParam(0));
 }
 
 TYPED_TEST(GymNodes, ActuatorSetsTheActionOfTheNextStep) {
