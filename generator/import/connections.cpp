@@ -11,7 +11,7 @@ namespace {
 
 /// Settings that a connection has if nothing is said.
 struct Defaults {
-  std::uint32_t window = 1;
+  std::optional<std::int64_t> window = 1;  // nullopt: depends on a parameter
   Rational delay_s;
   bool skip = false;
 };
@@ -19,7 +19,7 @@ struct Defaults {
 template <class Spec>
 void take(Defaults& defaults, const Spec& spec) {
   if constexpr (std::is_same_v<Spec, PortManifest>) {
-    defaults.window = spec.window.value_or(defaults.window);
+    if (spec.window) defaults.window = parse_int(spec.window->text);
     defaults.delay_s = spec.delay_s.value_or(defaults.delay_s);
     defaults.skip = spec.skip.value_or(defaults.skip);
   } else {
@@ -154,7 +154,7 @@ class ConnectionTranslator {
       t_.diagnostics.error("E0802", window.span,
                            fmt::format("expected a window of 0 to {} messages, found {}", kLargest,
                                        describe(window)));
-    } else if (*value != defaults.window) {
+    } else if (value != defaults.window) {
       connection.window = Spanned<std::uint32_t>{static_cast<std::uint32_t>(*value), window.span};
     }
   }

@@ -266,7 +266,9 @@ class Rebuilder {
     const Entity* type = counterparts_.library().find(spec->type.value);
     const PortManifest* manifest = type != nullptr ? type->input(link.to.port) : nullptr;
     if (port == nullptr || manifest == nullptr) return;
-    const auto window = inside.window ? inside.window->value : manifest->window.value_or(1);
+    const std::string window = inside.window      ? fmt::format("{}", inside.window->value)
+                               : manifest->window ? manifest->window->text
+                                                  : "1";
     const auto delay =
         inside.delay_s ? inside.delay_s->value : manifest->delay_s.value_or(Rational());
     const bool skip = inside.skip ? inside.skip->value : manifest->skip.value_or(false);
@@ -278,7 +280,7 @@ class Rebuilder {
                       key, port->find(key)->text, ours));
     };
     if (const Node* value = port->find("window"))
-      check("window", fmt::format("{}", window), value->text == fmt::format("{}", window));
+      check("window", window, value->text == window || window.starts_with("$("));
     if (const Node* value = port->find("delay"))
       check("delay", delay.to_string(), Rational::parse(value->text) == delay);
     if (const Node* value = port->find("skip"))

@@ -130,5 +130,54 @@ TEST(Resolve, ConnectionsWinOverSelectionsAndThoseOverManifests) {
   EXPECT_TRUE(a.inputs[1].skip);
 }
 
+TEST(Resolve, ManifestsReferToParametersTheirSizesAndTheirElements) {
+  const auto result = resolved(
+      "objects:\n  arm: {type: Pendulum, states: {model_state: uniform}}\n"
+      "nodes:\n  filter: {type: WindowedButterworth, rate: 30, config: {N: 3, Wn: 5}}\n"
+      "  down: {type: ResetAngle, rate: 30, config: {u_range: [-1.5, 1]}}\n"
+      "actions: {voltage: {space: {like: arm.u}}}\nobservations: [both]\n"
+      "connections:\n  - {from: actions.voltage, to: filter.signal}\n"
+      "  - {from: filter.filtered, to: down.feedthroughs.u}\n  - {from: down.u, to: arm.u}\n"
+      "  - {from: arm.theta, to: down.theta}\n  - {from: arm.theta_dot, to: down.theta_dot}\n"
+      "  - {from: arm.states.model_state, to: down.targets.goal}\n"
+      "  - {from: arm.u_applied, to: observations.both, processor: {type: GetIndex, config: "
+      "{index: "
+      "[0, 0]}}}\n");
+  EXPECT_EQ(node(*result, "filter")->inputs[0].window, 3U);
+  EXPECT_EQ(node(*result, "down")->outputs[0].space.low, std::vector<double>{-1.5});
+  EXPECT_EQ(node(*result, "down")->outputs[0].space.high, std::vector<double>{1.0});
+  EXPECT_EQ(result->graph->environment().inputs[0].space.describe(), "float32 [2]");
+}
+
+TEST(Resolve, ASensorsSpaceIsWhatItsProcessorGives) {
+  std::string text = kPendulum;
+  text.replace(text.find("type: Pendulum"), 14,
+               "type: Pendulum, sensors: {theta: {processor: DecomposedAngle, space: {shape: [2], "
+               "low: -0.5}}}");
+  const auto result = resolved(text);
+  const Output& theta = node(*result, "arm/theta")->outputs[0];
+  EXPECT_EQ(theta.raw.describe(), "float32 []");
+  EXPECT_EQ(theta.space.describe(), "float32 [2]");
+  EXPECT_EQ(theta.space.low, std::vector<double>{-0.5});
+  EXPECT_EQ(theta.space.high, std::vector<double>{1.0});  // the processor's
+}
+
+TEST(Resolve, AStateOfAnObjectMayBeThatOfAnEngineNode) {
+  const auto result = resolved(
+      "objects:\n  arm: {type: DcscPendulum, config: {max_delay: 0.25}, states: {delay: uniform, "
+      "model_state: {space: {low: -1.0, high: 1.0}, uniform: space}}}\n"
+      "actions: {voltage: {space: {like: arm.u}}}\nobservations: [x]\n"
+      "connections:\n  - {from: actions.voltage, to: arm.u}\n  - {from: arm.x, to: "
+      "observations.x}\n");
+  const auto& states = node(*result, "arm/u")->states;
+  ASSERT_EQ(states.size(), 1U);
+  EXPECT_TRUE(states[0].settable);
+  EXPECT_EQ(states[0].random->second, std::vector<double>{0.25});
+  ASSERT_EQ(result->graph->objects[0].states.size(), 1U);
+  const State& model_state = result->graph->objects[0].states[0];
+  EXPECT_EQ(model_state.random->first, (std::vector<double>{-1.0, -1.0}));
+  EXPECT_EQ(model_state.random->second, (std::vector<double>{1.0, 1.0}));
+}
+
 }  // namespace
 }  // namespace eagerx::gen
