@@ -284,7 +284,7 @@ class ProgramView {
       variable.set("local", local);
       raw.push_back(variable);
     }
-    view.set("inputs", "{" + joined(inputs) + "}");
+    view.set("inputs", braced(inputs, 8, 25 + names_.io[n].size()));  // const …::Inputs in
     view.set("outputs", "{" + joined(outputs) + "}");
     view["slots"] = std::move(slots);
     view["raw"] = std::move(raw);
@@ -308,7 +308,8 @@ class ProgramView {
     }
     view.set("is_reset_node", !node.targets.empty());
     view.set("is_plain_node", node.targets.empty());
-    view.set("feedthroughs", "{" + joined(windows) + "}");
+    view.set("feedthroughs",
+             braced(windows, 10, 40 + names_.io[n].size()));  // const …::Feedthroughs through
     view["passed"] = std::move(passed);
     view.set("targets", names_.targets_member[n]);
     view.set("done", names_.done_member[n]);
@@ -318,7 +319,7 @@ class ProgramView {
     std::vector<std::string> windows;
     for (std::size_t i = 0; i < graph_.environment().inputs.size(); ++i)
       windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
-    view.set("observation", "{" + joined(windows) + "}");
+    view.set("observation", braced(windows, 4, 33));  // const Observation observation
   }
 
   void add_memory(View& view) const {

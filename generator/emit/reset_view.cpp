@@ -217,6 +217,14 @@ std::string joined(const std::vector<std::string>& items) {
   return fmt::format("{}", fmt::join(items, ", "));
 }
 
+std::string braced(const std::vector<std::string>& items, std::size_t indent, std::size_t before) {
+  constexpr std::size_t kColumns = 100;
+  const std::string line = "{" + joined(items) + "}";
+  if (before + line.size() + 1 <= kColumns || items.empty()) return line;  // 1: the semicolon
+  const std::string separator = ",\n" + std::string(indent + 4, ' ');
+  return fmt::format("{{{}{}}}", separator.substr(1), fmt::join(items, separator));
+}
+
 std::vector<std::size_t> nodes_in_order(const Plan& plan) {
   std::vector<std::size_t> nodes = {Graph::kEngine};
   for (const auto* phase : {&plan.before, &plan.after}) {

@@ -4,4 +4,6 @@
 
 #include "multi_rate/graph.hpp"
 
-int main(int argc, char** argv) { return eagerx::linux_sim::run<graphs::multi_rate::Graph>(argc, argv); }
+int main(int argc, char** argv) {
+  return eagerx::linux_sim::run<graphs::multi_rate::Graph>(argc, argv);
+}

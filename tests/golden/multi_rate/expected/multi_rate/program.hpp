@@ -1,8 +1,8 @@
 // Graph `multi_rate` on OdeEngine: its memory, its schedule, one step.
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 //
-// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at which at
-// least one rate is due; the 12 slots of the hyperperiod are a table of masks.
+// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
+// which at least one rate is due; the 12 slots of the hyperperiod are a table of masks.
 #pragma once
 
 #include <cstdint>
@@ -35,12 +35,18 @@ class Program {
       right_simulator_.reset();
       started_ = true;
     }
-    if (states.left_model_state) LeftModelState::reset(*states.left_model_state, left_simulator_);
-    if (states.left_mass) LeftMass::reset(*states.left_mass, left_simulator_);
-    if (states.left_length) LeftLength::reset(*states.left_length, left_simulator_);
-    if (states.right_model_state) RightModelState::reset(*states.right_model_state, right_simulator_);
-    if (states.right_max_speed) RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
-    if (states.right_length) RightLength::reset(*states.right_length, right_simulator_);
+    if (states.left_model_state)
+      LeftModelState::reset(*states.left_model_state, left_simulator_);
+    if (states.left_mass)
+      LeftMass::reset(*states.left_mass, left_simulator_);
+    if (states.left_length)
+      LeftLength::reset(*states.left_length, left_simulator_);
+    if (states.right_model_state)
+      RightModelState::reset(*states.right_model_state, right_simulator_);
+    if (states.right_max_speed)
+      RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
+    if (states.right_length)
+      RightLength::reset(*states.right_length, right_simulator_);
     engine_.reset({});
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
@@ -102,8 +108,10 @@ class Program {
         if (n60Hz_ > 1) engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n60Hz_ - 1);
         trace(channel::engine_tick, n60Hz_ - 1, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>) trace.simulator("left", n60Hz_ - 1, left_simulator_);
-        if constexpr (eagerx::traces_simulators<Trace>) trace.simulator("right", n60Hz_ - 1, right_simulator_);
+        if constexpr (eagerx::traces_simulators<Trace>)
+          trace.simulator("left", n60Hz_ - 1, left_simulator_);
+        if constexpr (eagerx::traces_simulators<Trace>)
+          trace.simulator("right", n60Hz_ - 1, right_simulator_);
       }
     }
     if ((due & k30Hz) != 0) {
@@ -113,7 +121,8 @@ class Program {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)];
         eagerx::Array<float, 1> raw_filtered{};
         FastIo::Outputs out{raw_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
         fast_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
         right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
@@ -121,9 +130,12 @@ class Program {
       }
       // right/u_applied: ActionApplied, graph.yaml:23:3
       {
-        const RightUAppliedIo::Inputs in{{engine_tick_, n60Hz_}, {right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
+        const RightUAppliedIo::Inputs in{
+            {engine_tick_, n60Hz_},
+            {right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
         RightUAppliedIo::Outputs out{right_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n30Hz_ - 1, in);
         right_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, right_simulator_);
         trace(channel::right_u_applied_action_applied, n30Hz_ - 1, right_u_applied_action_applied_[0]);
       }
@@ -133,7 +145,8 @@ class Program {
       {
         const LeftXIo::Inputs in{{engine_tick_, n60Hz_}};
         LeftXIo::Outputs out{left_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/x", LeftXIo::Rate{}, n20Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/x", LeftXIo::Rate{}, n20Hz_ - 1, in);
         left_x_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
         trace(channel::left_x_observation, n20Hz_ - 1, left_x_observation_[0]);
       }
@@ -141,7 +154,8 @@ class Program {
       {
         const LeftThetaIo::Inputs in{{left_x_observation_, n20Hz_}};
         LeftThetaIo::Outputs out{left_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/theta", LeftThetaIo::Rate{}, n20Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/theta", LeftThetaIo::Rate{}, n20Hz_ - 1, in);
         left_theta_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
         observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
         trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
@@ -150,7 +164,8 @@ class Program {
       {
         const RightUIo::Inputs in{{engine_tick_, n60Hz_}, {right_u_action_, n30Hz_}};
         RightUIo::Outputs out{right_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("right/u", RightUIo::Rate{}, n20Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/u", RightUIo::Rate{}, n20Hz_ - 1, in);
         right_u_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, right_simulator_);
         trace(channel::right_u_action_applied, n20Hz_ - 1, right_u_action_applied_[0]);
       }
@@ -162,7 +177,8 @@ class Program {
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)];
         float raw_observation{};
         LeftThetaDotIo::Outputs out{raw_observation};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n30Hz_ - 1, in);
         left_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
         trace(channel::left_theta_dot_observation, n30Hz_ - 1, new_observation);
@@ -173,7 +189,8 @@ class Program {
       {
         const RightXIo::Inputs in{{engine_tick_, n60Hz_}};
         RightXIo::Outputs out{right_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("right/x", RightXIo::Rate{}, n15Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/x", RightXIo::Rate{}, n15Hz_ - 1, in);
         right_x_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
         trace(channel::right_x_observation, n15Hz_ - 1, right_x_observation_[0]);
       }
@@ -182,7 +199,8 @@ class Program {
         const RightThetaIo::Inputs in{{right_x_observation_, n15Hz_}};
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)];
         RightThetaIo::Outputs out{new_observation};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("right/theta", RightThetaIo::Rate{}, n15Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/theta", RightThetaIo::Rate{}, n15Hz_ - 1, in);
         right_theta_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
         trace(channel::right_theta_observation, n15Hz_ - 1, new_observation);
       }
@@ -190,10 +208,13 @@ class Program {
     if ((due & k10Hz) != 0) {
       // left/u_applied: ActionApplied, graph.yaml:11:3
       {
-        const LeftUAppliedIo::Inputs in{{engine_tick_, n60Hz_}, {left_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
+        const LeftUAppliedIo::Inputs in{
+            {engine_tick_, n60Hz_},
+            {left_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)];
         LeftUAppliedIo::Outputs out{new_action_applied};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n10Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n10Hz_ - 1, in);
         left_u_applied_.callback(eagerx::Tick{n10Hz_ - 1}, in, out, left_simulator_);
         trace(channel::left_u_applied_action_applied, n10Hz_ - 1, new_action_applied);
       }
@@ -209,7 +230,8 @@ class Program {
         const SlowIo::Inputs in{{action_voltage_, slow_signal_cursor_.take()}};
         auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n20Hz_ - 1)];
         SlowIo::Outputs out{new_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("slow", SlowIo::Rate{}, n20Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("slow", SlowIo::Rate{}, n20Hz_ - 1, in);
         slow_.callback(eagerx::Tick{n20Hz_ - 1}, in, out);
         trace(channel::slow_filtered, n20Hz_ - 1, new_filtered);
       }
@@ -219,7 +241,8 @@ class Program {
       {
         const LeftUIo::Inputs in{{engine_tick_, n60Hz_}, {slow_filtered_, n20Hz_}};
         LeftUIo::Outputs out{left_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("left/u", LeftUIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/u", LeftUIo::Rate{}, n30Hz_ - 1, in);
         left_u_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
         trace(channel::left_u_action_applied, n30Hz_ - 1, left_u_action_applied_[0]);
       }
@@ -229,8 +252,14 @@ class Program {
   // What the environment sees.
   template <class Mask>
   Observation observe([[maybe_unused]] const Mask due) {
-    const Observation observation{{observation_angle_, n20Hz_}, {left_theta_dot_observation_, observation_speeds_cursor_.take()}, {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))}, {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)}, {right_theta_observation_, observation_other_cursor_.take()}};
-    if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    const Observation observation{
+        {observation_angle_, n20Hz_},
+        {left_theta_dot_observation_, observation_speeds_cursor_.take()},
+        {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))},
+        {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)},
+        {right_theta_observation_, observation_other_cursor_.take()}};
+    if constexpr (eagerx::traces_inputs<Trace>)
+      trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     return observation;
   }
 

@@ -4,4 +4,6 @@
 
 #include "pendulum_swing_up/graph.hpp"
 
-int main(int argc, char** argv) { return eagerx::linux_sim::run<graphs::pendulum_swing_up::Graph>(argc, argv); }
+int main(int argc, char** argv) {
+  return eagerx::linux_sim::run<graphs::pendulum_swing_up::Graph>(argc, argv);
+}

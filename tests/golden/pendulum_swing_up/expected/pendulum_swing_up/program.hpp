@@ -1,8 +1,8 @@
 // Graph `pendulum_swing_up` on OdeEngine: its memory, its schedule, one step.
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 //
-// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at which at
-// least one rate is due; a step is one slot.
+// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
+// which at least one rate is due; a step is one slot.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,8 @@ class Program {
       pendulum_simulator_.reset();
       started_ = true;
     }
-    if (states.pendulum_model_state) PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
+    if (states.pendulum_model_state)
+      PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
     engine_.reset({});
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
@@ -65,13 +66,17 @@ class Program {
         if (n30Hz_ > 1) engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n30Hz_ - 1);
         trace(channel::engine_tick, n30Hz_ - 1, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>) trace.simulator("pendulum", n30Hz_ - 1, pendulum_simulator_);
+        if constexpr (eagerx::traces_simulators<Trace>)
+          trace.simulator("pendulum", n30Hz_ - 1, pendulum_simulator_);
       }
       // pendulum/u_applied: ActionApplied, graph.yaml:13:3
       {
-        const PendulumUAppliedIo::Inputs in{{engine_tick_, n30Hz_}, {pendulum_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
+        const PendulumUAppliedIo::Inputs in{
+            {engine_tick_, n30Hz_},
+            {pendulum_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
         PendulumUAppliedIo::Outputs out{pendulum_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n30Hz_ - 1, in);
         pendulum_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
         trace(channel::pendulum_u_applied_action_applied, n30Hz_ - 1, pendulum_u_applied_action_applied_[0]);
       }
@@ -79,7 +84,8 @@ class Program {
       {
         const PendulumXIo::Inputs in{{engine_tick_, n30Hz_}};
         PendulumXIo::Outputs out{pendulum_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/x", PendulumXIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("pendulum/x", PendulumXIo::Rate{}, n30Hz_ - 1, in);
         pendulum_x_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
         trace(channel::pendulum_x_observation, n30Hz_ - 1, pendulum_x_observation_[0]);
       }
@@ -87,7 +93,8 @@ class Program {
       {
         const PendulumThetaIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
         PendulumThetaIo::Outputs out{pendulum_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n30Hz_ - 1, in);
         pendulum_theta_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
         observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
         trace(channel::pendulum_theta_observation, n30Hz_ - 1, pendulum_theta_observation_[0]);
@@ -96,7 +103,8 @@ class Program {
       {
         const PendulumThetaDotIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
         PendulumThetaDotIo::Outputs out{pendulum_theta_dot_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n30Hz_ - 1, in);
         pendulum_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
         trace(channel::pendulum_theta_dot_observation, n30Hz_ - 1, pendulum_theta_dot_observation_[0]);
       }
@@ -111,7 +119,8 @@ class Program {
       {
         const SmoothIo::Inputs in{{action_voltage_, n30Hz_}};
         SmoothIo::Outputs out{smooth_filtered_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("smooth", SmoothIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("smooth", SmoothIo::Rate{}, n30Hz_ - 1, in);
         smooth_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
         trace(channel::smooth_filtered, n30Hz_ - 1, smooth_filtered_[0]);
       }
@@ -119,7 +128,8 @@ class Program {
       {
         const PendulumUIo::Inputs in{{engine_tick_, n30Hz_}, {smooth_filtered_, n30Hz_}};
         PendulumUIo::Outputs out{pendulum_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("pendulum/u", PendulumUIo::Rate{}, n30Hz_ - 1, in);
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("pendulum/u", PendulumUIo::Rate{}, n30Hz_ - 1, in);
         pendulum_u_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
         trace(channel::pendulum_u_action_applied, n30Hz_ - 1, pendulum_u_action_applied_[0]);
       }
@@ -129,8 +139,11 @@ class Program {
   // What the environment sees.
   template <class Mask>
   Observation observe([[maybe_unused]] const Mask due) {
-    const Observation observation{{observation_angle_, n30Hz_}, {pendulum_theta_dot_observation_, n30Hz_}};
-    if constexpr (eagerx::traces_inputs<Trace>) trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
+    const Observation observation{
+        {observation_angle_, n30Hz_},
+        {pendulum_theta_dot_observation_, n30Hz_}};
+    if constexpr (eagerx::traces_inputs<Trace>)
+      trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
     return observation;
   }
 
