@@ -182,8 +182,9 @@ bool is_kept(std::string_view text, std::optional<Dtype> dtype) {
   constexpr auto kUint64 = std::numeric_limits<std::uint64_t>::max();
   if (magnitude == kInt64 && dtype != Dtype::uint64) return true;
   if (magnitude == kUint64 && dtype != Dtype::int64) return true;
-  return magnitude == 0 || std::bit_width(magnitude) - std::countr_zero(magnitude) <=
-                               std::numeric_limits<double>::digits;
+  return magnitude == 0 ||
+         static_cast<int>(std::bit_width(magnitude)) - std::countr_zero(magnitude) <=
+             std::numeric_limits<double>::digits;
 }
 
 }  // namespace
