@@ -13,8 +13,8 @@ template <class T>
 constexpr T sqrt_by_digits(T x) {
   using Format = FloatFormat<T>;
   using Bits = BitsOf<T>;
-  if (x != x || x == T(0) || x == Format::infinity) return x;
-  if (x < T(0)) return Format::nan;
+  if (x != x || x == T{0} || x == Format::infinity) return x;
+  if (x < T{0}) return Format::nan;
   int exponent = 0;  // x = mantissa * 2^exponent
   if (x < Format::smallest_normal) {
     x *= power_of_two<T>(Format::kDigits);

@@ -19,7 +19,7 @@ inline constexpr std::size_t kLanes = 4;
 /// A vector of `Lanes` numbers; a plain number for one lane.
 template <class T, std::size_t Lanes>
 struct VectorOf {
-  typedef T type __attribute__((vector_size(sizeof(T) * Lanes)));
+  using type __attribute__((vector_size(sizeof(T) * Lanes))) = T;
 };
 template <class T>
 struct VectorOf<T, 1> {
