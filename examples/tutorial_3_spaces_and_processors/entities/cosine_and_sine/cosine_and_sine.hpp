@@ -1,0 +1,17 @@
+// The exercise's processor of tutorial 3.
+#pragma once
+
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+
+namespace tutorial {
+
+/// θ [rad] becomes [cos θ, sin θ]: no jump anywhere.
+template <class Io>
+struct CosineAndSine {
+  static eagerx::Array<float, 2> convert(const float& angle) {
+    return {{eagerx::cos(angle), eagerx::sin(angle)}};
+  }
+};
+
+}  // namespace tutorial
