@@ -90,7 +90,7 @@ class Mpu6050 {
     const std::uint8_t bytes[2] = {reg, value};
     bus.i2c(device(), bytes, 2, nullptr, 0, status);
   }
-  auto word(std::size_t i) const { return signed_word(big_endian(words_ + 2 * i)); }
+  std::int16_t word(std::size_t i) const { return signed_word(big_endian(words_ + 2 * i)); }
 
   std::uint8_t address_;
   AccelerationRange acceleration_;

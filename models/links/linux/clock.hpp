@@ -1,0 +1,27 @@
+// Time on Linux.
+#pragma once
+
+#include <cerrno>
+#include <cstdint>
+#include <ctime>
+
+namespace eagerx::links {
+
+/// CLOCK_MONOTONIC in nanoseconds.
+struct LinuxClock {
+  static std::int64_t now_ns() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<std::int64_t>(now.tv_sec) * kNsPerSecond + now.tv_nsec;
+  }
+  /// Sleeps until an absolute time, so that lateness does not add up. False if a signal came first.
+  static bool sleep_until(std::int64_t ns) {
+    const timespec until{static_cast<time_t>(ns / kNsPerSecond),
+                         static_cast<long>(ns % kNsPerSecond)};
+    return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != EINTR;
+  }
+
+  static constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+};
+
+}  // namespace eagerx::links
