@@ -1,0 +1,78 @@
+// A pendulum with an encoder and a motor amplifier, wired to the adapter.
+#pragma once
+
+#include <cstdint>
+#include <targets/emulated-ftdi/devices.hpp>
+
+namespace eagerx::emulated {
+
+/// The pendulum of models/objects/pendulum, integrated in double precision with steps of at most
+/// 0.5 ms up to the instant at which a device looks at it.
+class Pendulum {
+ public:
+  void advance(std::int64_t now_ns);
+  void set_voltage(double volts) { volts_ = volts; }
+  double voltage() const { return volts_; }
+  double theta() const { return theta_; }  // [rad], 0 upright
+  double omega() const { return omega_; }  // [rad/s]
+
+ private:
+  double theta_ = 3.14159265358979;  // hangs down
+  double omega_ = 0.0;
+  double volts_ = 0.0;
+  std::int64_t at_ns_ = -1;
+};
+
+/// An AS5048A on the shaft: 14 bits, zero upright. It samples when its select line falls.
+class Encoder final : public SpiSlave {
+ public:
+  explicit Encoder(Pendulum& pendulum) : pendulum_(pendulum) {}
+
+  unsigned mode() const override { return 1; }
+  void select(std::int64_t now_ns) override;
+  void release(std::int64_t now_ns) override;
+  std::uint8_t exchange(std::uint8_t byte) override;
+  void power_lost() override { answer_ = 0; }
+
+  /// One bit of the next answer that carries a register is wrong.
+  void corrupt(unsigned bit) { corrupt_ = 1U << bit; }
+  std::uint64_t samples() const { return samples_; }
+
+ private:
+  std::uint16_t value_of(std::uint16_t address, std::int64_t now_ns);
+
+  Pendulum& pendulum_;
+  std::uint16_t command_ = 0;
+  std::uint16_t answer_ = 0;  // to the command before
+  bool answers_register_ = false;
+  bool error_ = false;
+  unsigned bytes_ = 0;
+  unsigned corrupt_ = 0;
+  std::uint64_t samples_ = 0;
+};
+
+/// A MCP4921 with a reference of 4.096 V and an amplifier: motor voltage = output - 2.048 V. Until
+/// the first command, and without power, the motor has none.
+class Converter final : public SpiSlave {
+ public:
+  explicit Converter(Pendulum& pendulum) : pendulum_(pendulum) {}
+
+  unsigned mode() const override { return 0; }
+  void select(std::int64_t /*now_ns*/) override { bytes_ = 0; }
+  void release(std::int64_t now_ns) override;
+  std::uint8_t exchange(std::uint8_t byte) override;
+  void power_lost() override { pendulum_.set_voltage(0.0); }
+
+  std::uint64_t writes() const { return writes_; }
+  /// When the motor was last switched to 0 V.
+  std::int64_t zero_since_ns() const { return zero_since_ns_; }
+
+ private:
+  Pendulum& pendulum_;
+  std::uint16_t command_ = 0;
+  unsigned bytes_ = 0;
+  std::uint64_t writes_ = 0;
+  std::int64_t zero_since_ns_ = 0;
+};
+
+}  // namespace eagerx::emulated

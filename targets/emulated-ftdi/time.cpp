@@ -1,0 +1,68 @@
+// The clock, and its functions of the C library as the program finds them first.
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <targets/emulated-ftdi/emulator.hpp>
+#include <targets/emulated-ftdi/time.hpp>
+
+namespace eagerx::emulated {
+namespace {
+
+timespec to_timespec(std::int64_t ns) {
+  return {static_cast<time_t>(ns / kNsPerSecond), static_cast<long>(ns % kNsPerSecond)};
+}
+
+}  // namespace
+
+std::int64_t Time::now_ns() const {
+  if (emulated_) return now_ns_;
+  timespec now{};
+  syscall(SYS_clock_gettime, CLOCK_MONOTONIC, &now);
+  return static_cast<std::int64_t>(now.tv_sec) * kNsPerSecond + now.tv_nsec;
+}
+
+std::int64_t Time::look() {
+  constexpr std::int64_t kLook = 40;
+  if (emulated_) now_ns_ += kLook;
+  return now_ns();
+}
+
+void Time::wait_until(std::int64_t ns) {
+  if (emulated_) {
+    now_ns_ = std::max(now_ns_, ns);
+    return;
+  }
+  const timespec until = to_timespec(ns);
+  syscall(SYS_clock_nanosleep, CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
+}
+
+}  // namespace eagerx::emulated
+
+extern "C" {
+
+int clock_gettime(clockid_t clock, timespec* time) {
+  if (clock != CLOCK_MONOTONIC) return static_cast<int>(syscall(SYS_clock_gettime, clock, time));
+  *time = eagerx::emulated::to_timespec(eagerx::emulated::emulator().time().look());
+  return 0;
+}
+
+int clock_nanosleep(clockid_t clock, int flags, const timespec* until, timespec* left) {
+  using eagerx::emulated::emulator;
+  if (clock != CLOCK_MONOTONIC || flags != TIMER_ABSTIME) {
+    return syscall(SYS_clock_nanosleep, clock, flags, until, left) == 0 ? 0 : errno;
+  }
+  const std::int64_t wanted =
+      static_cast<std::int64_t>(until->tv_sec) * eagerx::emulated::kNsPerSecond + until->tv_nsec;
+  if (emulator().time().emulated()) {
+    emulator().time().wait_until(wanted + emulator().faults().oversleep_ns());
+    return 0;
+  }
+  if (syscall(SYS_clock_nanosleep, clock, flags, until, left) != 0) return errno;
+  emulator().time().pass(emulator().faults().oversleep_ns());
+  return 0;
+}
+
+}  // extern "C"

@@ -1,0 +1,31 @@
+// Time as the program sees it: of the machine, or emulated.
+#pragma once
+
+#include <cstdint>
+
+namespace eagerx::emulated {
+
+inline constexpr std::int64_t kNsPerUs = 1'000;
+inline constexpr std::int64_t kNsPerMs = 1'000'000;
+inline constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+
+/// Emulated time goes on only by what takes time: transfers, sleeping, and a little for every look
+/// at the clock. A run is then the same every time, however slow or busy the machine is.
+class Time {
+ public:
+  explicit Time(bool emulated) : emulated_(emulated) {}
+
+  bool emulated() const { return emulated_; }
+  std::int64_t now_ns() const;
+  /// The program looks at the clock.
+  std::int64_t look();
+  /// Something takes `ns`.
+  void pass(std::int64_t ns) { wait_until(now_ns() + ns); }
+  void wait_until(std::int64_t ns);
+
+ private:
+  bool emulated_;
+  std::int64_t now_ns_ = kNsPerSecond;
+};
+
+}  // namespace eagerx::emulated

@@ -1,0 +1,229 @@
+// models/links/ftdi over the real libftdi and the emulated chip: every bus, every fault.
+#include <gtest/gtest.h>
+
+#include <models/drivers/as5048/as5048.hpp>
+#include <models/drivers/dynamixel/dynamixel.hpp>
+#include <models/drivers/mcp4921/mcp4921.hpp>
+#include <models/drivers/mpu6050/mpu6050.hpp>
+#include <models/drivers/pca9685/pca9685.hpp>
+#include <models/links/ftdi/linux/ftdi_link.hpp>
+#include <models/links/ftdi/linux/ftdi_uart.hpp>
+#include <targets/emulated-ftdi/emulator.hpp>
+
+namespace eagerx::links {
+namespace {
+
+using drivers::As5048A;
+using drivers::MagneticEncoder;
+using drivers::Mcp4921;
+using emulated::emulator;
+using emulated::Fault;
+
+constexpr FtdiSelection kAny{0x0403, 0x6014, "", "", 'A'};
+constexpr int kTimeoutMs = 10;
+constexpr std::uint32_t kMaxHz = 5'000'000;
+
+class FtdiLinkTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    emulator().time().pass(emulated::kNsPerSecond);  // an adapter that was pulled out is back
+    ASSERT_TRUE(link.open(kAny, kTimeoutMs, kMaxHz));
+  }
+  void TearDown() override { link.close(); }
+
+  BusError sample() {
+    encoder.request(link, 0);
+    const BusError error = link.run();
+    return error != BusError::none ? error : encoder.angle(counts);
+  }
+
+  FtdiLink link;
+  MagneticEncoder<As5048A> encoder;
+  std::uint16_t counts = 0;
+};
+
+TEST(FtdiSelection, ByProductDescriptionAndSerial) {
+  FtdiLink link;
+  emulator().time().pass(emulated::kNsPerSecond);
+  EXPECT_FALSE(link.open({0x0403, 0x6010, "", "", 'A'}, kTimeoutMs, kMaxHz));
+  EXPECT_FALSE(link.open({0x0403, 0x6014, "ANOTHER", "", 'A'}, kTimeoutMs, kMaxHz));
+  EXPECT_FALSE(link.open({0x0403, 0x6014, "", "Another", 'A'}, kTimeoutMs, kMaxHz));
+  EXPECT_TRUE(link.open({0x0403, 0x6014, "EAGERX01", "Emulated FT232H", 'A'}, kTimeoutMs, kMaxHz));
+  link.close();
+}
+
+TEST_F(FtdiLinkTest, EncoderAndConverterInOneRoundTrip) {
+  const auto before = emulator().usb();
+  const auto writes = emulator().converter().writes();
+  encoder.request(link, 0);
+  Mcp4921::write(link, 1, Mcp4921::code_of(2.5, 4.096));
+  ASSERT_EQ(link.run(), BusError::none);
+  ASSERT_EQ(encoder.angle(counts), BusError::none);
+  EXPECT_NEAR(counts, 8192, 1) << "the pendulum hangs down";
+  EXPECT_EQ(emulator().converter().writes(), writes + 1);
+  EXPECT_NEAR(emulator().pendulum().voltage(), 2.5 - 2.048, 1e-9);
+  EXPECT_EQ(emulator().usb().batches, before.batches + 1);
+  EXPECT_EQ(emulator().usb().out, before.out + 1);
+  EXPECT_EQ(emulator().usb().in, before.in + 1);
+  EXPECT_EQ(emulator().chip().wrong_modes(), 0U);
+  EXPECT_EQ(link.counts().round_trips, 1U);
+  Mcp4921::write(link, 1, 2048);
+  ASSERT_EQ(link.post(), BusError::none);
+  EXPECT_EQ(emulator().usb().in, before.in + 1) << "nothing to wait for";
+  EXPECT_EQ(link.counts().one_way, 1U);
+}
+
+TEST_F(FtdiLinkTest, ManySamples) {
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(sample(), BusError::none) << i;
+  EXPECT_EQ(link.counts().round_trips, 2000U);
+}
+
+TEST_F(FtdiLinkTest, WrongModesAndSelectsAreRefusedBeforeAnythingIsSent) {
+  const auto before = emulator().usb().out;
+  const std::uint8_t byte = 0;
+  link.spi({5, 0, 1}, &byte, nullptr, 1);
+  EXPECT_EQ(link.run(), BusError::unsupported);
+  link.spi({0, 3, 1}, &byte, nullptr, 1);
+  EXPECT_EQ(link.run(), BusError::unsupported);
+  std::uint8_t answer[2000]{};
+  link.spi({0, 0, 1}, answer, answer, sizeof answer);
+  EXPECT_EQ(link.run(), BusError::full);
+  EXPECT_EQ(emulator().usb().out, before);
+  EXPECT_EQ(sample(), BusError::none);
+}
+
+TEST_F(FtdiLinkTest, PinsReadBack) {
+  bool in = false;
+  emulator().chip().set_high_inputs(0x20);
+  link.write_pin(3, true);
+  link.read_pin(5, in);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_TRUE(in);
+  EXPECT_EQ(emulator().chip().high_pins(), 0x08);
+  link.write_pin(3, false);
+  link.read_pin(4, in);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_FALSE(in);
+  EXPECT_EQ(emulator().chip().high_pins(), 0x00);
+  link.write_pin(8, true);
+  EXPECT_EQ(link.run(), BusError::unsupported);
+}
+
+TEST_F(FtdiLinkTest, I2cChipsInOneRoundTrip) {
+  drivers::Mpu6050 imu;
+  drivers::Pca9685 pwm;
+  imu.configure(link);
+  pwm.configure(link, 50.0);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(imu.configured(), BusError::none);
+  EXPECT_EQ(pwm.status(), BusError::none);
+  drivers::InertialSample<float> values{};
+  imu.request(link);
+  pwm.write_channel(link, 2, drivers::Pca9685::channel(0, 300));
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(imu.sample(values), BusError::none);
+  EXPECT_EQ(pwm.status(), BusError::none);
+  EXPECT_EQ(link.counts().round_trips, 2U);
+  // The registers, read back.
+  const std::uint8_t reg = 0x06 + 4 * 2;
+  std::uint8_t channel[4]{};
+  BusError status{};
+  link.i2c({0x40, 400'000}, &reg, 1, channel, 4, status);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(status, BusError::none);
+  EXPECT_EQ(channel[2], 300 & 0xff);
+  EXPECT_EQ(channel[3], 300 >> 8);
+  // SPI still works after I2C.
+  EXPECT_EQ(sample(), BusError::none);
+}
+
+TEST_F(FtdiLinkTest, NobodyAcknowledges) {
+  drivers::Pca9685 absent(0x41);
+  absent.all_off(link);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(absent.status(), BusError::nak);
+  drivers::Mpu6050 imu;
+  drivers::InertialSample<float> values{};
+  emulator().faults().force(Fault::nak);
+  imu.request(link);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(imu.sample(values), BusError::nak);
+  imu.request(link);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(imu.sample(values), BusError::none);
+}
+
+TEST_F(FtdiLinkTest, AnswersThatAreCutMissingOrLate) {
+  for (int i = 0; i < 50; ++i) {
+    emulator().faults().force(Fault::cut);
+    EXPECT_EQ(sample(), BusError::short_reply);
+    EXPECT_EQ(sample(), BusError::none);
+    emulator().faults().force(Fault::silent);
+    EXPECT_EQ(sample(), BusError::timeout);
+    EXPECT_EQ(sample(), BusError::none);
+    emulator().faults().force(Fault::late);
+    EXPECT_EQ(sample(), BusError::timeout);
+    counts = 0;
+    EXPECT_EQ(sample(), BusError::none) << "what came too late is not taken for the answer";
+    EXPECT_NEAR(counts, 8192, 800);
+  }
+  EXPECT_EQ(link.counts().resyncs, 150U);
+  EXPECT_EQ(link.counts().lost, 0U);
+}
+
+TEST_F(FtdiLinkTest, HarmlessDelays) {
+  for (int i = 0; i < 50; ++i) {
+    emulator().faults().force(i % 2 == 0 ? Fault::split : Fault::spike);
+    EXPECT_EQ(sample(), BusError::none);
+  }
+}
+
+TEST_F(FtdiLinkTest, WrongBitsAndStuckLines) {
+  for (int i = 0; i < 50; ++i) {
+    emulator().faults().force(Fault::corrupt);
+    EXPECT_EQ(sample(), BusError::parity);
+    emulator().faults().force(Fault::stuck_low);
+    EXPECT_EQ(sample(), BusError::not_ready);
+    emulator().faults().force(Fault::stuck_high);
+    EXPECT_EQ(sample(), BusError::refused);
+    EXPECT_EQ(sample(), BusError::none);
+  }
+}
+
+TEST_F(FtdiLinkTest, PulledOutAndBack) {
+  for (int i = 0; i < 20; ++i) {
+    emulator().faults().force(Fault::unplug);
+    EXPECT_EQ(sample(), BusError::link_lost);
+    EXPECT_FALSE(link.is_open());
+    int tries = 0;
+    while (sample() != BusError::none) {
+      ASSERT_LT(++tries, 100);
+      emulator().time().pass(10 * emulated::kNsPerMs);
+    }
+  }
+  EXPECT_EQ(link.counts().lost, 20U);
+  EXPECT_EQ(link.counts().reconnects, 20U);
+}
+
+TEST(FtdiUart, Servo) {
+  FtdiUart line;
+  emulator().time().pass(emulated::kNsPerSecond);
+  ASSERT_TRUE(line.open(kAny, 57'600, kTimeoutMs));
+  const drivers::DynamixelX servo(1);
+  const auto goal = servo.write(drivers::DynamixelX::kGoalPosition, 0xfffdffffU, 4);
+  ASSERT_EQ(line.write(goal.data(), goal.size()), BusError::none);
+  std::uint8_t answer[11]{};
+  ASSERT_EQ(line.read(answer, sizeof answer), BusError::none);
+  EXPECT_EQ(drivers::dynamixel_status(answer, sizeof answer, 1, nullptr, 0), BusError::none);
+  std::int32_t position = 0;
+  EXPECT_EQ(servo.position(line, position), BusError::none);
+  EXPECT_EQ(position, -131'073);
+  EXPECT_EQ(line.read(answer, 1), BusError::timeout);
+  emulator().pull_out(emulated::kNsPerMs);
+  EXPECT_EQ(servo.position(line, position), BusError::link_lost);
+  EXPECT_FALSE(line.is_open());
+  line.close();
+}
+
+}  // namespace
+}  // namespace eagerx::links
