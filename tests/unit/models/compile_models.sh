@@ -1,11 +1,16 @@
 #!/usr/bin/env bash
 # Compiles every header of models/ alone, then every entity, as boards do. Argument: a compiler and, after
-# it, flags of its own.
+# it, flags of its own. Headers below a folder `linux` are for Linux only, with libraries.
 set -eu
 cd "$(dirname "$0")/../../.."
 flags=(-std=c++20 -O2 -fno-exceptions -fno-rtti -ffp-contract=off -Wall -Wextra -Wpedantic -Wconversion
   -Wshadow -Wdouble-promotion -Werror -I. -Iruntime -x c++)
-mapfile -t headers < <(find models -name '*.hpp' | sort)
+linux=(-not -path '*/linux/*')
+if [ "$("$@" -dumpmachine | grep -c linux)" = 1 ] && pkg-config --exists libftdi1; then
+  linux=()
+  flags+=("$(pkg-config --cflags-only-I libftdi1 | sed 's/ .*//; s/^-I/-isystem/')")
+fi
+mapfile -t headers < <(find models -name '*.hpp' "${linux[@]}" | sort)
 [ ${#headers[@]} -gt 0 ]
 for header in "${headers[@]}"; do
   # Twice: the second time must not matter.
