@@ -211,6 +211,7 @@ std::string to_string(const ConditionValue& value) {
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const std::vector<Number>& list) const {
       std::vector<std::string> items;
+      items.reserve(list.size());
       for (const Number& number : list) items.push_back(eagerx::gen::to_string(number));
       return fmt::format("[{}]", fmt::join(items, ", "));
     }

@@ -73,13 +73,13 @@ class Parser : private ConditionText {
   }
 
   Type comparison() {
-    const Type left = sum();
+    Type left = sum();
     if (take_word("in")) return membership(left);
     const auto op = take_comparison();
     if (!op) return left;
     const Type right = sum();
     check_comparable(*op, left, right);
-    const Type type = result({*op, {}, {}, {}, 2}, Type::Kind::boolean, left.begin);
+    Type type = result({*op, {}, {}, {}, 2}, Type::Kind::boolean, left.begin);
     const std::size_t after = place();
     if (take_comparison()) fail(after, "comparisons cannot be chained: join them with `and`");
     return type;
@@ -135,7 +135,7 @@ class Parser : private ConditionText {
   Type operand() {
     const std::size_t begin = place();
     if (take('(')) {
-      const Type inside = disjunction();
+      Type inside = disjunction();
       require(')');
       return inside;
     }

@@ -232,9 +232,9 @@ TEST(Condition, RandomTexts) {
   const Entity owner = entity();
   std::uint32_t state = 1;
   std::size_t read = 0;
-  for (int i = 0; i < 50'000; ++i) {
+  for (std::uint32_t i = 0; i < 50'000; ++i) {
     std::string text;
-    for (std::uint32_t length = 1 + i % 9; length > 0; --length) {
+    for (std::uint32_t length = 1U + i % 9U; length > 0; --length) {
       state = state * 1664525U + 1013904223U;
       text += kPieces.at((state >> 8U) % kPieces.size());
       text += ' ';
