@@ -153,6 +153,8 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return known.empty() ? otherwise : fmt::format("there is {}", fmt::join(known, ", "));
 }
 
+namespace {
+
 std::optional<std::uint32_t> window_of(const PortManifest& port, const References& references,
                                        Diagnostics& diagnostics) {
   if (!port.window) return std::nullopt;
@@ -167,6 +169,26 @@ std::optional<std::uint32_t> window_of(const PortManifest& port, const Reference
   return std::nullopt;
 }
 
+}  // namespace
+
+ConnectionSettings manifest_settings(const PortManifest& port, const References& references,
+                                     Diagnostics& diagnostics) {
+  ConnectionSettings result;
+  result.window = window_of(port, references, diagnostics);
+  result.delay_s = port.delay_s;
+  result.skip = port.skip;
+  return result;
+}
+
+DraftOutput draft_output(const PortManifest& port, Span span, const References& references,
+                         Diagnostics& diagnostics) {
+  DraftOutput output;
+  output.name = port.name.value;
+  output.span = span;
+  output.declared = partial_space(port.space, references, diagnostics);
+  return output;
+}
+
 DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
                        const References& references, Diagnostics& diagnostics) {
   DraftInput input;
@@ -174,9 +196,7 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
   input.written = written;
   input.span = span;
   input.declared = partial_space(port.space, references, diagnostics);
-  input.settings.window = window_of(port, references, diagnostics);
-  input.settings.delay_s = port.delay_s;
-  input.settings.skip = port.skip;
+  input.settings = manifest_settings(port, references, diagnostics);
   input.entity_sets_delay = port.max_delay.has_value();
   if (!port.max_delay) return input;
   const Node longest = substitute(*port.max_delay, references, diagnostics);
@@ -211,6 +231,20 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
   if (over.delay_s) base.random_delay.reset();
   if (over.random_delay) base.random_delay = over.random_delay;
   return base;
+}
+
+const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span,
+                                        Diagnostics& diagnostics) {
+  std::vector<std::string> known;
+  for (const auto& implementation : entity.object_engines) {
+    if (implementation.engine.value == engine) return &implementation;
+    known.push_back(implementation.engine.value);
+  }
+  auto& problem = diagnostics.error(
+      "E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
+  problem.help = known.empty() ? "it has no implementation at all"
+                               : fmt::format("it is made for {}", fmt::join(known, ", "));
+  return nullptr;
 }
 
 }  // namespace eagerx::gen

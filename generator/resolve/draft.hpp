@@ -99,10 +99,12 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over);
 /// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
 PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
                     Diagnostics& diagnostics);
-/// The window that a manifest gives a port.
-std::optional<std::uint32_t> window_of(const PortManifest& port, const References& references,
-                                       Diagnostics& diagnostics);
-/// An input as its manifest describes it.
+/// What a manifest says of the connections to a port.
+ConnectionSettings manifest_settings(const PortManifest& port, const References& references,
+                                     Diagnostics& diagnostics);
+/// An input or output as its manifest describes it.
+DraftOutput draft_output(const PortManifest& port, Span span, const References& references,
+                         Diagnostics& diagnostics);
 DraftInput draft_input(const PortManifest& port, const std::string& written, Span span,
                        const References& references, Diagnostics& diagnostics);
 /// The space if dtype and shape are known.
@@ -114,6 +116,9 @@ bool fits(const PartialSpace& declared, const Space& arriving);
 /// published.
 void settle(DraftOutput& output, const ComponentSpec& settings, const std::string& written,
             Diagnostics& diagnostics);
+/// How an object is made on an engine; E0308 if it is not.
+const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span,
+                                        Diagnostics& diagnostics);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);
 /// "did you mean `…`?", else what there is, else `otherwise`.

@@ -138,8 +138,7 @@ void add_nodes(Draft& draft) {
       }
       for (const auto& port : entity->outputs) {
         if (!is_selected(spec.outputs, port.name.value)) continue;
-        DraftOutput output{port.name.value, spec.name.span,
-                           partial_space(port.space, references, draft.diagnostics), std::nullopt};
+        DraftOutput output = draft_output(port, spec.name.span, references, draft.diagnostics);
         if (const ComponentSpec* component = find_component(spec.outputs, port.name.value)) {
           output.span = component->name.span;
           settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);

@@ -130,6 +130,11 @@ class ObjectBuilder {
     }
   }
 
+  /// Parameters of a manifest's processor may refer to the object's.
+  void bind(std::optional<ProcessorSpec>& processor) {
+    if (processor) processor->config = substitute(processor->config, references_, diagnostics());
+  }
+
   void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {
     const auto settings = substitute(spec.config, references_, diagnostics());
     node.node.config = resolve_config(entity, settings, spec.type.span, diagnostics());
@@ -154,15 +159,10 @@ class ObjectBuilder {
     }
     for (const auto& port : entity.outputs) {
       if (spec.outputs && component(spec.outputs, port.name.value) == nullptr) continue;
-      DraftOutput output;
-      output.name = port.name.value;
-      output.span = spec_.name.span;
-      output.declared = partial_space(port.space, references, diagnostics());
+      DraftOutput output = draft_output(port, spec_.name.span, references, diagnostics());
       if (const ComponentSpec* set = component(spec.outputs, port.name.value)) {
         settle(output, *set, node.node.name + "." + port.name.value, diagnostics());
-        if (output.processor)
-          output.processor->config =
-              substitute(output.processor->config, references_, diagnostics());
+        bind(output.processor);
       }
       node.outputs.push_back(std::move(output));
     }
@@ -236,11 +236,8 @@ class ObjectBuilder {
     if (actuator == nullptr || !input || !is_free(nodes_[*target].inputs[*input], connection))
       return;
     DraftInput& port = nodes_[*target].inputs[*input];
-    ConnectionSettings declared;
-    declared.window = window_of(*actuator, references_, diagnostics());
-    declared.delay_s = actuator->delay_s;
-    declared.skip = actuator->skip;
-    port.settings = overlay(port.settings, declared);
+    port.settings =
+        overlay(port.settings, manifest_settings(*actuator, references_, diagnostics()));
     port.settings = overlay(port.settings, settings_of(connection));
     port.written = spec_.name.value + "." + name;
     PartialSpace space = partial_space(actuator->space, references_, diagnostics());
@@ -249,8 +246,7 @@ class ObjectBuilder {
           narrow(space, partial_space(*set->space, {}, diagnostics()), port.written, diagnostics());
     }
     if (port.settings.processor) {
-      port.settings.processor->config =
-          substitute(port.settings.processor->config, references_, diagnostics());
+      bind(port.settings.processor);
       port.outside = space;
     } else {
       port.declared = narrow(port.declared, space, port.written, diagnostics());
@@ -272,7 +268,7 @@ class ObjectBuilder {
     const std::string written = spec_.name.value + "." + name;
     if (connection.processor) {
       port.processor = connection.processor;
-      port.processor->config = substitute(port.processor->config, references_, diagnostics());
+      bind(port.processor);
     }
     PartialSpace& space = port.processor ? port.published : port.declared;
     space = narrow(space, partial_space(sensor->space, references_, diagnostics()), written,
@@ -369,20 +365,6 @@ class ObjectBuilder {
   std::vector<Outside> sensor_sources_, actuator_targets_;
   std::vector<bool> needed_;
 };
-
-const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span,
-                                        Diagnostics& diagnostics) {
-  std::vector<std::string> known;
-  for (const auto& implementation : entity.object_engines) {
-    if (implementation.engine.value == engine) return &implementation;
-    known.push_back(implementation.engine.value);
-  }
-  auto& problem = diagnostics.error(
-      "E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
-  problem.help = known.empty() ? "it has no implementation at all"
-                               : fmt::format("it is made for {}", fmt::join(known, ", "));
-  return nullptr;
-}
 
 }  // namespace
 
