@@ -65,6 +65,12 @@ class RandomReader {
                   fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(),
                               size == 1 ? "one value" : fmt::format("one value or {}", size),
                               result->size()));
+    const bool fraction =
+        !is_floating(space_.dtype) &&
+        std::any_of(result->begin(), result->end(), [](double v) { return v != std::trunc(v); });
+    if (fraction)
+      return fail("E0327", node.span,
+                  fmt::format("`{}` is {} and takes whole numbers", name_, space_.describe()));
     for (std::size_t i = 0; in_space && i < size; ++i) {
       const double value = rounded(space_, (*result)[i]);
       const double low = rounded(space_, bound(space_.low, i, lowest_of(space_.dtype)));

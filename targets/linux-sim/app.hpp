@@ -131,10 +131,11 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
 
   Watch<Graph> watch(options, csv, trace);
   std::uint64_t hash = 0;
-  Summary summary{.graph = Graph::kName,
-                  .engine = Graph::kEngine,
-                  .agent = std::string(agent),
-                  .seed = options.plan.seed};
+  Summary summary;
+  summary.graph = Graph::kName;
+  summary.engine = Graph::kEngine;
+  summary.agent = std::string(agent);
+  summary.seed = options.plan.seed;
   const auto note_faults = [&](const auto& program) {
     target::for_each_fault(program, [&](const char* name, std::uint32_t count) {
       summary.faults.emplace_back(name, count);
