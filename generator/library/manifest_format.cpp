@@ -165,6 +165,11 @@ FormatPtr target_format() {
                   "files made for each graph"},
                  {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
                  {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
+                 // For people and for CMake; a board in the making has blanks here.
+                 {"cpu", format::text("a processor core"), false, "the processor core"},
+                 {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
+                 {"flash", texts(), false, "origin and size of the memory for code"},
+                 {"ram", texts(), false, "origin and size of the memory for data"},
                  {"run", texts(), false, "command that runs an image"}});
 }
 

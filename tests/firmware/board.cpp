@@ -1,13 +1,31 @@
 // Does what the last word of its command line says: faults, text, exit codes.
 #include <cstdint>
 #include <string_view>
-#include <targets/common/cortex-m/console.hpp>
-#include <targets/common/cortex-m/semihosting.hpp>
-#include <targets/common/cortex-m/stack.hpp>
+#include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
+#include <targets/common/bare-metal/stack.hpp>
 
 namespace {
 
 using eagerx::board::console;
+
+#ifdef __arm__
+constexpr std::uintptr_t kThumb = 1;
+void undefined_instruction() {
+  asm volatile("udf #0");
+}
+void system_call() {
+  asm volatile("svc 0");
+}
+#else
+constexpr std::uintptr_t kThumb = 0;
+void undefined_instruction() {
+  asm volatile("unimp");
+}
+void system_call() {
+  asm volatile("ecall");
+}
+#endif
 
 volatile int zero = 0;
 float initialised = 0.1F;  // .data
@@ -43,16 +61,16 @@ int print() {
 
 int run(std::string_view what) {
   constexpr std::uintptr_t kNoMemory = 0x60000000;
-  constexpr std::uintptr_t kNoCode = 0x70000001;
+  constexpr std::uintptr_t kNoCode = 0x70000000 | kThumb;
   if (what == "print") return print();
   if (what == "uart") return console.send_to(eagerx::board::Output::uart), print();
   if (what == "exit") return 7;
-  if (what == "undefined") asm volatile("udf #0");
+  if (what == "undefined") undefined_instruction();
   if (what == "divide") return 5 / zero;
   if (what == "write") return memory(kNoMemory) = 1, 0;
   if (what == "jump") return reinterpret_cast<void (*)()>(kNoCode)(), 0;
   if (what == "overflow") return recurse(0);
-  if (what == "svc") asm volatile("svc 0");
+  if (what == "svc") system_call();
   if (what == "stack") {
     use_stack();
     console.number(eagerx::board::stack_used_bytes());

@@ -38,3 +38,31 @@ int first() {
   return static_cast<int>(reinterpret_cast<unsigned long>(&value));
 }
 #endif
+#ifdef USES_plain_guard
+int first();
+__attribute__((noinline)) int value() {
+  static int once = first();
+  return once;
+}
+int main() {
+  return value();
+}
+int first() {
+  return static_cast<int>(reinterpret_cast<unsigned long>(&value));
+}
+#endif
+#ifdef USES_type_name
+#include <typeinfo>
+struct Shape {
+  virtual int corners() const { return 0; }
+};
+struct Square : Shape {
+  int corners() const override { return 4; }
+};
+Square square;
+Shape* volatile shape = &square;
+int main() {
+  const Shape& seen = *shape;
+  return typeid(seen).hash_code() != 0 ? seen.corners() : 1;
+}
+#endif

@@ -1,9 +1,9 @@
 // Faults say what they are and end the program. Source: ARMv7-M Architecture Reference Manual (DDI
 // 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame).
 #include <cstdint>
-#include <targets/common/cortex-m/console.hpp>
-#include <targets/common/cortex-m/semihosting.hpp>
-#include <targets/common/cortex-m/stack.hpp>
+#include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
+#include <targets/common/bare-metal/stack.hpp>
 
 extern "C" {
 void Fault_Handler();

@@ -2,24 +2,13 @@
 // (DDI 0403E) B1.5, B3.2.
 #include <cstddef>
 #include <cstdint>
-#include <targets/common/cortex-m/semihosting.hpp>
-#include <targets/common/cortex-m/stack.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
+#include <targets/common/bare-metal/start.hpp>
 
 int main();
 
 extern "C" {
-
-// From the linker script: where initial values lie in flash, where they belong, what starts as
-// zero.
-extern const std::uint32_t eagerx_data_load[];
-extern std::uint32_t eagerx_data_begin[];
-extern std::uint32_t eagerx_data_end[];
-extern std::uint32_t eagerx_bss_begin[];
-extern std::uint32_t eagerx_bss_end[];
-
 using Handler = void (*)();
-extern const Handler eagerx_constructors_begin[];
-extern const Handler eagerx_constructors_end[];
 
 void Fault_Handler();         // faults.cpp
 void Unexpected_Interrupt();  // faults.cpp
@@ -75,10 +64,12 @@ void name_faults() {
 }
 
 /// Forbids the 32 kB below the stack, which is the lowest thing in RAM: running over its end is a
-/// fault and not a mystery. Without a memory protection unit there is no guard. ARMv7-M only
-/// (B3.5).
+/// fault and not a mystery. Without a memory protection unit there is no guard (ARMv7-M, B3.5).
+/// ARMv8-M has a register for the limit itself (DDI 0553B, B3.21).
 void guard_stack() {
-#if __ARM_ARCH == 7
+#if __ARM_ARCH >= 8
+  asm volatile("msr msplim, %0" ::"r"(eagerx_stack_bottom) : "memory");
+#else
   constexpr std::uintptr_t kType = 0xE000ED90;
   constexpr std::uintptr_t kControl = 0xE000ED94;
   constexpr std::uintptr_t kRegionNumber = 0xE000ED98;
@@ -99,35 +90,16 @@ void guard_stack() {
 #endif
 }
 
-/// Below this function's own frame only. It keeps a distance, for its frame may grow.
-void paint_stack() {
-  constexpr std::size_t kDistanceWords = 16;
-  std::uint32_t* pointer = nullptr;
-  asm volatile("mov %0, sp" : "=r"(pointer));
-  for (std::uint32_t* word = eagerx_stack_bottom; word < pointer - kDistanceWords; ++word) {
-    *static_cast<volatile std::uint32_t*>(word) = eagerx::board::kStackPaint;
-  }
-}
-
-/// Loops that the compiler must not turn into calls of memcpy and memset.
-void initialise_memory() {
-  const volatile std::uint32_t* from = eagerx_data_load;
-  for (volatile std::uint32_t* to = eagerx_data_begin; to < eagerx_data_end; ++to) *to = *from++;
-  for (volatile std::uint32_t* to = eagerx_bss_begin; to < eagerx_bss_end; ++to) *to = 0;
-}
-
 }  // namespace
 
 void eagerx_start() {
+  using namespace eagerx::board;
   paint_stack();
   initialise_memory();
   name_faults();
   guard_stack();
-  for (const Handler* constructor = eagerx_constructors_begin;
-       constructor < eagerx_constructors_end; ++constructor) {
-    (*constructor)();
-  }
-  eagerx::board::semihosting_exit(main());
+  run_constructors();
+  semihosting_exit(main());
 }
 
 // Naked: the compiler must not touch a floating-point register before the unit is on, not even to

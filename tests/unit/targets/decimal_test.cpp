@@ -1,5 +1,5 @@
 // Numbers as boards print them, against std::to_chars and std::from_chars of the host.
-#include "targets/common/cortex-m/decimal.hpp"
+#include "targets/common/bare-metal/decimal.hpp"
 
 #include <gtest/gtest.h>
 

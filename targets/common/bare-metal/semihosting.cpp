@@ -1,4 +1,4 @@
-#include <targets/common/cortex-m/semihosting.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
 
 namespace eagerx::board {
 namespace {
@@ -9,12 +9,31 @@ enum class Operation : std::uint32_t {
   exit_extended = 0x20
 };
 
-/// The number of the operation in r0, its argument in r1, the result in r0.
+/// The number of the operation in the first register of an argument, its block in the second, the
+/// result in the first.
 std::int32_t call(Operation operation, const void* argument) {
+#if defined(__riscv)
+  register auto a0 asm("a0") = static_cast<std::uint32_t>(operation);
+  register const void* a1 asm("a1") = argument;
+  // The three instructions must be 32 bits wide, and lie in one page.
+  asm volatile(
+      ".balign 16\n"
+      ".option push\n"
+      ".option norvc\n"
+      "slli zero, zero, 0x1f\n"
+      "ebreak\n"
+      "srai zero, zero, 7\n"
+      ".option pop\n"
+      : "+r"(a0)
+      : "r"(a1)
+      : "memory");
+  return static_cast<std::int32_t>(a0);
+#else
   register auto r0 asm("r0") = static_cast<std::uint32_t>(operation);
   register const void* r1 asm("r1") = argument;
   asm volatile("bkpt 0xAB" : "+r"(r0) : "r"(r1) : "memory");
   return static_cast<std::int32_t>(r0);
+#endif
 }
 
 }  // namespace

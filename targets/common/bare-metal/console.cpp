@@ -1,5 +1,5 @@
-#include <targets/common/cortex-m/console.hpp>
-#include <targets/common/cortex-m/semihosting.hpp>
+#include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
 
 namespace eagerx::board {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <targets/common/cortex-m/decimal.hpp>
+#include <targets/common/bare-metal/decimal.hpp>
 
 namespace eagerx::board {
 

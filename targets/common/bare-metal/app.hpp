@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <eagerx/trace.hpp>
 #include <string_view>
-#include <targets/common/cortex-m/console.hpp>
-#include <targets/common/cortex-m/semihosting.hpp>
-#include <targets/common/cortex-m/stack.hpp>
+#include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
+#include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/csv.hpp>
 #include <targets/common/run.hpp>
 

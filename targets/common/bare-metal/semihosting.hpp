@@ -1,5 +1,5 @@
 // Semihosting: services of the debugger or emulator that runs the program. Source: Arm,
-// "Semihosting for AArch32 and AArch64", 2023Q3.
+// "Semihosting for AArch32 and AArch64", 2023Q3; "RISC-V Semihosting", 0.4.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,64 @@
+# What all boards without an operating system have in common.
+include_guard(DIRECTORY)
+include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/no_heap.cmake)
+
+# Of everything that is compiled for a board. -fstack-usage writes the .su files that `eagerx-gen size` reads.
+set(EAGERX_BARE_METAL_FLAGS
+    -Wall -Wextra -Wdouble-promotion $<$<CONFIG:>:-O2> -fno-exceptions -fno-rtti -fno-threadsafe-statics
+    -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections
+    -fstack-usage)
+
+# eagerx_configure_bare_metal(<executable> FOLDER <the board's> LINKER_SCRIPT <file> STARTUP <source>
+#                             SOURCES <more>... [STACK <bytes>] [LINK_OPTIONS <option>...])
+# Flags, linker script and the proof that nothing uses a heap, exceptions or type information. What does not
+# depend on a graph is compiled once in a build tree.
+function(eagerx_configure_bare_metal executable)
+  cmake_parse_arguments(arg "" "FOLDER;LINKER_SCRIPT;STARTUP;STACK" "SOURCES;LINK_OPTIONS" ${ARGN})
+  if(NOT arg_STACK)
+    set(arg_STACK 16384)
+  endif()
+  set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  eagerx_board_memory(flash ${arg_FOLDER} flash)
+  eagerx_board_memory(ram ${arg_FOLDER} ram)
+  list(GET flash 0 flash_origin)
+  list(GET flash 1 flash_bytes)
+  list(GET ram 0 ram_origin)
+  list(GET ram 1 ram_bytes)
+
+  if(NOT TARGET eagerx_board)
+    add_library(eagerx_board OBJECT EXCLUDE_FROM_ALL ${arg_STARTUP} ${here}/semihosting.cpp ${here}/console.cpp
+                                                     ${arg_SOURCES})
+    target_link_libraries(eagerx_board PUBLIC eagerx::runtime)
+    target_compile_options(eagerx_board PRIVATE ${EAGERX_BARE_METAL_FLAGS})
+    eagerx_board_number(clock_hz ${arg_FOLDER} clock_hz)
+    target_compile_definitions(eagerx_board PRIVATE EAGERX_CLOCK_HZ=${clock_hz})
+    # The start-up code copies and clears memory itself.
+    set_source_files_properties(${arg_STARTUP} PROPERTIES COMPILE_OPTIONS -fno-tree-loop-distribute-patterns)
+  endif()
+
+  set_target_properties(${executable} PROPERTIES SUFFIX .elf)
+  target_link_libraries(${executable} PRIVATE eagerx_board)
+  target_sources(${executable} PRIVATE $<TARGET_OBJECTS:eagerx_board>)
+  target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
+  target_link_options(
+    ${executable}
+    PRIVATE
+    -nostartfiles
+    -Wl,--gc-sections
+    -Wl,--no-warn-rwx-segments
+    -Wl,--defsym=eagerx_flash_origin=${flash_origin}
+    -Wl,--defsym=eagerx_flash_bytes=${flash_bytes}
+    -Wl,--defsym=eagerx_ram_origin=${ram_origin}
+    -Wl,--defsym=eagerx_ram_bytes=${ram_bytes}
+    -Wl,--defsym=eagerx_stack_bytes=${arg_STACK}
+    -Wl,-Map=$<TARGET_FILE_DIR:${executable}>/$<TARGET_FILE_BASE_NAME:${executable}>.map
+    -T
+    ${arg_LINKER_SCRIPT}
+    ${arg_LINK_OPTIONS})
+  set_property(TARGET ${executable} APPEND PROPERTY LINK_DEPENDS ${arg_LINKER_SCRIPT})
+  eagerx_forbid_heap(${executable})
+  if(CMAKE_SIZE)
+    add_custom_command(TARGET ${executable} POST_BUILD COMMAND ${CMAKE_SIZE} $<TARGET_FILE:${executable}> VERBATIM)
+  endif()
+endfunction()

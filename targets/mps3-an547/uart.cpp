@@ -1,0 +1,11 @@
+// UART0 of the AN547 image, in secure memory (DAI 0547, table 3-2), on its 25 MHz peripheral clock.
+#include <targets/common/bare-metal/console.hpp>
+#include <targets/common/cortex-m/cmsdk_uart.hpp>
+
+namespace eagerx::board {
+
+void uart_write(char character) {
+  CmsdkUart<0x59303000, 25'000'000, 115'200>::write(character);
+}
+
+}  // namespace eagerx::board
