@@ -10,7 +10,9 @@ namespace {
 using eagerx::board::console;
 
 #ifdef __arm__
-constexpr std::uintptr_t kThumb = 1;
+// Addresses without memory; code has an odd one.
+constexpr std::uintptr_t kNoMemory = 0x60000000;
+constexpr std::uintptr_t kNoCode = 0x70000001;
 void undefined_instruction() {
   asm volatile("udf #0");
 }
@@ -18,7 +20,8 @@ void system_call() {
   asm volatile("svc 0");
 }
 #else
-constexpr std::uintptr_t kThumb = 0;
+constexpr std::uintptr_t kNoMemory = 0x08000000;
+constexpr std::uintptr_t kNoCode = 0x08000000;
 void undefined_instruction() {
   asm volatile("unimp");
 }
@@ -60,8 +63,6 @@ int print() {
 }
 
 int run(std::string_view what) {
-  constexpr std::uintptr_t kNoMemory = 0x60000000;
-  constexpr std::uintptr_t kNoCode = 0x70000000 | kThumb;
   if (what == "print") return print();
   if (what == "uart") return console.send_to(eagerx::board::Output::uart), print();
   if (what == "exit") return 7;

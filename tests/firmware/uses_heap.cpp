@@ -19,6 +19,14 @@ int main() {
   return std::printf("%f\n", 1.0);
 }
 #endif
+#ifdef USES_malloc
+#include <cstdlib>
+void* volatile sink;
+int main() {
+  sink = std::malloc(1);
+  return 0;
+}
+#endif
 #ifdef USES_throwing
 int main(int count, char**) {
   if (count > 1) throw count;

@@ -39,7 +39,6 @@ function(eagerx_configure_bare_metal executable)
 
   set_target_properties(${executable} PROPERTIES SUFFIX .elf)
   target_link_libraries(${executable} PRIVATE eagerx_board)
-  target_sources(${executable} PRIVATE $<TARGET_OBJECTS:eagerx_board>)
   target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
   target_link_options(
     ${executable}

@@ -15,5 +15,6 @@ function(eagerx_configure_riscv executable)
     STARTUP ${here}/startup.cpp
     SOURCES ${here}/traps.cpp ${arg_SOURCES}
     STACK ${arg_STACK}
-    LINK_OPTIONS --specs=picolibc.specs -nodefaultlibs -Wl,--start-group -lc -lgcc -Wl,--end-group)
+    LINK_OPTIONS -nodefaultlibs)
+  target_link_libraries(${executable} PRIVATE -Wl,--start-group -lc -lgcc -Wl,--end-group)
 endfunction()
