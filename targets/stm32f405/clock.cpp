@@ -11,7 +11,7 @@ void eagerx_board_start() {
   // Set after every reset of the hardware; QEMU reads 0 and runs at 168 MHz as it is.
   if ((stm32_register(rcc::kControl) & kInternalReady) == 0) return;
 
-  constexpr std::uint32_t kFiveWaitStates = 5;              // 3.5.1: 168 MHz at 2.7 to 3.6 V
+  constexpr std::uint32_t kFiveWaitStates = 5;  // 3.5.1: 168 MHz at 2.7 to 3.6 V
   constexpr std::uint32_t kPrefetchAndCaches = 7U << 8U;
   stm32_register(flash::kAccessControl) = kPrefetchAndCaches | kFiveWaitStates;
 

@@ -1,5 +1,5 @@
 // Faults say what they are and end the program. Source: ARMv7-M Architecture Reference Manual (DDI
-// 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame).
+// 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame); ARMv8-M (DDI 0553B).
 #include <cstdint>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
@@ -39,6 +39,7 @@ constexpr Cause kCauses[] = {
     {1U << 17U, "jump to an address that is not Thumb code"},
     {1U << 18U, "broken return from an exception"},
     {1U << 19U, "floating-point unit is off or missing"},
+    {1U << 20U, "stack overflow"},  // ARMv8-M
     {1U << 24U, "unaligned access"},
     {1U << 25U, "integer division by zero"},
 };
@@ -64,8 +65,10 @@ void eagerx_report_exception(const std::uint32_t* frame, std::uint32_t number) {
   constexpr std::uint32_t kStackedPc = 6;  // r0 r1 r2 r3 r12 lr pc psr
   constexpr std::uint32_t kFrameWords = 8;
   const std::uint32_t status = system_register(kFaultStatus);
+  constexpr std::uint32_t kPastLimit = 1U << 20U;  // ARMv8-M pushes no frame then
   // A frame that fits proves nothing about one that could not be pushed, but it can be read.
-  const bool inside = frame >= eagerx_stack_bottom && frame + kFrameWords <= eagerx_stack_top;
+  const bool inside = (status & kPastLimit) == 0 && frame >= eagerx_stack_bottom &&
+                      frame + kFrameWords <= eagerx_stack_top;
   console.text("error: ");
   console.text(name_of(number));
   console.text(" (exception ");
