@@ -30,5 +30,6 @@ int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
 int schema_command();
+int new_board_command(const Options& options);
 
 }  // namespace eagerx::gen

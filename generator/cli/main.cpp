@@ -81,7 +81,7 @@ constexpr const char* kFooter =
     "eagerx-gen.";
 
 bool is_command(const char* word) {
-  for (const char* command : {"generate", "check", "import", "info", "schema"}) {
+  for (const char* command : {"generate", "check", "import", "info", "new", "schema"}) {
     if (std::string_view(word) == command) return true;
   }
   return false;
@@ -100,6 +100,9 @@ int run(std::vector<std::string> arguments) {
       "import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph");
   const CLI::App& schema =
       *app.add_subcommand("schema", "print the JSON schema of graph files, for editors");
+  CLI::App& make = *app.add_subcommand("new", "make a folder to fill in");
+  CLI::App& board = *make.add_subcommand("board", "a board of your own");
+  make.require_subcommand(1);
   add_graph(generate, options);
   add_output(generate, options);
   add_selection(generate, options);
@@ -122,6 +125,10 @@ int run(std::vector<std::string> arguments) {
   add_diagnostics(import, options);
   info.add_option("entity", options.entity, "id of an entity or target")->type_name("ENTITY");
   add_library(info, options);
+  board.add_option("name", options.entity, "its name")->required()->type_name("NAME");
+  board.add_option("-o,--output", options.output, "where to make its folder (default: targets)")
+      ->type_name("DIR");
+  add_diagnostics(board, options);
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
@@ -130,6 +137,7 @@ int run(std::vector<std::string> arguments) {
   if (generate.parsed()) return eagerx::gen::generate_command(options);
   if (check.parsed()) return eagerx::gen::check_command(options);
   if (import.parsed()) return eagerx::gen::import_command(options);
+  if (make.parsed()) return eagerx::gen::new_board_command(options);
   if (schema.parsed()) return eagerx::gen::schema_command();
   return eagerx::gen::info_command(options);
 }
