@@ -21,6 +21,8 @@ struct Options {
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
   std::string entity;  // info
+  std::string policy, golden;         // policy
+  std::string normalize, activation;  // policy
   bool json = false;   // --diagnostics=json
   bool quiet = false;
 };
@@ -31,5 +33,6 @@ int import_command(const Options& options);
 int info_command(const Options& options);
 int schema_command();
 int new_board_command(const Options& options);
+int policy_command(const Options& options);
 
 }  // namespace eagerx::gen

@@ -73,6 +73,17 @@ void add_diagnostics(CLI::App& app, Options& options) {
   app.add_flag("-q,--quiet", options.quiet, "print problems only");
 }
 
+void add_policy(CLI::App& app, Options& options) {
+  app.add_option("file", options.policy, "the weight file")->required()->type_name("FILE");
+  app.add_option("--normalize", options.normalize,
+                 "statistics of the observations: VecNormalize.save, npz or JSON")
+      ->type_name("FILE");
+  app.add_option("--activation", options.activation,
+                 "of hidden layers, if the file does not say it")
+      ->type_name("NAME");
+  add_diagnostics(app, options);
+}
+
 constexpr const char* kFooter =
     "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may also be a "
     "file "
@@ -81,7 +92,7 @@ constexpr const char* kFooter =
     "eagerx-gen.";
 
 bool is_command(const char* word) {
-  for (const char* command : {"generate", "check", "import", "info", "new", "schema"}) {
+  for (const char* command : {"generate", "check", "import", "info", "new", "policy", "schema"}) {
     if (std::string_view(word) == command) return true;
   }
   return false;
@@ -129,6 +140,16 @@ int run(std::vector<std::string> arguments) {
   board.add_option("-o,--output", options.output, "where to make its folder (default: targets)")
       ->type_name("DIR");
   add_diagnostics(board, options);
+  CLI::App& policy = *app.add_subcommand("policy", "look into a trained policy");
+  policy.require_subcommand(1);
+  add_policy(*policy.add_subcommand("info", "layers, size and what it expects of a graph"),
+             options);
+  CLI::App& policy_test =
+      *policy.add_subcommand("test", "compare its answers with rows that are known");
+  add_policy(policy_test, options);
+  policy_test.add_option("golden", options.golden, "rows of observations and answers")
+      ->required()
+      ->type_name("GOLDEN.csv|npz");
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
@@ -138,6 +159,7 @@ int run(std::vector<std::string> arguments) {
   if (check.parsed()) return eagerx::gen::check_command(options);
   if (import.parsed()) return eagerx::gen::import_command(options);
   if (make.parsed()) return eagerx::gen::new_board_command(options);
+  if (policy.parsed()) return eagerx::gen::policy_command(options);
   if (schema.parsed()) return eagerx::gen::schema_command();
   return eagerx::gen::info_command(options);
 }

@@ -1,14 +1,17 @@
 #include "generator/emit/policy_view.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+#include "generator/policy/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -17,15 +20,27 @@ using kainjow::mustache::data;
 
 constexpr std::size_t kPanel = 8;  // as eagerx::DenseWeights lays them out
 
-/// The shortest decimal literal that is exactly `value`: "0.1F", "-0.0F", "1e-07F".
-void append_literal(std::string& text, float value) {
-  constexpr std::size_t kLongest = 24;
+/// The shortest decimal literal that is exactly `value`: "0.1", "-0.0", "1e-07".
+template <class Float>
+std::string literal(Float value) {
+  constexpr std::size_t kLongest = 32;
   std::array<char, kLongest> digits{};
   const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  const std::string_view shortest(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  text += shortest;
-  if (shortest.find_first_of(".e") == std::string_view::npos) text += ".0";
-  text += 'F';
+  std::string text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  if (text.find_first_of(".en") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string list_of(const std::vector<double>& values) {
+  std::vector<std::string> literals;
+  for (const double value : values) literals.push_back(literal(value));
+  return fmt::format("{}", fmt::join(literals, ", "));
+}
+
+std::string list_of(const std::vector<float>& values) {
+  std::vector<std::string> literals;
+  for (const float value : values) literals.push_back(literal(value) + "F");
+  return fmt::format("{}", fmt::join(literals, ", "));
 }
 
 /// Number of outputs after padding.
@@ -42,7 +57,8 @@ class Table {
   void add(float value) {
     if (in_line_ == 0) text_ += text_.empty() ? "     " : "\n     ";
     text_ += ' ';
-    append_literal(text_, value);
+    text_ += literal(value);
+    text_ += 'F';
     if (--left_ > 0) text_ += ',';
     in_line_ = (in_line_ + 1) % kPanel;
   }
@@ -85,24 +101,69 @@ std::string weight_table(const DenseLayer& layer) {
   return table.text();
 }
 
-std::string_view activation_name(Activation activation) {
-  switch (activation) {
-    case Activation::relu:
-      return "relu";
-    case Activation::tanh:
-      return "tanh";
-    case Activation::identity:
-      break;
-  }
-  return "identity";
-}
-
 /// Names out of a file must not end a comment's line; `read_policy` cleans those from inside of it.
 std::string comment_text(std::string_view text) {
   std::string line(text);
   std::replace_if(
       line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\\'; }, '?');
   return line;
+}
+
+/// Slope of elu and leaky relu as one more argument.
+std::string slope_argument(const DenseLayer& layer) {
+  return layer.slope == 0.0F ? std::string() : fmt::format(", {}F", literal(layer.slope));
+}
+
+data layer_view(const Network& network, std::size_t i) {
+  const DenseLayer& layer = network.layers[i];
+  const bool last = i + 1 == network.layers.size();
+  const std::string first = network.normalization ? "normalized" : "observation";
+  data view{data::type::object};
+  view.set("number", std::to_string(i + 1));
+  view.set("inputs", std::to_string(layer.inputs));
+  view.set("outputs", std::to_string(layer.outputs));
+  view.set("activation", std::string(to_string(layer.activation)));
+  view.set("slope", slope_argument(layer));
+  view.set("weights", weight_table(layer));
+  view.set("biases", bias_table(layer));
+  view.set("input", i == 0 ? first : fmt::format("hidden{}", i));
+  view.set("output", last ? std::string("action") : fmt::format("hidden{}", i + 1));
+  view.set("hidden", data{!last});
+  view.set("plain", data{!layer.norm});
+  view.set("norm", data{layer.norm.has_value()});
+  if (layer.norm) {
+    view.set("gamma", list_of(layer.norm->gamma));
+    view.set("beta", list_of(layer.norm->beta));
+    view.set("epsilon", literal(layer.norm->epsilon) + "F");
+  }
+  return view;
+}
+
+void add_statistics(const Network& network, data& view) {
+  view.set("normalization", data{network.normalization.has_value()});
+  if (!network.normalization) return;
+  const Normalization& statistics = *network.normalization;
+  std::vector<double> deviation;
+  for (const double variance : statistics.variance) {
+    deviation.push_back(std::sqrt(variance + statistics.epsilon));
+  }
+  view.set("source", comment_text(statistics.source));
+  view.set("mean", list_of(statistics.mean));
+  view.set("deviation", list_of(deviation));
+  view.set("clip", literal(statistics.clip));
+}
+
+void add_self_test(const Network& network, data& view) {
+  data rows{data::type::list};
+  for (const std::vector<float>& observation : network.self_test) {
+    data row{data::type::object};
+    row.set("observation", list_of(observation));
+    row.set("answer", list_of(evaluate(network, normalized(network, observation))));
+    rows.push_back(row);
+  }
+  view.set("rows", std::to_string(network.self_test.size()));
+  view.set("has_rows", data{!network.self_test.empty()});
+  view.set("self_test", rows);
 }
 
 }  // namespace
@@ -113,20 +174,10 @@ data policy_view(const Network& network) {
   std::size_t stored = 0;
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const DenseLayer& layer = network.layers[i];
-    const bool last = i + 1 == network.layers.size();
-    parameters += layer.weights.size() + layer.bias.size();
-    stored += padded(layer.outputs) * (layer.inputs + std::size_t{1});
-    data view{data::type::object};
-    view.set("number", std::to_string(i + 1));
-    view.set("inputs", std::to_string(layer.inputs));
-    view.set("outputs", std::to_string(layer.outputs));
-    view.set("activation", std::string(activation_name(layer.activation)));
-    view.set("weights", weight_table(layer));
-    view.set("biases", bias_table(layer));
-    view.set("input", i == 0 ? std::string("observation") : fmt::format("hidden{}", i));
-    view.set("output", last ? std::string("action") : fmt::format("hidden{}", i + 1));
-    view.set("hidden", data{!last});
-    layers.push_back(view);
+    const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} : 0;
+    parameters += layer.weights.size() + layer.bias.size() + norm;
+    stored += padded(layer.outputs) * (layer.inputs + std::size_t{1}) + norm;
+    layers.push_back(layer_view(network, i));
   }
   data view{data::type::object};
   view.set("file", comment_text(network.file));
@@ -136,6 +187,8 @@ data policy_view(const Network& network) {
   view.set("parameters", std::to_string(parameters));
   view.set("bytes", std::to_string(stored * sizeof(float)));
   view.set("layers", layers);
+  add_statistics(network, view);
+  add_self_test(network, view);
   return view;
 }
 

@@ -8,8 +8,9 @@
 namespace eagerx::gen {
 
 /// Keys: file, format, inputs, outputs, parameters, bytes, layers (each: number, inputs, outputs,
-/// activation, weights, biases, input, output, hidden). The template also needs `namespace`, the
-/// graph's.
+/// activation, slope, weights, biases, input, output, hidden, plain, norm, gamma, beta, epsilon),
+/// normalization (source, mean, deviation, clip), has_rows, rows, self_test (each: observation,
+/// answer). The template also needs `namespace`, the graph's.
 kainjow::mustache::data policy_view(const Network& network);
 
 }  // namespace eagerx::gen

@@ -10,15 +10,71 @@
 
 namespace eagerx::gen {
 
-enum class Activation : std::uint8_t { identity, relu, tanh };
+/// As eagerx::Activation. `gelu` is the one with erf, torch's default.
+enum class Activation : std::uint8_t {
+  identity,
+  relu,
+  tanh,
+  elu,
+  leaky_relu,
+  silu,
+  gelu,
+  gelu_tanh,
+  softplus,
+  sigmoid,
+};
+const char* to_string(Activation activation);
+/// The activation called `name` in a description ("relu", "leaky_relu") or in torch ("LeakyReLU").
+std::optional<Activation> activation_of(std::string_view name);
+/// torch's default for what elu and leaky relu do below zero; 0 for the others.
+float default_slope(Activation activation);
 
-/// y = activation(W x + b).
+/// y = gamma (x - mean(x)) / sqrt(var(x) + epsilon) + beta, over all outputs of a layer.
+struct LayerNorm {
+  std::vector<float> gamma;  // [outputs]
+  std::vector<float> beta;   // [outputs]
+  float epsilon = 1e-5F;
+};
+
+/// y = activation(norm(W x + b)).
 struct DenseLayer {
   std::uint32_t inputs = 0;
   std::uint32_t outputs = 0;
   std::vector<float> weights;  // [outputs][inputs], row-major
   std::vector<float> bias;     // [outputs]
   Activation activation = Activation::identity;
+  float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
+  std::optional<LayerNorm> norm{};
+};
+
+/// clip((x - mean) / sqrt(variance + epsilon), -clip, clip) in float64: VecNormalize.
+struct Normalization {
+  std::vector<double> mean;      // [inputs]
+  std::vector<double> variance;  // [inputs]
+  double clip = 10.0;
+  double epsilon = 1e-8;
+  std::string source;  // file, as the user wrote it
+};
+
+/// How the network's outputs become an action.
+enum class ActionKind : std::uint8_t {
+  raw,       // clipped to the bounds: PPO, A2C
+  squashed,  // from -1…1 to the bounds: SAC, TD3
+  argmax,    // the index of the largest one: DQN, discrete PPO
+};
+const char* to_string(ActionKind kind);
+
+/// What the file says of the world that it was trained in; empty where it says nothing.
+struct PolicyContract {
+  struct Part {
+    std::string name;
+    std::uint64_t size = 1;
+  };
+  std::string algorithm;                        // "SAC"
+  std::vector<Part> observations;               // in the order of the inputs
+  std::vector<double> action_low, action_high;  // one for each output, or for all
+  std::optional<std::int64_t> first_choice;     // argmax: the action of output 0
+  std::optional<double> rate_hz;                // steps a second in training
 };
 
 /// A multi-layer perceptron: n_obs values in, n_act values out.
@@ -28,14 +84,36 @@ struct Network {
   std::vector<DenseLayer> layers;  // at least one; sizes fit together
   std::vector<std::string>
       ignored;  // parts of the file that do not lead to the action, for the report
+  std::optional<ActionKind> action{};  // if the file says it
+  std::optional<Normalization> normalization{};
+  PolicyContract contract{};
+  std::vector<std::vector<float>>
+      self_test{};  // observations whose answers every program checks on its machine
 
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }
+  /// What the file says; else squashed if the last layer is a tanh.
+  [[nodiscard]] ActionKind action_kind() const {
+    const bool tanh = layers.back().activation == Activation::tanh;
+    return action.value_or(tanh ? ActionKind::squashed : ActionKind::raw);
+  }
 };
 
-/// Reads a policy; `mention` is where the graph names the file. Reads ONNX files of
-/// Stable-Baselines3 MLP actors (Gemm, MatMul+Add, Relu, Tanh, Identity, Flatten, Cast …). The
-/// action is the first output.
+/// What the graph (or the command line) says of a policy besides its file.
+struct PolicyRequest {
+  std::string path, name;                      // where it is, and as the user wrote it
+  Span span;                                   // where the graph names it
+  std::string normalize_path, normalize_name;  // statistics; empty: those in the file, if any
+  Span normalize_span;
+  std::optional<Activation> activation;  // of hidden layers, for files that do not say it
+  Span activation_span;
+};
+
+/// Reads a policy: ONNX, safetensors, npz, Stable-Baselines3 zip, torch.save; and its statistics:
+/// VecNormalize.save, npz, JSON. Exactly one error (E06xx) if there is none.
+std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics);
+
+/// The same with nothing but a file; `mention` is where the graph names it.
 std::optional<Network> read_policy(const std::string& path, const std::string& name, Span mention,
                                    Diagnostics& diagnostics);
 

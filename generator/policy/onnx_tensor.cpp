@@ -1,7 +1,6 @@
 #include "generator/policy/onnx_tensor.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <bit>
 #include <cmath>
@@ -103,21 +102,6 @@ std::string type_name(int type) {
 }
 
 }  // namespace
-
-std::optional<std::int64_t> element_count(const Dims& dims) {
-  std::int64_t bound = 1;  // zeros counted as ones, so that no part of the product is larger
-  bool empty = false;
-  for (const std::int64_t dim : dims) {
-    if (dim < 0 || (dim > 0 && bound > kMaxElements / dim)) return std::nullopt;
-    if (dim > 0) bound *= dim;
-    empty = empty || dim == 0;
-  }
-  return empty ? 0 : bound;
-}
-
-std::string show(const Dims& dims) {
-  return fmt::format("[{}]", fmt::join(dims, ", "));
-}
 
 std::optional<OnnxConstant> make_constant(const TensorProto& tensor, PolicyProblem& problem) {
   const std::string name = printable(tensor.name());

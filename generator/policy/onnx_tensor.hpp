@@ -8,19 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/policy/formats.hpp"
+#include "generator/policy/tensor.hpp"
 
 namespace eagerx::gen {
-
-using Dims = std::vector<std::int64_t>;  // each at least 0, product below kMaxElements
-
-inline constexpr std::int64_t kMaxElements = std::int64_t{1} << 40U;
-
-/// Product of `dims`; nothing for a negative dimension or more than kMaxElements.
-std::optional<std::int64_t> element_count(const Dims& dims);
-
-/// "[64, 3]".
-std::string show(const Dims& dims);
 
 /// A constant of the file, without a copy of its values.
 struct OnnxConstant {

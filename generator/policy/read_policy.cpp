@@ -13,35 +13,71 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMaxShownName = 80;
+constexpr const char* kHelp =
+    "known are Stable-Baselines3's zip, ONNX, safetensors, npz and torch.save";
+
+bool is_safetensors(std::string_view bytes) {
+  constexpr std::size_t kLength = 8;
+  return bytes.size() > kLength && bytes[kLength] == '{' && bytes[kLength - 1] == '\0';
+}
 
 /// What `bytes` are by their first few, or empty when only a parser can tell.
 std::string_view known_other_format(std::string_view bytes) {
-  constexpr std::string_view kZip = "PK\x03\x04";
-  constexpr std::string_view kNumpy = "\x93NUMPY";
-  constexpr std::string_view kHdf5 = "\x89HDF";
-  constexpr std::size_t kSafetensorsHeader = 8;
-  if (bytes.starts_with(kZip)) return "a zip archive (Stable-Baselines3, PyTorch or npz)";
-  if (bytes.starts_with(kNumpy)) return "a NumPy array";
-  if (bytes.starts_with(kHdf5)) return "an HDF5 file";
-  if (bytes.starts_with("\x80\x02") || bytes.starts_with("\x80\x04")) return "a Python pickle";
-  if (bytes.size() > kSafetensorsHeader && bytes[kSafetensorsHeader] == '{' &&
-      bytes[kSafetensorsHeader - 1] == '\0') {
-    return "a safetensors file";
+  if (bytes.starts_with("\x93NUMPY")) return "one NumPy array, not an archive of them (npz)";
+  if (bytes.starts_with("\x89HDF")) return "an HDF5 file";
+  if (bytes.starts_with("\x80\x02") || bytes.starts_with("\x80\x04") ||
+      bytes.starts_with("\x80\x05")) {
+    return "a Python pickle without tensors' files (torch before 1.6, or not torch)";
   }
   return {};
 }
 
-std::optional<Network> read_any(std::string_view bytes, PolicyProblem& problem) {
-  constexpr const char* kHelp = "export the actor with `torch.onnx.export`";
-  if (bytes.empty()) {
-    problem = {"E0603", "is empty", kHelp};
-    return std::nullopt;
-  }
+std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
+                                PolicyProblem& problem) {
+  if (bytes.empty()) return refuse(problem, "E0603", "is empty", kHelp);
+  if (bytes.starts_with("PK\x03\x04")) return read_zip_policy(bytes, context, problem);
+  if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
   if (const std::string_view other = known_other_format(bytes); !other.empty()) {
-    problem = {"E0603", fmt::format("is {}, not an ONNX file", other), kHelp};
-    return std::nullopt;
+    return refuse(problem, "E0603", fmt::format("is {}", other), kHelp);
   }
   return read_onnx(bytes, problem);
+}
+
+void report(const PolicyProblem& problem, const char* what, const std::string& name, Span mention,
+            Diagnostics& diagnostics) {
+  diagnostics.error(problem.code, mention, fmt::format("{} `{}` {}", what, name, problem.message))
+      .help = problem.help;
+}
+
+/// Adds the statistics that the graph names. False if they cannot be read or do not fit.
+bool add_normalization(const PolicyRequest& request, Network& network, Diagnostics& diagnostics) {
+  const auto bytes = read_bytes(request.normalize_path, request.normalize_name,
+                                request.normalize_span, "statistics", diagnostics);
+  if (!bytes) return false;
+  PolicyProblem problem;
+  auto statistics = read_statistics(*bytes, problem);
+  if (statistics && statistics->mean.size() != network.inputs()) {
+    problem = {"E0627",
+               fmt::format("normalise {} numbers, but the policy `{}` takes {}",
+                           statistics->mean.size(), request.name, network.inputs()),
+               "name the statistics that were saved with this policy"};
+    statistics.reset();
+  }
+  if (statistics && network.normalization &&
+      (network.normalization->mean != statistics->mean ||
+       network.normalization->variance != statistics->variance)) {
+    problem = {"E0631",
+               fmt::format("differ from those that the policy `{}` holds itself", request.name),
+               "leave `normalize` out, or name the file that belongs to the policy"};
+    statistics.reset();
+  }
+  if (!statistics) {
+    report(problem, "statistics", request.normalize_name, request.normalize_span, diagnostics);
+    return false;
+  }
+  network.normalization = std::move(statistics);
+  network.normalization->source = request.normalize_name;
+  return true;
 }
 
 }  // namespace
@@ -58,22 +94,23 @@ std::string printable(std::string_view name) {
 }
 
 std::optional<Network> read_policy_bytes(std::string_view bytes, const std::string& name,
-                                         Span mention, Diagnostics& diagnostics) {
+                                         Span mention, Diagnostics& diagnostics,
+                                         const ReadContext& context) {
   PolicyProblem problem;
-  std::optional<Network> network = read_any(bytes, problem);
-  if (network) {
-    network->file = name;
-    return network;
+  std::optional<Network> network = read_any(bytes, context, problem);
+  if (!network) {
+    report(problem, "policy", name, mention, diagnostics);
+    return std::nullopt;
   }
-  diagnostics.error(problem.code, mention, fmt::format("policy `{}` {}", name, problem.message))
-      .help = problem.help;
-  return std::nullopt;
+  network->file = name;
+  if (network->normalization) network->normalization->source = name;
+  return network;
 }
 
-std::optional<Network> read_policy(const std::string& path, const std::string& name, Span mention,
-                                   Diagnostics& diagnostics) {
+std::optional<std::string> read_bytes(const std::string& path, const std::string& name,
+                                      Span mention, const char* what, Diagnostics& diagnostics) {
   const auto unreadable = [&](const std::string& why) {
-    diagnostics.io_error("E0601", mention, fmt::format("cannot read policy `{}`: {}", name, why));
+    diagnostics.io_error("E0601", mention, fmt::format("cannot read {} `{}`: {}", what, name, why));
     return std::nullopt;
   };
   std::error_code error;
@@ -83,9 +120,9 @@ std::optional<Network> read_policy(const std::string& path, const std::string& n
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) return unreadable(error.message());
   if (size > kMaxPolicyBytes) {
-    diagnostics.error(
-        "E0602", mention,
-        fmt::format("policy `{}` has {} bytes; at most {} are read", name, size, kMaxPolicyBytes));
+    diagnostics.error("E0602", mention,
+                      fmt::format("{} `{}` has {} bytes; at most {} are read", what, name, size,
+                                  kMaxPolicyBytes));
     return std::nullopt;
   }
   std::ifstream file(path, std::ios::binary);
@@ -93,7 +130,28 @@ std::optional<Network> read_policy(const std::string& path, const std::string& n
   std::string bytes(static_cast<std::size_t>(size), '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(size));
   if (!file) return unreadable("the file ended early");
-  return read_policy_bytes(bytes, name, mention, diagnostics);
+  return bytes;
+}
+
+std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics) {
+  const auto bytes = read_bytes(request.path, request.name, request.span, "policy", diagnostics);
+  if (!bytes) return std::nullopt;
+  auto network = read_policy_bytes(*bytes, request.name, request.span, diagnostics,
+                                   ReadContext{request.activation});
+  if (!network) return std::nullopt;
+  if (!request.normalize_path.empty() && !add_normalization(request, *network, diagnostics)) {
+    return std::nullopt;
+  }
+  return network;
+}
+
+std::optional<Network> read_policy(const std::string& path, const std::string& name, Span mention,
+                                   Diagnostics& diagnostics) {
+  PolicyRequest request;
+  request.path = path;
+  request.name = name;
+  request.span = mention;
+  return read_policy(request, diagnostics);
 }
 
 }  // namespace eagerx::gen

@@ -12,16 +12,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/math.hpp>
+#include <eagerx/policy/activation.hpp>
 #include <eagerx/policy/panel.hpp>
 
 namespace eagerx {
-
-/// What a layer applies to each of its outputs.
-enum class Activation : std::uint8_t {
-  identity,
-  relu,  ///< x < 0 ? 0 : x; NaN stays NaN, so that a broken observation shows in the action
-  tanh,  ///< eagerx::tanh
-};
 
 /// Weights of y = activation(W x + b), laid out for reading straight through: outputs in panels of
 /// eight, in a panel one row of eight weights for each input. What does not fill a panel is one
@@ -45,9 +39,16 @@ struct DenseWeights {
   }
 };
 
+/// y = A(y). `slope` is what elu and leaky relu multiply with.
+template <Activation A, std::size_t N>
+inline void activate(float (&y)[N], float slope = 0.0F) {
+  if constexpr (A != Activation::identity) policy::activate_all<A, N>(y, slope);
+}
+
 /// y = A(W x + b); `x` [In] and `y` [Out] must not overlap. No heap.
 template <Activation A, std::size_t In, std::size_t Out>
-inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out]) {
+inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
+                  float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;
   policy::full_panels<In, Weights::kFullPanels>(layer.w, layer.b, x, y);
@@ -56,11 +57,77 @@ inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], floa
     policy::tail_panel<In, Weights::kTail>(layer.w + kFull * In, layer.b + kFull, x, tail);
     for (std::size_t k = kFull; k < Out; ++k) y[k] = tail[k - kFull];
   }
-  if constexpr (A == Activation::relu) {
-    for (std::size_t k = 0; k < Out; ++k) y[k] = y[k] < 0.0F ? 0.0F : y[k];
-  } else if constexpr (A == Activation::tanh) {
-    policy::tanh_all<Out>(y);
+  activate<A>(y, slope);
+}
+
+/// Parameters of a LayerNorm.
+template <std::size_t N>
+struct NormWeights {
+  float gamma[N];
+  float beta[N];
+  float epsilon;
+};
+
+/// y = gamma (y - mean(y)) / sqrt(var(y) + epsilon) + beta; sums in groups of eight, as above.
+template <std::size_t N>
+inline void layer_norm(const NormWeights<N>& norm, float (&y)[N]) {
+  const float mean = policy::grouped_sum(y) / static_cast<float>(N);
+  float squares[N];
+  for (std::size_t k = 0; k < N; ++k) y[k] = y[k] - mean;
+  for (std::size_t k = 0; k < N; ++k) squares[k] = y[k] * y[k];
+  const float variance = policy::grouped_sum(squares) / static_cast<float>(N);
+  const float scale = 1.0F / eagerx::sqrt(variance + norm.epsilon);
+  for (std::size_t k = 0; k < N; ++k) y[k] = (y[k] * scale) * norm.gamma[k] + norm.beta[k];
+}
+
+/// Statistics of observations: `deviation` is sqrt(variance + epsilon).
+template <std::size_t N>
+struct ObservationStatistics {
+  double mean[N];
+  double deviation[N];
+  double clip;
+};
+
+/// x = clip((x - mean) / deviation, -clip, clip) in double precision, as VecNormalize has it: the
+/// same bits. NaN stays NaN.
+template <std::size_t N>
+inline void normalize(const ObservationStatistics<N>& statistics, float (&x)[N]) {
+  for (std::size_t i = 0; i < N; ++i) {
+    const double value = (static_cast<double>(x[i]) - statistics.mean[i]) / statistics.deviation[i];
+    x[i] = static_cast<float>(clamp(value, -statistics.clip, statistics.clip));
   }
+}
+
+/// An observation and what a network answers, without NaN.
+template <std::size_t In, std::size_t Out>
+struct KnownAnswers {
+  float observation[In];
+  float answer[Out];
+};
+
+/// True if `evaluate(observation, answer)` gives every known answer, to the bit.
+template <class Evaluate, std::size_t In, std::size_t Out, std::size_t Rows>
+inline bool answers(Evaluate&& evaluate, const KnownAnswers<In, Out> (&rows)[Rows]) {
+  bool same = true;
+  for (const KnownAnswers<In, Out>& row : rows) {
+    float answer[Out];
+    evaluate(row.observation, answer);
+    for (std::size_t k = 0; k < Out; ++k) {
+      same = same &&
+             std::bit_cast<std::uint32_t>(answer[k]) == std::bit_cast<std::uint32_t>(row.answer[k]);
+    }
+  }
+  return same;
+}
+
+/// The index of the largest number, the first of equal ones: the choice of a DQN.
+template <std::size_t N>
+constexpr std::size_t argmax(const float (&y)[N]) {
+  std::size_t best = 0;
+  for (std::size_t k = 1; k < N; ++k) {
+    if (y[best] < y[k]) best = k;
+  }
+  return best;
 }
 
 }  // namespace eagerx

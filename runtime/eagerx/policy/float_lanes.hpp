@@ -62,6 +62,9 @@ struct BitLanes {
   [[gnu::always_inline]] friend BitLanes operator<<(BitLanes a, int shift) {
     return BitLanes(a.v << static_cast<std::uint32_t>(shift));
   }
+  [[gnu::always_inline]] friend BitLanes operator>>(BitLanes a, int shift) {
+    return BitLanes(a.v >> static_cast<std::uint32_t>(shift));
+  }
 };
 
 /// kLanes floats.
@@ -78,6 +81,7 @@ struct FloatLanes {
   [[gnu::always_inline]] friend FloatLanes operator-(FloatLanes a, FloatLanes b) {
     return FloatLanes(a.v - b.v);
   }
+  [[gnu::always_inline]] friend FloatLanes operator-(FloatLanes a) { return FloatLanes(-a.v); }
   [[gnu::always_inline]] friend FloatLanes operator*(FloatLanes a, FloatLanes b) {
     return FloatLanes(a.v * b.v);
   }
@@ -86,6 +90,9 @@ struct FloatLanes {
   }
   [[gnu::always_inline]] friend MaskLanes operator<(FloatLanes a, FloatLanes b) {
     return {a.v < b.v};
+  }
+  [[gnu::always_inline]] friend MaskLanes operator>=(FloatLanes a, FloatLanes b) {
+    return {a.v >= b.v};
   }
   [[gnu::always_inline]] friend MaskLanes operator==(FloatLanes a, FloatLanes b) {
     return {a.v == b.v};

@@ -3,7 +3,7 @@
 // for w [Panels][In][width], b and y [Panels * width] and x [In]:
 //   full_panels<In, Panels>(w, b, x, y)    panels eight wide
 //   tail_panel<In, Width>(w, b, x, y)      one panel 1, 2, 4 or 8 wide
-//   tanh_all<Out>(y)                       y = tanh(y)
+//   activate_all<A, Out>(y, slope)         y = A(y)
 #pragma once
 
 // 32-bit NEON flushes denormals to zero, so it does not count as exact.
@@ -14,3 +14,19 @@
 #else
 #include <eagerx/policy/panel_scalar.hpp>
 #endif
+
+namespace eagerx::policy {
+
+/// The sum of `y`: groups of kGroup, each summed from its first number on.
+template <std::size_t N>
+constexpr float grouped_sum(const float (&y)[N]) {
+  float sum = 0.0F;
+  for (std::size_t first = 0; first < N; first += kGroup) {
+    float part = y[first];
+    for (std::size_t k = first + 1; k < N && k < first + kGroup; ++k) part = part + y[k];
+    sum = sum + part;
+  }
+  return sum;
+}
+
+}  // namespace eagerx::policy

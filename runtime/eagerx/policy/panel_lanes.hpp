@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <eagerx/policy/activation.hpp>
 #include <eagerx/policy/float_lanes.hpp>
 #include <eagerx/policy/panel_size.hpp>
 
@@ -75,14 +76,15 @@ inline void full_panels(const float* w, const float* b, const float* x, float* y
   }
 }
 
-template <std::size_t Out>
-inline void tanh_all(float (&y)[Out]) {
+template <Activation A, std::size_t Out>
+inline void activate_all(float (&y)[Out], float slope) {
   constexpr std::size_t kWhole = Out - Out % kLanes;
   for (std::size_t k = 0; k < kWhole; k += kLanes) {
-    const FloatLanes result = eagerx::tanh(FloatLanes(load<FloatLanes::Vector>(y + k)));
+    const FloatLanes x(load<FloatLanes::Vector>(y + k));
+    const FloatLanes result = activated<A>(x, slope);
     std::memcpy(y + k, &result.v, sizeof result.v);
   }
-  for (std::size_t k = kWhole; k < Out; ++k) y[k] = eagerx::tanh(y[k]);
+  for (std::size_t k = kWhole; k < Out; ++k) y[k] = activated<A>(y[k], slope);
 }
 
 }  // namespace eagerx::policy

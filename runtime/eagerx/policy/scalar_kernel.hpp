@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <eagerx/math.hpp>
+#include <eagerx/policy/activation.hpp>
 #include <eagerx/policy/panel_size.hpp>
 
 namespace eagerx::policy {
@@ -35,9 +35,9 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
   for (std::size_t k = 0; k < Width; ++k) y[k] = sum[k];
 }
 
-template <std::size_t Out>
-inline void tanh_all(float (&y)[Out]) {
-  for (std::size_t k = 0; k < Out; ++k) y[k] = eagerx::tanh(y[k]);
+template <Activation A, std::size_t Out>
+inline void activate_all(float (&y)[Out], float slope) {
+  for (std::size_t k = 0; k < Out; ++k) y[k] = activated<A>(y[k], slope);
 }
 
 }  // namespace eagerx::policy

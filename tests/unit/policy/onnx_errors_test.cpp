@@ -64,9 +64,9 @@ TEST(OnnxErrors, EmptyFile) {
 }
 
 TEST(OnnxErrors, OtherFormatsAreNamed) {
-  expect(read_bad("PK\x03\x04 and so on"), "E0603", "zip archive");
+  expect(read_bad("PK\x03\x04 and so on"), "E0621", "zip archive without its directory");
   expect(read_bad("\x80\x04\x95 and so on"), "E0603", "Python pickle");
-  expect(read_bad(std::string("\x40\0\0\0\0\0\0\0{\"a\": 1}", 16)), "E0603", "safetensors");
+  expect(read_bad(std::string("\x40\0\0\0\0\0\0\0{\"a\": 1}", 16)), "E0604", "safetensors");
 }
 
 TEST(OnnxErrors, GarbageIsNotOnnx) {

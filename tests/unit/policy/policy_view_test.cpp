@@ -7,11 +7,12 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
-#include <fstream>
 #include <kainjow/mustache.hpp>
 #include <limits>
 #include <sstream>
 #include <string>
+
+#include "generator/emit/render.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -29,13 +30,13 @@ Network small_network() {
 }
 
 std::string render(const Network& network) {
-  std::ifstream file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache");
-  std::stringstream text;
-  text << file.rdbuf();
-  kainjow::mustache::mustache page(text.str());
   kainjow::mustache::data view = policy_view(network);
   view.set("namespace", "pendulum");
-  return page.render(view);
+  Diagnostics diagnostics;
+  const auto text =
+      render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache", view, diagnostics);
+  for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
+  return text.value_or("");
 }
 
 TEST(PolicyView, ReadsAsIfWrittenByHand) {
@@ -78,7 +79,7 @@ inline constexpr eagerx::DenseWeights<3, 1> kLayer2 = {
 
 // clang-format on
 
-/// The action for one observation, as the network gives it: without scaling or clipping.
+/// The answer to one observation, as the network gives it: without scaling or clipping.
 inline void evaluate(const float (&observation)[kInputs], float (&action)[kOutputs]) {
   float hidden1[3];
   eagerx::dense<eagerx::Activation::relu>(kLayer1, observation, hidden1);
@@ -89,6 +90,22 @@ inline void evaluate(const float (&observation)[kInputs], float (&action)[kOutpu
   std::string text = render(small_network());
   while (!text.empty() && text.back() == '\n') text.pop_back();
   EXPECT_EQ(text, expected);
+}
+
+TEST(PolicyView, StatisticsNormAndKnownAnswersAreVisible) {
+  Network network = small_network();
+  network.normalization = Normalization{{0.5, -1.0}, {4.0, 0.25}, 10.0, 0.0, "stats.pkl"};
+  network.layers[0].norm = LayerNorm{{1, 2, 3}, {0, 0, 0.5F}};
+  network.layers[0].activation = Activation::elu;
+  network.layers[0].slope = 1.0F;
+  network.self_test = {{0.5F, -1.0F}};
+  const std::string text = render(network);
+  EXPECT_THAT(text, HasSubstr("from stats.pkl: mean, sqrt(variance + epsilon), clip."));
+  EXPECT_THAT(text, HasSubstr("    { 0.5, -1.0 },\n    { 2.0, 0.5 },\n    10.0};"));
+  EXPECT_THAT(text, HasSubstr("  eagerx::dense<eagerx::Activation::identity>(kLayer1, normalized, "
+                              "hidden1);\n  eagerx::layer_norm(kNorm1, hidden1);\n"
+                              "  eagerx::activate<eagerx::Activation::elu>(hidden1, 1.0F);\n"));
+  EXPECT_THAT(text, HasSubstr("kSelfTest[1] = {\n    { { 0.5F, -1.0F }, { "));
 }
 
 TEST(PolicyView, LiteralsAreTheWeightsToTheBit) {

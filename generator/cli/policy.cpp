@@ -1,0 +1,131 @@
+// eagerx-gen policy: what a weight file holds, and whether it answers as it should.
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/policy/evaluate.hpp"
+#include "generator/policy/network.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::optional<Network> read(Run& run, const Options& options) {
+  PolicyRequest request;
+  request.path = request.name = options.policy;
+  request.normalize_path = request.normalize_name = options.normalize;
+  if (!options.activation.empty()) {
+    request.activation = activation_of(options.activation);
+    if (!request.activation) {
+      run.diagnostics.error("E0303", {},
+                            fmt::format("unknown activation `{}`", options.activation));
+      return std::nullopt;
+    }
+  }
+  return read_policy(request, run.diagnostics);
+}
+
+/// Outputs as they are stored: in panels of eight, the rest padded to a power of two.
+std::size_t padded(std::size_t outputs) {
+  constexpr std::size_t kPanel = 8;
+  const std::size_t tail = outputs % kPanel;
+  return outputs - tail + (tail == 0 ? 0 : std::bit_ceil(tail));
+}
+
+void print_layers(const Network& network) {
+  std::size_t parameters = 0;
+  std::size_t floats = 0;
+  std::size_t products = 0;
+  fmt::print("layers\n");
+  for (const DenseLayer& layer : network.layers) {
+    const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} : 0;
+    parameters += layer.weights.size() + layer.bias.size() + norm;
+    floats += padded(layer.outputs) * (layer.inputs + std::size_t{1}) + norm;
+    products += layer.weights.size();
+    fmt::print("  {} -> {}{}{}\n", layer.inputs, layer.outputs, layer.norm ? " layer norm" : "",
+               layer.activation == Activation::identity
+                   ? ""
+                   : fmt::format(" {}", to_string(layer.activation)));
+  }
+  fmt::print("parameters     {}\n", parameters);
+  fmt::print("flash          {} bytes\n", floats * sizeof(float));
+  fmt::print("multiply-adds  {}\n", products);
+}
+
+std::string list_of(const std::vector<double>& values) {
+  return fmt::format("[{:g}]", fmt::join(values, ", "));
+}
+
+void print_contract(const Network& network) {
+  const PolicyContract& contract = network.contract;
+  fmt::print("contract\n");
+  if (!contract.algorithm.empty()) fmt::print("  trained by     {}\n", contract.algorithm);
+  std::vector<std::string> parts;
+  for (const auto& part : contract.observations) {
+    parts.push_back(part.size == 1 ? part.name : fmt::format("{} ({})", part.name, part.size));
+  }
+  fmt::print(
+      "  observations   {}{}\n", network.inputs(),
+      parts.empty() ? ", names not in the file" : fmt::format(": {}", fmt::join(parts, ", ")));
+  if (const auto& statistics = network.normalization) {
+    fmt::print("  normalised     clip((x - mean) / sqrt(var + {:g}), -{:g}, {:g}), from {}\n",
+               statistics->epsilon, statistics->clip, statistics->clip, statistics->source);
+    fmt::print("                 mean {}, var {}\n", list_of(statistics->mean),
+               list_of(statistics->variance));
+  } else {
+    fmt::print("  normalised     no (give statistics with --normalize)\n");
+  }
+  const ActionKind kind = network.action_kind();
+  const std::string bounds =
+      contract.action_low.empty()
+          ? "the graph's bounds"
+          : fmt::format("{} … {}", list_of(contract.action_low), list_of(contract.action_high));
+  switch (kind) {
+    case ActionKind::squashed:
+      fmt::print("  action         {}, from -1…1 to {}\n", network.outputs(), bounds);
+      break;
+    case ActionKind::raw:
+      fmt::print("  action         {}, clipped to {}\n", network.outputs(), bounds);
+      break;
+    case ActionKind::argmax:
+      fmt::print("  action         the index of the largest of {} outputs, from {} on\n",
+                 network.outputs(), contract.first_choice.value_or(0));
+      break;
+  }
+  fmt::print("  rate           {}\n",
+             contract.rate_hz ? fmt::format("{:g} Hz", *contract.rate_hz) : "not in the file");
+}
+
+int test(Run& run, const Options& options, const Network& network) {
+  const auto rows = read_golden(options.golden, options.golden, {}, run.diagnostics);
+  const auto result =
+      rows ? compare(network, *rows, options.golden, {}, run.diagnostics) : std::nullopt;
+  if (!result) return finish(run, options);
+  fmt::print("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
+  fmt::print("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
+  fmt::print("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);
+  if (result->action) {
+    fmt::print("actions        {:.3g} off; at most {:.3g} is allowed\n", *result->action,
+               result->action_limit);
+  } else if (!rows->actions.empty()) {
+    fmt::print("actions        not compared: the file does not say their bounds\n");
+  }
+  return finish(run, options);
+}
+
+}  // namespace
+
+int policy_command(const Options& options) {
+  Run run;
+  const auto network = read(run, options);
+  if (!network) return finish(run, options);
+  if (!options.golden.empty()) return test(run, options, *network);
+  fmt::print("{}: {}\n", options.policy, network->format);
+  print_layers(*network);
+  print_contract(*network);
+  if (!network->ignored.empty()) fmt::print("not used\n");
+  for (const std::string& part : network->ignored) fmt::print("  {}\n", part);
+  return finish(run, options);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,278 @@
+#include "generator/policy/actor.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kMaxLayers = 256;
+constexpr const char* kSaveAgain = "the file is damaged: save it again";
+
+class Assembly {
+ public:
+  Assembly(const TensorTable& table, const PolicyFacts& facts, const ReadContext& context,
+           PolicyProblem& problem)
+      : table_(table), facts_(facts), context_(context), problem_(problem) {}
+
+  std::optional<Network> run() {
+    if (!check_supported()) return std::nullopt;
+    auto layout = find_actor(table_, problem_);
+    if (!layout) return std::nullopt;
+    layout_ = std::move(*layout);
+    if (!check_algorithm() || !choose_activation()) return std::nullopt;
+    for (const ActorModule& module : layout_.modules) {
+      if (!add(module)) return std::nullopt;
+    }
+    if (!finish_layers() || !check_facts()) return std::nullopt;
+    network_.format = fmt::format("{}, {}", facts_.format, layout_.about);
+    network_.action = facts_.action.value_or(layout_.action);
+    network_.contract = facts_.contract;
+    if (!add_statistics()) return std::nullopt;
+    for (const auto& [name, tensor] : table_.tensors) {
+      if (used_.count(name) > 0) continue;
+      network_.ignored.push_back(
+          fmt::format("tensor `{}` {}", printable(name), show(tensor.shape)));
+    }
+    return std::move(network_);
+  }
+
+ private:
+  bool fail(const char* code, std::string message, std::string help = kSaveAgain) {
+    problem_ = {code, std::move(message), std::move(help)};
+    return false;
+  }
+
+  /// Parts that would silently be left out, and change the function.
+  bool check_supported() {
+    if (facts_.unsupported) {
+      return fail("E0628", *facts_.unsupported, "export the actor to ONNX, or train without it");
+    }
+    for (const auto& [name, tensor] : table_.tensors) {
+      for (const char* part :
+           {"features_extractor.", "normalizer.", "running_mean_std.", "running_mean"}) {
+        const bool critic = name.find("critic") != std::string::npos || name.starts_with("vf_");
+        if (critic || name.find(part) == std::string::npos) continue;
+        return fail("E0628", fmt::format("has parts that are not supported: `{}`", printable(name)),
+                    "layers are Linear and LayerNorm; give statistics as `normalize`");
+      }
+    }
+    return true;
+  }
+
+  bool check_algorithm() {
+    const std::string& said = facts_.contract.algorithm;
+    if (said.empty() || layout_.algorithms.empty()) return true;
+    const std::string known = " " + layout_.algorithms + " ";
+    if (known.find(" " + said + " ") != std::string::npos) return true;
+    return fail("E0626", fmt::format("says that it is of {}, but its tensors are those of {}",
+                                     printable(said), layout_.about));
+  }
+
+  bool choose_activation() {
+    if (context_.activation && facts_.activation && *context_.activation != *facts_.activation) {
+      return fail("E0626",
+                  fmt::format("says that its activation is {}, but the graph says {}",
+                              to_string(*facts_.activation), to_string(*context_.activation)),
+                  "leave the graph's `activation` out");
+    }
+    const bool needed =
+        std::any_of(layout_.modules.begin(), layout_.modules.end(),
+                    [](const ActorModule& module) { return module.activation_after; });
+    const auto said = facts_.activation ? facts_.activation : context_.activation;
+    if (!said && !layout_.activation && needed) {
+      return fail("E0629", "does not say which activation follows its hidden layers",
+                  "say it in the graph: `agent: {policy: …, activation: elu}`");
+    }
+    activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
+    return true;
+  }
+
+  bool add(const ActorModule& module) {
+    const StoredTensor* weight = table_.find(module.base + ".weight");
+    if (weight == nullptr) return missing(module.base + ".weight");
+    if (network_.layers.size() >= kMaxLayers) {
+      return fail("E0619", fmt::format("has more than {} layers", kMaxLayers));
+    }
+    const bool added = weight->shape.size() == 1 ? add_norm(module.base, *weight)
+                                                 : add_dense(module.base, *weight);
+    if (!added) return false;
+    if (module.activation_after) {
+      network_.layers.back().activation = activation_;
+      network_.layers.back().slope = default_slope(activation_);
+    }
+    return true;
+  }
+  bool missing(const std::string& name) {
+    return fail("E0624", fmt::format("has an actor without tensor `{}`", printable(name)));
+  }
+
+  /// The bias of `base` with `count` values; nothing if there is none or a problem.
+  std::optional<std::vector<float>> bias_of(const std::string& base, std::int64_t count,
+                                            bool required) {
+    const std::string name = base + ".bias";
+    const StoredTensor* bias = table_.find(name);
+    if (bias == nullptr) {
+      if (!required) return std::vector<float>(static_cast<std::size_t>(count), 0.0F);
+      missing(name);
+      return std::nullopt;
+    }
+    if (bias->shape != Dims{count}) {
+      return refuse(problem_, "E0618",
+                    fmt::format("has tensor `{}` of shape {} for {} outputs", printable(name),
+                                show(bias->shape), count),
+                    "the layers of the file do not fit together: save it again");
+    }
+    used_.insert(name);
+    return floats_of(name, *bias, problem_);
+  }
+
+  bool add_dense(const std::string& base, const StoredTensor& weight) {
+    const std::string name = base + ".weight";
+    if (weight.shape.size() != 2 || weight.shape[0] < 1 || weight.shape[1] < 1) {
+      return fail("E0628",
+                  fmt::format("has tensor `{}` of shape {}", printable(name), show(weight.shape)),
+                  "layers are Linear, with a matrix, and LayerNorm");
+    }
+    const std::int64_t outputs = weight.shape[0];
+    const std::int64_t inputs = weight.shape[1];
+    if (!network_.layers.empty() && network_.outputs() != inputs) {
+      return fail("E0618",
+                  fmt::format("multiplies {} values by tensor `{}`, which takes {}",
+                              network_.outputs(), printable(name), inputs),
+                  "the layers of the file do not fit together: save it again");
+    }
+    auto weights = floats_of(name, weight, problem_);
+    if (!weights) return false;
+    auto bias = bias_of(base, outputs, layout_.has_bias);
+    if (!bias) return false;
+    used_.insert(name);
+    DenseLayer layer;
+    layer.inputs = static_cast<std::uint32_t>(inputs);
+    layer.outputs = static_cast<std::uint32_t>(outputs);
+    layer.weights = std::move(*weights);
+    layer.bias = std::move(*bias);
+    network_.layers.push_back(std::move(layer));
+    return true;
+  }
+
+  bool add_norm(const std::string& base, const StoredTensor& weight) {
+    const std::string name = base + ".weight";
+    DenseLayer* layer = network_.layers.empty() ? nullptr : &network_.layers.back();
+    if (layer == nullptr || layer->norm || layer->activation != Activation::identity) {
+      return fail("E0628",
+                  fmt::format("has a LayerNorm that does not directly follow a Linear: `{}`",
+                              printable(name)),
+                  "put the LayerNorm between Linear and activation");
+    }
+    if (weight.shape != Dims{std::int64_t{layer->outputs}}) {
+      return fail("E0618", fmt::format("has tensor `{}` of shape {} for {} values", printable(name),
+                                       show(weight.shape), layer->outputs));
+    }
+    auto gamma = floats_of(name, weight, problem_);
+    if (!gamma) return false;
+    auto beta = bias_of(base, layer->outputs, false);
+    if (!beta) return false;
+    used_.insert(name);
+    layer->norm = LayerNorm{std::move(*gamma), std::move(*beta)};
+    return true;
+  }
+
+  bool finish_layers() {
+    if (network_.layers.empty()) return fail("E0624", "has an actor without layers");
+    if (layout_.output != Activation::identity) network_.layers.back().activation = layout_.output;
+    return true;
+  }
+
+  bool check_facts() {
+    std::vector<std::int64_t> hidden;
+    for (const DenseLayer& layer : network_.layers) hidden.push_back(layer.outputs);
+    hidden.pop_back();
+    if (facts_.hidden && *facts_.hidden != hidden) {
+      return fail("E0626", fmt::format("says that its hidden layers are {}, but its tensors are {}",
+                                       show(*facts_.hidden), show(hidden)));
+    }
+    if (facts_.observations && *facts_.observations != network_.inputs()) {
+      return fail("E0626",
+                  fmt::format("says that it takes {} numbers, but its first layer takes {}",
+                              *facts_.observations, network_.inputs()));
+    }
+    if (facts_.actions && *facts_.actions != network_.outputs()) {
+      return fail("E0626", fmt::format("says that it gives {} numbers, but its last layer gives {}",
+                                       *facts_.actions, network_.outputs()));
+    }
+    return true;
+  }
+
+  bool add_statistics() {
+    const StoredTensor* mean = table_.find("obs_rms.mean");
+    const StoredTensor* variance = table_.find("obs_rms.var");
+    if (mean == nullptr && variance == nullptr) return true;
+    if (mean == nullptr || variance == nullptr) {
+      return fail("E0627", "has only one of `obs_rms.mean` and `obs_rms.var`");
+    }
+    const Dims wanted{std::int64_t{network_.inputs()}};
+    for (const StoredTensor* tensor : {mean, variance}) {
+      if (tensor->shape == wanted) continue;
+      return fail("E0627", fmt::format("has statistics of shape {} for {} inputs",
+                                       show(tensor->shape), network_.inputs()));
+    }
+    auto means = finite_values_of("obs_rms.mean", *mean, problem_);
+    if (!means) return false;
+    auto variances = finite_values_of("obs_rms.var", *variance, problem_);
+    if (!variances) return false;
+    Normalization statistics;
+    statistics.mean = std::move(*means);
+    statistics.variance = std::move(*variances);
+    statistics.clip = facts_.clip.value_or(statistics.clip);
+    statistics.epsilon = facts_.epsilon.value_or(statistics.epsilon);
+    if (!check_statistics(statistics, problem_)) return false;
+    network_.normalization = std::move(statistics);
+    for (const char* name : {"obs_rms.mean", "obs_rms.var", "obs_rms.count", "clip_obs", "epsilon",
+                             "low", "high", "rate", "squash"}) {
+      used_.insert(name);
+    }
+    return true;
+  }
+
+  const TensorTable& table_;
+  const PolicyFacts& facts_;
+  const ReadContext& context_;
+  PolicyProblem& problem_;
+  ActorLayout layout_;
+  Activation activation_ = Activation::identity;
+  Network network_;
+  std::set<std::string, std::less<>> used_;
+};
+
+}  // namespace
+
+bool check_statistics(const Normalization& statistics, PolicyProblem& problem) {
+  const auto fail = [&](const char* how) {
+    problem = {"E0627", fmt::format("has statistics {}", how), kSaveAgain};
+    return false;
+  };
+  if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {
+    return fail("with another number of means than of variances");
+  }
+  for (std::size_t i = 0; i < statistics.mean.size(); ++i) {
+    if (!std::isfinite(statistics.mean[i]) || !std::isfinite(statistics.variance[i])) {
+      return fail("with NaN or infinity");
+    }
+    const double sum = statistics.variance[i] + statistics.epsilon;
+    if (statistics.variance[i] < 0.0 || !(sum > 0.0)) return fail("with a variance below zero");
+  }
+  if (!(statistics.clip > 0.0)) return fail("whose clip is not above zero");
+  return true;
+}
+
+std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& facts,
+                                  const ReadContext& context, PolicyProblem& problem) {
+  return Assembly(table, facts, context, problem).run();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,60 @@
+// From tensors with names to the actor's layers: which names are an actor, what their libraries do
+// between them, and whether the rest of the file agrees.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/policy/tensor.hpp"
+
+namespace eagerx::gen {
+
+/// What a file says besides its tensors.
+struct PolicyFacts {
+  std::string format;
+  std::optional<Activation> activation;  // of hidden layers
+  std::optional<ActionKind> action;
+  std::optional<std::vector<std::int64_t>> hidden;    // outputs of the hidden layers
+  std::optional<std::int64_t> observations, actions;  // how many numbers
+  std::optional<double> clip, epsilon;                // of the statistics
+  std::optional<std::string> unsupported;             // "uses gSDE": why it cannot be read at all
+  PolicyContract contract;
+};
+
+/// What the metadata of a safetensors file says (keys: algo, activation, obs, low, high, squash,
+/// clip_obs, epsilon, rate), and arrays of one number with those names. E0626 for what cannot be
+/// read.
+std::optional<PolicyFacts> facts_of_notes(const TensorTable& table, PolicyProblem& problem);
+
+/// What `data` in a Stable-Baselines3 archive says. E0626.
+std::optional<PolicyFacts> facts_of_sb3(std::string_view json, PolicyProblem& problem);
+
+/// The actor. E0624: nothing looks like one, or a part of it is missing; E0625: more than one does;
+/// E0626: tensors and facts disagree; E0628: it has parts that are not supported; E0629: nobody
+/// says its activation; E0627: its statistics do not fit.
+std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& facts,
+                                  const ReadContext& context, PolicyProblem& problem);
+
+/// E0627 for NaN, a variance below zero, a clip that is not above it.
+bool check_statistics(const Normalization& statistics, PolicyProblem& problem);
+
+/// The modules of an actor in the order of evaluation.
+struct ActorModule {
+  std::string base;  // "actor.latent_pi.0"
+  bool activation_after = false;
+};
+struct ActorLayout {
+  std::string about;       // "Stable-Baselines3's SAC"
+  std::string algorithms;  // "SAC TQC", empty: any
+  std::vector<ActorModule> modules;
+  ActionKind action = ActionKind::raw;
+  std::optional<Activation> activation;      // what the library takes if nothing else is said
+  Activation output = Activation::identity;  // after the last layer
+  bool has_bias = false;                     // always
+};
+
+/// The one actor among the names. E0624, E0625.
+std::optional<ActorLayout> find_actor(const TensorTable& table, PolicyProblem& problem);
+
+}  // namespace eagerx::gen
