@@ -51,6 +51,7 @@ std::string depfile_text(const Run& run, const Options& options) {
   std::vector<std::string> inputs = {options.graph};
   for (const auto& [id, entity] : run.library.entities) inputs.push_back(entity.path);
   if (run.network) inputs.push_back(run.graph->agent.path);
+  for (const auto& file : run.graph->agent.other_files) inputs.push_back(file);
   std::error_code ignored;
   for (const auto& entry :
        fs::recursive_directory_iterator(fs::path(run.root) / "templates", ignored)) {

@@ -8,6 +8,7 @@
 
 #include "generator/cli/paths.hpp"
 #include "generator/emit/policy_contract.hpp"
+#include "generator/policy/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -30,12 +31,37 @@ void load_library_for(Run& run, const Options& options,
   run.library = load_library(folders, run.sources, run.diagnostics);
 }
 
+/// Checks the policy against the rows that the graph names, and gives the program some to check.
+void add_known_answers(Run& run, const fs::path& folder) {
+  const auto& golden = run.spec->agent.golden;
+  if (!golden) {
+    run.network->self_test = self_test_rows(*run.network, nullptr);
+    return;
+  }
+  const std::string path = (folder / golden->value).string();
+  const auto rows = read_golden(path, golden->value, golden->span, run.diagnostics);
+  if (rows && compare(*run.network, *rows, golden->value, golden->span, run.diagnostics)) {
+    run.network->self_test = self_test_rows(*run.network, &*rows);
+  }
+}
+
 /// Before the graph is resolved, so that a bad file is told of along with everything else.
 void read_network(Run& run) {
   const AgentSpec& agent = run.spec->agent;
   if (agent.kind != AgentSpec::Kind::policy) return;
-  const auto path = fs::path(run.spec->path).parent_path() / agent.file.value;
-  run.network = read_policy(path.string(), agent.file.value, agent.file.span, run.diagnostics);
+  const fs::path folder = fs::path(run.spec->path).parent_path();
+  PolicyRequest request;
+  request.path = (folder / agent.file.value).string();
+  request.name = agent.file.value;
+  request.span = agent.file.span;
+  if (agent.normalize) {
+    request.normalize_path = (folder / agent.normalize->value).string();
+    request.normalize_name = agent.normalize->value;
+    request.normalize_span = agent.normalize->span;
+  }
+  if (agent.activation) request.activation = activation_of(agent.activation->value);
+  run.network = read_policy(request, run.diagnostics);
+  if (run.network) add_known_answers(run, folder);
 }
 
 /// The spec of a graph in our own form, with the rates of the command line, and its library.

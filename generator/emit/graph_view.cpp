@@ -5,6 +5,7 @@
 #include <bit>
 
 #include "generator/emit/names.hpp"
+#include "generator/emit/policy_world.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -198,34 +199,38 @@ class GraphView {
     view.set("has_policy", network_.has_value());
     view.set("policy_flag", network_ ? "true" : "false");
     view.set("policy_file", graph_.agent.file);
+    view.set("no_policy", !network_.has_value());
+    view.set("self_test_rows", fmt::format("{}", network_ ? network_->self_test.size() : 0));
     if (!network_) return;
     for (const std::size_t i : graph_.agent.observations) {
       View item = object();
       item.set("field", graph_.environment().inputs[i].name);
       inputs.push_back(item);
     }
-    const bool squashed =
-        graph_.agent.squashed.value_or(network_->layers.back().activation == Activation::tanh);
-    std::vector<const Output*> actions;
-    for (const auto& action : graph_.environment().outputs) actions.push_back(&action);
-    std::sort(actions.begin(), actions.end(),
-              [](const Output* a, const Output* b) { return a->name < b->name; });
-    for (const Output* action : actions) {
+    const std::string kind = graph_.agent.output.value_or(to_string(network_->action_kind()));
+    for (const Output* action : actions_in_order(graph_)) {
       const std::string constant = "kAction" + camel(action->name);
       const std::string output =
           fmt::format("eagerx::unflatten<{}>(output, out)", message_type(action->space));
       View item = object();
       item.set("field", action->name);
-      item.set("how",
-               squashed
-                   ? "squashed policy: from -1…1 to the action's bounds, as SB3's predict() does"
-                   : "as SB3's predict() does: clipped to the action's bounds");
-      item.set("expression", squashed ? fmt::format("eagerx::unscaled({}, {})", output, constant)
-                                      : fmt::format("{}.clipped({})", constant, output));
+      if (kind == "squashed") {
+        item.set("how",
+                 "squashed policy: from -1…1 to the action's bounds, as SB3's predict() does");
+        item.set("expression", fmt::format("eagerx::unscaled({}, {})", output, constant));
+      } else if (kind == "argmax") {
+        item.set("how",
+                 "as SB3's DQN does: the index of the largest output, from the lowest action on");
+        item.set("expression", fmt::format("eagerx::choice({}, eagerx::argmax(output))", constant));
+      } else {
+        item.set("how", "as SB3's predict() does: clipped to the action's bounds");
+        item.set("expression", fmt::format("{}.clipped({})", constant, output));
+      }
       outputs.push_back(item);
     }
     view["policy_inputs"] = std::move(inputs);
     view["policy_outputs"] = std::move(outputs);
+    view.set("reads_in_order", kind != "argmax");
     view.set("place", names_.place(graph_.agent.span));
   }
 

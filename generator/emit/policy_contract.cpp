@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "generator/emit/policy_world.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -69,9 +71,11 @@ bool check_policy(const Graph& graph, const Network& network, Diagnostics& diagn
                         : environment.inputs[graph.agent.observations.front()].span;
   if (observed.total != network.inputs())
     report("E0701", graph, "takes", network.inputs(), observed, "observations", seen, diagnostics);
-  if (acted.total != network.outputs())
+  const bool chooses = graph.agent.output.value_or(to_string(network.action_kind())) == "argmax";
+  if (!chooses && acted.total != network.outputs())
     report("E0702", graph, "gives", network.outputs(), acted, "actions",
            environment.outputs.front().span, diagnostics);
+  if (diagnostics.error_count() == errors_before) check_policy_world(graph, network, diagnostics);
   return diagnostics.error_count() == errors_before;
 }
 

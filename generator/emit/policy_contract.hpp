@@ -7,7 +7,8 @@
 namespace eagerx::gen {
 
 /// Problems: E0701 another number of inputs, E0702 another number of outputs, E0703 an observation
-/// or action that a policy cannot take or give. False if there is any.
+/// or action that a policy cannot take or give; and those of check_policy_world(). False if there
+/// is any.
 bool check_policy(const Graph& graph, const Network& network, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -48,7 +48,12 @@ void resolve_agent(Draft& draft) {
                    : spec.file.span;
   agent.file = spec.file.value;
   agent.path = (std::filesystem::path(draft.spec.path).parent_path() / spec.file.value).string();
-  if (spec.output) agent.squashed = spec.output->value == "squashed";
+  if (spec.output) agent.output = spec.output->value;
+  for (const auto& file : {spec.normalize, spec.golden}) {
+    if (!file) continue;
+    agent.other_files.push_back(
+        (std::filesystem::path(draft.spec.path).parent_path() / file->value).string());
+  }
   const auto& inputs = draft.nodes[Graph::kEnvironment].inputs;
   std::vector<std::string> known;
   for (const auto& input : inputs) known.push_back(input.name);

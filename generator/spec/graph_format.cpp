@@ -138,16 +138,26 @@ FormatPtr agent_format() {
       {format::record(
            "an agent",
            {{"policy", format::text("a file name"), false,
-             "weight file of a trained policy (ONNX)"},
+             "weight file of a trained policy: Stable-Baselines3's zip, ONNX, safetensors, npz, "
+             "torch.save"},
             {"csv", format::text("a file name"), false, "file of actions, one row a step"},
             {"observations", format::list("a list of observations", format::name("a name"), 1),
              false,
              "order in which the policy takes the observations (default: by name, as Gymnasium's "
              "Dict)"},
-            {"output", format::keyword({"squashed", "raw"}), false,
+            {"output", format::keyword({"squashed", "raw", "argmax"}), false,
              "squashed: the policy answers in -1…1, mapped to the action's bounds (SB3's SAC and "
              "TD3); "
-             "raw: clipped to them (PPO, A2C). Default: squashed if the last layer is a tanh"}}),
+             "raw: clipped to them (PPO, A2C); argmax: the action is the index of the largest "
+             "output (DQN). Default: as the file says, else squashed if the last layer is a tanh"},
+            {"normalize", format::text("a file name"), false,
+             "statistics of the observations: VecNormalize.save, npz or JSON"},
+            {"activation",
+             format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
+                              "gelu_tanh", "softplus", "sigmoid"}),
+             false, "what follows the hidden layers, for files that do not say it"},
+            {"golden", format::text("a file name"), false,
+             "observations with known answers (CSV or npz); checked here and by every program"}}),
        format::keyword({"zero", "random"})});
 }
 

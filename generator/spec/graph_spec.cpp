@@ -141,7 +141,7 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
   spec.file = text_of(policy != nullptr ? *policy : *csv);
-  for (const char* key : {"observations", "output"}) {
+  for (const char* key : {"observations", "output", "normalize", "activation", "golden"}) {
     if (csv == nullptr || node->find(key) == nullptr) continue;
     diagnostics.error("E0206", node->find(key)->span,
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));
@@ -149,7 +149,11 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   if (const Node* order = node->find("observations")) {
     for (const auto& item : order->items) spec.observations.push_back(text_of(item));
   }
-  spec.output = optional_of<std::string>(*node, "output", [](const Node& n) { return n.text; });
+  const auto text = [](const Node& n) { return n.text; };
+  spec.output = optional_of<std::string>(*node, "output", text);
+  spec.normalize = optional_of<std::string>(*node, "normalize", text);
+  spec.activation = optional_of<std::string>(*node, "activation", text);
+  spec.golden = optional_of<std::string>(*node, "golden", text);
   return spec;
 }
 

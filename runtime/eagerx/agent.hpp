@@ -44,4 +44,13 @@ Message unscaled(Message action, const Space<Message>& space) {
   return action;
 }
 
+/// The action of a policy that chooses among whole numbers: the `index`-th from the lowest on.
+template <class Message>
+Message choice(const Space<Message>& space, std::size_t index) {
+  Message action{};
+  element(action, 0) = static_cast<ScalarOf<Message>>(
+      element(space.low, 0) + static_cast<ScalarOf<Message>>(index));
+  return action;
+}
+
 }  // namespace eagerx

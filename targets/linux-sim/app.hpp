@@ -178,6 +178,20 @@ int show_help(const char* program_name, const Options& defaults) {
   return std::fflush(stdout) == 0 ? kDone : kBadFile;
 }
 
+/// Compares the policy's answers with those that the generator computed.
+template <class Graph>
+int self_test() {
+  if (!Graph::self_test()) {
+    return fail(
+        "error: this machine's answers of the policy differ from the generator's\n"
+        "help: build with the flags of the runtime: no fast-math, no contraction",
+        kSelfTestFailed);
+  }
+  std::printf("self-test: %d answers of the policy are as generated\n",
+              static_cast<int>(Graph::kSelfTestRows));
+  return std::fflush(stdout) == 0 ? kDone : kBadFile;
+}
+
 /// The main function: reads the command line, runs, returns the exit code (see --help).
 template <class Graph>
 int run(int argc, char** argv) {
@@ -195,6 +209,7 @@ int run(int argc, char** argv) {
                 kVersionMinor);
     return std::fflush(stdout) == 0 ? kDone : kBadFile;
   }
+  if (options.self_test) return self_test<Graph>();
   if (options.agent == target::Agent::policy && !Graph::kHasPolicy) {
     return fail(
         "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "

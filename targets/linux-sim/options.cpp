@@ -62,6 +62,9 @@ bool set_real_time_factor(Options& options, std::string_view value) {
 bool set_hash(Options& options, std::string_view) {
   return options.hash = true;
 }
+bool set_self_test(Options& options, std::string_view) {
+  return options.self_test = true;
+}
 bool set_quiet(Options& options, std::string_view) {
   return options.quiet = true;
 }
@@ -99,6 +102,7 @@ constexpr std::array kOptions{
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "a number of at least 0",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
+    Option{"--self-test", "", "", "only check the policy's answers that are known", set_self_test},
     Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
     Option{"--help", "", "", "show this text", set_help},
     Option{"--version", "", "", "show graph, engine and version", set_version},
@@ -199,7 +203,7 @@ first row. A first row with the names of the columns and lines that begin with #
 `-` writes to the standard output; the summary then goes to the standard error.
 Ctrl-C ends the run after the current step, with files complete and the summary.
 
-Exit codes: 0 done or interrupted, 1 problem in a file of actions, 2 wrong usage, 3 cannot read or write.
+Exit codes: 0 done or interrupted, 1 problem in a file of actions or failed self-test, 2 wrong usage, 3 cannot read or write.
 )";
 }
 

@@ -11,12 +11,14 @@ namespace eagerx::linux_sim {
 /// Exit codes, the same numbers as eagerx-gen's.
 inline constexpr int kDone = 0;
 inline constexpr int kBadActions = 1;
+inline constexpr int kSelfTestFailed = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kBadFile = 3;
 
 struct Options {
   target::RunPlan plan;
   target::Agent agent = target::Agent::zero;
+  bool self_test = false;
   std::string action_file;  // of Agent::csv
   std::string csv;          // empty: none; "-": standard output
   std::string trace;        // the same

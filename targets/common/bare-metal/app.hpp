@@ -171,6 +171,10 @@ int run(const char* board) {
   const int usage = read_options(options, Graph::kHasPolicy);
   console.send_to(options.output);
   if (usage != kDone) return console.flush(), usage;
+  if (!Graph::self_test()) {
+    console.text("error: this board's answers of the policy differ from the generator's\n");
+    return console.flush(), kSelfTestFailed;
+  }
 
   auto& program = target::program_of_run<typename Graph::template Program<HashTrace>>;
   Watch<Graph> watch(options.csv);

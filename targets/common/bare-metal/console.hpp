@@ -11,6 +11,7 @@ namespace eagerx::board {
 
 /// Exit codes, the same numbers as a Linux program's where there is one.
 inline constexpr int kDone = 0;
+inline constexpr int kSelfTestFailed = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kFault = 4;
 
