@@ -1,69 +1,237 @@
-// Panels on Cortex-M with a floating-point unit: eight sums and the eight sums of a group stay in
-// registers, and one instruction loads the eight weights of an input. Products and sums are
-// separate instructions: exact, and on a Cortex-M4 faster than `vmla`, which takes three cycles.
+// Panels on Cortex-M with a floating-point unit: eight sums, the eight sums of a group, eight weights
+// and eight inputs fill its 32 registers, and every load fills eight of them.
+//
+// Written as assembly because compilers do not keep registers in a row. On a Cortex-M4 a product and
+// a sum take one cycle each, and `vmla` takes three; a Cortex-M7 issues one `vmla` a cycle. `vmla`
+// rounds the product before it adds, so both give the same bits.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <eagerx/policy/scalar_kernel.hpp>
+
+// Pastes one instruction for each of eight registers in a row.
+#define EAGERX_POLICY_MULTIPLY(a, b, c, d, e, f, g, h, x) \
+  "vmul.f32 " a ", " a ", " x "\n vmul.f32 " b ", " b ", " x "\n" \
+  "vmul.f32 " c ", " c ", " x "\n vmul.f32 " d ", " d ", " x "\n" \
+  "vmul.f32 " e ", " e ", " x "\n vmul.f32 " f ", " f ", " x "\n" \
+  "vmul.f32 " g ", " g ", " x "\n vmul.f32 " h ", " h ", " x "\n"
+// The first row of a group: its products are the group's sums so far.
+#define EAGERX_POLICY_FIRST_ROW(x) \
+  "vldmia.32 %[w]!, {s8-s15}\n"    \
+  EAGERX_POLICY_MULTIPLY("s8", "s9", "s10", "s11", "s12", "s13", "s14", "s15", x)
+// clang-format off
+#if (__ARM_FP & 8) != 0  // double precision too: Cortex-M7 and later
+#define EAGERX_POLICY_ROW(x)                                              \
+  "vldmia.32 %[w]!, {s16-s23}\n"                                          \
+  "vmla.f32 s8, s16, " x "\n vmla.f32 s9, s17, " x "\n"                   \
+  "vmla.f32 s10, s18, " x "\n vmla.f32 s11, s19, " x "\n"                 \
+  "vmla.f32 s12, s20, " x "\n vmla.f32 s13, s21, " x "\n"                 \
+  "vmla.f32 s14, s22, " x "\n vmla.f32 s15, s23, " x "\n"
+#else
+#define EAGERX_POLICY_ROW(x)                                                                \
+  "vldmia.32 %[w]!, {s16-s23}\n"                                                            \
+  EAGERX_POLICY_MULTIPLY("s16", "s17", "s18", "s19", "s20", "s21", "s22", "s23", x)         \
+  "vadd.f32 s8, s8, s16\n vadd.f32 s9, s9, s17\n vadd.f32 s10, s10, s18\n"                  \
+  "vadd.f32 s11, s11, s19\n vadd.f32 s12, s12, s20\n vadd.f32 s13, s13, s21\n"              \
+  "vadd.f32 s14, s14, s22\n vadd.f32 s15, s15, s23\n"
+#endif
+#define EAGERX_POLICY_END_GROUP                                                             \
+  "vadd.f32 s0, s0, s8\n vadd.f32 s1, s1, s9\n vadd.f32 s2, s2, s10\n"                      \
+  "vadd.f32 s3, s3, s11\n vadd.f32 s4, s4, s12\n vadd.f32 s5, s5, s13\n"                    \
+  "vadd.f32 s6, s6, s14\n vadd.f32 s7, s7, s15\n"
+#define EAGERX_POLICY_REGISTERS                                                             \
+  "s0", "s1", "s2", "s3", "s4", "s5", "s6", "s7", "s8", "s9", "s10", "s11", "s12", "s13",   \
+  "s14", "s15", "s16", "s17", "s18", "s19", "s20", "s21", "s22", "s23", "s24", "s25",       \
+  "s26", "s27", "s28", "s29", "s30", "s31"
+// clang-format on
 
 namespace eagerx::policy {
 
-/// Eight floats that the compiler keeps in registers.
-struct Registers {
-  float v0, v1, v2, v3, v4, v5, v6, v7;
-};
-
-[[gnu::always_inline]] inline Registers load(const float* from) {
-  return {from[0], from[1], from[2], from[3], from[4], from[5], from[6], from[7]};
-}
-
-[[gnu::always_inline]] inline Registers operator+(const Registers& a, const Registers& b) {
-  return {a.v0 + b.v0, a.v1 + b.v1, a.v2 + b.v2, a.v3 + b.v3,
-          a.v4 + b.v4, a.v5 + b.v5, a.v6 + b.v6, a.v7 + b.v7};
-}
-
-/// Eight weights times `x`; moves `w` to the next eight.
-[[gnu::always_inline]] inline Registers row_times(const float*& w, float x) {
-  // `vldmia` fills registers that follow one another, which only fixed ones do.
-  register float w0 asm("s16");
-  register float w1 asm("s17");
-  register float w2 asm("s18");
-  register float w3 asm("s19");
-  register float w4 asm("s20");
-  register float w5 asm("s21");
-  register float w6 asm("s22");
-  register float w7 asm("s23");
-  asm("vldmia.32 %0!, {s16-s23}"
-      : "+r"(w), "=t"(w0), "=t"(w1), "=t"(w2), "=t"(w3), "=t"(w4), "=t"(w5), "=t"(w6), "=t"(w7)
-      : "m"(*reinterpret_cast<const float(*)[kPanel]>(w)));
-  return {w0 * x, w1 * x, w2 * x, w3 * x, w4 * x, w5 * x, w6 * x, w7 * x};
-}
-
-/// One panel. Not inlined, so that all layers of a program share its code.
-[[gnu::noinline]] inline void full_panel(const float* w, const float* b, const float* x, float* y,
-                                         std::size_t inputs) {
-  Registers sum = load(b);
-  const float* const end = x + inputs;
-  while (end - x >= static_cast<std::ptrdiff_t>(kGroup)) {
-    Registers part = row_times(w, *x++);
-#pragma GCC unroll 7
-    for (std::size_t j = 1; j < kGroup; ++j) part = part + row_times(w, *x++);
-    sum = sum + part;
-  }
-  if (x != end) {
-    Registers part = row_times(w, *x++);
-    while (x != end) part = part + row_times(w, *x++);
-    sum = sum + part;
-  }
-  y[0] = sum.v0, y[1] = sum.v1, y[2] = sum.v2, y[3] = sum.v3;
-  y[4] = sum.v4, y[5] = sum.v5, y[6] = sum.v6, y[7] = sum.v7;
+/// All panels of a layer. Not inlined, so that all layers of a program share its code.
+/// w [panels][inputs][8], b and y [panels * 8], x [inputs].
+[[gnu::noinline]] inline void panels_of_layer(const float* w, const float* b, const float* x,
+                                              float* y, std::size_t inputs, std::size_t panels) {
+  const float* const end = b + panels * kPanel;
+  do {
+    const float* in = x;
+    std::size_t groups = inputs / kGroup;
+    std::size_t rest = inputs % kGroup;
+    // clang-format off
+    asm volatile(
+        "vldmia.32 %[b]!, {s0-s7}\n"
+        "cmp %[groups], #0\n"
+        "beq.w 2f\n"
+        "1:\n"
+        "vldmia.32 %[in]!, {s24-s31}\n"
+        EAGERX_POLICY_FIRST_ROW("s24")
+        EAGERX_POLICY_ROW("s25") EAGERX_POLICY_ROW("s26") EAGERX_POLICY_ROW("s27")
+        EAGERX_POLICY_ROW("s28") EAGERX_POLICY_ROW("s29") EAGERX_POLICY_ROW("s30")
+        EAGERX_POLICY_ROW("s31")
+        EAGERX_POLICY_END_GROUP
+        "subs %[groups], #1\n"
+        "bne.w 1b\n"
+        "2:\n"
+        "cmp %[rest], #0\n"
+        "beq.w 5f\n"
+        "vldmia.32 %[in]!, {s24}\n"
+        EAGERX_POLICY_FIRST_ROW("s24")
+        "b 4f\n"
+        "3:\n"
+        "vldmia.32 %[in]!, {s24}\n"
+        EAGERX_POLICY_ROW("s24")
+        "4:\n"
+        "subs %[rest], #1\n"
+        "bne 3b\n"
+        EAGERX_POLICY_END_GROUP
+        "5:\n"
+        "vstmia.32 %[y]!, {s0-s7}\n"
+        : [w] "+r"(w), [b] "+r"(b), [in] "+r"(in), [y] "+r"(y), [groups] "+l"(groups),
+          [rest] "+l"(rest)
+        :
+        : "cc", "memory", EAGERX_POLICY_REGISTERS);
+    // clang-format on
+  } while (b != end);
 }
 
 template <std::size_t In, std::size_t Panels>
 inline void full_panels(const float* w, const float* b, const float* x, float* y) {
-  for (std::size_t k = 0; k < Panels * kPanel; k += kPanel) {
-    full_panel(w + k * In, b + k, x, y + k, In);
+  if constexpr (Panels > 0) panels_of_layer(w, b, x, y, In, Panels);
+}
+
+/// Whole groups of the one output of a layer: `sum` and the products of `groups` groups.
+[[gnu::noinline]] inline float groups_of_output(float sum, const float* w, const float* x,
+                                                std::size_t groups) {
+  register float s asm("s0") = sum;
+  // clang-format off
+  asm volatile(
+      "1:\n"
+      "vldmia.32 %[w]!, {s16-s23}\n"
+      "vldmia.32 %[x]!, {s24-s31}\n"
+      "vmul.f32 s16, s16, s24\n vmul.f32 s17, s17, s25\n vmul.f32 s18, s18, s26\n"
+      "vmul.f32 s19, s19, s27\n vmul.f32 s20, s20, s28\n vmul.f32 s21, s21, s29\n"
+      "vmul.f32 s22, s22, s30\n vmul.f32 s23, s23, s31\n"
+      "vadd.f32 s16, s16, s17\n vadd.f32 s16, s16, s18\n vadd.f32 s16, s16, s19\n"
+      "vadd.f32 s16, s16, s20\n vadd.f32 s16, s16, s21\n vadd.f32 s16, s16, s22\n"
+      "vadd.f32 s16, s16, s23\n"
+      "vadd.f32 %[s], %[s], s16\n"
+      "subs %[groups], #1\n"
+      "bne 1b\n"
+      : [s] "+t"(s), [w] "+r"(w), [x] "+r"(x), [groups] "+l"(groups)
+      :
+      : "cc", "memory", "s16", "s17", "s18", "s19", "s20", "s21", "s22", "s23", "s24", "s25",
+        "s26", "s27", "s28", "s29", "s30", "s31");
+  // clang-format on
+  return s;
+}
+
+template <std::size_t In, std::size_t Width>
+inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
+  if constexpr (Width == 1 && In >= kGroup) {
+    constexpr std::size_t kRest = In % kGroup;
+    float sum[1] = {groups_of_output(b[0], w, x, In / kGroup)};
+    if constexpr (kRest > 0) add_group<1, kRest>(w + (In - kRest), x + (In - kRest), sum);
+    y[0] = sum[0];
+  } else {
+    plain_panel<In, Width>(w, b, x, y);
+  }
+}
+
+/// y = y < 0 ? 0 : y, eight at a time.
+[[gnu::noinline]] inline void relu_eights(float* y, std::size_t eights) {
+#define EAGERX_POLICY_RELU(r) \
+  "vcmp.f32 " r ", #0\n vmrs APSR_nzcv, FPSCR\n it mi\n vmovmi.f32 " r ", %[zero]\n"
+  // clang-format off
+  asm volatile(
+      "1:\n"
+      "vldmia.32 %[y], {s8-s15}\n"
+      EAGERX_POLICY_RELU("s8") EAGERX_POLICY_RELU("s9") EAGERX_POLICY_RELU("s10")
+      EAGERX_POLICY_RELU("s11") EAGERX_POLICY_RELU("s12") EAGERX_POLICY_RELU("s13")
+      EAGERX_POLICY_RELU("s14") EAGERX_POLICY_RELU("s15")
+      "vstmia.32 %[y]!, {s8-s15}\n"
+      "subs %[eights], #1\n"
+      "bne 1b\n"
+      : [y] "+r"(y), [eights] "+l"(eights)
+      : [zero] "t"(0.0F)
+      : "cc", "memory", "s8", "s9", "s10", "s11", "s12", "s13", "s14", "s15");
+  // clang-format on
+#undef EAGERX_POLICY_RELU
+}
+
+/// y = tanh(y) with eagerx::tanh's operations and bits; a third of its instructions is about where
+/// numbers are kept, and NaN passes through by itself.
+[[gnu::noinline]] inline void tanh_range(float* y, std::size_t count) {
+  using Exponential = detail::ExponentialConstants<float>;
+  static constexpr float kConstants[12] = {detail::HyperbolicConstants<float>::kTanhIsOne,
+                                           Exponential::kLog2E,
+                                           FloatFormat<float>::kRounder,
+                                           Exponential::kLn2High,
+                                           Exponential::kLn2Low,
+                                           Exponential::kExpm1[0],
+                                           Exponential::kExpm1[1],
+                                           Exponential::kExpm1[2],
+                                           Exponential::kExpm1[3],
+                                           Exponential::kExpm1[4],
+                                           1.0F,
+                                           2.0F};
+  std::uint32_t word = 0;
+  // clang-format off
+  asm volatile(
+      "vldmia.32 %[constants], {s16-s27}\n"
+      "1:\n"
+      "vldr.32 s0, [%[y]]\n"
+      "vabs.f32 s1, s0\n"
+      "vcmp.f32 s1, s16\n vmrs APSR_nzcv, FPSCR\n it gt\n vmovgt.f32 s1, s16\n"
+      "vadd.f32 s1, s1, s1\n"                          // 2 |y|
+      "vmul.f32 s2, s1, s17\n vadd.f32 s2, s2, s18\n"  // n, in the low bits
+      "vmov %[word], s2\n"
+      "vsub.f32 s2, s2, s18\n"
+      "add %[word], #127\n lsls %[word], #23\n"
+      "vmul.f32 s3, s2, s19\n vsub.f32 s1, s1, s3\n"
+      "vmul.f32 s3, s2, s20\n vsub.f32 s1, s1, s3\n"   // r
+      "vmul.f32 s2, s1, s1\n"
+      "vmul.f32 s3, s21, s1\n vadd.f32 s3, s3, s22\n"
+      "vmul.f32 s3, s3, s1\n vadd.f32 s3, s3, s23\n"
+      "vmul.f32 s3, s3, s1\n vadd.f32 s3, s3, s24\n"
+      "vmul.f32 s3, s3, s1\n vadd.f32 s3, s3, s25\n"
+      "vmul.f32 s3, s2, s3\n vadd.f32 s3, s1, s3\n"    // e^r - 1
+      "vmov s2, %[word]\n"                             // 2^n
+      "vmul.f32 s3, s2, s3\n vsub.f32 s2, s2, s26\n vadd.f32 s3, s3, s2\n"
+      "vadd.f32 s2, s3, s27\n vdiv.f32 s3, s3, s2\n"
+      "vmov %[word], s0\n cmp %[word], #0\n it lt\n vneglt.f32 s3, s3\n"
+      "vstmia.32 %[y]!, {s3}\n"
+      "subs %[count], #1\n"
+      "bne 1b\n"
+      : [y] "+l"(y), [count] "+l"(count), [word] "+l"(word)
+      : [constants] "r"(kConstants)
+      : "cc", "memory", "s0", "s1", "s2", "s3", "s16", "s17", "s18", "s19", "s20", "s21", "s22",
+        "s23", "s24", "s25", "s26", "s27");
+  // clang-format on
+}
+
+/// y = A(y), in a function that all layers share.
+template <Activation A>
+[[gnu::noinline]] void activate_range(float* y, const float* end, float slope) {
+  for (; y != end; ++y) *y = activated<A>(*y, slope);
+}
+
+template <Activation A, std::size_t Out>
+inline void activate_all(float (&y)[Out], float slope) {
+  constexpr std::size_t kEight = 8;
+  if constexpr (A == Activation::relu) {
+    if constexpr (Out >= kEight) relu_eights(y, Out / kEight);
+    for (std::size_t k = Out - Out % kEight; k < Out; ++k) y[k] = activated<A>(y[k], slope);
+  } else if constexpr (A == Activation::tanh) {
+    tanh_range(y, Out);
+  } else {
+    activate_range<A>(y, y + Out, slope);
   }
 }
 
 }  // namespace eagerx::policy
+
+#undef EAGERX_POLICY_MULTIPLY
+#undef EAGERX_POLICY_FIRST_ROW
+#undef EAGERX_POLICY_ROW
+#undef EAGERX_POLICY_END_GROUP
+#undef EAGERX_POLICY_REGISTERS

@@ -21,8 +21,9 @@ inline void add_group(const float* w, const float* x, float (&sum)[Width]) {
   for (std::size_t k = 0; k < Width; ++k) sum[k] = sum[k] + part[k];
 }
 
+/// One panel: w [In][Width], b and y [Width], x [In].
 template <std::size_t In, std::size_t Width>
-inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
+inline void plain_panel(const float* w, const float* b, const float* x, float* y) {
   constexpr std::size_t kRest = In % kGroup;
   float sum[Width];
   for (std::size_t k = 0; k < Width; ++k) sum[k] = b[k];
@@ -33,11 +34,6 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
     add_group<Width, kRest>(w + (In - kRest) * Width, x + (In - kRest), sum);
   }
   for (std::size_t k = 0; k < Width; ++k) y[k] = sum[k];
-}
-
-template <Activation A, std::size_t Out>
-inline void activate_all(float (&y)[Out], float slope) {
-  for (std::size_t k = 0; k < Out; ++k) y[k] = activated<A>(y[k], slope);
 }
 
 }  // namespace eagerx::policy

@@ -86,6 +86,15 @@ TEST(Mutation, ThousandDamagedPpoFiles) {
   for (int i = 0; i < 1000; ++i) check(damaged(good, random));
 }
 
+TEST(Mutation, DamagedFilesOfOtherFormats) {
+  std::mt19937 random(3);
+  for (const char* name : {"sac_64.zip", "ppo_64.safetensors", "ppo_64.npz"}) {
+    const std::string good = file_bytes(name);
+    ASSERT_GT(good.size(), 10000U);
+    for (int i = 0; i < 500; ++i) check(damaged(good, random));
+  }
+}
+
 TEST(Mutation, EveryTruncationOfTheFirstAndLastBytes) {
   const std::string good = file_bytes("sac_64.onnx");
   for (std::size_t length = 0; length < 600; ++length) check(good.substr(0, length));

@@ -1,0 +1,137 @@
+// Instructions of one inference, on an emulated board: with `-icount shift=0` an instruction takes
+// a nanosecond, and SysTick counts in steps of 40 of them.
+#include <bit>
+#include <cstdint>
+#include <targets/common/cortex-m/semihosting.hpp>
+
+#include "networks.hpp"
+
+namespace {
+
+using eagerx::board::semihosting_write;
+
+constexpr std::uint32_t kTimes = 200;
+constexpr std::uint32_t kInstructionsATick = 40;  // 25 MHz
+
+volatile std::uint32_t& system_tick(std::uintptr_t offset) {
+  return *reinterpret_cast<volatile std::uint32_t*>(0xE000E010U + offset);
+}
+
+void print(std::uint32_t number) {
+  char text[12];
+  char* at = text + sizeof text;
+  *--at = '\0';
+  do {
+    *--at = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  semihosting_write(at);
+}
+
+template <class Run>
+[[gnu::noinline]] std::uint32_t instructions(Run&& run) {
+  constexpr std::uint32_t kMost = 0xffffff;
+  system_tick(4) = kMost;
+  system_tick(8) = 0;
+  system_tick(0) = 5;  // processor clock, no interrupt
+  const std::uint32_t start = system_tick(8);
+  for (std::uint32_t i = 0; i < kTimes; ++i) run();
+  const std::uint32_t end = system_tick(8);
+  return static_cast<std::uint32_t>(std::uint64_t{(start - end) & kMost} * kInstructionsATick /
+                                    kTimes);
+}
+
+bool same(float a, float b) {
+  return (a != a && b != b) || std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
+}
+
+/// Layers and activations against plain loops over eagerx's functions: every bit.
+template <eagerx::Activation A, std::size_t In, std::size_t Out>
+bool check() {
+  bench::Draw draw;
+  static eagerx::DenseWeights<In, Out> layer;
+  layer = bench::drawn<In, Out>(draw);
+  bool good = true;
+  for (int round = 0; round < 50; ++round) {
+    float x[In];
+    float y[Out];
+    for (float& value : x) value = draw.next() * static_cast<float>(round);
+    if (round == 1) x[In / 2] = __builtin_nanf("");
+    if (round == 2) x[In / 2] = __builtin_inff();
+    eagerx::dense<A>(layer, x, y, 0.5F);
+    for (std::size_t out = 0; out < Out; ++out) {
+      float sum = layer.b[out];
+      for (std::size_t first = 0; first < In; first += 8) {
+        float part = layer.w[layer.index(out, first)] * x[first];
+        for (std::size_t in = first + 1; in < In && in < first + 8; ++in) {
+          part = part + layer.w[layer.index(out, in)] * x[in];
+        }
+        sum = sum + part;
+      }
+      good = good && same(y[out], eagerx::policy::activated<A>(sum, 0.5F));
+    }
+  }
+  return good;
+}
+
+/// tanh and relu of every 4093rd float.
+bool check_activations() {
+  bool good = true;
+  float y[8];
+  float z[8];
+  for (std::uint64_t word = 0; word <= 0xffffffffU - 8 * 4093; word += 8 * 4093) {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      y[i] = z[i] = std::bit_cast<float>(static_cast<std::uint32_t>(word) + i * 4093U);
+    }
+    eagerx::activate<eagerx::Activation::tanh>(y);
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const float x = z[i];
+      good = good && same(y[i], eagerx::tanh(x));
+      y[i] = x;
+    }
+    eagerx::activate<eagerx::Activation::relu>(y);
+    for (std::uint32_t i = 0; i < 8; ++i) good = good && same(y[i], z[i] < 0.0F ? 0.0F : z[i]);
+  }
+  return good;
+}
+
+bool check_all() {
+  using eagerx::Activation;
+  const bool layers = check<Activation::relu, 3, 64>() && check<Activation::tanh, 17, 24>() &&
+                      check<Activation::identity, 64, 1>() && check<Activation::elu, 9, 11>() &&
+                      check<Activation::relu, 8, 8>() && check<Activation::gelu, 1, 1>() &&
+                      check<Activation::tanh, 31, 13>() && check<Activation::identity, 11, 1>();
+  return layers && check_activations();
+}
+
+template <class Network>
+void measure(const char* name) {
+  static constexpr typename Network::Weights kWeights = Network::make();
+  static const float x[3] = {0.5F, -0.25F, 1.5F};
+  float y[1] = {};
+  semihosting_write(name);
+  semihosting_write(" ");
+  print(instructions([&] { Network::run(kWeights, x, y); }));
+  semihosting_write(" ");
+  print(instructions([&] {
+    float z[1];
+    Network::plain(kWeights, x, z);
+  }));
+  semihosting_write(" ");
+  print(std::bit_cast<std::uint32_t>(y[0]));
+  semihosting_write("\n");
+}
+
+}  // namespace
+
+int main() {
+  if (!check_all()) {
+    semihosting_write("error: the layers have other bits than plain loops\n");
+    eagerx::board::semihosting_exit(1);
+  }
+  measure<bench::Relu64>("relu_64_64");
+  measure<bench::Tanh64>("tanh_64_64");
+  measure<bench::Relu256>("relu_256_256");
+  measure<bench::Relu400>("relu_400_300");
+  eagerx::board::semihosting_exit(0);
+}

@@ -1,0 +1,78 @@
+// The networks that are measured: weights drawn by a fixed rule, the same on every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/policy.hpp>
+
+namespace bench {
+
+/// Numbers in -1/4…1/4 that are exact in float32.
+class Draw {
+ public:
+  constexpr float next() {
+    state_ = state_ * 1664525U + 1013904223U;
+    return static_cast<float>(state_ >> 16U) * 0x1p-17F - 0.25F;
+  }
+
+ private:
+  std::uint32_t state_ = 1;
+};
+
+template <std::size_t In, std::size_t Out>
+constexpr eagerx::DenseWeights<In, Out> drawn(Draw& draw) {
+  eagerx::DenseWeights<In, Out> layer{};
+  for (std::size_t out = 0; out < Out; ++out) {
+    layer.b[out] = draw.next();
+    for (std::size_t in = 0; in < In; ++in) layer.w[layer.index(out, in)] = draw.next();
+  }
+  return layer;
+}
+
+/// 3 -> A -> B -> 1 with activation F.
+template <std::size_t A, std::size_t B, eagerx::Activation F>
+struct Mlp {
+  struct Weights {
+    eagerx::DenseWeights<3, A> first;
+    eagerx::DenseWeights<A, B> second;
+    eagerx::DenseWeights<B, 1> third;
+  };
+  static constexpr Weights make() {
+    Draw draw;
+    return {drawn<3, A>(draw), drawn<A, B>(draw), drawn<B, 1>(draw)};
+  }
+
+  [[gnu::noipa]] static void run(const Weights& weights, const float (&x)[3], float (&y)[1]) {
+    float hidden1[A];
+    float hidden2[B];
+    eagerx::dense<F>(weights.first, x, hidden1);
+    eagerx::dense<F>(weights.second, hidden1, hidden2);
+    eagerx::dense<eagerx::Activation::tanh>(weights.third, hidden2, y);
+  }
+
+  /// Rows of weights, as everybody writes them first.
+  template <std::size_t In, std::size_t Out>
+  static void plain_layer(const eagerx::DenseWeights<In, Out>& layer, const float (&x)[In],
+                          float (&y)[Out]) {
+    for (std::size_t out = 0; out < Out; ++out) {
+      float sum = layer.b[out];
+      for (std::size_t in = 0; in < In; ++in) sum = sum + layer.w[out * In + in] * x[in];
+      y[out] = F == eagerx::Activation::tanh || Out == 1 ? eagerx::tanh(sum)
+                                                         : (sum < 0.0F ? 0.0F : sum);
+    }
+  }
+  [[gnu::noipa]] static void plain(const Weights& weights, const float (&x)[3], float (&y)[1]) {
+    float hidden1[A];
+    float hidden2[B];
+    plain_layer(weights.first, x, hidden1);
+    plain_layer(weights.second, hidden1, hidden2);
+    plain_layer(weights.third, hidden2, y);
+  }
+};
+
+using Relu64 = Mlp<64, 64, eagerx::Activation::relu>;
+using Tanh64 = Mlp<64, 64, eagerx::Activation::tanh>;
+using Relu256 = Mlp<256, 256, eagerx::Activation::relu>;
+using Relu400 = Mlp<400, 300, eagerx::Activation::relu>;
+
+}  // namespace bench

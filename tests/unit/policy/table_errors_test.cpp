@@ -1,0 +1,170 @@
+// Weight files that lie, and pickles that want to run: one error each, that names the culprit.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/unit/policy/onnx_builder.hpp"
+#include "tests/unit/policy/table_builder.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using test::add_linear;
+using test::NamedValues;
+using test::read_bad;
+using test::read_good;
+using test::safetensors;
+using testing::HasSubstr;
+
+void expect(const Diagnostic& diagnostic, const char* code, const char* part) {
+  EXPECT_EQ(diagnostic.code, code) << diagnostic.message;
+  EXPECT_THAT(diagnostic.message, HasSubstr(part));
+}
+
+std::vector<NamedValues> sac() {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "actor.latent_pi.0", 3, 4);
+  add_linear(tensors, "actor.latent_pi.2", 4, 4);
+  add_linear(tensors, "actor.mu", 4, 1);
+  return tensors;
+}
+
+TEST(TableErrors, TheSmallActorIsRead) {
+  const Network network = read_good(safetensors(sac()));
+  EXPECT_EQ(network.layers.size(), 3U);
+  EXPECT_EQ(network.action_kind(), ActionKind::squashed);
+}
+
+TEST(TableErrors, ShapeAgainstData) {
+  auto tensors = sac();
+  tensors[0].shape = {4, 4};
+  expect(read_bad(safetensors(tensors)), "E0614", "`actor.latent_pi.0.weight` of shape [4, 4]");
+}
+
+TEST(TableErrors, HugeDimensions) {
+  auto tensors = sac();
+  tensors[0].shape = {2147483647, 2147483647};
+  expect(read_bad(safetensors(tensors)), "E0614", "`actor.latent_pi.0.weight`");
+}
+
+TEST(TableErrors, NanWeights) {
+  auto tensors = sac();
+  tensors[0].values[5] = std::numeric_limits<float>::quiet_NaN();
+  expect(read_bad(safetensors(tensors)), "E0616", "NaN in tensor `actor.latent_pi.0.weight`");
+}
+
+TEST(TableErrors, MissingTensors) {
+  auto tensors = sac();
+  tensors.erase(tensors.begin() + 4);
+  expect(read_bad(safetensors(tensors)), "E0624", "`actor.mu.weight`");
+  tensors = sac();
+  tensors.erase(tensors.begin() + 3);
+  expect(read_bad(safetensors(tensors)), "E0624", "`actor.latent_pi.2.bias`");
+  tensors.clear();
+  add_linear(tensors, "actor.latent_pi.0", 3, 4);
+  add_linear(tensors, "actor.latent_pi.4", 4, 4);
+  add_linear(tensors, "actor.mu", 4, 1);
+  expect(read_bad(safetensors(tensors)), "E0624", "`actor.latent_pi.2.weight`");
+}
+
+TEST(TableErrors, TwoActors) {
+  auto tensors = sac();
+  add_linear(tensors, "mlp_extractor.policy_net.0", 3, 4);
+  add_linear(tensors, "action_net", 4, 1);
+  expect(read_bad(safetensors(tensors)), "E0625", "two actors: Stable-Baselines3's SAC and");
+  tensors.clear();
+  add_linear(tensors, "first.0", 3, 1);
+  add_linear(tensors, "second.0", 3, 1);
+  expect(read_bad(safetensors(tensors)), "E0625", "`first.…` and `second.…`");
+}
+
+TEST(TableErrors, NoActor) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "embedding", 3, 4);
+  expect(read_bad(safetensors(tensors)), "E0624", "no actor among its 2 tensors");
+}
+
+TEST(TableErrors, LayersThatDoNotFitTogether) {
+  auto tensors = sac();
+  tensors[2] = {"actor.latent_pi.2.weight", {4, 5}, std::vector<float>(20, 1.0F)};
+  expect(read_bad(safetensors(tensors)), "E0618", "multiplies 4 values");
+}
+
+TEST(TableErrors, DescriptionAgainstTensors) {
+  expect(read_bad(safetensors(sac(), R"("algo":"PPO")")), "E0626", "of PPO");
+  expect(read_bad(safetensors(sac(), R"("obs":"a,b")")), "E0626", "takes 2 numbers");
+  expect(read_bad(safetensors(sac(), R"("clip_obs":"-1")")), "E0626", "`clip_obs: -1`");
+  expect(read_bad(safetensors(sac(), R"("activation":"snake")")), "E0626", "`activation: snake`");
+}
+
+TEST(TableErrors, ActivationThatNobodySays) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "actor.0", 3, 4);
+  add_linear(tensors, "actor.2", 4, 1);
+  expect(read_bad(safetensors(tensors)), "E0629", "which activation");
+  const Network network = read_good(safetensors(tensors, R"("activation":"elu")"));
+  EXPECT_EQ(network.layers[0].activation, Activation::elu);
+  EXPECT_EQ(network.layers[0].slope, 1.0F);
+  EXPECT_EQ(network.layers[1].activation, Activation::identity);
+}
+
+TEST(TableErrors, FeaturesExtractor) {
+  auto tensors = sac();
+  add_linear(tensors, "actor.features_extractor.cnn.0", 3, 3);
+  expect(read_bad(safetensors(tensors)), "E0628", "`actor.features_extractor.cnn.0.bias`");
+}
+
+TEST(TableErrors, LayerNormBetweenLinearAndActivation) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "net.0", 3, 4);
+  tensors.push_back({"net.1.weight", {4}, {1, 2, 3, 4}});
+  tensors.push_back({"net.1.bias", {4}, {0, 0, 0, 1}});
+  add_linear(tensors, "net.3", 4, 1);
+  const Network network = read_good(safetensors(tensors, R"("activation":"relu")"));
+  ASSERT_EQ(network.layers.size(), 2U);
+  ASSERT_TRUE(network.layers[0].norm.has_value());
+  EXPECT_THAT(network.layers[0].norm->gamma, testing::ElementsAre(1, 2, 3, 4));
+  EXPECT_EQ(network.layers[0].activation, Activation::relu);
+}
+
+TEST(TableErrors, DqnChoosesByNumber) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "q_net.q_net.0", 3, 4);
+  add_linear(tensors, "q_net.q_net.2", 4, 5);
+  add_linear(tensors, "q_net_target.q_net.0", 3, 4);
+  add_linear(tensors, "q_net_target.q_net.2", 4, 5);
+  EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::argmax);
+}
+
+TEST(Pickle, CodeIsRefusedByName) {
+  std::string bytes = "\x80\x02";
+  bytes += "cos\nsystem\n";
+  bytes += std::string("X\x04\0\0\0true\x85R.", 12);
+  const Diagnostic diagnostic = read_bad(test::zip({{"archive/data.pkl", bytes}}));
+  expect(diagnostic, "E0622", "imports `os.system`");
+  EXPECT_THAT(diagnostic.help, HasSubstr("nothing of it was run"));
+  // The same by protocol 4's way.
+  bytes = std::string("\x80\x04\x8c\x08") + "builtins" + "\x8c\x04" + "eval" + "\x93" + ".";
+  expect(read_bad(test::zip({{"archive/data.pkl", bytes}})), "E0622", "imports `builtins.eval`");
+}
+
+TEST(Pickle, DamageIsRefused) {
+  expect(read_bad(test::zip({{"a/data.pkl", "\x80\x02"}})), "E0623", "ends early");
+  expect(read_bad(test::zip({{"a/data.pkl", "\x80\x02u."}})), "E0623", "is damaged");
+  expect(read_bad(test::zip({{"a/data.pkl", "\x80\x02i."}})), "E0623", "instruction 0x69");
+  expect(read_bad(test::zip({{"a/data.pkl", "\x80\x02}."}})), "E0624", "no actor");
+}
+
+TEST(Archive, DamageIsRefused) {
+  std::string bytes = test::zip({{"a/data.pkl", "\x80\x02}."}});
+  bytes[bytes.find("}.")] = ']';
+  expect(read_bad(bytes), "E0621", "checksum");
+  expect(read_bad(test::zip({{"a/data.pkl", "x"}, {"a/data.pkl", "y"}})), "E0621", "two entries");
+  expect(read_bad(test::zip({{"policy.pth", test::zip({{"a/data.pkl", "\x80\x02}."}})}})), "E0621",
+         "`data` is missing");
+}
+
+}  // namespace
+}  // namespace eagerx::gen
