@@ -228,6 +228,8 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
   GoldenResult result;
   result.rows = rows.observations.size();
   double largest_output = 1.0;
+  double farthest = 0.0;
+  std::size_t farthest_row = 0;
   double largest_action = 1.0;
   // Without statistics a policy is given what was normalised elsewhere.
   const bool normalized_elsewhere = !network.normalization && !rows.normalized.empty();
@@ -243,6 +245,14 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
     if (!(error <= result.ours)) {
       result.ours = error;
       result.worst = i;
+    }
+    const auto& known = rows.outputs.empty() ? rows.outputs_double : rows.outputs;
+    if (!known.empty()) {
+      const double difference = largest_difference(ours, known[i]);
+      if (!(difference <= farthest)) {
+        farthest = difference;
+        farthest_row = i;
+      }
     }
     if (!rows.outputs.empty()) {
       result.theirs = std::max(
@@ -266,8 +276,8 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
     diagnostics
         .error("E0633", mention,
                fmt::format("the policy `{}` does not answer the golden rows `{}`: row {} is "
-                           "{:.2g} off, the rows' own error is {:.2g}, actions are {:.2g} off",
-                           network.file, name, result.worst + 1, result.ours, result.theirs,
+                           "{:.2g} off, and an action is {:.2g} off",
+                           network.file, name, farthest_row + 1, farthest,
                            result.action.value_or(0.0)))
         .help = network.normalization || rows.normalized.empty()
                     ? "these rows are of another policy, or of other statistics"

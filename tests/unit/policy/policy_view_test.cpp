@@ -31,6 +31,7 @@ Network small_network() {
 
 std::string render(const Network& network) {
   kainjow::mustache::data view = policy_view(network);
+  view.set("name", "pendulum");
   view.set("namespace", "pendulum");
   Diagnostics diagnostics;
   const auto text =

@@ -84,6 +84,10 @@ struct Graph {
     return action;
   }
 
+  /// True if this machine computes what the generator computed: the policy's answers, to the bit.
+  static constexpr std::size_t kSelfTestRows = 8;
+  static bool self_test() { return policy::self_test(); }
+
   /// f(name, message, space) for each action.
   template <class F>
   static void for_each_action(Action& action, F&& f) {

@@ -615,13 +615,32 @@ inline constexpr eagerx::DenseWeights<64, 1> kLayer3 = {
 
 // clang-format on
 
-/// The action for one observation, as the network gives it: without scaling or clipping.
+/// The answer to one observation, as the network gives it: without scaling or clipping.
 inline void evaluate(const float (&observation)[kInputs], float (&action)[kOutputs]) {
   float hidden1[64];
   eagerx::dense<eagerx::Activation::relu>(kLayer1, observation, hidden1);
   float hidden2[64];
   eagerx::dense<eagerx::Activation::relu>(kLayer2, hidden1, hidden2);
   eagerx::dense<eagerx::Activation::tanh>(kLayer3, hidden2, action);
+}
+
+// clang-format off
+/// Observations, and the answers that the generator computed for them.
+inline constexpr eagerx::KnownAnswers<kInputs, kOutputs> kSelfTest[8] = {
+    { { -0.5270996F, -0.2614746F, 0.008483887F }, { -0.9826117F } },
+    { { 0.40975952F, -0.8989258F, -0.26098633F }, { -0.6132306F } },
+    { { 0.5494995F, 0.11236572F, -0.967041F }, { -0.7745983F } },
+    { { 0.2784729F, -0.499115F, -0.15527344F }, { -0.6053364F } },
+    { { 0.18136597F, 0.67385864F, -0.5298767F }, { 0.69743264F } },
+    { { 0.9616699F, 0.72177124F, -0.34625244F }, { -0.9127157F } },
+    { { 0.36520386F, 0.06289673F, -0.56814575F }, { -0.7344363F } },
+    { { -0.7909546F, -0.85891724F, -0.36224365F }, { -0.9920584F } },
+};
+// clang-format on
+
+/// True if this machine gives the same answers, to the bit.
+inline bool self_test() {
+  return eagerx::answers(evaluate, kSelfTest);
 }
 
 }  // namespace graphs::pendulum_swing_up::policy
