@@ -20,10 +20,10 @@ struct Options {
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
-  std::string entity;  // info
+  std::string entity;                 // info
   std::string policy, golden;         // policy
   std::string normalize, activation;  // policy
-  bool json = false;   // --diagnostics=json
+  bool json = false;                  // --diagnostics=json
   bool quiet = false;
 };
 

@@ -48,8 +48,8 @@ Message unscaled(Message action, const Space<Message>& space) {
 template <class Message>
 Message choice(const Space<Message>& space, std::size_t index) {
   Message action{};
-  element(action, 0) = static_cast<ScalarOf<Message>>(
-      element(space.low, 0) + static_cast<ScalarOf<Message>>(index));
+  element(action, 0) =
+      static_cast<ScalarOf<Message>>(element(space.low, 0) + static_cast<ScalarOf<Message>>(index));
   return action;
 }
 

@@ -1,9 +1,9 @@
-// Panels on Cortex-M with a floating-point unit: eight sums, the eight sums of a group, eight weights
-// and eight inputs fill its 32 registers, and every load fills eight of them.
+// Panels on Cortex-M with a floating-point unit: eight sums, the eight sums of a group, eight
+// weights and eight inputs fill its 32 registers, and every load fills eight of them.
 //
-// Written as assembly because compilers do not keep registers in a row. On a Cortex-M4 a product and
-// a sum take one cycle each, and `vmla` takes three; a Cortex-M7 issues one `vmla` a cycle. `vmla`
-// rounds the product before it adds, so both give the same bits.
+// Written as assembly because compilers do not keep registers in a row. On a Cortex-M4 a product
+// and a sum take one cycle each, and `vmla` takes three; a Cortex-M7 issues one `vmla` a cycle.
+// `vmla` rounds the product before it adds, so both give the same bits.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,18 @@
 #include <eagerx/policy/scalar_kernel.hpp>
 
 // Pastes one instruction for each of eight registers in a row.
-#define EAGERX_POLICY_MULTIPLY(a, b, c, d, e, f, g, h, x) \
-  "vmul.f32 " a ", " a ", " x "\n vmul.f32 " b ", " b ", " x "\n" \
-  "vmul.f32 " c ", " c ", " x "\n vmul.f32 " d ", " d ", " x "\n" \
-  "vmul.f32 " e ", " e ", " x "\n vmul.f32 " f ", " f ", " x "\n" \
+#define EAGERX_POLICY_MULTIPLY(a, b, c, d, e, f, g, h, x)    \
+  "vmul.f32 " a ", " a ", " x "\n vmul.f32 " b ", " b ", " x \
+  "\n"                                                       \
+  "vmul.f32 " c ", " c ", " x "\n vmul.f32 " d ", " d ", " x \
+  "\n"                                                       \
+  "vmul.f32 " e ", " e ", " x "\n vmul.f32 " f ", " f ", " x \
+  "\n"                                                       \
   "vmul.f32 " g ", " g ", " x "\n vmul.f32 " h ", " h ", " x "\n"
 // The first row of a group: its products are the group's sums so far.
-#define EAGERX_POLICY_FIRST_ROW(x) \
-  "vldmia.32 %[w]!, {s8-s15}\n"    \
-  EAGERX_POLICY_MULTIPLY("s8", "s9", "s10", "s11", "s12", "s13", "s14", "s15", x)
+#define EAGERX_POLICY_FIRST_ROW(x)                                                             \
+  "vldmia.32 %[w]!, {s8-s15}\n" EAGERX_POLICY_MULTIPLY("s8", "s9", "s10", "s11", "s12", "s13", \
+                                                       "s14", "s15", x)
 // clang-format off
 #if (__ARM_FP & 8) != 0  // double precision too: Cortex-M7 and later
 #define EAGERX_POLICY_ROW(x)                                              \

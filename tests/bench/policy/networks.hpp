@@ -57,8 +57,8 @@ struct Mlp {
     for (std::size_t out = 0; out < Out; ++out) {
       float sum = layer.b[out];
       for (std::size_t in = 0; in < In; ++in) sum = sum + layer.w[out * In + in] * x[in];
-      y[out] = F == eagerx::Activation::tanh || Out == 1 ? eagerx::tanh(sum)
-                                                         : (sum < 0.0F ? 0.0F : sum);
+      y[out] =
+          F == eagerx::Activation::tanh || Out == 1 ? eagerx::tanh(sum) : (sum < 0.0F ? 0.0F : sum);
     }
   }
   [[gnu::noipa]] static void plain(const Weights& weights, const float (&x)[3], float (&y)[1]) {
