@@ -50,6 +50,7 @@ class ProgramView {
       rate.set("due", names_.due[r]);
       rate.set("counter", names_.counter[r]);
       rate.set("bit", fmt::format("{}", r));
+      rate.set("rate_type", rate_type(plan_.rates[r].rate_hz));
       View counter = object();
       counter.set("counter", names_.counter[r]);
       rates.push_back(rate);

@@ -28,6 +28,14 @@ inline constexpr bool traces_simulators = requires {
   requires Trace::kSimulators;
 };
 
+/// A trace that holds slots to real time has `static constexpr bool kSlots = true` and
+/// `slot(Rate<...> rate, Seq tick)`, which is called before anything of a slot is calculated, once
+/// for every rate that is due; tick/rate is the same for all of them: when the slot should begin.
+template <class Trace>
+inline constexpr bool waits_for_slots = requires {
+  requires Trace::kSlots;
+};
+
 /// Costs nothing.
 struct NoTrace {
   void episode(std::uint32_t /*index*/) {}

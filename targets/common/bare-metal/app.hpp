@@ -1,5 +1,5 @@
-// The main program of a Cortex-M board that talks through semihosting or a serial port, for any
-// graph.
+// The main program of a board without an operating system that talks through semihosting or a
+// serial port, for any graph.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,12 @@
 #include <cstdint>
 #include <eagerx/trace.hpp>
 #include <string_view>
+#include <targets/common/bare-metal/clock.hpp>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/csv.hpp>
+#include <targets/common/pace.hpp>
 #include <targets/common/run.hpp>
 
 namespace eagerx::board {
@@ -21,8 +23,17 @@ struct Options {
   target::RunPlan plan;
   target::Agent agent = target::Agent::zero;
   Output output = Output::semihosting;
+  target::Pace pace = target::Pace::free;
+  std::uint64_t late_limit = 10;  // late slots in a row that end a paced run
   bool csv = false;
 };
+
+struct BoardClock {
+  static std::uint64_t ticks() { return clock_ticks(); }
+  static void wait_for(std::uint64_t ticks) { wait_for_clock(ticks); }
+  static std::uint64_t hz() { return clock_hz(); }
+};
+using Trace = target::PacedTrace<BoardClock>;
 
 /// Reads the words of the command line after the program's name.
 class OptionParser {
@@ -38,6 +49,10 @@ class OptionParser {
     while (next()) {
       if (word_ == "--csv") {
         options.csv = true;
+      } else if (word_ == "--timing") {
+        options.pace = target::Pace::measured;
+      } else if (word_ == "--pace") {
+        options.pace = target::Pace::paced;
       } else if (!read_value(options)) {
         return false;
       }
@@ -49,12 +64,13 @@ class OptionParser {
  private:
   bool read_value(Options& options) {
     using Setter = bool (OptionParser::*)(Options&) const;
-    const Setter set = word_ == "--episodes" ? &OptionParser::set_episodes
-                       : word_ == "--steps"  ? &OptionParser::set_steps
-                       : word_ == "--seed"   ? &OptionParser::set_seed
-                       : word_ == "--agent"  ? &OptionParser::set_agent
-                       : word_ == "--output" ? &OptionParser::set_output
-                                             : nullptr;
+    const Setter set = word_ == "--episodes"     ? &OptionParser::set_episodes
+                       : word_ == "--steps"      ? &OptionParser::set_steps
+                       : word_ == "--seed"       ? &OptionParser::set_seed
+                       : word_ == "--agent"      ? &OptionParser::set_agent
+                       : word_ == "--output"     ? &OptionParser::set_output
+                       : word_ == "--late-limit" ? &OptionParser::set_late_limit
+                                                 : nullptr;
     return set != nullptr && next() && (this->*set)(options);
   }
 
@@ -71,6 +87,10 @@ class OptionParser {
   bool set_output(Options& options) const {
     options.output = word_ == "uart" ? Output::uart : Output::semihosting;
     return word_ == "uart" || word_ == "semihosting";
+  }
+
+  bool set_late_limit(Options& options) const {
+    return number(options.late_limit) && options.late_limit > 0;
   }
 
   template <class T>
@@ -102,9 +122,12 @@ class Watch {
   using Observation = typename Graph::Observation;
   using Table = target::CsvTable<Graph, Console>;
 
-  explicit Watch(bool csv) : csv_(csv) {}
+  Watch(const Options& options, const Trace& trace)
+      : trace_(trace), late_limit_(options.late_limit), csv_(options.csv) {}
 
-  static bool go_on() { return true; }
+  bool go_on() const { return !too_late(); }
+  /// Only slots with deadlines are ever late.
+  bool too_late() const { return trace_.timing().late_in_a_row >= late_limit_; }
   void reset(std::uint32_t episode, const Observation& observation) const {
     if (!csv_) return;
     if (episode == 0) Table::header(console, observation);
@@ -117,7 +140,9 @@ class Watch {
   std::uint64_t steps() const { return steps_; }
 
  private:
+  const Trace& trace_;
   std::uint64_t steps_ = 0;
+  std::uint64_t late_limit_;
   bool csv_;
 };
 
@@ -127,7 +152,7 @@ inline int wrong_usage(std::string_view about, std::string_view word) {
   console.text(word);
   console.text(
       "\nhelp: [--episodes N] [--steps N] [--seed N] [--agent policy|zero|random] [--csv] "
-      "[--output semihosting|uart]\n");
+      "[--output semihosting|uart] [--timing] [--pace] [--late-limit N]\n");
   return kBadUsage;
 }
 
@@ -159,6 +184,26 @@ void print(std::string_view name, T value, std::string_view unit = "") {
   console.text("\n");
 }
 
+/// Ticks of the clock as nanoseconds, rounded down.
+inline std::uint64_t ns(std::uint64_t ticks) {
+  constexpr std::uint64_t kNsPerSecond = 1'000'000'000;
+  const std::uint64_t hz = clock_hz();
+  return ticks / hz * kNsPerSecond + ticks % hz * kNsPerSecond / hz;
+}
+
+inline void print_timing(const target::Timing& timing, target::Pace pace) {
+  print("clock", clock_hz(), " Hz");
+  print("slots", timing.slots);
+  print("busy least", timing.busy.least, " ticks");
+  print("busy most", timing.busy.most, " ticks");
+  print("busy sum", timing.busy.sum, " ticks");
+  if (pace != target::Pace::paced) return;
+  print("period least", ns(timing.period.least), " ns");
+  print("period most", ns(timing.period.most), " ns");
+  print("late slots", timing.late);
+  print("largest lateness", ns(timing.worst), " ns");
+}
+
 /// The main function: runs the episodes of the command line on this board and prints what came out.
 template <class Graph>
 int run(const char* board) {
@@ -176,12 +221,16 @@ int run(const char* board) {
     return console.flush(), kSelfTestFailed;
   }
 
-  auto& program = target::program_of_run<typename Graph::template Program<HashTrace>>;
-  Watch<Graph> watch(options.csv);
+  auto& program = target::program_of_run<typename Graph::template Program<Trace>>;
+  program.trace.set_pace(options.pace);
+  if (options.pace != target::Pace::free) start_clock();
+  Watch<Graph> watch(options, program.trace);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     return target::act<Graph>(options.agent, key, step, observation);
   };
   target::run_episodes<Graph>(options.plan, program, agent, watch);
+  const bool too_late = watch.too_late();
+  if (too_late) program.step(Graph::zero());
 
   print("graph", Graph::kName);
   print("engine", Graph::kEngine);
@@ -195,11 +244,14 @@ int run(const char* board) {
   target::for_each_fault(program, [](const char* name, std::uint32_t count) {
     if (count > 0) print(name, count);
   });
+  if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);
+  if (too_late)
+    print("error: stopped with the action zero, late slots in a row:", options.late_limit);
   console.text("trace hash 0x");
   console.hex(program.trace.hash());
   console.text("\n");
   console.flush();
-  return kDone;
+  return too_late ? kTooLate : kDone;
 }
 
 }  // namespace eagerx::board

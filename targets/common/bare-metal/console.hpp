@@ -14,6 +14,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kSelfTestFailed = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kFault = 4;
+inline constexpr int kTooLate = 5;
 
 enum class Output : std::uint8_t { semihosting, uart };
 

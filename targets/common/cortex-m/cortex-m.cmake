@@ -12,7 +12,7 @@ function(eagerx_configure_cortex_m executable)
     FOLDER ${arg_FOLDER}
     LINKER_SCRIPT ${here}/cortex-m.ld
     STARTUP ${here}/startup.cpp
-    SOURCES ${here}/faults.cpp ${arg_SOURCES}
+    SOURCES ${here}/faults.cpp ${here}/clock.cpp ${arg_SOURCES}
     STACK ${arg_STACK}
     LINK_OPTIONS --specs=nano.specs)
 endfunction()

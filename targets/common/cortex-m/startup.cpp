@@ -12,6 +12,7 @@ using Handler = void (*)();
 
 void Fault_Handler();         // faults.cpp
 void Unexpected_Interrupt();  // faults.cpp
+void SysTick_Handler();       // clock.cpp
 void Reset_Handler();
 [[noreturn]] void eagerx_start();
 }
@@ -41,6 +42,8 @@ constexpr VectorTable make_vectors() {
                     .usage_fault = Fault_Handler,
                     .others = {}};
   for (Handler& handler : table.others) handler = Unexpected_Interrupt;
+  constexpr std::size_t kSysTick = 15 - 7;
+  table.others[kSysTick] = SysTick_Handler;
   return table;
 }
 

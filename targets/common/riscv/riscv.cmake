@@ -13,7 +13,7 @@ function(eagerx_configure_riscv executable)
     FOLDER ${arg_FOLDER}
     LINKER_SCRIPT ${here}/riscv.ld
     STARTUP ${here}/startup.cpp
-    SOURCES ${here}/traps.cpp ${arg_SOURCES}
+    SOURCES ${here}/traps.cpp ${here}/clock.cpp ${arg_SOURCES}
     STACK ${arg_STACK}
     LINK_OPTIONS -nodefaultlibs)
   target_link_libraries(${executable} PRIVATE -Wl,--start-group -lc -lgcc -Wl,--end-group)

@@ -102,6 +102,13 @@ class Program {
     n20Hz_ += (due & k20Hz) != 0;
     n15Hz_ += (due & k15Hz) != 0;
     n10Hz_ += (due & k10Hz) != 0;
+    if constexpr (eagerx::waits_for_slots<Trace>) {
+      if ((due & k60Hz) != 0) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if ((due & k20Hz) != 0) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if ((due & k15Hz) != 0) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if ((due & k10Hz) != 0) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+    }
     if ((due & k60Hz) != 0) {
       // engine: OdeEngine, graph.yaml:8:1
       {

@@ -60,6 +60,9 @@ class Program {
   template <class Mask>
   void before(const Mask due) {
     n30Hz_ += (due & k30Hz) != 0;
+    if constexpr (eagerx::waits_for_slots<Trace>) {
+      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+    }
     if ((due & k30Hz) != 0) {
       // engine: OdeEngine, graph.yaml:7:1
       {

@@ -1,0 +1,17 @@
+// Time on a board: ticks of a hardware timer since the start of the program, in 64 bits.
+#pragma once
+
+#include <cstdint>
+
+namespace eagerx::board {
+
+/// Starts the timer; the first call of clock_ticks() is near 0.
+void start_clock();
+/// Ticks so far.
+std::uint64_t clock_ticks();
+/// Returns when so many ticks are over, as soon as the core can; at once if they are.
+void wait_for_clock(std::uint64_t ticks);
+/// Ticks a second.
+std::uint64_t clock_hz();
+
+}  // namespace eagerx::board

@@ -1,0 +1,53 @@
+// SysTick as a clock: it counts the core's cycles down from 2^24 - 1, and its exception counts the
+// rounds. Source: ARMv7-M Architecture Reference Manual (DDI 0403E) B3.3.
+#include <targets/common/bare-metal/clock.hpp>
+
+extern "C" void SysTick_Handler();
+
+namespace eagerx::board {
+namespace {
+
+constexpr std::uint32_t kRound = 1U << 24U;
+volatile std::uint32_t rounds = 0;
+
+volatile std::uint32_t& reg(std::uintptr_t address) {
+  return *reinterpret_cast<volatile std::uint32_t*>(address);
+}
+
+}  // namespace
+
+void start_clock() {
+  constexpr std::uint32_t kOnWithExceptionFromCore = 7;
+  reg(0xE000E014) = kRound - 1;  // reload
+  reg(0xE000E018) = 0;           // value: any write makes it 0, and the next tick reloads it
+  reg(0xE000E010) = kOnWithExceptionFromCore;
+}
+
+std::uint64_t clock_ticks() {
+  while (true) {
+    const std::uint32_t round = rounds;
+    const std::uint32_t left = reg(0xE000E018);
+    if (round == rounds) return std::uint64_t{round} * kRound + (kRound - 1 - left);
+  }
+}
+
+void wait_for_clock(std::uint64_t ticks) {
+  constexpr std::uint64_t kNear = kRound / 2;
+  while (clock_ticks() + kNear < ticks) {
+  }
+  // The counter's value at `ticks`: near the end nothing else is read, five instructions a turn.
+  const std::uint32_t end = kRound - 1 - static_cast<std::uint32_t>(ticks % kRound);
+  if (clock_ticks() >= ticks) return;
+  while ((reg(0xE000E018) - end - 1) % kRound < kNear) {
+  }
+}
+
+std::uint64_t clock_hz() {
+  return EAGERX_CLOCK_HZ;
+}
+
+}  // namespace eagerx::board
+
+void SysTick_Handler() {
+  eagerx::board::rounds = eagerx::board::rounds + 1;
+}

@@ -1,0 +1,89 @@
+// Real time on a board: every slot begins at its own deadline, counted from the reset.
+#pragma once
+
+#include <cstdint>
+#include <eagerx/trace.hpp>
+
+namespace eagerx::target {
+
+/// How well the slots of a run kept to their deadlines, in ticks of the clock.
+struct Timing {
+  std::uint64_t slots = 0;          // that had a deadline
+  std::uint64_t late = 0;           // whose deadline was over before the slot before them was done
+  std::uint64_t worst = 0;          // largest lateness
+  std::uint64_t late_in_a_row = 0;  // up to now
+  struct Range {
+    std::uint64_t least = 0, most = 0, sum = 0;
+
+    void add(std::uint64_t value) {
+      least = sum == 0 || value < least ? value : least;
+      most = value > most ? value : most;
+      sum += value;
+    }
+  };
+  Range busy;    // from the beginning of a slot to its end, the agent included
+  Range period;  // from the beginning of a slot to that of the next
+};
+
+/// What to do with the time: nothing, measure, or hold slots to their deadlines.
+enum class Pace : std::uint8_t { free, measured, paced };
+
+/// A trace that folds the hash as HashTrace does and, if told so, waits for the deadline of each
+/// slot. The grid of deadlines stays where it is: lateness does not add up, and a late slot begins
+/// at once. It never sleeps: `wfi` keeps the wrong time under QEMU. `Clock` has static ticks(),
+/// wait_for(ticks) and hz().
+template <class Clock>
+class PacedTrace : public HashTrace {
+ public:
+  static constexpr bool kSlots = true;
+
+  void set_pace(Pace pace) { pace_ = pace; }
+
+  template <class Rate>
+  void slot(Rate /*rate*/, Seq tick) {
+    if (pace_ == Pace::free) return;
+    if (tick == 0) {
+      start_ = Clock::ticks();
+      begun_ = start_;
+      deadline_ = start_;
+      return;
+    }
+    const std::uint64_t deadline = start_ + tick * Rate::den * Clock::hz() / Rate::num;
+    if (deadline == deadline_) return;  // another rate of the same slot
+    deadline_ = deadline;
+    begin_slot(deadline);
+  }
+
+  const Timing& timing() const { return timing_; }
+
+ private:
+  [[gnu::noinline]] void begin_slot(std::uint64_t deadline) {
+    std::uint64_t now = Clock::ticks();
+    ++timing_.slots;
+    timing_.busy.add(now - begun_);
+    if (pace_ == Pace::paced) now = wait_until(deadline, now);
+    timing_.period.add(now - begun_);
+    begun_ = now;
+  }
+
+  std::uint64_t wait_until(std::uint64_t deadline, std::uint64_t now) {
+    if (now > deadline) {
+      ++timing_.late;
+      ++timing_.late_in_a_row;
+      timing_.worst = now - deadline > timing_.worst ? now - deadline : timing_.worst;
+    } else {
+      timing_.late_in_a_row = 0;
+    }
+    if (now >= deadline) return now;
+    Clock::wait_for(deadline);
+    return Clock::ticks();
+  }
+
+  std::uint64_t start_ = 0;
+  std::uint64_t begun_ = 0;
+  std::uint64_t deadline_ = 0;
+  Pace pace_ = Pace::free;
+  Timing timing_;
+};
+
+}  // namespace eagerx::target
