@@ -52,6 +52,7 @@ struct ConfigWriter {
   }
   CppValue operator()(const std::vector<double>& values) const {
     std::vector<std::string> literals;
+    literals.reserve(values.size());
     for (const double value : values) literals.push_back(double_literal(value));
     return {fmt::format("std::array<double, {}>", values.size()),
             fmt::format("{{{}}}", fmt::join(literals, ", "))};

@@ -33,12 +33,14 @@ std::string literal(Float value) {
 
 std::string list_of(const std::vector<double>& values) {
   std::vector<std::string> literals;
+  literals.reserve(values.size());
   for (const double value : values) literals.push_back(literal(value));
   return fmt::format("{}", fmt::join(literals, ", "));
 }
 
 std::string list_of(const std::vector<float>& values) {
   std::vector<std::string> literals;
+  literals.reserve(values.size());
   for (const float value : values) literals.push_back(literal(value) + "F");
   return fmt::format("{}", fmt::join(literals, ", "));
 }

@@ -121,6 +121,7 @@ class WorldCheck {
   /// "angle (2), theta_dot"
   static std::string listed(const std::vector<PolicyContract::Part>& parts) {
     std::vector<std::string> texts;
+    texts.reserve(parts.size());
     for (const auto& part : parts) {
       texts.push_back(part.size == 1 ? part.name : fmt::format("{} ({})", part.name, part.size));
     }

@@ -219,7 +219,7 @@ std::string joined(const std::vector<std::string>& items) {
 
 std::string braced(const std::vector<std::string>& items, std::size_t indent, std::size_t before) {
   constexpr std::size_t kColumns = 100;
-  const std::string line = "{" + joined(items) + "}";
+  std::string line = "{" + joined(items) + "}";
   if (before + line.size() + 1 <= kColumns || items.empty()) return line;  // 1: the semicolon
   const std::string separator = ",\n" + std::string(indent + 4, ' ');
   return fmt::format("{{{}{}}}", separator.substr(1), fmt::join(items, separator));

@@ -1,5 +1,7 @@
 #include "generator/import/rebuilt.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace eagerx::gen {
@@ -17,10 +19,10 @@ std::string Rebuilt::match(const std::string& node) const {
 std::vector<std::string> Rebuilt::sensors(const std::string& node,
                                           const std::string& output) const {
   std::vector<std::string> result;
+  const std::string port = fmt::format("{}.{}", node, output);
   for (const auto& connection : implementation->connections) {
     const auto [section, name] = split_port(connection.to.value);
-    if (connection.from.value == node + "." + output && section == "sensors")
-      result.push_back(name);
+    if (connection.from.value == port && section == "sensors") result.push_back(name);
   }
   std::stable_partition(result.begin(), result.end(), [&](const std::string& sensor) {
     return object.is_selected("sensors", sensor);
@@ -29,9 +31,9 @@ std::vector<std::string> Rebuilt::sensors(const std::string& node,
 }
 
 const ConnectionSpec* Rebuilt::actuator(const std::string& node, const std::string& input) const {
+  const std::string port = fmt::format("{}.{}", node, input);
   for (const auto& connection : implementation->connections) {
-    if (connection.to.value == node + "." + input &&
-        connection.from.value.starts_with("actuators."))
+    if (connection.to.value == port && connection.from.value.starts_with("actuators."))
       return &connection;
   }
   return nullptr;

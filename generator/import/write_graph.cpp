@@ -64,6 +64,7 @@ std::string text_of(const Node& node) {
 
 std::string config_text(const std::vector<Setting>& config) {
   std::vector<std::string> items;
+  items.reserve(config.size());
   for (const auto& setting : config)
     items.push_back(fmt::format("{}: {}", setting.name, text_of(setting.value)));
   return fmt::format("{{{}}}", fmt::join(items, ", "));

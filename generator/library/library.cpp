@@ -68,7 +68,9 @@ void set_include_root(Entity& entity, const fs::path& root) {
 
 /// Implementations that have manifests of their own are the objects' as if they stood there.
 void add_to_object(Library& library, Implementation implementation, Diagnostics& diagnostics) {
-  const auto& [object, engine] = implementation;
+  // No structured binding: clang 14 lets no lambda capture one.
+  const Spanned<std::string>& object = implementation.object;
+  const ObjectEngine& engine = implementation.engine;
   const auto found = library.entities.find(object.value);
   if (found == library.entities.end() || found->second.kind != EntityKind::object) {
     const std::string near = nearest(object.value, library.ids(EntityKind::object));

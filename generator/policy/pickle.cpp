@@ -309,8 +309,7 @@ bool Reader::collect(unsigned char code) {
   switch (code) {
     case 't':   // TUPLE
     case 0x91:  // FROZENSET
-      return pop_to_mark(items) && push_sequence(std::move(items));
-    case 'l':  // LIST
+    case 'l':   // LIST
       return pop_to_mark(items) && push_sequence(std::move(items));
     case 'a':  // APPEND
       return pop(one) && extend({one}, false);

@@ -17,7 +17,7 @@ struct LinuxClock {
   /// Sleeps until an absolute time, so that lateness does not add up. False if a signal came first.
   static bool sleep_until(std::int64_t ns) {
     const timespec until{static_cast<time_t>(ns / kNsPerSecond),
-                         static_cast<long>(ns % kNsPerSecond)};
+                         static_cast<decltype(timespec::tv_nsec)>(ns % kNsPerSecond)};
     return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != EINTR;
   }
 
