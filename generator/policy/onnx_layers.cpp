@@ -141,10 +141,10 @@ OnnxValue add(const OnnxCall& call) {
   return call.misused("that adds a constant to something that is not a product", sum);
 }
 
-OnnxValue activation(const OnnxCall& call, Activation kind) {
+OnnxValue activation(const OnnxCall& call, Activation kind, float slope = 0.0F) {
   const OnnxValue& x = call.input(0);
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
-  return call.data_after(x.step, kind, *x.shape);
+  return call.data_after(x.step, OnnxActivation{kind, slope}, *x.shape);
 }
 
 OnnxValue relu(const OnnxCall& call) {
@@ -152,6 +152,65 @@ OnnxValue relu(const OnnxCall& call) {
 }
 OnnxValue tanh_operator(const OnnxCall& call) {
   return activation(call, Activation::tanh);
+}
+
+OnnxValue elu(const OnnxCall& call) {
+  return activation(call, Activation::elu, call.real("alpha", 1.0F));
+}
+OnnxValue leaky_relu(const OnnxCall& call) {
+  return activation(call, Activation::leaky_relu, call.real("alpha", 0.01F));
+}
+OnnxValue sigmoid(const OnnxCall& call) {
+  return activation(call, Activation::sigmoid);
+}
+OnnxValue softplus(const OnnxCall& call) {
+  return activation(call, Activation::softplus);
+}
+
+/// Opset 20 on.
+OnnxValue gelu(const OnnxCall& call) {
+  const onnx::AttributeProto* how = call.attribute("approximate");
+  const bool by_tanh = how != nullptr && how->s() == "tanh";
+  return activation(call, by_tanh ? Activation::gelu_tanh : Activation::gelu);
+}
+
+/// x sigmoid(x), as torch exports SiLU. Other products are none of ours.
+OnnxValue multiply(const OnnxCall& call) {
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  const std::optional<Dims> shape = broadcast(a.shape, b.shape);
+  if (a.kind == Kind::data && b.kind == Kind::data) {
+    for (const auto& [x, gate] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+      if (gate->step < 0) continue;
+      const OnnxStep& step = call.state().steps[static_cast<std::size_t>(gate->step)];
+      const auto* work = std::get_if<OnnxActivation>(&step.what);
+      if (work != nullptr && work->kind == Activation::sigmoid && step.before == x->step) {
+        return call.data_after(x->step, OnnxActivation{Activation::silu}, *x->shape);
+      }
+    }
+  }
+  return call.misused("that is not x times sigmoid(x)", shape);
+}
+
+/// Over the last axis, which is the only one longer than 1.
+OnnxValue layer_normalization(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const OnnxValue& gamma = call.input(1);
+  const OnnxValue& beta = call.input(2);
+  if (x.kind != Kind::data || gamma.kind != Kind::constant || x.shape->empty()) {
+    return call.misused("without a constant scale", x.shape);
+  }
+  const std::int64_t axis = call.integer("axis", -1);
+  const auto last = static_cast<std::int64_t>(x.shape->size()) - 1;
+  const std::int64_t count = element_count(*x.shape).value_or(0);
+  const bool whole = (axis == -1 || axis == last) && x.shape->back() == count;
+  const bool fits = gamma.constant.dims == Dims{count} &&
+                    (beta.kind == Kind::absent ||
+                     (beta.kind == Kind::constant && beta.constant.dims == Dims{count}));
+  if (!whole || !fits) return call.misused("that does not take all values of a layer", x.shape);
+  OnnxNorm norm{gamma.constant, std::nullopt, call.real("epsilon", 1e-5F)};
+  if (beta.kind == Kind::constant) norm.beta = beta.constant;
+  return call.data_after(x.step, std::move(norm), *x.shape);
 }
 
 /// One bound of a Clip: nothing if there is none, or NaN-free value; `known` is false if computed.
@@ -200,8 +259,20 @@ OnnxValue dropout(const OnnxCall& call) {
 }  // namespace
 
 std::vector<OnnxOperatorEntry> layer_operators() {
-  return {{"Gemm", gemm},          {"MatMul", matmul}, {"Add", add},        {"Relu", relu},
-          {"Tanh", tanh_operator}, {"Clip", clip},     {"Dropout", dropout}};
+  return {{"Gemm", gemm},
+          {"MatMul", matmul},
+          {"Add", add},
+          {"Relu", relu},
+          {"Tanh", tanh_operator},
+          {"Elu", elu},
+          {"LeakyRelu", leaky_relu},
+          {"Sigmoid", sigmoid},
+          {"Softplus", softplus},
+          {"Gelu", gelu},
+          {"Mul", multiply},
+          {"LayerNormalization", layer_normalization},
+          {"Clip", clip},
+          {"Dropout", dropout}};
 }
 
 }  // namespace eagerx::gen

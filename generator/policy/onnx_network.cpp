@@ -12,7 +12,7 @@ constexpr std::size_t kMaxLayers = 256;
 constexpr std::int64_t kMaxParameters = std::int64_t{16} << 20U;  // as many as the file can hold
 
 constexpr const char* kExportHelp =
-    "export the actor alone: Linear layers with ReLU, Tanh or nothing after them";
+    "export the actor alone: Linear layers with LayerNorm or not, and an activation after them";
 
 /// The bias as `outputs` values, with its factor applied; NaN and infinity are caught later.
 std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t outputs,
@@ -74,16 +74,45 @@ std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>&
 }
 
 /// Puts `activation` on the last layer. Only relu after relu changes nothing.
-bool activate(std::vector<DenseLayer>& layers, Activation activation, const std::string& node,
-              PolicyProblem& problem) {
+bool activate(std::vector<DenseLayer>& layers, const OnnxActivation& activation,
+              const std::string& node, PolicyProblem& problem) {
   Activation* before = layers.empty() ? nullptr : &layers.back().activation;
-  const bool same = before != nullptr && *before == activation && activation == Activation::relu;
+  const bool same =
+      before != nullptr && *before == activation.kind && activation.kind == Activation::relu;
   if (before == nullptr || (*before != Activation::identity && !same)) {
     problem = {"E0613", fmt::format("has an activation that follows no layer (node `{}`)", node),
                kExportHelp};
     return false;
   }
-  *before = activation;
+  if (!std::isfinite(activation.slope)) {
+    problem = {"E0616", fmt::format("has an activation without a finite slope (node `{}`)", node),
+               "export the actor again"};
+    return false;
+  }
+  *before = activation.kind;
+  layers.back().slope = activation.slope;
+  return true;
+}
+
+/// Puts a LayerNorm between the last layer and its activation.
+bool normalize(std::vector<DenseLayer>& layers, const OnnxNorm& norm, const std::string& node,
+               PolicyProblem& problem) {
+  DenseLayer* layer = layers.empty() ? nullptr : &layers.back();
+  if (layer == nullptr || layer->norm || layer->activation != Activation::identity ||
+      !(norm.epsilon >= 0.0F)) {
+    problem = {"E0613", fmt::format("has a LayerNorm that follows no layer (node `{}`)", node),
+               kExportHelp};
+    return false;
+  }
+  auto gamma = read_floats(norm.gamma, problem);
+  if (!gamma) return false;
+  std::vector<float> beta(gamma->size(), 0.0F);
+  if (norm.beta) {
+    auto values = read_floats(*norm.beta, problem);
+    if (!values) return false;
+    beta = std::move(*values);
+  }
+  layer->norm = LayerNorm{std::move(*gamma), std::move(beta), norm.epsilon};
   return true;
 }
 
@@ -96,8 +125,14 @@ std::optional<std::vector<DenseLayer>> make_layers(
   if (!path) return std::nullopt;
   std::vector<DenseLayer> layers;
   for (const OnnxStep* step : *path) {
-    if (const auto* activation = std::get_if<Activation>(&step->what); activation != nullptr) {
+    if (const auto* activation = std::get_if<OnnxActivation>(&step->what)) {
       if (!activate(layers, *activation, step->node, problem)) return std::nullopt;
+      continue;
+    }
+    if (const auto* norm = std::get_if<OnnxNorm>(&step->what)) {
+      if (!normalize(layers, *norm, step->node, problem)) return std::nullopt;
+      used.insert(norm->gamma.tensor);
+      if (norm->beta) used.insert(norm->beta->tensor);
       continue;
     }
     const auto& dense = std::get<OnnxDense>(step->what);

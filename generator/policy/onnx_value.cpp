@@ -127,8 +127,7 @@ OnnxValue OnnxCall::misused(const std::string& how, std::optional<Dims> shape) c
                std::move(shape));
 }
 
-OnnxValue OnnxCall::data_after(std::int32_t before, std::variant<OnnxDense, Activation> what,
-                               Dims shape) const {
+OnnxValue OnnxCall::data_after(std::int32_t before, OnnxWork what, Dims shape) const {
   OnnxValue value;
   value.kind = OnnxValue::Kind::data;
   value.shape = std::move(shape);

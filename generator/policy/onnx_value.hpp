@@ -25,11 +25,25 @@ struct OnnxDense {
   float bias_scale = 1.0F;
 };
 
+struct OnnxActivation {
+  Activation kind = Activation::identity;
+  float slope = 0.0F;
+};
+
+/// Normalises all values.
+struct OnnxNorm {
+  OnnxConstant gamma;
+  std::optional<OnnxConstant> beta;
+  float epsilon = 1e-5F;
+};
+
+using OnnxWork = std::variant<OnnxDense, OnnxActivation, OnnxNorm>;
+
 /// One thing that is done to the observation on its way. Steps form a tree: branches share their
 /// start.
 struct OnnxStep {
   std::int32_t before = -1;  // index of the step before, -1 for the observation itself
-  std::variant<OnnxDense, Activation> what;
+  OnnxWork what;
   std::string node;  // printable name
 };
 
@@ -84,8 +98,7 @@ class OnnxCall {
   /// E0613: the operator is known, but not used like this.
   [[nodiscard]] OnnxValue misused(const std::string& how, std::optional<Dims> shape = {}) const;
   /// The observation after one more step.
-  [[nodiscard]] OnnxValue data_after(std::int32_t before, std::variant<OnnxDense, Activation> what,
-                                     Dims shape) const;
+  [[nodiscard]] OnnxValue data_after(std::int32_t before, OnnxWork what, Dims shape) const;
 
  private:
   const onnx::NodeProto& node_;

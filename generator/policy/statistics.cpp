@@ -22,6 +22,30 @@ std::optional<Normalization> checked(Normalization statistics, PolicyProblem& pr
   return statistics;
 }
 
+/// Appends the arrays of one RunningMeanStd. False if they are none.
+bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
+  const PickleValue* mean = pickle.find(rms, "mean");
+  const PickleValue* variance = pickle.find(rms, "var");
+  const auto means = mean != nullptr ? pickle.array(*mean) : std::nullopt;
+  const auto variances = variance != nullptr ? pickle.array(*variance) : std::nullopt;
+  if (!means || !variances) return false;
+  for (const double value : values_of(*means)) statistics.mean.push_back(value);
+  for (const double value : values_of(*variances)) statistics.variance.push_back(value);
+  return true;
+}
+
+/// Of a Box, or of a Dict of them in the order of its names, which is the policy's.
+bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
+  if (rms.kind != PickleValue::Kind::dictionary) return append_rms(pickle, rms, statistics);
+  std::map<std::string, const PickleValue*> parts;
+  for (std::size_t i = 0; i + 1 < rms.items.size(); i += 2) {
+    parts[std::string(pickle.at(rms.items[i]).text)] = &pickle.at(rms.items[i + 1]);
+  }
+  bool good = !parts.empty();
+  for (const auto& [name, part] : parts) good = good && append_rms(pickle, *part, statistics);
+  return good;
+}
+
 std::optional<Normalization> from_pickle(std::string_view bytes, PolicyProblem& problem) {
   const auto pickle = read_pickle(bytes, PickleNames::statistics, problem);
   if (!pickle) return std::nullopt;
@@ -32,17 +56,10 @@ std::optional<Normalization> from_pickle(std::string_view bytes, PolicyProblem& 
   }
   const PickleValue* rms = pickle->find(top, "obs_rms");
   if (rms == nullptr) return unusable(problem, "has no `obs_rms`");
-  const PickleValue* mean = pickle->find(*rms, "mean");
-  const PickleValue* variance = pickle->find(*rms, "var");
-  if (mean == nullptr || variance == nullptr) {
-    return unusable(problem, "has an `obs_rms` without `mean` and `var` (a Dict space?)");
-  }
-  const auto means = pickle->array(*mean);
-  const auto variances = pickle->array(*variance);
-  if (!means || !variances) return unusable(problem, "has statistics that are not arrays");
   Normalization statistics;
-  statistics.mean = values_of(*means);
-  statistics.variance = values_of(*variances);
+  if (!append_all(*pickle, *rms, statistics)) {
+    return unusable(problem, "has an `obs_rms` without arrays `mean` and `var`");
+  }
   const auto clip = pickle->number(pickle->find(top, "clip_obs"));
   const auto epsilon = pickle->number(pickle->find(top, "epsilon"));
   statistics.clip = clip.value_or(statistics.clip);

@@ -2,7 +2,7 @@
 // a nanosecond, and SysTick counts in steps of 40 of them.
 #include <bit>
 #include <cstdint>
-#include <targets/common/cortex-m/semihosting.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
 
 #include "networks.hpp"
 

@@ -144,6 +144,52 @@ TEST(OnnxOperators, OldOpsetsKeepAxesAndBoundsInAttributes) {
   EXPECT_EQ(read_good(builder.bytes()).layers[0].activation, Activation::relu);
 }
 
+TEST(OnnxOperators, OtherActivations) {
+  OnnxBuilder builder(1);
+  const char* before = "observation";
+  const std::vector<std::pair<const char*, Activation>> kinds = {
+      {"Elu", Activation::elu},
+      {"LeakyRelu", Activation::leaky_relu},
+      {"Sigmoid", Activation::sigmoid},
+      {"Softplus", Activation::softplus},
+      {"Gelu", Activation::gelu}};
+  builder.add_tensor("w", {1, 1}, {1});
+  for (const auto& [type, kind] : kinds) {
+    builder.add_node("MatMul", {before, "w"}, (std::string(type) + "_p").c_str());
+    auto& node = builder.add_node(type, {(std::string(type) + "_p").c_str()}, type);
+    if (kind == Activation::elu) OnnxBuilder::set(node, "alpha", 0.5F);
+    before = type;
+  }
+  builder.add_node("Identity", {before}, "action");
+  const Network network = read_good(builder.bytes());
+  ASSERT_EQ(network.layers.size(), kinds.size());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    EXPECT_EQ(network.layers[i].activation, kinds[i].second);
+  }
+  EXPECT_EQ(network.layers[0].slope, 0.5F);
+  EXPECT_EQ(network.layers[1].slope, 0.01F);
+}
+
+TEST(OnnxOperators, SiluAndLayerNorm) {
+  OnnxBuilder builder(2);
+  builder.add_tensor("w", {2, 2}, {1, 2, 3, 4});
+  builder.add_tensor("gamma", {2}, {5, 6});
+  builder.add_tensor("beta", {2}, {7, 8});
+  builder.add_node("MatMul", {"observation", "w"}, "p");
+  OnnxBuilder::set(builder.add_node("LayerNormalization", {"p", "gamma", "beta"}, "n"), "epsilon",
+                   0.5F);
+  builder.add_node("Sigmoid", {"n"}, "gate");
+  builder.add_node("Mul", {"n", "gate"}, "action");
+  const Network network = read_good(builder.bytes());
+  ASSERT_EQ(network.layers.size(), 1U);
+  EXPECT_EQ(network.layers[0].activation, Activation::silu);
+  ASSERT_TRUE(network.layers[0].norm.has_value());
+  EXPECT_THAT(network.layers[0].norm->gamma, ElementsAre(5, 6));
+  EXPECT_THAT(network.layers[0].norm->beta, ElementsAre(7, 8));
+  EXPECT_EQ(network.layers[0].norm->epsilon, 0.5F);
+  EXPECT_TRUE(network.ignored.empty());
+}
+
 TEST(OnnxOperators, ClipBetweenBoundsIsRefused) {
   OnnxBuilder builder = test::two_layers();
   builder.add_tensor("low", {}, {-1});
