@@ -172,7 +172,8 @@ TEST(OnnxErrors, UnsupportedOperatorIsNamedWithTheSupportedOnes) {
   builder.graph().mutable_node(1)->set_op_type("Softsign");
   const Diagnostic diagnostic = read_bad(builder.bytes());
   expect(diagnostic, "E0612", "operator `Softsign`");
-  EXPECT_THAT(diagnostic.help, HasSubstr("Gemm, Identity, MatMul, Relu"));
+  EXPECT_THAT(diagnostic.help,
+              HasSubstr("Gemm, Identity, LayerNormalization, LeakyRelu, MatMul, Mul, Relu"));
 }
 
 TEST(OnnxErrors, OperatorOfAnotherDomain) {

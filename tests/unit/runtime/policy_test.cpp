@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/policy.hpp>
@@ -29,6 +30,29 @@ float plain_sum(const float* weights, const float* x, std::size_t inputs, float 
 float plain_activation(Activation activation, float y) {
   if (activation == Activation::relu) return y < 0.0F ? 0.0F : y;
   return activation == Activation::tanh ? eagerx::tanh(y) : y;
+}
+
+/// Lanes against one number at a time, and both against `exact` in float64.
+template <Activation A, class Exact>
+void compare_activation(double largest_error, Exact&& exact) {
+  constexpr float kSlope = 0.5F;
+  for (int i = -3000; i < 3000; ++i) {
+    float y[11];
+    float x[11];
+    for (int k = 0; k < 11; ++k) y[k] = x[k] = static_cast<float>(i * 11 + k) * 0x1p-10F;
+    eagerx::activate<A>(y, kSlope);
+    for (int k = 0; k < 11; ++k) {
+      const float one = eagerx::policy::activated<A>(x[k], kSlope);
+      ASSERT_EQ(std::bit_cast<std::uint32_t>(y[k]), std::bit_cast<std::uint32_t>(one)) << x[k];
+      const double wanted = exact(static_cast<double>(x[k]));
+      ASSERT_NEAR(static_cast<double>(one), wanted,
+                  largest_error * (1.0 + (wanted < 0 ? -wanted : wanted)))
+          << x[k];
+    }
+  }
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float result = eagerx::policy::activated<A>(nan, kSlope);
+  EXPECT_NE(result, result);
 }
 
 /// Numbers of mixed sign and size, the same on every machine.
@@ -157,6 +181,37 @@ TEST(Policy, PadsOnlyTheLastPanel) {
   using Weights = DenseWeights<3, 10>;
   EXPECT_EQ(Weights::index(7, 2), 2U * 8U + 7U);
   EXPECT_EQ(Weights::index(9, 2), 3U * 8U + 2U * 2U + 1U);
+}
+
+TEST(Activations, AreExactAndTheSameInLanes) {
+  constexpr double kError = 2.5e-7;  // relative to the larger of 1 and the value
+  compare_activation<Activation::elu>(kError,
+                                      [](double x) { return x < 0 ? 0.5 * std::expm1(x) : x; });
+  compare_activation<Activation::leaky_relu>(kError, [](double x) { return x < 0 ? 0.5 * x : x; });
+  compare_activation<Activation::silu>(kError, [](double x) { return x / (1 + std::exp(-x)); });
+  compare_activation<Activation::gelu>(
+      kError, [](double x) { return 0.5 * x * std::erfc(-x * std::sqrt(0.5)); });
+  compare_activation<Activation::gelu_tanh>(kError, [](double x) {
+    return 0.5 * x * (1 + std::tanh(std::sqrt(2 / 3.141592653589793) * (x + 0.044715 * x * x * x)));
+  });
+  compare_activation<Activation::softplus>(
+      kError, [](double x) { return x > 20 ? x : std::log1p(std::exp(x)); });
+  compare_activation<Activation::sigmoid>(kError, [](double x) { return 1 / (1 + std::exp(-x)); });
+}
+
+TEST(LayerNorm, NormalisesAllValues) {
+  const eagerx::NormWeights<4> norm = {{1, 2, 3, 4}, {0, 0, 0, 0.5F}, 0.0F};
+  float y[4] = {1, 3, 1, 3};
+  eagerx::layer_norm(norm, y);
+  EXPECT_EQ(y[0], -1.0F);
+  EXPECT_EQ(y[1], 2.0F);
+  EXPECT_EQ(y[2], -3.0F);
+  EXPECT_EQ(y[3], 4.5F);
+}
+
+TEST(Choice, IsTheFirstOfTheLargest) {
+  EXPECT_EQ(eagerx::argmax({1.0F, 3.0F, 3.0F, 2.0F}), 1U);
+  EXPECT_EQ(eagerx::argmax({-1.0F}), 0U);
 }
 
 }  // namespace
