@@ -8,6 +8,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -24,6 +25,7 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
     const auto found = run.library.targets.find(id);
     if (found != run.library.targets.end()) {
       result.push_back(&found->second);
+      check_system(*run.graph, found->second, run.library, run.diagnostics);
       continue;
     }
     auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));

@@ -6,6 +6,7 @@
 
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_view.hpp"
+#include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -88,6 +89,9 @@ class Emitter {
     }
     view["targets"] = std::move(targets);
     view.set("first", options_.targets.front()->id.value);
+    const auto packages = packages_of(*plan_.graph);
+    view.set("packages",
+             packages.empty() ? View(false) : View(fmt::format("{}", fmt::join(packages, " "))));
     return view;
   }
 

@@ -19,6 +19,9 @@ class ResetView {
     add_delays();
     add_cursors();
     add_reset_nodes();
+    std::vector<std::string> started = {names_.node_member[Graph::kEngine]};
+    started.insert(started.end(), names_.simulator_member.begin(), names_.simulator_member.end());
+    view_.set("start_arguments", joined(started));
     view_.set("uses_states", uses_states_);
     view_.set("ignores_states", !uses_states_);
     const bool keeps = !graph_.objects.empty() || has_delays_ || graph_.has_reset_nodes();
@@ -49,11 +52,8 @@ class ResetView {
   }
 
   void add_engine_states() {
-    View simulators = list(), engine_states = list();
+    View engine_states = list();
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
-      View simulator = object();
-      simulator.set("member", names_.simulator_member[i]);
-      simulators.push_back(simulator);
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
         const std::string field = "states." + names_.object_state[i][s];
         View state = object();
@@ -66,7 +66,6 @@ class ResetView {
         uses_states_ = true;
       }
     }
-    view_.set("simulators", simulators);
     view_["engine_states"] = std::move(engine_states);
   }
 
@@ -81,12 +80,27 @@ class ResetView {
           delays.push_back(names_.delay_member[n][i]);
       }
       View reset = object();
-      reset.set("call", fmt::format("{}.reset({{{}}}{}{})", names_.node_member[n], joined(states),
-                                    delays.empty() ? "" : fmt::format(", {{{}}}", joined(delays)),
-                                    simulator_argument(plan_, names_, n)));
+      reset.set("call", n == Graph::kEngine ? reset_engine(states) : reset_node(n, states, delays));
       resets.push_back(reset);
     }
     view_["resets"] = std::move(resets);
+  }
+
+  std::string reset_node(std::size_t n, const std::vector<std::string>& states,
+                         const std::vector<std::string>& delays) const {
+    return fmt::format("{}.reset({{{}}}{}{})", names_.node_member[n], joined(states),
+                       delays.empty() ? "" : fmt::format(", {{{}}}", joined(delays)),
+                       simulator_argument(plan_, names_, n));
+  }
+
+  /// Whether the engine's reset takes the simulators, too, is for the C++ compiler to see.
+  std::string reset_engine(const std::vector<std::string>& states) const {
+    std::vector<std::string> arguments = {
+        names_.node_member[Graph::kEngine],
+        fmt::format("{}::States{{{}}}", names_.io[Graph::kEngine], joined(states))};
+    const auto& simulators = names_.simulator_member;
+    arguments.insert(arguments.end(), simulators.begin(), simulators.end());
+    return fmt::format("eagerx::reset_engine({})", joined(arguments));
   }
 
   std::string state_argument(std::size_t n, std::size_t s) {

@@ -95,7 +95,9 @@ struct Entity {
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<PortManifest> targets;  // a node with targets is a reset node
   std::vector<ObjectEngine> object_engines;
-  std::string path;          // of the manifest, as messages show it
+  std::vector<std::string> packages;         // pkg-config's names of libraries that it needs
+  std::optional<Spanned<std::string>> system;  // the operating system it needs
+  std::string path;                            // of the manifest, as messages show it
   std::string include_root;  // folder that the include is relative to
 
   [[nodiscard]] const PortManifest* input(std::string_view name) const;
@@ -113,6 +115,7 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       templates;  // template file (full path) → output name
   std::string cmake, toolchain;
+  std::string system;  // its operating system; empty: none
   std::vector<std::string> run;
 };
 

@@ -227,6 +227,8 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.description = text_at(root, "description");
   entity.path = path;
   entity.cpp = read_cpp(root, folder);
+  entity.packages = texts_at(root, "pkg_config");
+  if (const Node* system = root.find("system")) entity.system = {system->text, system->span};
   entity.config = read_parameters(root, diagnostics);
   entity.inputs = read_ports(root, "inputs");
   complete_tick(entity.inputs);
@@ -288,6 +290,7 @@ std::optional<Target> read_target_manifest(const Node& root, const std::string& 
   }
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");
+  target.system = text_at(root, "system");
   target.run = texts_at(root, "run");
   return target;
 }

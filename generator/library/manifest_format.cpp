@@ -84,10 +84,16 @@ Fields common(const std::string& kind) {
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }
 
+FormatPtr system_format() {
+  return format::keyword({"linux"});
+}
+
 Fields cpp() {
   return {
       {"header", format::text("a header beside the manifest"), true, "header beside the manifest"},
-      {"class", format::text("a C++ class template"), true, "C++ class template over its Io"}};
+      {"class", format::text("a C++ class template"), true, "C++ class template over its Io"},
+      {"pkg_config", texts(), false, "pkg-config's names of the libraries that it needs"},
+      {"system", system_format(), false, "the operating system it needs (default: none)"}};
 }
 
 Fields config() {
@@ -170,6 +176,7 @@ FormatPtr target_format() {
                  {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
                  {"flash", texts(), false, "origin and size of the memory for code"},
                  {"ram", texts(), false, "origin and size of the memory for data"},
+                 {"system", system_format(), false, "its operating system (default: none)"},
                  {"run", texts(), false, "command that runs an image"}});
 }
 

@@ -102,6 +102,7 @@ function(_eagerx_generate stamp_variable target graph output board engine paths)
     OUTPUT ${stamp}
     BYPRODUCTS ${output}/CMakeLists.txt ${output}/${board}/main.cpp
     COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} ${options}
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${output} -DSTAMP=${stamp} -P ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${graph} eagerx::eagerx-gen $<TARGET_FILE:eagerx::eagerx-gen>
     DEPFILE ${stamp}.d
@@ -116,7 +117,9 @@ function(_eagerx_build_here target stamp output board board_folder)
   set_source_files_properties(${main} PROPERTIES GENERATED TRUE OBJECT_DEPENDS ${stamp})
   add_executable(${target} ${main} ${stamp})
   target_include_directories(${target} PRIVATE ${output})
-  target_link_libraries(${target} PRIVATE eagerx::runtime)
+  # Which libraries the entities need is known when the graph has been read: EagerxLibraries.cmake writes these.
+  target_compile_options(${target} PRIVATE @${stamp}.cflags)
+  target_link_libraries(${target} PRIVATE eagerx::runtime -Wl,@${stamp}.libs)
   include(${board_folder}/target.cmake)
   eagerx_configure_target(${target})
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE $<TARGET_FILE:${target}>)

@@ -115,6 +115,7 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
     if (options.agent == target::Agent::csv) return table[step];
     return target::act<Graph>(options.agent, key, step, observation);
   };
+  program.warm_up();  // a library may need memory for it, and none afterwards
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
