@@ -1,0 +1,47 @@
+// What the actuators of OpenDynamicsEngine have in common.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+
+namespace eagerx::models {
+
+/// Every tick: Derived::apply(simulator, last action [n]), which is also the output. The engine step
+/// that begins at the time of the tick is the first to use it. At a reset, and as long as no action
+/// has come (skipped connections): `default_action`.
+template <class Io, class Derived>
+class RigidActuator {
+ public:
+  using Simulator = typename Io::Simulator;
+
+  void reset(const typename Io::States& /*states*/, Simulator& simulator) {
+    Derived::apply(simulator, kDefault);
+  }
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out,
+                Simulator& simulator) {
+    const Message action = in.action.empty() ? kDefault : in.action.back();
+    Derived::apply(simulator, action);
+    out.action_applied = action;
+  }
+
+ protected:
+  using Message = typename decltype(Io::Inputs::action)::value_type;
+  static constexpr std::size_t kSize = size_of<Message>;
+
+ private:
+  static_assert(Io::Config::default_action.size() == kSize,
+                "`default_action` must have as many elements as the action");
+
+  static constexpr Message default_message() {
+    Message message{};
+    for (std::size_t i = 0; i < kSize; ++i) {
+      element(message, i) = static_cast<ScalarOf<Message>>(Io::Config::default_action[i]);
+    }
+    return message;
+  }
+  static constexpr Message kDefault = default_message();
+};
+
+}  // namespace eagerx::models

@@ -1,0 +1,485 @@
+// What OpenDynamicsEngine keeps for each object.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <models/engines/open_dynamics_engine/rigid_joints.hpp>
+#include <models/engines/open_dynamics_engine/rigid_world.hpp>
+#include <models/engines/open_dynamics_engine/scene.hpp>
+
+namespace eagerx::models {
+
+/// Position control of a joint; none while stiffness and damping are zero.
+struct JointServo {
+  double position = 0.0;    // [rad, m]
+  double stiffness = 0.0;   // [N·m/rad, N/m]
+  double damping = 0.0;     // [N·m·s/rad, N·s/m]
+  double max_torque = 0.0;  // [N·m, N]
+};
+
+/// Bodies, joints and geometries of one object. Positions of items are those in the model's lists.
+/// Engine states say what is wanted (want_…, parameters); place() brings it about, so that their
+/// order does not matter. Torques and inputs that are not finite count as zero. All bytes are zero
+/// until build().
+template <RigidModel ModelType>
+class OpenDynamicsSimulator {
+ public:
+  using Model = ModelType;
+  using Real = typename Model::Real;
+  static constexpr std::size_t kBodies = Model::kBodies.size();
+  static constexpr std::size_t kJoints = Model::kJoints.size();
+  static constexpr std::size_t kGeometries = Model::kGeometries.size();
+  static_assert(scene::bodies_exist<Model>(),
+                "OpenDynamicsEngine: a joint or geometry of the model names a body that it does not have");
+  static_assert(scene::is_tree<Model>(),
+                "OpenDynamicsEngine: joints must make a tree, with parents before their children");
+
+  static constexpr std::size_t inputs() {
+    if constexpr (requires { Model::kInputs; }) return Model::kInputs;
+    return 0;
+  }
+  static constexpr std::size_t parameter_count() {
+    if constexpr (requires { Model::kParameters; }) return Model::kParameters;
+    return 0;
+  }
+
+  std::array<double, inputs()> input{};                 // as actuate() of the model reads them
+  std::array<double, parameter_count()> parameters{};  // as configure() of the model reads them
+
+  /// Once, in this order, by the engine: build() and, for the reference pose at rest, restart().
+  void build(dWorldID world, dSpaceID space) {
+    world_ = world;
+    for (std::size_t b = 0; b < kBodies; ++b) body_[b] = dBodyCreate(world);
+    for (std::size_t j = 0; j < kJoints; ++j) create_joint(j);
+    for (std::size_t g = 0; g < kGeometries; ++g) create_geometry(g, space);
+    shapes_.begin = shape_.data();
+    shapes_.count = kGeometries;
+    if constexpr (requires { Model::kTouchesItself; }) shapes_.touch_each_other = Model::kTouchesItself;
+  }
+  RigidShapes& shapes() { return shapes_; }
+
+  void restart() {
+    for (std::size_t b = 0; b < kBodies; ++b) {
+      reference_[b] = Model::kBodies[b].position;
+      set_mass(b, Model::kBodies[b].mass, Model::kBodies[b].inertia);
+    }
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      anchor_[j] = Model::kJoints[j].anchor;
+      turns_[j] = 0;
+    }
+    for (std::size_t g = 0; g < kGeometries; ++g) {
+      shape_[g].friction = Model::kGeometries[g].friction;
+      shape_[g].bounce = Model::kGeometries[g].bounce;
+    }
+    if constexpr (parameter_count() > 0) {
+      const auto defaults = Model::default_parameters();
+      for (std::size_t i = 0; i < parameter_count(); ++i)
+        parameters[i] = static_cast<double>(defaults[i]);
+    }
+    input = {};
+    force_ = {};
+    torque_ = {};
+    servo_ = {};
+    reconfigure();
+    for (std::size_t b = 0; b < kBodies; ++b) set_state(b, reference_state(b));
+    place();
+  }
+
+  // ---- what engine states want of the next place()
+
+  void want_joint(std::size_t joint, const JointCoordinates& coordinates) {
+    wanted_joint_[joint] = coordinates;
+    joint_wanted_[joint] = true;
+    placed_ = false;
+  }
+  /// Of a body that no joint holds; the rotation need not have length 1.
+  void want_pose(std::size_t body, const Pose& pose) {
+    wanted_body_[body].position = {{pose[0], pose[1], pose[2]}};
+    wanted_body_[body].rotation = normalised({{pose[3], pose[4], pose[5], pose[6]}});
+    pose_wanted_[body] = true;
+    placed_ = false;
+  }
+  void want_twist(std::size_t body, const Twist& twist) {
+    wanted_body_[body].velocity = {{twist[0], twist[1], twist[2]}};
+    wanted_body_[body].angular_velocity = {{twist[3], twist[4], twist[5]}};
+    twist_wanted_[body] = true;
+    placed_ = false;
+  }
+  /// After `parameters` have been set.
+  void reconfigure() {
+    reconfigured_ = true;
+    placed_ = false;
+  }
+  void set_friction(std::size_t geometry, double friction) {
+    shape_[geometry].friction = eagerx::max(finite(friction), 0.0);
+  }
+  void set_gravity(const Vector3& gravity) {  // of the whole world
+    dWorldSetGravity(world_, finite(gravity[0]), finite(gravity[1]), finite(gravity[2]));
+  }
+
+  // ---- for configure() of the model
+
+  /// Mass [kg] and inertia about the axes through the centre of mass [kg·m²]. What is not positive
+  /// becomes the least that the library can compute with.
+  void set_mass(std::size_t body, double mass, const Vector3& inertia) {
+    constexpr double kLeast = 1e-12;
+    const auto positive = [](double value) { return value > kLeast ? value : kLeast; };
+    dMass all;
+    dMassSetParameters(&all, positive(mass), 0, 0, 0, positive(inertia[0]), positive(inertia[1]),
+                       positive(inertia[2]), 0, 0, 0);
+    dBodySetMass(body_[body], &all);
+  }
+  /// Mass alone; the inertia changes in proportion.
+  void set_mass(std::size_t body, double mass) {
+    const RigidBody& nominal = Model::kBodies[body];
+    set_mass(body, mass, (mass / nominal.mass) * nominal.inertia);
+  }
+  void set_anchor(std::size_t joint, const Vector3& anchor) { anchor_[joint] = anchor; }
+  void set_reference(std::size_t body, const Vector3& position) { reference_[body] = position; }
+
+  // ---- for actuate() of the model, and for engine nodes
+
+  /// Held until it is set again, in place of torques.
+  void set_joint_servo(std::size_t joint, JointServo servo) {
+    servo.position = finite(servo.position);
+    servo_[joint] = servo;
+  }
+  /// Held until it is set again: torque of a hinge about its axis [N·m], force of a slider [N].
+  void set_joint_torque(std::size_t joint, double torque) { torque_[joint] = finite(torque); }
+  double joint_torque(std::size_t joint) const { return torque_[joint]; }
+  /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders).
+  void set_joint_motor(std::size_t joint, double velocity, double torque) {
+    set_parameter(joint, dParamVel, finite(velocity));
+    set_parameter(joint, dParamFMax, eagerx::max(finite(torque), 0.0));
+  }
+  double joint_position(std::size_t joint, std::size_t axis = 0) const {
+    constexpr double kFullTurn = 6.283185307179586;
+    return coordinates(joint).position[axis] + kFullTurn * static_cast<double>(turns_[joint]);
+  }
+  double joint_velocity(std::size_t joint, std::size_t axis = 0) const {
+    return coordinates(joint).velocity[axis];
+  }
+  RigidState state(std::size_t body) const {
+    const dReal* p = dBodyGetPosition(body_[body]);
+    const dReal* q = dBodyGetQuaternion(body_[body]);
+    const dReal* v = dBodyGetLinearVel(body_[body]);
+    const dReal* w = dBodyGetAngularVel(body_[body]);
+    return {{{p[0], p[1], p[2]}}, {{q[0], q[1], q[2], q[3]}}, {{v[0], v[1], v[2]}}, {{w[0], w[1], w[2]}}};
+  }
+  double mass(std::size_t body) const {
+    dMass all;
+    dBodyGetMass(body_[body], &all);
+    return all.mass;
+  }
+  /// In the centre of mass, in the world's axes [N]; held until it is set again.
+  void set_force(std::size_t body, const Vector3& force) {
+    force_[body] = {{finite(force[0]), finite(force[1]), finite(force[2])}};
+  }
+  /// Of all contacts of a geometry in the last step, in the world's axes [N].
+  Vector3 contact_force(std::size_t geometry) const { return shape_[geometry].force; }
+  /// Mean acceleration over the engine's last period without gravity, in the body's axes [m/s²].
+  Vector3 specific_force(std::size_t body) const {
+    dVector3 g;
+    dWorldGetGravity(world_, g);
+    const RigidState now = state(body);
+    const Vector3 change = now.velocity - velocity_before_[body];
+    return rotate(inverse(now.rotation), per_period_ * change - Vector3{{g[0], g[1], g[2]}});
+  }
+
+  // ---- for the engine
+
+  void place() {
+    if (placed_) return;
+    std::array<RigidState, kBodies> before, after;
+    std::array<JointCoordinates, kJoints> at{};
+    for (std::size_t b = 0; b < kBodies; ++b) before[b] = state(b);
+    for (std::size_t j = 0; j < kJoints; ++j) at[j] = joint_wanted_[j] ? finite(wanted_joint_[j]) : present(j);
+    if (reconfigured_) configure();
+    for (std::size_t b = 0; b < kBodies; ++b) after[b] = wanted_state(b, before[b]);
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      const std::size_t child = kChild[j];
+      after[child] = child_state(frame(j), parent(j, after), at[j], parent(j, before), before[child]);
+    }
+    for (std::size_t b = 0; b < kBodies; ++b) set_state(b, after[b]);
+    for (std::size_t j = 0; j < kJoints; ++j) count_turns(j, at[j].position[0]);
+    for (std::size_t b = 0; b < kBodies; ++b) velocity_before_[b] = after[b].velocity;
+    joint_wanted_ = {};
+    pose_wanted_ = {};
+    twist_wanted_ = {};
+    placed_ = true;
+  }
+
+  void begin_tick(double period_s) {
+    per_period_ = 1.0 / period_s;
+    for (std::size_t b = 0; b < kBodies; ++b) velocity_before_[b] = state(b).velocity;
+  }
+  void before_step() {
+    if constexpr (requires { Model::actuate(*this); }) Model::actuate(*this);
+    for (std::size_t b = 0; b < kBodies; ++b) {
+      const Vector3& f = force_[b];
+      dBodyAddForce(body_[b], f[0], f[1], f[2]);
+    }
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      if (servo_[j].max_torque > 0.0) torque_[j] = servo_torque(j);
+      if (torque_[j] != 0.0) apply_torque(j);
+    }
+  }
+  void after_step() {
+    for (std::size_t j = 0; j < kJoints; ++j) {
+      if (Model::kJoints[j].kind == JointKind::hinge) follow_turns(j);
+    }
+  }
+
+ private:
+  static constexpr auto kChild = [] {
+    std::array<std::size_t, kJoints> result{};
+    for (std::size_t j = 0; j < kJoints; ++j)
+      result[j] = scene::find(Model::kBodies, Model::kJoints[j].child);
+    return result;
+  }();
+  static constexpr auto kParent = [] {  // kBodies: the world
+    std::array<std::size_t, kJoints> result{};
+    for (std::size_t j = 0; j < kJoints; ++j)
+      result[j] = scene::find(Model::kBodies, Model::kJoints[j].parent);
+    return result;
+  }();
+
+  static constexpr Vector3 origin() {
+    if constexpr (requires { Model::kOrigin; }) return Model::kOrigin;
+    return {};
+  }
+  static double finite(double value) { return eagerx::isfinite(value) ? value : 0.0; }
+  static JointCoordinates finite(JointCoordinates at) {
+    for (double& value : at.position) value = finite(value);
+    for (double& value : at.velocity) value = finite(value);
+    return at;
+  }
+
+  dBodyID parent_body(std::size_t joint) const {
+    return kParent[joint] < kBodies ? body_[kParent[joint]] : nullptr;
+  }
+  RigidState parent(std::size_t joint, const std::array<RigidState, kBodies>& states) const {
+    return kParent[joint] < kBodies ? states[kParent[joint]] : world_state();
+  }
+  RigidState parent_state(std::size_t joint) const {
+    return kParent[joint] < kBodies ? state(kParent[joint]) : world_state();
+  }
+  static RigidState world_state() { return {.position = origin(), .rotation = kNoRotation}; }
+  RigidState reference_state(std::size_t body) const {
+    return {.position = origin() + reference_[body], .rotation = kNoRotation};
+  }
+  JointFrame frame(std::size_t joint) const {
+    const Vector3 of_parent = kParent[joint] < kBodies ? reference_[kParent[joint]] : Vector3{};
+    return {Model::kJoints[joint], of_parent, reference_[kChild[joint]], anchor_[joint]};
+  }
+  JointCoordinates coordinates(std::size_t joint) const {
+    return joint_coordinates(frame(joint), parent_state(joint), state(kChild[joint]));
+  }
+  JointCoordinates present(std::size_t joint) const {
+    JointCoordinates at = coordinates(joint);
+    at.position[0] = joint_position(joint);
+    return at;
+  }
+  RigidState wanted_state(std::size_t body, RigidState now) const {
+    if (pose_wanted_[body]) {
+      now.position = wanted_body_[body].position;
+      now.rotation = wanted_body_[body].rotation;
+    }
+    if (twist_wanted_[body]) {
+      now.velocity = wanted_body_[body].velocity;
+      now.angular_velocity = wanted_body_[body].angular_velocity;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      now.position[i] = finite(now.position[i]);
+      now.velocity[i] = finite(now.velocity[i]);
+      now.angular_velocity[i] = finite(now.angular_velocity[i]);
+    }
+    return now;
+  }
+
+  void set_state(std::size_t b, const RigidState& to) {
+    const dQuaternion q = {to.rotation[0], to.rotation[1], to.rotation[2], to.rotation[3]};
+    dBodySetPosition(body_[b], to.position[0], to.position[1], to.position[2]);
+    dBodySetQuaternion(body_[b], q);
+    dBodySetLinearVel(body_[b], to.velocity[0], to.velocity[1], to.velocity[2]);
+    const Vector3& w = to.angular_velocity;
+    dBodySetAngularVel(body_[b], w[0], w[1], w[2]);
+    dBodySetForce(body_[b], 0, 0, 0);
+    dBodySetTorque(body_[b], 0, 0, 0);
+  }
+
+  /// The model's masses and anchors. The library takes anchors in the pose of the moment, which has
+  /// to be that of reference.
+  void configure() {
+    if constexpr (requires { Model::configure(*this); }) Model::configure(*this);
+    for (std::size_t b = 0; b < kBodies; ++b) set_state(b, reference_state(b));
+    for (std::size_t j = 0; j < kJoints; ++j) set_anchor(j);
+    reconfigured_ = false;
+  }
+
+  void create_joint(std::size_t j) {
+    switch (Model::kJoints[j].kind) {
+      case JointKind::hinge:
+        joint_[j] = dJointCreateHinge(world_, nullptr);
+        break;
+      case JointKind::slider:
+        joint_[j] = dJointCreateSlider(world_, nullptr);
+        break;
+      case JointKind::universal:
+        joint_[j] = dJointCreateUniversal(world_, nullptr);
+        break;
+      case JointKind::ball:
+        joint_[j] = dJointCreateBall(world_, nullptr);
+        break;
+      case JointKind::fixed:
+        joint_[j] = dJointCreateFixed(world_, nullptr);
+        break;
+    }
+    dJointAttach(joint_[j], body_[kChild[j]], parent_body(j));
+    if (Model::kJoints[j].low > -kUnlimited) set_parameter(j, dParamLoStop, Model::kJoints[j].low);
+    if (Model::kJoints[j].high < kUnlimited) set_parameter(j, dParamHiStop, Model::kJoints[j].high);
+  }
+
+  void set_anchor(std::size_t j) {
+    const Vector3 at = origin() + anchor_[j];
+    const Vector3& axis = Model::kJoints[j].axis;
+    const Vector3& axis2 = Model::kJoints[j].axis2;
+    switch (Model::kJoints[j].kind) {
+      case JointKind::hinge:
+        dJointSetHingeAnchor(joint_[j], at[0], at[1], at[2]);
+        dJointSetHingeAxis(joint_[j], axis[0], axis[1], axis[2]);
+        break;
+      case JointKind::slider:
+        dJointSetSliderAxis(joint_[j], axis[0], axis[1], axis[2]);
+        break;
+      case JointKind::universal:  // the library's first body is the child
+        dJointSetUniversalAnchor(joint_[j], at[0], at[1], at[2]);
+        dJointSetUniversalAxis1(joint_[j], axis2[0], axis2[1], axis2[2]);
+        dJointSetUniversalAxis2(joint_[j], axis[0], axis[1], axis[2]);
+        break;
+      case JointKind::ball:
+        dJointSetBallAnchor(joint_[j], at[0], at[1], at[2]);
+        break;
+      case JointKind::fixed:
+        dJointSetFixed(joint_[j]);
+        break;
+    }
+  }
+
+  void set_parameter(std::size_t j, int parameter, double value) {
+    if (Model::kJoints[j].kind == JointKind::hinge) dJointSetHingeParam(joint_[j], parameter, value);
+    if (Model::kJoints[j].kind == JointKind::slider) dJointSetSliderParam(joint_[j], parameter, value);
+  }
+
+  void create_geometry(std::size_t g, dSpaceID space) {
+    const RigidGeometry& geometry = Model::kGeometries[g];
+    const std::size_t body = scene::find(Model::kBodies, geometry.body);
+    const Vector3& at = geometry.position;
+    const Vector3& size = geometry.size;
+    dGeomID geom = nullptr;
+    switch (geometry.kind) {
+      case ShapeKind::sphere:
+        geom = dCreateSphere(space, size[0]);
+        break;
+      case ShapeKind::box:
+        geom = dCreateBox(space, size[0], size[1], size[2]);
+        break;
+      case ShapeKind::capsule:
+        geom = dCreateCapsule(space, size[0], size[1]);
+        break;
+      case ShapeKind::plane: {
+        const Vector3& n = geometry.axis;
+        geom = dCreatePlane(space, n[0], n[1], n[2], dot(n, origin() + at));
+        break;
+      }
+    }
+    shape_[g].geom = geom;
+    shape_[g].body = body < kBodies ? body_[body] : nullptr;
+    if (geometry.kind == ShapeKind::plane) return;
+    if (body < kBodies) {
+      dGeomSetBody(geom, body_[body]);
+      dGeomSetOffsetPosition(geom, at[0], at[1], at[2]);
+    } else {
+      const Vector3 place = origin() + at;
+      dGeomSetPosition(geom, place[0], place[1], place[2]);
+    }
+  }
+
+  double servo_torque(std::size_t j) const {
+    const JointServo& servo = servo_[j];
+    const double torque = servo.stiffness * (servo.position - joint_position(j)) -
+                          servo.damping * joint_velocity(j);
+    return eagerx::max(-servo.max_torque, eagerx::min(torque, servo.max_torque));
+  }
+
+  void apply_torque(std::size_t j) {
+    const Vector3 axis = rotate(parent_state(j).rotation, Model::kJoints[j].axis);
+    const Vector3 t = torque_[j] * axis;
+    const dBodyID child = body_[kChild[j]];
+    const dBodyID parent = parent_body(j);
+    if (Model::kJoints[j].kind == JointKind::hinge) {
+      dBodyAddTorque(child, t[0], t[1], t[2]);
+      if (parent != nullptr) dBodyAddTorque(parent, -t[0], -t[1], -t[2]);
+    } else if (Model::kJoints[j].kind == JointKind::slider) {
+      const dReal* at = dBodyGetPosition(child);
+      dBodyAddForce(child, t[0], t[1], t[2]);
+      if (parent != nullptr) dBodyAddForceAtPos(parent, -t[0], -t[1], -t[2], at[0], at[1], at[2]);
+    }
+  }
+
+  /// The rotation's w and its part along the axis: an angle of half the size, so that a full circle
+  /// of theirs is two turns of the joint.
+  struct HalfAngle {
+    double cosine, sine;
+  };
+  HalfAngle half_angle(std::size_t j) const {
+    const dReal* q = dBodyGetQuaternion(body_[kChild[j]]);
+    Quaternion turn{{q[0], q[1], q[2], q[3]}};
+    if (kParent[j] < kBodies) turn = product(inverse(state(kParent[j]).rotation), turn);
+    const Vector3& axis = Model::kJoints[j].axis;
+    return {turn[0], turn[1] * axis[0] + turn[2] * axis[1] + turn[3] * axis[2]};
+  }
+  /// angle_about() jumps by two turns where the cosine is negative and the sine changes its sign.
+  void follow_turns(std::size_t j) {
+    const HalfAngle now = half_angle(j);
+    const bool negative = now.sine < 0.0;
+    if (now.cosine < 0.0 && negative != was_negative_[j]) turns_[j] += negative ? 2 : -2;
+    was_negative_[j] = negative;
+  }
+  void count_turns(std::size_t j, double position) {
+    if (Model::kJoints[j].kind != JointKind::hinge) return;
+    constexpr double kTurnsPerRad = 0.15915494309189535;
+    const HalfAngle now = half_angle(j);
+    const double raw = 2.0 * eagerx::atan2(now.sine, now.cosine);
+    turns_[j] = static_cast<std::int64_t>(eagerx::floor((position - raw) * kTurnsPerRad + 0.5));
+    was_negative_[j] = now.sine < 0.0;
+  }
+
+  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+  dWorldID world_ = nullptr;
+  std::array<dBodyID, kBodies> body_{};
+  std::array<dJointID, kJoints> joint_{};
+  std::array<RigidShape, kGeometries> shape_{};
+  RigidShapes shapes_{};
+  std::array<Vector3, kBodies> reference_{};  // centres of mass in the reference pose
+  std::array<Vector3, kJoints> anchor_{};
+  std::array<Vector3, kBodies> force_{};
+  std::array<double, kJoints> torque_{};
+  std::array<JointServo, kJoints> servo_{};
+  std::array<std::int64_t, kJoints> turns_{};
+  std::array<bool, kJoints> was_negative_{};
+  std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
+  double per_period_ = 0.0;
+  std::array<JointCoordinates, kJoints> wanted_joint_{};
+  std::array<RigidState, kBodies> wanted_body_{};
+  std::array<bool, kJoints> joint_wanted_{};
+  std::array<bool, kBodies> pose_wanted_{}, twist_wanted_{};
+  bool reconfigured_ = false;
+  bool placed_ = false;
+};
+
+}  // namespace eagerx::models

@@ -1,0 +1,101 @@
+// Positions and velocities of joints from those of their bodies, and back.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <models/engines/open_dynamics_engine/scene.hpp>
+
+namespace eagerx::models {
+
+/// Where a body is and how it moves, in the world's axes.
+struct RigidState {
+  Vector3 position{};          // of the centre of mass [m]
+  Quaternion rotation{};       // from the reference pose, of length 1
+  Vector3 velocity{};          // of the centre of mass [m/s]
+  Vector3 angular_velocity{};  // [rad/s]
+};
+
+/// Positions and velocities of a joint: one of hinge [rad] and slider [m], two of universal [rad],
+/// none of the others.
+struct JointCoordinates {
+  std::array<double, 2> position{};
+  std::array<double, 2> velocity{};
+};
+
+constexpr std::size_t degrees_of_freedom(JointKind kind) {
+  if (kind == JointKind::universal) return 2;
+  return kind == JointKind::hinge || kind == JointKind::slider ? 1 : 0;
+}
+
+/// A joint between bodies whose centres of mass are at these places in the reference pose.
+struct JointFrame {
+  RigidJoint joint;
+  Vector3 parent, child, anchor;  // in the reference pose
+};
+
+/// Turns of hinges are only known within ±2π.
+constexpr JointCoordinates joint_coordinates(const JointFrame& frame, const RigidState& parent,
+                                             const RigidState& child) {
+  const RigidJoint& joint = frame.joint;
+  const Quaternion back = inverse(parent.rotation);
+  const Quaternion turn = product(back, child.rotation);
+  const Vector3 omega = rotate(back, child.angular_velocity - parent.angular_velocity);
+  JointCoordinates result;
+  if (joint.kind == JointKind::hinge) {
+    result.position[0] = angle_about(turn, joint.axis);
+    result.velocity[0] = dot(joint.axis, omega);
+  } else if (joint.kind == JointKind::slider) {
+    const Vector3 apart = child.position - parent.position;
+    const Vector3 speed =
+        child.velocity - parent.velocity - cross(parent.angular_velocity, apart);
+    result.position[0] = dot(joint.axis, rotate(back, apart) - (frame.child - frame.parent));
+    result.velocity[0] = dot(joint.axis, rotate(back, speed));
+  } else if (joint.kind == JointKind::universal) {
+    const Vector3 third = cross(joint.axis, joint.axis2);
+    const Vector3 moved = rotate(turn, joint.axis2);
+    const Vector3 seen = rotate(inverse(turn), joint.axis);
+    result.position = {eagerx::atan2(dot(third, moved), dot(joint.axis2, moved)),
+                       eagerx::atan2(dot(third, seen), dot(joint.axis, seen))};
+    result.velocity = {dot(joint.axis, omega), dot(moved, omega)};
+  }
+  return result;
+}
+
+/// The child that goes with the parent and these coordinates; a ball joint's child keeps its turn
+/// and angular velocity relative to the parent, which `before` gives.
+constexpr RigidState child_state(const JointFrame& frame, const RigidState& parent,
+                                 const JointCoordinates& at, const RigidState& parent_before,
+                                 const RigidState& before) {
+  const RigidJoint& joint = frame.joint;
+  const Quaternion& base = parent.rotation;
+  Quaternion turn = kNoRotation;
+  Vector3 spin{};          // relative to the parent, in its axes
+  Vector3 shift{}, glide{};  // of a slider
+  if (joint.kind == JointKind::hinge) {
+    turn = rotation(joint.axis, at.position[0]);
+    spin = at.velocity[0] * joint.axis;
+  } else if (joint.kind == JointKind::slider) {
+    shift = at.position[0] * joint.axis;
+    glide = at.velocity[0] * joint.axis;
+  } else if (joint.kind == JointKind::universal) {
+    const Quaternion first = rotation(joint.axis, at.position[0]);
+    turn = product(first, rotation(joint.axis2, at.position[1]));
+    spin = at.velocity[0] * joint.axis + at.velocity[1] * rotate(first, joint.axis2);
+  } else if (joint.kind == JointKind::ball) {
+    const Quaternion back = inverse(parent_before.rotation);
+    turn = product(back, before.rotation);
+    spin = rotate(back, before.angular_velocity - parent_before.angular_velocity);
+  }
+  RigidState child;
+  child.rotation = normalised(product(base, turn));
+  child.angular_velocity = parent.angular_velocity + rotate(base, spin);
+  const Vector3 anchor =
+      parent.position + rotate(base, frame.anchor + shift - frame.parent);
+  child.position = anchor + rotate(child.rotation, frame.child - frame.anchor);
+  child.velocity = parent.velocity + cross(parent.angular_velocity, anchor - parent.position) +
+                   rotate(base, glide) +
+                   cross(child.angular_velocity, child.position - anchor);
+  return child;
+}
+
+}  // namespace eagerx::models
