@@ -74,6 +74,15 @@ std::string Names::unique(const std::string& wanted) {
                             member ? "_" : ""));
 }
 
+std::string Names::unique_with(const std::string& wanted, const std::string& suffix) {
+  for (;;) {
+    std::string name = unique(wanted);
+    if (used_.contains(name + suffix)) continue;
+    unique(name + suffix);
+    return name;
+  }
+}
+
 std::string camel(std::string_view name) {
   std::string result;
   bool up = true;

@@ -14,6 +14,8 @@ namespace eagerx::gen {
 class Names {
  public:
   std::string unique(const std::string& wanted);
+  /// The same, where the name with `suffix` is needed too.
+  std::string unique_with(const std::string& wanted, const std::string& suffix);
 
  private:
   std::map<std::string, int> used_;

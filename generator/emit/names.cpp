@@ -7,6 +7,8 @@ namespace eagerx::gen {
 ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
+  // Each of these has a struct of its own that says what it is compiled for.
+  const auto type = [&](const std::string& wanted) { return types.unique_with(wanted, "Io"); };
   for (const auto& rate : plan.rates) {
     due.push_back("k" + rate_suffix(rate.rate_hz));
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
@@ -33,17 +35,16 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     ring_member.push_back(members.unique(name + "_"));
   }
   for (const auto& object : graph.objects) {
-    simulator_type.push_back(types.unique(camel(object.name) + "Simulator"));
+    simulator_type.push_back(type(camel(object.name) + "Simulator"));
     simulator_member.push_back(members.unique(snake(object.name) + "_simulator_"));
     engine_state_type.emplace_back();
     object_state.emplace_back();
     object_state_processor.emplace_back();
     for (const auto& state : object.states) {
-      engine_state_type.back().push_back(types.unique(camel(object.name) + camel(state.name)));
+      engine_state_type.back().push_back(type(camel(object.name) + camel(state.name)));
       object_state.back().push_back(fields.unique(snake(object.name) + "_" + state.name));
       object_state_processor.back().push_back(
-          state.processor ? types.unique(camel(object.name) + camel(state.name) + "Processor")
-                          : "");
+          state.processor ? type(camel(object.name) + camel(state.name) + "Processor") : "");
     }
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -55,13 +56,12 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     channel.emplace_back(node.outputs.size());
     for (const auto& output : node.outputs) {
       output_processor[n].push_back(
-          output.processor ? types.unique(camel(node.name) + camel(output.name) + "Processor")
-                           : "");
+          output.processor ? type(camel(node.name) + camel(output.name) + "Processor") : "");
     }
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const Input& input = node.inputs[i];
       const std::string port = owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
-      input_processor[n].push_back(input.processor ? types.unique(camel(port) + "Processor") : "");
+      input_processor[n].push_back(input.processor ? type(camel(port) + "Processor") : "");
       const auto count = plan.nodes[n].receptions[i].count;
       const bool counted = count == Reception::Count::delayed || count == Reception::Count::skipped;
       cursor[n].push_back(counted ? members.unique(port + "_cursor_") : "");
@@ -72,8 +72,7 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     }
     for (const auto& target : node.targets) {
       target_processor[n].push_back(
-          target.processor ? types.unique(camel(owner) + camel(target.name) + "TargetProcessor")
-                           : "");
+          target.processor ? type(camel(owner) + camel(target.name) + "TargetProcessor") : "");
     }
     const bool resets = !node.targets.empty();
     targets_member.push_back(resets ? members.unique(owner + "_targets_") : "");
@@ -81,7 +80,7 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     for (const auto& state : node.states) {
       node_state[n].push_back(fields.unique(snake(node.name) + "_" + state.name));
       node_state_processor[n].push_back(
-          state.processor ? types.unique(camel(node.name) + camel(state.name) + "Processor") : "");
+          state.processor ? type(camel(node.name) + camel(state.name) + "Processor") : "");
     }
   }
   Names channels;

@@ -95,10 +95,10 @@ struct Entity {
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<PortManifest> targets;  // a node with targets is a reset node
   std::vector<ObjectEngine> object_engines;
-  std::vector<std::string> packages;         // pkg-config's names of libraries that it needs
+  std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
   std::string path;                            // of the manifest, as messages show it
-  std::string include_root;  // folder that the include is relative to
+  std::string include_root;                    // folder that the include is relative to
 
   [[nodiscard]] const PortManifest* input(std::string_view name) const;
   [[nodiscard]] const PortManifest* output(std::string_view name) const;

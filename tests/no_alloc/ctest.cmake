@@ -4,6 +4,14 @@ if(EAGERX_SANITIZE)
 endif()
 eagerx_add_graph(TARGET no_alloc_swing_up GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml)
 target_sources(no_alloc_swing_up PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
+# A library may allocate before the first step, and not afterwards.
+eagerx_add_graph(TARGET no_alloc_rigid_pendulum GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml
+                 ENGINE OpenDynamicsEngine)
+eagerx_add_graph(TARGET no_alloc_pushed_box GRAPH ${CMAKE_CURRENT_LIST_DIR}/pushed_box.yaml)
+foreach(program rigid_pendulum pushed_box)
+  target_sources(no_alloc_${program} PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
+endforeach()
 add_executable(no_alloc_guard ${CMAKE_CURRENT_LIST_DIR}/guard.cpp ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
 target_link_libraries(no_alloc_guard PRIVATE eagerx_warnings)
-add_test(NAME no_alloc COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:no_alloc_swing_up> $<TARGET_FILE:no_alloc_guard>)
+add_test(NAME no_alloc COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:no_alloc_swing_up> $<TARGET_FILE:no_alloc_guard>
+         $<TARGET_FILE:no_alloc_rigid_pendulum> $<TARGET_FILE:no_alloc_pushed_box>)

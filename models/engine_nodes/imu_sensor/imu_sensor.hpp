@@ -9,8 +9,8 @@
 
 namespace eagerx::models {
 
-/// Every tick: observation [6] := specific force [m/s²] and angular velocity [rad/s], in the axes of
-/// the body.
+/// Every tick: observation [6] := specific force [m/s²] and angular velocity [rad/s], in the axes
+/// of the body.
 template <class Io>
 class ImuSensor {
  public:

@@ -23,11 +23,10 @@ class JointPositionActuator : public RigidActuator<Io, JointPositionActuator<Io>
                   "JointPositionActuator: the action must have one value for each joint");
     for (std::size_t i = 0; i < Joints::kCount; ++i) {
       const auto value = static_cast<double>(element(action, i));
-      simulator.set_joint_servo(Joints::kJoints[i],
-                                {.position = value,
-                                 .stiffness = Io::Config::stiffness,
-                                 .damping = Io::Config::damping,
-                                 .max_torque = Io::Config::max_torque});
+      simulator.set_joint_servo(Joints::kJoints[i], {.position = value,
+                                                     .stiffness = Io::Config::stiffness,
+                                                     .damping = Io::Config::damping,
+                                                     .max_torque = Io::Config::max_torque});
     }
   }
 };

@@ -25,8 +25,8 @@ class JointPositionSensor {
                   "JointPositionSensor: `size` must be how many numbers the joints have together");
     constexpr auto kAxes = Joints::axes();
     for (std::size_t i = 0; i < kAxes.size(); ++i) {
-      element(out.observation, i) = static_cast<ScalarOf<Message>>(
-          simulator.joint_position(kAxes[i].joint, kAxes[i].axis));
+      element(out.observation, i) =
+          static_cast<ScalarOf<Message>>(simulator.joint_position(kAxes[i].joint, kAxes[i].axis));
     }
   }
 };

@@ -1,6 +1,7 @@
 // Sets the input of a model on OpenDynamicsEngine.
 #pragma once
 
+#include <eagerx/math.hpp>
 #include <models/engines/open_dynamics_engine/actuator.hpp>
 
 namespace eagerx::models {
@@ -11,8 +12,9 @@ class ModelInput : public RigidActuator<Io, ModelInput<Io>> {
  public:
   template <class Message>
   static void apply(typename Io::Simulator& simulator, const Message& action) {
-    static_assert(size_of<Message> == Io::Simulator::inputs(),
-                  "ModelInput: the action must have as many elements as the object's model has inputs");
+    static_assert(
+        size_of<Message> == Io::Simulator::inputs(),
+        "ModelInput: the action must have as many elements as the object's model has inputs");
     for (std::size_t i = 0; i < size_of<Message>; ++i) {
       const auto value = static_cast<double>(element(action, i));
       simulator.input[i] = eagerx::isfinite(value) ? value : 0.0;

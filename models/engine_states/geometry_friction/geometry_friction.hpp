@@ -15,7 +15,8 @@ struct GeometryFriction {
     constexpr std::size_t kItem = scene::find(Model::kGeometries, Io::Config::geometry);
     static_assert(kItem < Model::kGeometries.size(),
                   "GeometryFriction: `geometry` is not a geometry of the object's model");
-    static_assert(size_of<typename Io::State> == 1, "GeometryFriction: a coefficient is one number");
+    static_assert(size_of<typename Io::State> == 1,
+                  "GeometryFriction: a coefficient is one number");
     simulator.set_friction(kItem, static_cast<double>(element(value, 0)));
   }
 };

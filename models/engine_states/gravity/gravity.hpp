@@ -15,9 +15,9 @@ struct Gravity {
     if constexpr (kSize == 1) {
       simulator.set_gravity({{0.0, 0.0, -static_cast<double>(element(value, 0))}});
     } else {
-      simulator.set_gravity({{static_cast<double>(element(value, 0)),
-                              static_cast<double>(element(value, 1)),
-                              static_cast<double>(element(value, 2))}});
+      simulator.set_gravity(
+          {{static_cast<double>(element(value, 0)), static_cast<double>(element(value, 1)),
+            static_cast<double>(element(value, 2))}});
     }
   }
 };

@@ -7,9 +7,9 @@
 
 namespace eagerx::models {
 
-/// Every tick: Derived::apply(simulator, last action [n]), which is also the output. The engine step
-/// that begins at the time of the tick is the first to use it. At a reset, and as long as no action
-/// has come (skipped connections): `default_action`.
+/// Every tick: Derived::apply(simulator, last action [n]), which is also the output. The engine
+/// step that begins at the time of the tick is the first to use it. At a reset, and as long as no
+/// action has come (skipped connections): `default_action`.
 template <class Io, class Derived>
 class RigidActuator {
  public:

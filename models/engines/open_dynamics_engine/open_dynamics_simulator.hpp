@@ -32,8 +32,9 @@ class OpenDynamicsSimulator {
   static constexpr std::size_t kBodies = Model::kBodies.size();
   static constexpr std::size_t kJoints = Model::kJoints.size();
   static constexpr std::size_t kGeometries = Model::kGeometries.size();
-  static_assert(scene::bodies_exist<Model>(),
-                "OpenDynamicsEngine: a joint or geometry of the model names a body that it does not have");
+  static_assert(
+      scene::bodies_exist<Model>(),
+      "OpenDynamicsEngine: a joint or geometry of the model names a body that it does not have");
   static_assert(scene::is_tree<Model>(),
                 "OpenDynamicsEngine: joints must make a tree, with parents before their children");
 
@@ -46,7 +47,7 @@ class OpenDynamicsSimulator {
     return 0;
   }
 
-  std::array<double, inputs()> input{};                 // as actuate() of the model reads them
+  std::array<double, inputs()> input{};                // as actuate() of the model reads them
   std::array<double, parameter_count()> parameters{};  // as configure() of the model reads them
 
   /// Once, in this order, by the engine: build() and, for the reference pose at rest, restart().
@@ -57,7 +58,8 @@ class OpenDynamicsSimulator {
     for (std::size_t g = 0; g < kGeometries; ++g) create_geometry(g, space);
     shapes_.begin = shape_.data();
     shapes_.count = kGeometries;
-    if constexpr (requires { Model::kTouchesItself; }) shapes_.touch_each_other = Model::kTouchesItself;
+    if constexpr (requires { Model::kTouchesItself; })
+      shapes_.touch_each_other = Model::kTouchesItself;
   }
   RigidShapes& shapes() { return shapes_; }
 
@@ -132,8 +134,9 @@ class OpenDynamicsSimulator {
                        positive(inertia[2]), 0, 0, 0);
     dBodySetMass(body_[body], &all);
   }
-  /// Mass alone; the inertia changes in proportion.
+  /// Mass alone; the inertia changes in proportion. One that is not positive changes nothing.
   void set_mass(std::size_t body, double mass) {
+    if (!(mass > 0.0) || !eagerx::isfinite(mass)) return;
     const RigidBody& nominal = Model::kBodies[body];
     set_mass(body, mass, (mass / nominal.mass) * nominal.inertia);
   }
@@ -167,7 +170,10 @@ class OpenDynamicsSimulator {
     const dReal* q = dBodyGetQuaternion(body_[body]);
     const dReal* v = dBodyGetLinearVel(body_[body]);
     const dReal* w = dBodyGetAngularVel(body_[body]);
-    return {{{p[0], p[1], p[2]}}, {{q[0], q[1], q[2], q[3]}}, {{v[0], v[1], v[2]}}, {{w[0], w[1], w[2]}}};
+    return {{{p[0], p[1], p[2]}},
+            {{q[0], q[1], q[2], q[3]}},
+            {{v[0], v[1], v[2]}},
+            {{w[0], w[1], w[2]}}};
   }
   double mass(std::size_t body) const {
     dMass all;
@@ -196,12 +202,14 @@ class OpenDynamicsSimulator {
     std::array<RigidState, kBodies> before, after;
     std::array<JointCoordinates, kJoints> at{};
     for (std::size_t b = 0; b < kBodies; ++b) before[b] = state(b);
-    for (std::size_t j = 0; j < kJoints; ++j) at[j] = joint_wanted_[j] ? finite(wanted_joint_[j]) : present(j);
+    for (std::size_t j = 0; j < kJoints; ++j)
+      at[j] = joint_wanted_[j] ? finite(wanted_joint_[j]) : present(j);
     if (reconfigured_) configure();
     for (std::size_t b = 0; b < kBodies; ++b) after[b] = wanted_state(b, before[b]);
     for (std::size_t j = 0; j < kJoints; ++j) {
       const std::size_t child = kChild[j];
-      after[child] = child_state(frame(j), parent(j, after), at[j], parent(j, before), before[child]);
+      after[child] =
+          child_state(frame(j), parent(j, after), at[j], parent(j, before), before[child]);
     }
     for (std::size_t b = 0; b < kBodies; ++b) set_state(b, after[b]);
     for (std::size_t j = 0; j < kJoints; ++j) count_turns(j, at[j].position[0]);
@@ -357,8 +365,7 @@ class OpenDynamicsSimulator {
         break;
       case JointKind::universal:  // the library's first body is the child
         dJointSetUniversalAnchor(joint_[j], at[0], at[1], at[2]);
-        dJointSetUniversalAxis1(joint_[j], axis2[0], axis2[1], axis2[2]);
-        dJointSetUniversalAxis2(joint_[j], axis[0], axis[1], axis[2]);
+        set_universal_axes(joint_[j], axis2, axis);
         break;
       case JointKind::ball:
         dJointSetBallAnchor(joint_[j], at[0], at[1], at[2]);
@@ -369,9 +376,19 @@ class OpenDynamicsSimulator {
     }
   }
 
+  /// The library takes one axis after the other and wants them never to be parallel in between.
+  static void set_universal_axes(dJointID joint, const Vector3& first, const Vector3& second) {
+    const Vector3 between = first + 0.5 * second + 0.25 * cross(first, second);
+    dJointSetUniversalAxis1(joint, between[0], between[1], between[2]);
+    dJointSetUniversalAxis2(joint, second[0], second[1], second[2]);
+    dJointSetUniversalAxis1(joint, first[0], first[1], first[2]);
+  }
+
   void set_parameter(std::size_t j, int parameter, double value) {
-    if (Model::kJoints[j].kind == JointKind::hinge) dJointSetHingeParam(joint_[j], parameter, value);
-    if (Model::kJoints[j].kind == JointKind::slider) dJointSetSliderParam(joint_[j], parameter, value);
+    if (Model::kJoints[j].kind == JointKind::hinge)
+      dJointSetHingeParam(joint_[j], parameter, value);
+    if (Model::kJoints[j].kind == JointKind::slider)
+      dJointSetSliderParam(joint_[j], parameter, value);
   }
 
   void create_geometry(std::size_t g, dSpaceID space) {
@@ -410,8 +427,8 @@ class OpenDynamicsSimulator {
 
   double servo_torque(std::size_t j) const {
     const JointServo& servo = servo_[j];
-    const double torque = servo.stiffness * (servo.position - joint_position(j)) -
-                          servo.damping * joint_velocity(j);
+    const double torque =
+        servo.stiffness * (servo.position - joint_position(j)) - servo.damping * joint_velocity(j);
     return eagerx::max(-servo.max_torque, eagerx::min(torque, servo.max_torque));
   }
 

@@ -46,8 +46,7 @@ constexpr JointCoordinates joint_coordinates(const JointFrame& frame, const Rigi
     result.velocity[0] = dot(joint.axis, omega);
   } else if (joint.kind == JointKind::slider) {
     const Vector3 apart = child.position - parent.position;
-    const Vector3 speed =
-        child.velocity - parent.velocity - cross(parent.angular_velocity, apart);
+    const Vector3 speed = child.velocity - parent.velocity - cross(parent.angular_velocity, apart);
     result.position[0] = dot(joint.axis, rotate(back, apart) - (frame.child - frame.parent));
     result.velocity[0] = dot(joint.axis, rotate(back, speed));
   } else if (joint.kind == JointKind::universal) {
@@ -69,7 +68,7 @@ constexpr RigidState child_state(const JointFrame& frame, const RigidState& pare
   const RigidJoint& joint = frame.joint;
   const Quaternion& base = parent.rotation;
   Quaternion turn = kNoRotation;
-  Vector3 spin{};          // relative to the parent, in its axes
+  Vector3 spin{};            // relative to the parent, in its axes
   Vector3 shift{}, glide{};  // of a slider
   if (joint.kind == JointKind::hinge) {
     turn = rotation(joint.axis, at.position[0]);
@@ -89,12 +88,10 @@ constexpr RigidState child_state(const JointFrame& frame, const RigidState& pare
   RigidState child;
   child.rotation = normalised(product(base, turn));
   child.angular_velocity = parent.angular_velocity + rotate(base, spin);
-  const Vector3 anchor =
-      parent.position + rotate(base, frame.anchor + shift - frame.parent);
+  const Vector3 anchor = parent.position + rotate(base, frame.anchor + shift - frame.parent);
   child.position = anchor + rotate(child.rotation, frame.child - frame.anchor);
   child.velocity = parent.velocity + cross(parent.angular_velocity, anchor - parent.position) +
-                   rotate(base, glide) +
-                   cross(child.angular_velocity, child.position - anchor);
+                   rotate(base, glide) + cross(child.angular_velocity, child.position - anchor);
   return child;
 }
 

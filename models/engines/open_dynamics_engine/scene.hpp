@@ -14,9 +14,9 @@ namespace eagerx::models {
 /// has the axes of the frame.
 struct RigidBody {
   const char* name = "";
-  double mass = 1.0;                     // [kg]
-  Vector3 inertia{{1.0, 1.0, 1.0}};      // about the body's axes through its centre of mass [kg·m²]
-  Vector3 position{};                    // of the centre of mass in the reference pose
+  double mass = 1.0;                 // [kg]
+  Vector3 inertia{{1.0, 1.0, 1.0}};  // about the body's axes through its centre of mass [kg·m²]
+  Vector3 position{};                // of the centre of mass in the reference pose
 };
 
 enum class JointKind : std::uint8_t {
@@ -27,9 +27,9 @@ enum class JointKind : std::uint8_t {
   fixed
 };
 
-/// A joint. Its positions are zero in the reference pose, and positive when the child moves along or
-/// about the axis (right-handed). Joints make a tree: every body is the child of one joint at most,
-/// and parents come first.
+/// A joint. Its positions are zero in the reference pose, and positive when the child moves along
+/// or about the axis (right-handed). Joints make a tree: every body is the child of one joint at
+/// most, and parents come first.
 struct RigidJoint {
   const char* name = "";
   JointKind kind = JointKind::hinge;
@@ -117,9 +117,8 @@ constexpr std::array<std::size_t, Count> find_all(const std::array<Item, N>& ite
                                                   const char* names) {
   std::array<std::size_t, Count> result{};
   std::size_t i = 0;
-  for_each_name(names, [&](const char* name, std::size_t size) {
-    result[i++] = find(items, name, size);
-  });
+  for_each_name(names,
+                [&](const char* name, std::size_t size) { result[i++] = find(items, name, size); });
   return result;
 }
 

@@ -11,8 +11,8 @@ namespace eagerx::models {
 template <class Io>
 struct CartPole {
   using Real = typename Io::Real;
-  static constexpr double kPoleMass = 0.1;                                              // [kg]
-  static constexpr double kHalfLength = 0.5;                                            // [m]
+  static constexpr double kPoleMass = 0.1;                                         // [kg]
+  static constexpr double kHalfLength = 0.5;                                       // [m]
   static constexpr double kInertia = kPoleMass * kHalfLength * kHalfLength / 3.0;  // [kg·m²]
 
   static constexpr std::array<RigidBody, 2> kBodies = {

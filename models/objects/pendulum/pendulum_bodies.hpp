@@ -10,12 +10,13 @@
 
 namespace eagerx::models {
 
-/// A disc on a hinge along y, θ = 0 upright: its centre of mass is l from the shaft, and its inertia
-/// about that centre is J − m·l², so that it is J about the shaft. In each step the DC motor and the
-/// friction of the shaft turn it with
+/// A disc on a hinge along y, θ = 0 upright: its centre of mass is l from the shaft, and its
+/// inertia about that centre is J − m·l², so that it is J about the shaft. In each step the DC
+/// motor and the friction of the shaft turn it with
 ///   K/R·u − (b + K²/R)·ω − c·tanh(d·ω/2)                                              [N·m]
-/// of the step's beginning: the friction, c·d/(2·J) = 500 1/s, wants steps below 2 ms. Parameters and
-/// sources as in PendulumOde. An inertia below m·l² belongs to no rigid body; the least one is taken.
+/// of the step's beginning: the friction, c·d/(2·J) = 500 1/s, wants steps below 2 ms. Parameters
+/// and sources as in PendulumOde. An inertia below m·l² belongs to no rigid body; the least one is
+/// taken.
 template <class Io>
 struct PendulumBodies {
   using Real = typename Io::Real;

@@ -6,8 +6,8 @@
 
 namespace eagerx::models {
 
-/// Two uniform rods in the plane y = 0 on hinges along y. Positions are zero when both stand upright;
-/// that of the elbow is relative to the upper arm.
+/// Two uniform rods in the plane y = 0 on hinges along y. Positions are zero when both stand
+/// upright; that of the elbow is relative to the upper arm.
 template <class Io>
 struct TwoLinkArm {
   using Real = typename Io::Real;
@@ -25,12 +25,11 @@ struct TwoLinkArm {
   static constexpr std::array<RigidBody, 2> kBodies = {
       {rod("upper_arm", Io::Config::masses[0], kUpperLength, 0.0),
        rod("lower_arm", Io::Config::masses[1], kLowerLength, kUpperLength)}};
-  static constexpr std::array<RigidJoint, 2> kJoints = {
-      {{.name = "shoulder", .child = "upper_arm"},
-       {.name = "elbow",
-        .parent = "upper_arm",
-        .child = "lower_arm",
-        .anchor = {{0.0, 0.0, kUpperLength}}}}};
+  static constexpr std::array<RigidJoint, 2> kJoints = {{{.name = "shoulder", .child = "upper_arm"},
+                                                         {.name = "elbow",
+                                                          .parent = "upper_arm",
+                                                          .child = "lower_arm",
+                                                          .anchor = {{0.0, 0.0, kUpperLength}}}}};
   static constexpr std::array<RigidGeometry, 0> kGeometries = {};
 };
 
