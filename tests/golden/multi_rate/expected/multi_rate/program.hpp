@@ -9,6 +9,7 @@
 
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
+#include <eagerx/engine.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -22,6 +23,10 @@ class Program {
  public:
   [[no_unique_address]] Trace trace;
 
+  /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
+  /// reset does it if nobody has.
+  void warm_up() { eagerx::start(engine_, left_simulator_, right_simulator_); }
+
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) {
     n60Hz_ = 0;
@@ -31,8 +36,7 @@ class Program {
     n10Hz_ = 0;
     slot_ = 0;
     if (!started_) {
-      left_simulator_.reset();
-      right_simulator_.reset();
+      warm_up();
       started_ = true;
     }
     if (states.left_model_state)
@@ -47,7 +51,7 @@ class Program {
       RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
     if (states.right_length)
       RightLength::reset(*states.right_length, right_simulator_);
-    engine_.reset({});
+    eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);

@@ -9,6 +9,7 @@
 
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
+#include <eagerx/engine.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -22,16 +23,20 @@ class Program {
  public:
   [[no_unique_address]] Trace trace;
 
+  /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
+  /// reset does it if nobody has.
+  void warm_up() { eagerx::start(engine_, pendulum_simulator_); }
+
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) {
     n30Hz_ = 0;
     if (!started_) {
-      pendulum_simulator_.reset();
+      warm_up();
       started_ = true;
     }
     if (states.pendulum_model_state)
       PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
-    engine_.reset({});
+    eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
