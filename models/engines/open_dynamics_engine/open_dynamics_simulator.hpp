@@ -127,7 +127,6 @@ class OpenDynamicsSimulator {
   /// Mass [kg] and inertia about the axes through the centre of mass [kg·m²]. What is not positive
   /// becomes the least that the library can compute with.
   void set_mass(std::size_t body, double mass, const Vector3& inertia) {
-    constexpr double kLeast = 1e-12;
     const auto positive = [](double value) { return value > kLeast ? value : kLeast; };
     dMass all;
     dMassSetParameters(&all, positive(mass), 0, 0, 0, positive(inertia[0]), positive(inertia[1]),
@@ -475,6 +474,7 @@ class OpenDynamicsSimulator {
     was_negative_[j] = now.sine < 0.0;
   }
 
+  static constexpr double kLeast = 1e-12;
   static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
   dWorldID world_ = nullptr;

@@ -63,8 +63,7 @@ class RigidWorld {
 
   void create(const RigidWorldSettings& settings) {
     // The library is set up once in a process, and stays.
-    static const bool library =
-        dInitODE2(0) != 0 && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+    static const bool library = dInitODE2(0) != 0 && dAllocateODEDataForThread(~0U) != 0;
     static_cast<void>(library);
     settings_ = settings;
     world_ = dWorldCreate();

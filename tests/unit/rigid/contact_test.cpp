@@ -101,7 +101,7 @@ TEST(Box, StatesChangeMassFrictionAndGravity) {
 TEST(Box, NumbersThatAreNoneDoNotReachTheLibrary) {
   auto& scene = resting();
   const double nan = std::nan("");
-  scene.simulator.set_force(0, {{nan, INFINITY, 0.0}});
+  scene.simulator.set_force(0, {{nan, HUGE_VAL, 0.0}});
   scene.simulator.want_pose(0, {{nan, 0.0, 0.05, nan, 0.0, 0.0, 0.0}});
   scene.simulator.set_friction(0, nan);
   scene.simulator.set_mass(0, nan);
