@@ -247,7 +247,7 @@ class Connector {
     }
     auto& problem = diagnostics().error(
         "E0309", text.span, fmt::format("there is nothing called `{}` in this graph", port.owner));
-    const std::string near = nearest(port.owner, known);
+    std::string near = nearest(port.owner, known);
     problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
                                 : fmt::format("did you mean `{}.{}`?", near, port.name);
     return near;

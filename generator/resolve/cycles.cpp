@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "generator/resolve/draft.hpp"
 
@@ -59,9 +60,9 @@ class CycleFinder {
 
   void note_cycle(std::size_t back_to) {
     std::vector<std::size_t> cycle;
-    for (auto frame = stack_.rbegin(); frame != stack_.rend(); ++frame) {
-      cycle.push_back(frame->node);
-      if (frame->node == back_to) break;
+    for (const Frame& frame : std::ranges::reverse_view(stack_)) {
+      cycle.push_back(frame.node);
+      if (frame.node == back_to) break;
     }
     std::reverse(cycle.begin(), cycle.end());
     cycles_.push_back(std::move(cycle));

@@ -23,6 +23,7 @@ bool report_unknown(const std::optional<std::vector<ComponentSpec>>& components,
   if (!components) return false;
   const std::size_t errors_before = diagnostics.error_count();
   std::vector<std::string> known;
+  known.reserve(ports.size());
   for (const auto& port : ports) known.push_back(port.name.value);
   for (const auto& component : *components) {
     if (std::find(known.begin(), known.end(), component.name.value) != known.end()) continue;

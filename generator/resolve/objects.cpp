@@ -99,6 +99,7 @@ class ObjectBuilder {
                       std::string_view what) {
     if (!chosen) return false;
     std::vector<std::string> known;
+    known.reserve(ports.size());
     for (const auto& port : ports) known.push_back(port.name.value);
     bool any = false;
     for (const auto& item : *chosen) {
