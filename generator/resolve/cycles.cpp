@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 #include "generator/resolve/draft.hpp"
 
@@ -60,11 +60,10 @@ class CycleFinder {
 
   void note_cycle(std::size_t back_to) {
     std::vector<std::size_t> cycle;
-    for (const Frame& frame : std::ranges::reverse_view(stack_)) {
-      cycle.push_back(frame.node);
-      if (frame.node == back_to) break;
-    }
-    std::reverse(cycle.begin(), cycle.end());
+    const auto first = std::find_if(stack_.begin(), stack_.end(),
+                                    [&](const Frame& frame) { return frame.node == back_to; });
+    std::transform(first, stack_.end(), std::back_inserter(cycle),
+                   [](const Frame& frame) { return frame.node; });
     cycles_.push_back(std::move(cycle));
   }
 

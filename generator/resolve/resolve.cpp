@@ -56,6 +56,7 @@ void resolve_agent(Draft& draft) {
   }
   const auto& inputs = draft.nodes[Graph::kEnvironment].inputs;
   std::vector<std::string> known;
+  known.reserve(inputs.size());
   for (const auto& input : inputs) known.push_back(input.name);
   for (const auto& name : spec.observations) {
     const auto found = std::find(known.begin(), known.end(), name.value);

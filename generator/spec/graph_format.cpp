@@ -9,7 +9,7 @@ FormatPtr rate_format() {
 }
 
 FormatPtr number_or_reference(Reference references) {
-  const FormatPtr number = format::number("a number");
+  FormatPtr number = format::number("a number");
   if (references == Reference::refuse) return number;
   return format::one_of("a number or `$(config NAME)`", {number, format::text("`$(config NAME)`")});
 }
