@@ -5,7 +5,8 @@
 # is
 #   NAME GRAPH [--engine ENGINE] [--target TARGET]
 # and an example without that file has one program: linux-sim, of graph.yaml, on the target of that name. ENGINE
-# is the engine of all programs that do not name one; WITHOUT_BOARDS leaves out programs with a --target.
+# is the engine of all programs that do not name one; WITHOUT_BOARDS leaves out programs with a --target. Programs on
+# RealEngine run on emulated hardware.
 # EAGERX_EXAMPLE_PROGRAMS is the list, too.
 include_guard(GLOBAL)
 set(EAGERX_EXAMPLES_DIR ${CMAKE_CURRENT_LIST_DIR})
@@ -51,6 +52,9 @@ function(eagerx_add_example example)
     eagerx_add_graph(TARGET ${target} GRAPH ${folder}/${graph} ${options})
     add_dependencies(${example} ${target})
     get_target_property(image ${target} EAGERX_IMAGE)
+    if("RealEngine" IN_LIST options)
+      _eagerx_emulate(image ${target} ${image})
+    endif()
     string(APPEND list "${name}=${image}\n")
     list(APPEND names ${name}=${image})
   endforeach()
@@ -59,4 +63,16 @@ function(eagerx_add_example example)
   endif()
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${example}.programs CONTENT "${list}")
   set(EAGERX_EXAMPLE_PROGRAMS ${names} PARENT_SCOPE)
+endfunction()
+
+# A script that runs a program for real hardware on the emulated one.
+function(_eagerx_emulate script_variable target image)
+  include(${EAGERX_TARGETS_DIR}/emulated-ftdi/emulated-ftdi.cmake)
+  add_dependencies(${target} emulated_ftdi)
+  set(script ${CMAKE_CURRENT_BINARY_DIR}/${target}.emulated)
+  file(
+    GENERATE OUTPUT ${script}
+    CONTENT "#!/bin/sh\nLD_PRELOAD=$<TARGET_FILE:emulated_ftdi> exec ${image} \"$@\"\n"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  set(${script_variable} ${script} PARENT_SCOPE)
 endfunction()

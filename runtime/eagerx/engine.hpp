@@ -1,4 +1,4 @@
-// How a program starts and resets its engine.
+// How a program starts, resets and stops its engine, and what engine and simulators count.
 #pragma once
 
 namespace eagerx {
@@ -23,6 +23,24 @@ void reset_engine(Engine& engine, const States& states, Simulators&... simulator
   } else {
     engine.reset(states);
   }
+}
+
+/// At the end of a run: engine.stop(simulators...) where the engine has one.
+template <class Engine, class... Simulators>
+void stop(Engine& engine, Simulators&... simulators) {
+  if constexpr (requires { engine.stop(simulators...); }) engine.stop(simulators...);
+}
+
+/// f(name, count) for everything that `part`, an engine or a simulator, counts.
+template <class F, class Part>
+void for_each_count_of(F& f, const Part& part) {
+  if constexpr (requires { part.for_each_count(f); }) part.for_each_count(f);
+}
+
+/// The same for an engine and its simulators.
+template <class F, class... Parts>
+void for_each_count(F& f, const Parts&... parts) {
+  (for_each_count_of(f, parts), ...);
 }
 
 }  // namespace eagerx

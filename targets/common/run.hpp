@@ -84,13 +84,14 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
   }
 }
 
-/// What a program counts besides its messages: f(name, count) for each.
+/// What a program counts besides its messages: f(name, count) for each. Counts are 32 or 64 bits.
 template <class Program, class F>
 void for_each_fault(const Program& program, F&& f) {
   if constexpr (requires { program.reset_timeouts(); })
     f("reset timeouts", program.reset_timeouts());
   if constexpr (requires { program.refused_delays(); })
     f("refused delays", program.refused_delays());
+  if constexpr (requires { program.for_each_count(f); }) program.for_each_count(f);
 }
 
 /// The program object of a run. All-zero until its first reset, so it lives in .bss.

@@ -44,6 +44,8 @@ Settings settings_from_environment() {
       settings.kinds = kinds_of(value);
     } else if (name == "most") {
       settings.most = std::strtoull(value.c_str(), nullptr, 10);
+    } else if (name == "from") {
+      settings.from_s = std::strtod(value.c_str(), nullptr);
     } else if (name == "report") {
       settings.report = value;
     } else {
@@ -71,6 +73,8 @@ Emulator::Emulator(Settings settings)
       encoder_(pendulum_),
       converter_(pendulum_) {
   faults_.configure(settings_.seed, settings_.faults, settings_.kinds, settings_.most);
+  faults_from_ns_ =
+      time_.now_ns() + static_cast<std::int64_t>(settings_.from_s * double{kNsPerSecond});
   chip_.wire(0, encoder_);
   chip_.wire(1, converter_);
   chip_.wire(imu_);
@@ -93,6 +97,9 @@ void Emulator::report() const {
   line("writes", converter_.writes());
   line("wrong_modes", chip_.wrong_modes());
   for (std::size_t i = 0; i < kFaults; ++i) line(kFaultNames[i], faults_.count(Fault(i)));
+  line("unsafe_starts", converter_.unsafe_starts());
+  line("slowest_zero_us",
+       static_cast<std::uint64_t>(converter_.slowest_zero_ns(time_.now_ns()) / kNsPerUs));
   std::fprintf(file, "voltage %.6f\ntheta %.6f\nomega %.6f\n", pendulum_.voltage(),
                pendulum_.theta(), pendulum_.omega());
   std::fclose(file);
@@ -122,6 +129,11 @@ std::uint64_t Emulator::open() {
   constexpr std::int64_t kOpening = 2 * kNsPerMs;
   time_.pass(kOpening);
   return plugged_;
+}
+
+std::int64_t Emulator::oversleep_ns() {
+  if (!has_faults()) return 0;
+  return faults_.oversleep_ns();
 }
 
 int Emulator::control(std::uint64_t opened, std::uint8_t type, std::uint8_t request,
@@ -172,6 +184,10 @@ bool Emulator::starts_badly(Fault fault) {
 
 void Emulator::ends_badly(Fault fault) {
   chip_.set_data_line(DataLine::works);
+  if (fault != Fault::split && fault != Fault::spike && fault != Fault::unplug &&
+      fault != Fault::nak) {
+    converter_.want_zero(time_.now_ns());
+  }
   const std::size_t n = to_host_.size();
   if (n == 0) return;
   if (fault == Fault::cut) {
@@ -198,7 +214,7 @@ int Emulator::bulk_out(std::uint64_t opened, const std::uint8_t* bytes, int n) {
   usb_.batches += asks ? 1 : 0;
   Fault fault{};
   const bool has_i2c = std::find(bytes, bytes + n, 0x22) != bytes + n;
-  const bool bad = asks && n > kShortest && faults_.draw(fault, has_i2c);
+  const bool bad = asks && n > kShortest && has_faults() && faults_.draw(fault, has_i2c);
   if (bad && starts_badly(fault)) return kNoDevice;
   while (stale_.size() > 0) to_host_.put(stale_.take());
   chip_.take(bytes, static_cast<std::size_t>(n), time_.now_ns(), to_host_);

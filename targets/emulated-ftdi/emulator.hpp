@@ -18,6 +18,7 @@ struct Settings {
   double faults = 0.0;
   std::uint32_t kinds = 0xffffffff;
   std::uint64_t most = 0xffffffffffffffff;
+  double from_s = 0.0;  // no faults before
   std::string report;
 };
 
@@ -45,6 +46,10 @@ class Emulator {
   Converter& converter() { return converter_; }
   const UsbCounts& usb() const { return usb_; }
 
+  /// How much longer a sleep takes than it should.
+  std::int64_t oversleep_ns();
+  /// The program was woken up too late.
+  void overslept() { converter_.want_zero(time_.now_ns()); }
   /// Whether the adapter is plugged in; it comes back by itself some time after a fault.
   bool is_there();
   /// Opening gives a number that is valid until the adapter is pulled out.
@@ -59,6 +64,7 @@ class Emulator {
 
  private:
   bool gone(std::uint64_t opened) { return !is_there() || opened != plugged_; }
+  bool has_faults() const { return time_.now_ns() >= faults_from_ns_; }
   bool starts_badly(Fault fault);
   void ends_badly(Fault fault);
 
@@ -78,6 +84,7 @@ class Emulator {
   std::uint64_t plugged_ = 1;
   bool there_ = true;
   std::int64_t back_ns_ = 0;
+  std::int64_t faults_from_ns_ = 0;
   std::int64_t answer_ns_ = 0;  // before then no answer is given
   std::size_t first_part_ = 0;  // 0: the answer comes in one piece
   bool pull_out_next_ = false;

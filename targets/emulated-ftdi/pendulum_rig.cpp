@@ -87,8 +87,23 @@ void Converter::release(std::int64_t now_ns) {
   pendulum_.advance(now_ns);
   const bool on = (command_ & 0x1000U) != 0;
   const double volts = on ? (command_ & 0x0fffU) / 4096.0 * 4.096 - 2.048 : 0.0;
-  if (volts == 0.0 && pendulum_.voltage() != 0.0) zero_since_ns_ = now_ns;
+  if (fresh_ && volts != 0.0) ++unsafe_starts_;
+  fresh_ = false;
+  if (volts == 0.0) {
+    slowest_ns_ = slowest_zero_ns(now_ns);
+    wanted_ns_ = 0;
+  }
   pendulum_.set_voltage(volts);
+}
+
+void Converter::power_lost() {
+  pendulum_.set_voltage(0.0);
+  wanted_ns_ = 0;
+  fresh_ = true;
+}
+
+std::int64_t Converter::slowest_zero_ns(std::int64_t now_ns) const {
+  return wanted_ns_ == 0 ? slowest_ns_ : std::max(slowest_ns_, now_ns - wanted_ns_);
 }
 
 }  // namespace eagerx::emulated

@@ -61,18 +61,27 @@ class Converter final : public SpiSlave {
   void select(std::int64_t /*now_ns*/) override { bytes_ = 0; }
   void release(std::int64_t now_ns) override;
   std::uint8_t exchange(std::uint8_t byte) override;
-  void power_lost() override { pendulum_.set_voltage(0.0); }
+  void power_lost() override;
 
   std::uint64_t writes() const { return writes_; }
-  /// When the motor was last switched to 0 V.
-  std::int64_t zero_since_ns() const { return zero_since_ns_; }
+  /// From now on the motor ought to be at 0 V.
+  void want_zero(std::int64_t now_ns) {
+    if (wanted_ns_ == 0) wanted_ns_ = now_ns;
+  }
+  /// The longest time until a command said so, or until now if there is none yet.
+  std::int64_t slowest_zero_ns(std::int64_t now_ns) const;
+  /// Times that the first command after power came back was another than 0 V.
+  std::uint64_t unsafe_starts() const { return unsafe_starts_; }
 
  private:
   Pendulum& pendulum_;
   std::uint16_t command_ = 0;
   unsigned bytes_ = 0;
   std::uint64_t writes_ = 0;
-  std::int64_t zero_since_ns_ = 0;
+  std::int64_t wanted_ns_ = 0;  // 0: no wish is open
+  std::int64_t slowest_ns_ = 0;
+  bool fresh_ = false;  // power was lost, no command since
+  std::uint64_t unsafe_starts_ = 0;
 };
 
 }  // namespace eagerx::emulated

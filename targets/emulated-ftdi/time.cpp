@@ -1,4 +1,6 @@
 // The clock, and its functions of the C library as the program finds them first.
+#include <sched.h>
+#include <sys/mman.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -57,12 +59,29 @@ int clock_nanosleep(clockid_t clock, int flags, const timespec* until, timespec*
   const std::int64_t wanted =
       static_cast<std::int64_t>(until->tv_sec) * eagerx::emulated::kNsPerSecond + until->tv_nsec;
   if (emulator().time().emulated()) {
-    emulator().time().wait_until(wanted + emulator().faults().oversleep_ns());
+    const std::int64_t longer = emulator().oversleep_ns();
+    emulator().time().wait_until(wanted + longer);
+    if (longer > 0) emulator().overslept();
     return 0;
   }
   if (syscall(SYS_clock_nanosleep, clock, flags, until, left) != 0) return errno;
-  emulator().time().pass(emulator().faults().oversleep_ns());
+  const std::int64_t longer = emulator().oversleep_ns();
+  if (longer > 0) {
+    emulator().time().pass(longer);
+    emulator().overslept();
+  }
   return 0;
+}
+
+// With emulated time nobody waits for anybody: neither priority nor locked memory is asked of the
+// system, and both are said to be granted.
+int sched_setscheduler(pid_t process, int policy, const sched_param* parameters) {
+  if (eagerx::emulated::emulator().time().emulated()) return 0;
+  return static_cast<int>(syscall(SYS_sched_setscheduler, process, policy, parameters));
+}
+int mlockall(int flags) {
+  if (eagerx::emulated::emulator().time().emulated()) return 0;
+  return static_cast<int>(syscall(SYS_mlockall, flags));
 }
 
 }  // extern "C"

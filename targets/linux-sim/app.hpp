@@ -119,6 +119,7 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
+  program.stop();
 }
 
 /// Runs with everything checked and read; writes files and summary.
@@ -138,7 +139,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
   summary.agent = std::string(agent);
   summary.seed = options.plan.seed;
   const auto note_faults = [&](const auto& program) {
-    target::for_each_fault(program, [&](const char* name, std::uint32_t count) {
+    target::for_each_fault(program, [&](const char* name, std::uint64_t count) {
       summary.faults.emplace_back(name, count);
     });
   };

@@ -241,7 +241,7 @@ int run(const char* board) {
   print("steps", watch.steps());
   print("program", sizeof program, " bytes");
   print("stack", stack_used_bytes(), " bytes");
-  target::for_each_fault(program, [](const char* name, std::uint32_t count) {
+  target::for_each_fault(program, [](const char* name, std::uint64_t count) {
     if (count > 0) print(name, count);
   });
   if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);

@@ -16,7 +16,9 @@ struct LinkCounts {
   std::uint64_t one_way = 0;      // batches that nothing answers
   std::uint64_t lost = 0;         // times the chip went away
   std::uint64_t reconnects = 0;
-  std::uint64_t resyncs = 0;  // answers given up and thrown away
+  std::uint64_t timeouts = 0;       // batches without an answer
+  std::uint64_t short_replies = 0;  // batches with a part of one
+  std::uint64_t resyncs = 0;        // answers given up and thrown away
 };
 
 /// A bus (SpiBus, I2cBus, GpioBus). A chip that is gone is looked for again by the next run() or
@@ -37,6 +39,17 @@ class FtdiLink {
   void close() { device_.free(); }
   bool is_open() const { return device_.is_open(); }
   const LinkCounts& counts() const { return counts_; }
+  /// f(name, count) for each.
+  template <class F>
+  void for_each_count(F&& f) const {
+    f("round trips", counts_.round_trips);
+    f("one-way transfers", counts_.one_way);
+    f("adapter lost", counts_.lost);
+    f("adapter found again", counts_.reconnects);
+    f("answers missing", counts_.timeouts);
+    f("answers too short", counts_.short_replies);
+    f("answers thrown away", counts_.resyncs);
+  }
 
   void spi(SpiDevice device, const std::uint8_t* out, std::uint8_t* in, std::size_t n) {
     batch_.spi(device, out, in, n);
@@ -59,6 +72,7 @@ class FtdiLink {
     if (error != BusError::none && error != BusError::full && error != BusError::unsupported) {
       batch_.forget();
       if (error != BusError::link_lost) {
+        ++(error == BusError::timeout ? counts_.timeouts : counts_.short_replies);
         unsure_ = true;
       } else if (was_open) {
         ++counts_.lost;

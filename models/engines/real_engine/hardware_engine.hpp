@@ -1,0 +1,151 @@
+// The engine of real hardware: absolute time, one round trip an instant, safe actions.
+#pragma once
+
+#include <cstdint>
+#include <eagerx/bus.hpp>
+#include <eagerx/rate.hpp>
+#include <models/engines/real_engine/lateness.hpp>
+
+namespace eagerx::models {
+
+/// Instant n of an episode is start + n/rate on Link::Clock. At each:
+///   1. what the actuators were told at instant n − 1 has been sent (one way, nothing is waited
+///   for)
+///   2. sleep until the instant
+///   3. one round trip measures all sensors of all objects
+///   4. if something is wrong, all actuators get their safe action at once
+/// Wrong is: later than `max_lateness` (0: a period), an error of the link, a sensor without a
+/// value for `missed` instants, an action that is not finite. The safe action stays until `recover`
+/// instants in a row were right. An engine that is more than a period late does not catch up: the
+/// instants after it move. `Platform::prepare(priority)` is called once before.
+template <class Io, class Link, class Platform>
+class HardwareEngine {
+ public:
+  template <class... Simulators>
+  void start(Simulators&... simulators) {
+    using Config = typename Io::Config;
+    Platform::prepare(static_cast<int>(Config::priority));
+    if (!Platform::template open<Config>(link_)) ++failed_starts_;
+    (simulators.attach(link_), ...);
+  }
+
+  /// An episode begins with the sample of instant 0 and with safe actions.
+  template <class... Simulators>
+  void reset(const typename Io::States& /*states*/, Simulators&... simulators) {
+    (simulators.begin(), ...);
+    (simulators.queue_action(true), ...);
+    (simulators.queue_request(), ...);
+    const BusError error = link_.run();
+    start_ns_ = Clock::now_ns();
+    (simulators.collect(error, start_ns_), ...);
+    right_ = error == BusError::none && !((simulators.missed() > 0) || ...) ? kRecover : 0;
+    (simulators.hold(is_safe()), ...);
+  }
+
+  template <class... Simulators>
+  void callback(const Tick& tick, Simulators&... simulators) {
+    const bool was_safe = is_safe();
+    const bool bad_action = (simulators.has_bad_action() || ...);
+    (simulators.queue_action(was_safe || bad_action), ...);
+    BusError error = link_.post();
+    const std::int64_t due_ns = start_ns_ + ns_of(tick.n);
+    const bool in_time = wait_until(due_ns);
+    (simulators.queue_request(), ...);
+    const BusError answer = link_.run();
+    (simulators.collect(answer, Clock::now_ns()), ...);
+    if (error == BusError::none) error = answer;
+    const bool stale = ((simulators.missed() >= kMissed) || ...);
+    stale_ += stale;
+    const bool right = in_time && error == BusError::none && !stale && !bad_action;
+    right_ = !right ? 0 : right_ < kRecover ? right_ + 1 : kRecover;
+    safe_instants_ += is_safe();
+    if (!right && !was_safe) make_safe(due_ns, simulators...);
+  }
+
+  /// The end of a run: safe actions, then the link is given back.
+  template <class... Simulators>
+  void stop(Simulators&... simulators) {
+    (simulators.queue_action(true), ...);
+    if (link_.post() != BusError::none) ++not_safe_at_end_;
+    link_.close();
+  }
+
+  bool is_safe() const { return right_ < kRecover; }
+  const Lateness& lateness() const { return lateness_; }
+  const Link& link() const { return link_; }
+
+  /// f(name, count) for each.
+  template <class F>
+  void for_each_count(F&& f) const {
+    constexpr std::int64_t kNsPerUs = 1'000;
+    lateness_.for_each_count(f);
+    f("instants too late", overruns_);
+    f("instants moved", moved_);
+    f("instants without a sensor", stale_);
+    f("instants with safe actions", safe_instants_);
+    f("safe actions", safe_actions_);
+    f("slowest safe action us", static_cast<std::uint64_t>(slowest_ns_ / kNsPerUs));
+    f("starts without hardware", failed_starts_);
+    f("ends without a safe action", not_safe_at_end_);
+    link_.for_each_count(f);
+  }
+
+ private:
+  using Clock = typename Link::Clock;
+  static constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  static constexpr std::uint32_t kMissed = static_cast<std::uint32_t>(Io::Config::missed);
+  static constexpr std::uint32_t kRecover = static_cast<std::uint32_t>(Io::Config::recover);
+  static constexpr auto kPeriodNs =
+      static_cast<std::int64_t>(Io::Rate::den * std::uint64_t{kNsPerSecond} / Io::Rate::num);
+  static constexpr std::int64_t kMaxLateNs =
+      Io::Config::max_lateness > 0.0
+          ? static_cast<std::int64_t>(Io::Config::max_lateness* double{kNsPerSecond})
+          : kPeriodNs;
+
+  /// n/rate in nanoseconds, rounded down; exact for centuries.
+  static constexpr std::int64_t ns_of(Seq n) {
+    const std::uint64_t periods = n * Io::Rate::den;
+    const std::uint64_t seconds = periods / Io::Rate::num;
+    const std::uint64_t rest = periods % Io::Rate::num;
+    return static_cast<std::int64_t>(seconds * std::uint64_t{kNsPerSecond} +
+                                     rest * std::uint64_t{kNsPerSecond} / Io::Rate::num);
+  }
+
+  /// False if it was too late for that.
+  bool wait_until(std::int64_t due_ns) {
+    if (Clock::now_ns() < due_ns) Clock::sleep_until(due_ns);
+    const std::int64_t late_ns = Clock::now_ns() - due_ns;
+    lateness_.add(late_ns > 0 ? late_ns : 0);
+    if (late_ns > kPeriodNs) {
+      start_ns_ += late_ns;
+      ++moved_;
+    }
+    if (late_ns <= kMaxLateNs) return true;
+    ++overruns_;
+    return false;
+  }
+
+  template <class... Simulators>
+  void make_safe(std::int64_t due_ns, Simulators&... simulators) {
+    (simulators.queue_action(true), ...);
+    link_.post();  // an error is the next instant's
+    ++safe_actions_;
+    const std::int64_t after_ns = Clock::now_ns() - due_ns;
+    if (after_ns > slowest_ns_) slowest_ns_ = after_ns;
+  }
+
+  Link link_{};
+  std::int64_t start_ns_ = 0;
+  std::uint32_t right_ = 0;  // instants in a row, up to kRecover
+  Lateness lateness_{};
+  std::int64_t slowest_ns_ = 0;
+  std::uint64_t overruns_ = 0;
+  std::uint64_t moved_ = 0;
+  std::uint64_t stale_ = 0;
+  std::uint64_t safe_instants_ = 0;
+  std::uint64_t safe_actions_ = 0;
+  std::uint64_t failed_starts_ = 0;
+  std::uint64_t not_safe_at_end_ = 0;
+};
+
+}  // namespace eagerx::models

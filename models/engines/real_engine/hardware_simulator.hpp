@@ -1,0 +1,163 @@
+// What RealEngine keeps for each object: last values, next action, what is allowed, what went
+// wrong.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/bus.hpp>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <models/engines/real_engine/hardware_model.hpp>
+
+namespace eagerx::models {
+
+/// "Simulator" is EAGERx's word for what an engine holds of an object; this one is real. `Link` is
+/// a bus with a clock (Link::Clock). All bytes are zero until attach().
+template <HardwareModel ModelType, class LinkType>
+class HardwareSimulator {
+ public:
+  using Model = ModelType;
+  using Link = LinkType;
+  using Real = typename Model::Real;
+  using Clock = typename Link::Clock;
+  using Values = Array<Real, Model::kSensors>;
+  using Action = Array<Real, Model::kActuators>;
+
+  void attach(Link& link) {
+    link_ = &link;
+    reset();
+  }
+  void reset() {
+    model_ = {};
+    values_ = {};
+    action_ = safe_;
+    missed_ = 0;
+  }
+  /// An episode begins.
+  void begin() { model_.reset(); }
+
+  // For engine nodes and states.
+
+  /// Element `i` of what was measured last.
+  Real value(std::size_t i) const { return values_[i]; }
+  /// Values outside are not taken.
+  void limit_sensor(std::size_t i, Real low, Real high) {
+    sensor_low_[i] = low;
+    sensor_high_[i] = high;
+    has_limits_[i] = true;
+  }
+  /// What actuator `i` does when something is wrong. Until somebody has said so, at the very first
+  /// reset, a safe action is to send nothing.
+  void declare_safe(std::size_t i, Real safe) {
+    is_declared_ = true;
+    safe_[i] = safe;
+    action_[i] = safe;
+  }
+  /// The next action of actuator `i`, moved into its limits; what will be applied. NaN and infinite
+  /// ones are counted and make the whole object safe.
+  Real act(std::size_t i, Real wanted, Real low, Real high) {
+    if (!eagerx::isfinite(wanted)) {
+      ++not_finite_;
+      bad_action_ = true;
+      wanted = safe_[i];
+    } else if (wanted < low || wanted > high) {
+      ++limited_;
+      wanted = wanted < low ? low : high;
+    }
+    action_[i] = wanted;
+    return is_safe_ ? safe_[i] : wanted;
+  }
+  /// Applies the last actions and measures at once, in one round trip. For resets.
+  BusError exchange() {
+    queue_action(false);
+    queue_request();
+    const BusError error = link_->run();
+    collect(error, Clock::now_ns());
+    return error;
+  }
+  void note_late() { ++late_in_resets_; }
+
+  // For the engine.
+
+  void queue_action(bool safe) {
+    is_safe_ = safe;
+    const bool says_something = is_declared_ || !(safe || bad_action_);
+    if (says_something) model_.act(*link_, safe || bad_action_ ? safe_ : action_);
+    bad_action_ = false;
+  }
+  /// Whether actuators are kept at their safe action.
+  void hold(bool safe) { is_safe_ = safe; }
+  void queue_request() { model_.request(*link_); }
+  /// After the link's run() with that result.
+  void collect(BusError error, std::int64_t now_ns) {
+    if (error == BusError::none) {
+      Values values = values_;
+      error = model_.measure(now_ns, values);
+      if (error == BusError::none && !is_allowed(values)) error = BusError::out_of_range;
+      if (error == BusError::none) values_ = values;
+      if (error != BusError::none) ++errors_[static_cast<std::size_t>(error)];
+    }
+    if (error == BusError::none) {
+      missed_ = 0;
+    } else if (missed_ != UINT32_MAX) {
+      ++missed_;
+    }
+  }
+  /// Instants in a row without a value.
+  std::uint32_t missed() const { return missed_; }
+  bool has_bad_action() const { return bad_action_; }
+
+  /// f(name, count) for each; errors of the link are counted there.
+  template <class F>
+  void for_each_count(F&& f) const {
+    for (std::size_t i = 1; i < kBusErrors; ++i) f(kErrorNames[i], errors_[i]);
+    f("actions limited", limited_);
+    f("actions not finite", not_finite_);
+    f("late in resets", late_in_resets_);
+  }
+
+ private:
+  static constexpr std::array<const char*, kBusErrors> kErrorNames = {"",
+                                                                      "sensor full",
+                                                                      "sensor unsupported",
+                                                                      "sensor link lost",
+                                                                      "sensor timeout",
+                                                                      "sensor short reply",
+                                                                      "sensor nak",
+                                                                      "sensor parity",
+                                                                      "sensor checksum",
+                                                                      "sensor frame",
+                                                                      "sensor refused",
+                                                                      "sensor not ready",
+                                                                      "sensor out of range"};
+
+  bool is_allowed(const Values& values) const {
+    bool allowed = true;
+    for (std::size_t i = 0; i < Model::kSensors; ++i) {
+      const Real x = values[i];
+      allowed = allowed && eagerx::isfinite(x) &&
+                (!has_limits_[i] || (x >= sensor_low_[i] && x <= sensor_high_[i]));
+    }
+    return allowed;
+  }
+
+  Link* link_ = nullptr;
+  Model model_{};
+  Values values_{};
+  Action action_{};
+  Action safe_{};
+  Values sensor_low_{};
+  Values sensor_high_{};
+  std::array<bool, Model::kSensors> has_limits_{};
+  bool is_declared_ = false;
+  bool is_safe_ = false;
+  bool bad_action_ = false;
+  std::uint32_t missed_ = 0;
+  std::array<std::uint64_t, kBusErrors> errors_{};
+  std::uint64_t limited_ = 0;
+  std::uint64_t not_finite_ = 0;
+  std::uint64_t late_in_resets_ = 0;
+};
+
+}  // namespace eagerx::models
