@@ -64,9 +64,9 @@ class Converter final : public SpiSlave {
   void power_lost() override;
 
   std::uint64_t writes() const { return writes_; }
-  /// From now on the motor ought to be at 0 V.
+  /// From now on the motor ought to be at 0 V; without power it is.
   void want_zero(std::int64_t now_ns) {
-    if (wanted_ns_ == 0) wanted_ns_ = now_ns;
+    if (wanted_ns_ == 0 && !fresh_) wanted_ns_ = now_ns;
   }
   /// The longest time until a command said so, or until now if there is none yet.
   std::int64_t slowest_zero_ns(std::int64_t now_ns) const;

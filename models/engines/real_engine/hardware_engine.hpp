@@ -23,6 +23,8 @@ class HardwareEngine {
  public:
   template <class... Simulators>
   void start(Simulators&... simulators) {
+    if (started_) return;  // a program that warms up is started again by its first reset
+    started_ = true;
     using Config = typename Io::Config;
     Platform::prepare(static_cast<int>(Config::priority));
     if (!Platform::template open<Config>(link_)) ++failed_starts_;
@@ -135,6 +137,7 @@ class HardwareEngine {
   }
 
   Link link_{};
+  bool started_ = false;
   std::int64_t start_ns_ = 0;
   std::uint32_t right_ = 0;  // instants in a row, up to kRecover
   Lateness lateness_{};

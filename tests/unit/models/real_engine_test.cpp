@@ -345,6 +345,9 @@ TEST_F(RealEngineTest, RandomActionThenRest) {
 TEST_F(RealEngineTest, NoHardwareAtTheStart) {
   FakePlatform::opens = false;
   engine.start(simulator);
+  EXPECT_EQ(count("starts without hardware"), 0U) << "it is started once";
+  engine = {};
+  engine.start(simulator);
   EXPECT_EQ(count("starts without hardware"), 1U);
 }
 
