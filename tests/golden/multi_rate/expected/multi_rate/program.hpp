@@ -26,6 +26,13 @@ class Program {
   /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
   /// reset does it if nobody has.
   void warm_up() { eagerx::start(engine_, left_simulator_, right_simulator_); }
+  /// At the end of a run: an engine of real hardware lets it come to rest.
+  void stop() { eagerx::stop(engine_, left_simulator_, right_simulator_); }
+  /// f(name, count) for what engine and objects count besides messages.
+  template <class F>
+  void for_each_count(F&& f) const {
+    eagerx::for_each_count(f, engine_, left_simulator_, right_simulator_);
+  }
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) {
