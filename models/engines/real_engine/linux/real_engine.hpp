@@ -37,17 +37,18 @@ struct LinuxPlatform {
                                          Config::description, Config::interface[0]};
     constexpr auto kTimeoutMs = static_cast<int>(Config::timeout * kMsPerSecond + 0.5);
     if (link.open(selection, kTimeoutMs, static_cast<std::uint32_t>(Config::max_hz))) return true;
-    std::fprintf(
+    static_cast<void>(std::fprintf(
         stderr,
-        "warning: there is no adapter %04x:%04x that can be opened; it is looked for while "
-        "the program runs\n",
-        static_cast<unsigned>(selection.vendor), static_cast<unsigned>(selection.product));
+        "warning: there is no adapter %04x:%04x that can be opened; it is looked for while the "
+        "program runs\n",
+        static_cast<unsigned>(selection.vendor), static_cast<unsigned>(selection.product)));
     return false;
   }
 
  private:
   static void say(const char* what, const char* help) {
-    std::fprintf(stderr, "note: %s (%s); as root, or %s\n", what, std::strerror(errno), help);
+    static_cast<void>(
+        std::fprintf(stderr, "note: %s (%s); as root, or %s\n", what, std::strerror(errno), help));
   }
 };
 
