@@ -46,6 +46,8 @@ Settings settings_from_environment() {
       settings.most = std::strtoull(value.c_str(), nullptr, 10);
     } else if (name == "from") {
       settings.from_s = std::strtod(value.c_str(), nullptr);
+    } else if (name == "absent") {
+      settings.absent_s = std::strtod(value.c_str(), nullptr);
     } else if (name == "report") {
       settings.report = value;
     } else {
@@ -75,6 +77,9 @@ Emulator::Emulator(Settings settings)
   faults_.configure(settings_.seed, settings_.faults, settings_.kinds, settings_.most);
   faults_from_ns_ =
       time_.now_ns() + static_cast<std::int64_t>(settings_.from_s * double{kNsPerSecond});
+  if (settings_.absent_s > 0.0) {
+    pull_out(static_cast<std::int64_t>(settings_.absent_s * double{kNsPerSecond}));
+  }
   chip_.wire(0, encoder_);
   chip_.wire(1, converter_);
   chip_.wire(imu_);

@@ -18,7 +18,8 @@ struct Settings {
   double faults = 0.0;
   std::uint32_t kinds = 0xffffffff;
   std::uint64_t most = 0xffffffffffffffff;
-  double from_s = 0.0;  // no faults before
+  double from_s = 0.0;    // no faults before
+  double absent_s = 0.0;  // the adapter is plugged in so much later
   std::string report;
 };
 

@@ -2,6 +2,7 @@
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0
+faults=0 # of the last soak
 
 emulated() {
   local settings=$1
@@ -25,6 +26,7 @@ soak() {
   timeout 600 env EAGERX_EMULATOR="seed=$seed faults=$probability from=3 report=$work/report" LD_PRELOAD="$emulator" \
     "$program" --seed "$seed" --steps "$steps" >"$work/said" 2>"$work/errors" || status=$?
   check "seed $seed: ends by itself" "$status == 0"
+  faults=0
   [ -s "$work/report" ] || return 0
   local kind total=0
   for kind in unplug cut silent late split spike corrupt stuck_low stuck_high oversleep; do

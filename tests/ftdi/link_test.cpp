@@ -153,6 +153,20 @@ TEST_F(FtdiLinkTest, NobodyAcknowledges) {
   EXPECT_EQ(imu.sample(values), BusError::none);
 }
 
+TEST_F(FtdiLinkTest, AThousandBytesThatAreNotAcknowledged) {
+  drivers::Mpu6050 imu;
+  drivers::InertialSample<float> values{};
+  for (int i = 0; i < 1000; ++i) {
+    emulator().faults().force(Fault::nak);
+    imu.request(link);
+    ASSERT_EQ(link.run(), BusError::none);
+    ASSERT_EQ(imu.sample(values), BusError::nak);
+    imu.request(link);
+    ASSERT_EQ(link.run(), BusError::none);
+    ASSERT_EQ(imu.sample(values), BusError::none);
+  }
+}
+
 TEST_F(FtdiLinkTest, AnswersThatAreCutMissingOrLate) {
   for (int i = 0; i < 50; ++i) {
     emulator().faults().force(Fault::cut);
