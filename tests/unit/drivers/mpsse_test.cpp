@@ -55,7 +55,8 @@ TEST_F(MpsseBatchTest, SpiModeZero) {
   batch->finish();
   EXPECT_EQ(batch->bytes()[0], 0x80);
   EXPECT_EQ(batch->bytes()[6], 0x11);
-  EXPECT_NE(sent(*batch).back(), 0x87);
+  EXPECT_NE(batch->bytes()[13 + 2 * 3], 0x87);
+  EXPECT_EQ(batch->size(), 20U);
   // Until the state of the chip is not known any more.
   batch->forget();
   batch->spi({1, 0, 15'000'000}, out.data(), nullptr, 2);
