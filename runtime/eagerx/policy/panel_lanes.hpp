@@ -10,9 +10,13 @@
 
 namespace eagerx::policy {
 
-/// Registers of sums at a time. With the sums of a group they leave room for weights in 16
-/// registers; eight at a time are no faster with 32.
+/// Registers of sums at a time. With the sums of a group they leave room for weights: in 16
+/// registers four, in 32 eight, which hide the latency of the additions.
+#if defined(__AVX512VL__) || defined(__aarch64__)
+inline constexpr std::size_t kRegistersAtATime = 8;
+#else
 inline constexpr std::size_t kRegistersAtATime = 4;
+#endif
 
 /// `Panels` panels of `Width` outputs at a time.
 template <std::size_t In, std::size_t Width, std::size_t Panels>
