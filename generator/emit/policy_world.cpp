@@ -60,7 +60,7 @@ class WorldCheck {
            ""});
       problem.help = fmt::format(
           "give it `space: {{dtype: int64, shape: [], low: 0, high: {}}}` and turn the number into "
-          "a command with a processor or a node",
+          "a command with the processor `ChooseValue`",
           network_.outputs() - 1);
       return;
     }

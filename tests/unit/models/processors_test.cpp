@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
+#include <models/processors/choose_value/choose_value.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/get_index/get_index.hpp>
 #include <models/processors/identity/identity.hpp>
@@ -34,6 +35,21 @@ TEST(GetIndex, PicksElements) {
   EXPECT_EQ(One::convert({{0.1, 0.2, 0.3, 0.4}}), (Array<float, 1>{{0.3F}}));
   using Three = GetIndex<IndexIo<Array<double, 2, 2>, 3, 0, 3>>;
   EXPECT_EQ(Three::convert({{0.1, 0.2, 0.3, 0.4}}), (Array<float, 3>{{0.4F, 0.1F, 0.4F}}));
+}
+
+struct ThreeVoltages : ProcessorIo<float, std::int64_t, Array<float, 1>> {
+  struct Config {
+    static constexpr std::array<double, 3> values = {-2.0, 0.0, 2.0};
+  };
+};
+
+TEST(ChooseValue, TakesTheNearestOfItsValues) {
+  const auto value = [](std::int64_t k) { return ChooseValue<ThreeVoltages>::convert(k)[0]; };
+  EXPECT_EQ(value(0), -2.0F);
+  EXPECT_EQ(value(1), 0.0F);
+  EXPECT_EQ(value(2), 2.0F);
+  EXPECT_EQ(value(-5), -2.0F);
+  EXPECT_EQ(value(7), 2.0F);
 }
 
 TEST(Negate, ChangesEverySign) {
