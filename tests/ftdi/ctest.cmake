@@ -1,4 +1,7 @@
 # The real libftdi over an emulated FT232H.
+if(EAGERX_SANITIZE)
+  return() # the sanitizer looks at the clock, which the emulator replaces, before the emulator can be there
+endif()
 include(${PROJECT_SOURCE_DIR}/targets/emulated-ftdi/emulated-ftdi.cmake)
 pkg_check_modules(EAGERX_LIBFTDI REQUIRED IMPORTED_TARGET libftdi1)
 add_executable(ftdi_link_test ${CMAKE_CURRENT_LIST_DIR}/link_test.cpp)
@@ -11,9 +14,7 @@ gtest_discover_tests(ftdi_link_test TEST_PREFIX ftdi. DISCOVERY_TIMEOUT 60)
 eagerx_add_graph(TARGET ftdi_swing_up GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml ENGINE RealEngine)
 eagerx_add_graph(TARGET ftdi_soak GRAPH ${CMAKE_CURRENT_LIST_DIR}/soak.yaml)
 eagerx_add_graph(TARGET ftdi_fast GRAPH ${CMAKE_CURRENT_LIST_DIR}/fast.yaml)
-if(NOT EAGERX_SANITIZE) # which has its own malloc
-  eagerx_add_graph(TARGET ftdi_no_alloc GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml ENGINE RealEngine)
-  target_sources(ftdi_no_alloc PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
-  add_test(NAME ftdi COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:emulated_ftdi> $<TARGET_FILE:ftdi_swing_up>
-                             $<TARGET_FILE:ftdi_no_alloc> $<TARGET_FILE:ftdi_soak>)
-endif()
+eagerx_add_graph(TARGET ftdi_no_alloc GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml ENGINE RealEngine)
+target_sources(ftdi_no_alloc PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
+add_test(NAME ftdi COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:emulated_ftdi> $<TARGET_FILE:ftdi_swing_up>
+                           $<TARGET_FILE:ftdi_no_alloc> $<TARGET_FILE:ftdi_soak>)
