@@ -15,3 +15,7 @@ add_executable(no_alloc_guard ${CMAKE_CURRENT_LIST_DIR}/guard.cpp ${PROJECT_SOUR
 target_link_libraries(no_alloc_guard PRIVATE eagerx_warnings)
 add_test(NAME no_alloc COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:no_alloc_swing_up> $<TARGET_FILE:no_alloc_guard>
          $<TARGET_FILE:no_alloc_rigid_pendulum> $<TARGET_FILE:no_alloc_pushed_box>)
+# The same program does what the example promises.
+add_test(NAME examples.pendulum_swing_up.OpenDynamicsEngine
+         COMMAND ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/evaluate linux-sim=$<TARGET_FILE:no_alloc_rigid_pendulum>)
+set_tests_properties(examples.pendulum_swing_up.OpenDynamicsEngine PROPERTIES LABELS examples)

@@ -183,6 +183,8 @@ class OpenDynamicsSimulator {
   void set_force(std::size_t body, const Vector3& force) {
     force_[body] = {{finite(force[0]), finite(force[1]), finite(force[2])}};
   }
+  /// From now on, the geometry's contact_force() is known; until then it is zero.
+  void watch_contact_force(std::size_t geometry) { shape_[geometry].watched = true; }
   /// Of all contacts of a geometry in the last step, in the world's axes [N].
   Vector3 contact_force(std::size_t geometry) const { return shape_[geometry].force; }
   /// Mean acceleration over the engine's last period without gravity, in the body's axes [m/s²].

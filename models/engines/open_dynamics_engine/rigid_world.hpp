@@ -19,7 +19,8 @@ struct RigidShape {
   dBodyID body = nullptr;  // null: part of the world
   double friction = 0.0;
   double bounce = 0.0;
-  Vector3 force{};  // of all its contacts in the last step, in the world's axes [N]
+  bool watched = false;  // somebody wants to know the force
+  Vector3 force{};       // of all its contacts in the last step, in the world's axes [N]
 };
 
 /// The shapes of an object, in a list of objects.
@@ -114,7 +115,7 @@ class RigidWorld {
     for_each_shape([](RigidShape& shape) { shape.force = {}; });
     collide();
     advance();
-    for (std::size_t i = 0; i < count_; ++i) share_force(i);
+    for (std::size_t i = 0; i < watched_; ++i) share_force(i);
     forget_contacts();
   }
 
@@ -184,8 +185,11 @@ class RigidWorld {
       contact.surface.bounce_vel = kSlowest;
     }
     align_friction(contact, one.body, other.body);
-    shapes_[count_] = {&one, &other};
-    attach(contact, one.body, other.body);
+    const dJointID joint = attach(contact, one.body, other.body);
+    if (one.watched || other.watched) {
+      shapes_[watched_] = {&one, &other};
+      dJointSetFeedback(joint, &feedback_[watched_++]);
+    }
   }
 
   /// The library limits friction along two directions. With the first along the motion it is
@@ -205,11 +209,11 @@ class RigidWorld {
     for (std::size_t i = 0; i < 3; ++i) contact.fdir1[i] = direction[i];
   }
 
-  void attach(const dContact& contact, dBodyID one, dBodyID other) {
+  dJointID attach(const dContact& contact, dBodyID one, dBodyID other) {
     const dJointID joint = dJointCreateContact(world_, contacts_, &contact);
     dJointAttach(joint, one, other);
-    dJointSetFeedback(joint, &feedback_[count_]);
     ++count_;
+    return joint;
   }
 
   void advance() {
@@ -235,6 +239,7 @@ class RigidWorld {
   void forget_contacts() {
     dJointGroupEmpty(contacts_);
     count_ = 0;
+    watched_ = 0;
   }
 
   static constexpr double kSlowest = 1e-6;  // [m/s] below, nothing slides or bounces
@@ -250,6 +255,7 @@ class RigidWorld {
   RigidWorldSettings settings_{};
   RigidShapes* first_ = nullptr;
   std::size_t count_ = 0;
+  std::size_t watched_ = 0;
   std::array<Pair, MaxContacts> shapes_{};
   std::array<dJointFeedback, MaxContacts> feedback_{};
   unsigned long seed_ = 0;

@@ -27,6 +27,7 @@ template <class Config = RigidConfig<20>>
 Scene<Box, Config>& resting() {
   static Scene<Box, Config> scene;
   scene.simulator.restart();
+  for (const std::size_t geometry : {0, 1}) scene.simulator.watch_contact_force(geometry);
   scene.reset();
   for (int i = 0; i < 10; ++i) scene.tick();
   return scene;
