@@ -61,6 +61,9 @@ enum class PickleNames : std::uint8_t {
   statistics,  // also NumPy arrays, spaces, VecNormalize
 };
 
+/// Whether pickles may name `name` ("module.name"): what makes tensors, arrays and plain values.
+bool is_known_in_pickles(std::string_view name, PickleNames known);
+
 /// Reads protocols 2 to 5. E0622: it imports what is not known. E0623: it is damaged, or does what
 /// data never does.
 std::optional<Pickle> read_pickle(std::string_view bytes, PickleNames known,
