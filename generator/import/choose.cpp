@@ -35,9 +35,14 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
                      [&](const auto& state) { return has("states", state.value); });
 }
 
-/// Engines that every object is implemented for, with all that the graph uses of it.
+/// Engines that every object is implemented for, with all that the graph uses of it. They are in
+/// the order of the first object's manifest, which begins with the one it was made for.
 std::vector<std::string> common_engines(const Translation& t) {
-  std::vector<std::string> result = t.counterparts.library().ids(EntityKind::engine);
+  std::vector<std::string> result;
+  if (t.result.spec.objects.empty()) return t.counterparts.library().ids(EntityKind::engine);
+  const Entity* first = t.counterparts.library().find(t.result.spec.objects.front().type.value);
+  for (const auto& implementation : first->object_engines)
+    result.push_back(implementation.engine.value);
   for (const auto& object : t.saved.entities) {
     if (object.kind != SavedEntity::Kind::object) continue;
     const Entity* entity = t.entity(object.name.value);
@@ -63,18 +68,18 @@ void choose_type(Translation& t) {
     return;
   }
   const std::vector<std::string> known = common_engines(t);
-  if (known.size() == 1) {
+  if (!known.empty()) {
     engine.type = {known.front(), whole};
-    t.result.remarks["engine"] = spec.objects.empty() ? "the only engine there is"
-                                                      : "the only one that has all of its objects";
-    t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
-                                          known.front(), t.result.remarks["engine"]));
+    t.result.remarks["engine"] = known.size() == 1
+                                     ? std::string("the only one that has all of its objects")
+                                     : fmt::format("the first of {}", fmt::join(known, ", "));
+    auto& note = t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
+                                                       known.front(), t.result.remarks["engine"]));
+    if (known.size() > 1) note.help = "another one is given with `--engine`";
     return;
   }
-  auto& problem = t.diagnostics.error(
-      "E0804", whole,
-      known.empty() ? "the file has no engine, and none is made for every object"
-                    : "the file has no engine, and there is more than one");
+  auto& problem = t.diagnostics.error("E0804", whole,
+                                      "the file has no engine, and none is made for every object");
   for (const auto& object : spec.objects) {
     const Entity* entity = t.counterparts.library().find(object.type.value);
     std::vector<std::string> engines;
