@@ -70,12 +70,14 @@ void choose_type(Translation& t) {
   const std::vector<std::string> known = common_engines(t);
   if (!known.empty()) {
     engine.type = {known.front(), whole};
-    t.result.remarks["engine"] = known.size() == 1
-                                     ? std::string("the only one that has all of its objects")
-                                     : fmt::format("the first of {}", fmt::join(known, ", "));
+    t.result.remarks["engine"] = known.size() == 1 ? "the only one that has all of its objects"
+                                                   : "the first that has all of its objects";
     auto& note = t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
                                                        known.front(), t.result.remarks["engine"]));
-    if (known.size() > 1) note.help = "another one is given with `--engine`";
+    if (known.size() > 1) {
+      note.help = fmt::format("another one is given with `--engine`: {}",
+                              fmt::join(known.begin() + 1, known.end(), ", "));
+    }
     return;
   }
   auto& problem = t.diagnostics.error("E0804", whole,
@@ -90,8 +92,7 @@ void choose_type(Translation& t) {
                      engines.empty() ? "none" : fmt::format("{}", fmt::join(engines, ", "))),
          object.type.span, ""});
   }
-  problem.help = known.empty() ? "implement them for a common engine in their manifests"
-                               : fmt::format("choose with `--engine`: {}", fmt::join(known, ", "));
+  problem.help = "implement them for a common engine in their manifests";
 }
 
 /// `--engine`: another engine has other parameters and states, so it takes its defaults.
