@@ -20,6 +20,8 @@ struct Options {
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
+  std::string image, build, baseline, run_on;  // size
+  bool json_output = false;
   std::string entity;                 // info
   std::string policy, golden;         // policy
   std::string normalize, activation;  // policy
@@ -32,6 +34,7 @@ int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
 int schema_command();
+int size_command(const Options& options);
 int new_board_command(const Options& options);
 int policy_command(const Options& options);
 

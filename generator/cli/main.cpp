@@ -84,6 +84,21 @@ void add_policy(CLI::App& app, Options& options) {
   add_diagnostics(app, options);
 }
 
+void add_size(CLI::App& app, Options& options) {
+  app.add_option("image", options.image, "the image")->required()->type_name("IMAGE.elf");
+  app.add_option("--graph", options.graph, "also check it against this graph's `budget:`")
+      ->type_name("GRAPH.yaml");
+  app.add_option("--build", options.build, "its build folder (default: where it lies)")
+      ->type_name("DIR");
+  app.add_option("--run", options.run_on, "also count instructions, in the target's emulator")
+      ->type_name("TARGET");
+  app.add_option("--baseline", options.baseline,
+                 "an earlier output of --json: name what grew when a budget is exceeded")
+      ->type_name("FILE.json");
+  app.add_flag("--json", options.json_output, "print JSON");
+  add_diagnostics(app, options);
+}
+
 constexpr const char* kFooter =
     "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may also be a "
     "file "
@@ -92,7 +107,8 @@ constexpr const char* kFooter =
     "eagerx-gen.";
 
 bool is_command(const char* word) {
-  for (const char* command : {"generate", "check", "import", "info", "new", "policy", "schema"}) {
+  for (const char* command :
+       {"generate", "check", "import", "info", "new", "policy", "schema", "size"}) {
     if (std::string_view(word) == command) return true;
   }
   return false;
@@ -114,6 +130,8 @@ int run(std::vector<std::string> arguments) {
   CLI::App& make = *app.add_subcommand("new", "make a folder to fill in");
   CLI::App& board = *make.add_subcommand("board", "a board of your own");
   make.require_subcommand(1);
+  CLI::App& size = *app.add_subcommand("size", "flash, RAM, stack and instructions of an image");
+  add_size(size, options);
   add_graph(generate, options);
   add_output(generate, options);
   add_selection(generate, options);
@@ -160,6 +178,7 @@ int run(std::vector<std::string> arguments) {
   if (import.parsed()) return eagerx::gen::import_command(options);
   if (make.parsed()) return eagerx::gen::new_board_command(options);
   if (policy.parsed()) return eagerx::gen::policy_command(options);
+  if (size.parsed()) return eagerx::gen::size_command(options);
   if (schema.parsed()) return eagerx::gen::schema_command();
   return eagerx::gen::info_command(options);
 }

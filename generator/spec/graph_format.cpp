@@ -224,6 +224,24 @@ FormatPtr engine_nodes_format() {
                        "outputs to use (default: all) and their settings"}}));
 }
 
+FormatPtr budget_format() {
+  const FormatPtr bytes = format::integer("a number of bytes", 0);
+  const FormatPtr part =
+      format::record("a budget of memory", {{"flash", bytes, false, "bytes of code and constants"},
+                                            {"ram", bytes, false, "bytes besides the stack"}});
+  Format nodes = *format::file_map("nodes");  // engine nodes have names such as object/node
+  nodes.item = part;
+  return format::record(
+      "the budget",
+      {{"flash", bytes, false, "bytes of code and constants of the image"},
+       {"ram", bytes, false, "bytes of memory besides the stack"},
+       {"stack", bytes, false, "bytes of stack"},
+       {"instructions", format::integer("a number of instructions", 0), false,
+        "most instructions of a slot, the agent included"},
+       {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
+        "budgets of nodes, by their names"}});
+}
+
 const Format& graph_format() {
   static const FormatPtr kFormat = format::record(
       "the graph",
@@ -258,7 +276,9 @@ const Format& graph_format() {
                                     "bounds of the observation (default: those of its source)"}}),
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},
-       {"agent", agent_format(), false, "what decides (default: zero)"}});
+       {"agent", agent_format(), false, "what decides (default: zero)"},
+       {"budget", budget_format(), false,
+        "what an image for a board may take, checked by `eagerx-gen size`"}});
   return *kFormat;
 }
 

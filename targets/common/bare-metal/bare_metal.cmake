@@ -3,11 +3,12 @@ include_guard(DIRECTORY)
 include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/no_heap.cmake)
 
-# Of everything that is compiled for a board. -fstack-usage writes the .su files that `eagerx-gen size` reads.
+# Of everything that is compiled for a board. -g and the .ci files of -fcallgraph-info are what `eagerx-gen size`
+# reads; neither changes the image.
 set(EAGERX_BARE_METAL_FLAGS
     -Wall -Wextra -Wdouble-promotion $<$<CONFIG:>:-O2> -fno-exceptions -fno-rtti -fno-threadsafe-statics
     -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections
-    -fstack-usage)
+    -g -fcallgraph-info=su)
 
 # eagerx_configure_bare_metal(<executable> FOLDER <the board's> LINKER_SCRIPT <file> STARTUP <source>
 #                             SOURCES <more>... [STACK <bytes>] [LINK_OPTIONS <option>...])

@@ -1,0 +1,191 @@
+// eagerx-gen size: what an image takes, and whether that is within the graph's budget.
+#include "generator/size/size.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "generator/cli/paths.hpp"
+#include "generator/cli/pipeline.hpp"
+#include "generator/size/tools.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs the image in the target's emulator, where an instruction lasts 2^shift ns.
+std::optional<Instructions> count_instructions(const Run& run, const Options& options) {
+  constexpr int kShift = 5;
+  constexpr double kNsPerInstruction = 1 << kShift;
+  constexpr double kNsPerSecond = 1e9;
+  Instructions result;
+  double hz = 0, sum = 0, least = 0, most = 0;
+  const auto value = [](const std::string& line, std::string_view name, double& number) {
+    if (line.starts_with(name)) number = std::strtod(line.c_str() + name.size(), nullptr);
+  };
+  double slots = 0;
+  const int code =
+      for_each_line({"env", fmt::format("EAGERX_EMULATOR_OPTIONS=-icount shift={}", kShift),
+                     (fs::path(run.root) / "targets" / "run").string(), options.run_on,
+                     options.image, "--timing"},
+                    [&](std::string_view view) {
+                      const std::string line(view);
+                      value(line, "clock ", hz);
+                      value(line, "slots ", slots);
+                      value(line, "busy least ", least);
+                      value(line, "busy most ", most);
+                      value(line, "busy sum ", sum);
+                    });
+  if (code != 0 || hz <= 0 || slots <= 0) return std::nullopt;
+  const double instructions_per_tick = kNsPerSecond / hz / kNsPerInstruction;
+  result.slots = static_cast<std::uint64_t>(slots);
+  result.least = static_cast<std::uint64_t>(std::llround(least * instructions_per_tick));
+  result.most = static_cast<std::uint64_t>(std::llround(most * instructions_per_tick));
+  result.mean = sum * instructions_per_tick / slots;
+  return result;
+}
+
+class BudgetCheck {
+ public:
+  BudgetCheck(const SizeReport& report, const nlohmann::json& baseline, Diagnostics& diagnostics)
+      : report_(report), baseline_(baseline), diagnostics_(diagnostics) {}
+
+  void run(const Node& budget) {
+    check(budget, "flash", "bytes of flash", report_.flash);
+    check(budget, "ram", "bytes of RAM", report_.ram);
+    check(budget, "stack", "bytes of stack", report_.stack.bytes);
+    if (report_.instructions)
+      check(budget, "instructions", "instructions in a slot", report_.instructions->most);
+    else if (const Node* entry = budget.find("instructions"))
+      diagnostics_.error("E0422", entry->span, "instructions have a budget, but were not counted")
+          .help = "give `--run TARGET`";
+    const Node* nodes = budget.find("nodes");
+    if (nodes == nullptr) return;
+    for (const auto& entry : nodes->entries) check_node(entry);
+  }
+
+ private:
+  void check_node(const Node::Entry& entry) {
+    const Usage* usage = find(entry.key);
+    if (usage == nullptr) {
+      diagnostics_.error("E0421", entry.key_span,
+                         fmt::format("the image has no node `{}`", entry.key));
+      return;
+    }
+    check_part(entry, "flash", "bytes of flash", usage->flash);
+    check_part(entry, "ram", "bytes of RAM", usage->ram);
+  }
+
+  const Usage* find(const std::string& name) const {
+    for (const auto* parts : {&report_.nodes, &report_.others}) {
+      if (const auto found = parts->find(name); found != parts->end()) return &found->second;
+    }
+    return nullptr;
+  }
+
+  void check_part(const Node::Entry& node, const char* key, const char* unit, std::uint64_t used) {
+    const Node* entry = node.value.find(key);
+    if (entry == nullptr || used <= limit(*entry)) return;
+    diagnostics_.error("E0420", entry->span,
+                       fmt::format("`{}` takes {} {}, {} over its budget of {}", node.key, used,
+                                   unit, used - limit(*entry), limit(*entry)));
+  }
+
+  void check(const Node& budget, const char* key, const char* unit, std::uint64_t used) {
+    const Node* entry = budget.find(key);
+    if (entry == nullptr || used <= limit(*entry)) return;
+    auto& problem =
+        diagnostics_.error("E0420", entry->span,
+                           fmt::format("the image takes {} {}, {} over its budget of {}", used,
+                                       unit, used - limit(*entry), limit(*entry)));
+    problem.help = who(key);
+  }
+
+  static std::uint64_t limit(const Node& entry) {
+    return std::strtoull(entry.text.c_str(), nullptr, 10);
+  }
+
+  /// Who grew since the baseline; without one, who takes most.
+  std::string who(const std::string& key) const {
+    if (key != "flash" && key != "ram") return {};
+    std::vector<std::pair<std::int64_t, std::string>> parts;
+    for (const auto* group : {&report_.nodes, &report_.others}) {
+      const char* name = group == &report_.nodes ? "nodes" : "others";
+      for (const auto& [part, usage] : *group) {
+        const auto now = static_cast<std::int64_t>(key == "flash" ? usage.flash : usage.ram);
+        parts.emplace_back(now - before(name, part, key), part);
+      }
+    }
+    std::sort(parts.rbegin(), parts.rend());
+    std::string text = baseline_.is_null() ? "most of it: " : "grown since the baseline: ";
+    constexpr std::size_t kShown = 3;
+    bool first = true;
+    for (std::size_t i = 0; i < std::min(kShown, parts.size()); ++i) {
+      if (parts[i].first <= 0) break;
+      text += fmt::format("{}`{}` {}{}", first ? "" : ", ", parts[i].second,
+                          baseline_.is_null() ? "" : "+", parts[i].first);
+      first = false;
+    }
+    return first ? std::string() : text;
+  }
+
+  std::int64_t before(const char* group, const std::string& part, const std::string& key) const {
+    const auto at = nlohmann::json::json_pointer() / group / part / key;
+    return baseline_.contains(at) && baseline_[at].is_number() ? baseline_[at].get<std::int64_t>()
+                                                               : 0;
+  }
+
+  const SizeReport& report_;
+  const nlohmann::json& baseline_;
+  Diagnostics& diagnostics_;
+};
+
+/// null without --baseline.
+nlohmann::json read_baseline(Run& run, const Options& options) {
+  if (options.baseline.empty()) return nullptr;
+  std::ifstream file(options.baseline);
+  auto json = nlohmann::json::parse(file, nullptr, false);
+  if (!file || !json.is_object()) {
+    run.diagnostics.io_error("E0911", {}, fmt::format("cannot read `{}`", options.baseline)).help =
+        "give what `eagerx-gen size --json` printed";
+    return nullptr;
+  }
+  return json;
+}
+
+}  // namespace
+
+int size_command(const Options& options) {
+  Run run;
+  run.root = data_root();
+  Node budget;
+  if (!options.graph.empty()) {
+    const Node tree = read_yaml_file(options.graph, run.sources, run.diagnostics);
+    if (!run.diagnostics.has_errors()) read_graph_spec(tree, options.graph, run.diagnostics);
+    if (const Node* found = tree.find("budget")) budget = *found;
+  }
+  const nlohmann::json baseline = read_baseline(run, options);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  const std::string folder = fs::path(options.image).parent_path().string();
+  const std::string build = !options.build.empty() ? options.build : folder.empty() ? "." : folder;
+  auto report = measure_image(options.image, build, run.diagnostics);
+  if (!report) return finish(run, options);
+  if (!options.run_on.empty()) {
+    report->instructions = count_instructions(run, options);
+    if (!report->instructions)
+      run.diagnostics.io_error(
+          "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
+  }
+  if (!options.quiet)
+    fmt::print("{}", options.json_output ? size_json(*report) : size_text(*report));
+  BudgetCheck(*report, baseline, run.diagnostics).run(budget);
+  return finish(run, options);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "generator/size/program_map.hpp"
+#include "generator/size/size.hpp"
+#include "generator/size/stack.hpp"
+#include "generator/size/tools.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Symbol {
+  std::uint64_t address = 0, size = 0;
+  char type = ' ';
+  std::string name;
+};
+
+std::uint64_t hex(std::string_view text) {
+  return std::strtoull(std::string(text).c_str(), nullptr, 16);
+}
+
+class Measurement {
+ public:
+  Measurement(const std::string& image, const std::string& prefix)
+      : image_(image), prefix_(prefix) {}
+
+  bool run(SizeReport& report) {
+    if (!read_total(report) || !read_symbols()) return false;
+    attribute_code(report);
+    attribute_data(report);
+    attribute_rest(report);
+    return true;
+  }
+
+ private:
+  bool read_total(SizeReport& report) {
+    bool found = false;
+    for_each_line({prefix_ + "size", image_}, [&](std::string_view line) {
+      unsigned long long text = 0, data = 0, bss = 0;
+      if (std::sscanf(std::string(line).c_str(), "%llu %llu %llu", &text, &data, &bss) != 3) return;
+      report.flash = text + data;
+      report.ram = data + bss;
+      found = true;
+    });
+    return found;
+  }
+
+  bool read_symbols() {
+    for_each_line(
+        {prefix_ + "nm", "-S", "-C", "--defined-only", image_}, [&](std::string_view line) {
+          const auto first = line.find(' ');
+          const auto second = line.find(' ', first + 1);
+          if (second == first + 2) {  // address type name: no size
+            ends_[std::string(line.substr(second + 1))] = hex(line.substr(0, first));
+            return;
+          }
+          Symbol symbol{hex(line.substr(0, first)), hex(line.substr(first + 1, second - first - 1)),
+                        line[second + 1], std::string(line.substr(second + 3))};
+          constexpr std::uint64_t kThumb = 1;
+          if (std::string_view("tTwW").find(symbol.type) != std::string_view::npos)
+            symbol.address &= ~kThumb;
+          symbols_[symbol.address] = symbol;  // one of those that share an address
+        });
+    return !symbols_.empty();
+  }
+
+  static bool is_code(const Symbol& symbol) {
+    return std::string_view("tTwW").find(symbol.type) != std::string_view::npos;
+  }
+
+  void attribute_code(SizeReport& report) {
+    const std::string list =
+        (fs::temp_directory_path() / fmt::format("eagerx-gen.{}", getpid())).string();
+    {
+      std::ofstream out(list);
+      for (const auto& [address, symbol] : symbols_) {
+        if (!is_code(symbol)) continue;
+        for (std::uint64_t at = address; at < address + symbol.size; at += 2)
+          out << fmt::format("{:x}\n", at);
+      }
+    }
+    frames_.clear();
+    for_each_line({"sh", "-c", fmt::format("exec {}addr2line -a -i -e \"$1\" <\"$2\"", prefix_),
+                   "sh", image_, list},
+                  [&](std::string_view line) {
+                    if (line.starts_with("0x")) {
+                      finish_address(report);
+                    } else {
+                      frames_.emplace_back(line);
+                    }
+                  });
+    finish_address(report);
+    std::error_code ignored;
+    fs::remove(list, ignored);
+  }
+
+  void finish_address(SizeReport& report) {
+    if (frames_.empty()) return;
+    usage(report, owner()).flash += 2;
+    frames_.clear();
+  }
+
+  Usage& usage(SizeReport& report, const std::string& owner) {
+    return map_.type_of_node.contains(owner) ? report.nodes[owner] : report.others[owner];
+  }
+
+  /// Frames go from what was inlined to what it was inlined into.
+  std::string owner() {
+    for (const auto& frame : frames_) {
+      const auto colon = frame.rfind(':');
+      const std::string file = frame.substr(0, colon);
+      if (!file.ends_with("/program.hpp")) continue;
+      if (map_.node_of_line.empty()) map_ = read_program_map(file);
+      const auto node = map_.node_of_line.find(std::atoi(frame.c_str() + colon + 1));
+      if (node != map_.node_of_line.end()) return node->second;
+    }
+    for (const auto& frame : frames_) {
+      const std::string owner = owner_of_file(frame);
+      if (!owner.empty()) return owner;
+    }
+    return "libraries";
+  }
+
+  std::string owner_of_file(const std::string& frame) const {
+    const auto has = [&](std::string_view part) { return frame.find(part) != std::string::npos; };
+    if (has("/models/")) return owner_of_model(frame);
+    if (has("/eagerx/policy") || has("/policy.hpp")) return "policy";
+    if (has("/program.hpp")) return "schedule";
+    if (has("/runtime/eagerx/") || has("/graph.hpp")) return "runtime";
+    if (has("/targets/")) return "board";
+    return {};
+  }
+
+  /// Code of an entity that was not inlined: its node, if there is one of that type only.
+  std::string owner_of_model(const std::string& frame) const {
+    const auto slash = frame.rfind('/');
+    std::string type;
+    bool capital = true;
+    for (const char c : frame.substr(slash + 1, frame.rfind('.') - slash - 1)) {
+      if (c != '_') type += capital ? static_cast<char>(std::toupper(c)) : c;
+      capital = c == '_';
+    }
+    std::string found;
+    for (const auto& [node, its] : map_.type_of_node) {
+      if (its != type) continue;
+      if (!found.empty()) return "models/" + type;
+      found = node;
+    }
+    return found.empty() ? "models/" + type : found;
+  }
+
+  void attribute_data(SizeReport& report) {
+    for (const auto& [address, symbol] : symbols_) {
+      if (is_code(symbol)) continue;
+      const bool data = address >= ends_["eagerx_data_begin"] && address < ends_["eagerx_data_end"];
+      const bool bss = address >= ends_["eagerx_bss_begin"] && address < ends_["eagerx_bss_end"];
+      if (bss && symbol.name.find("program_of_run<") != std::string::npos) {
+        attribute_program(report, symbol.size);
+        continue;
+      }
+      Usage& owner =
+          usage(report, symbol.name.find("::policy::") != std::string::npos ? "policy" : "board");
+      if (!bss) owner.flash += symbol.size;
+      if (data || bss) owner.ram += symbol.size;
+    }
+  }
+
+  /// The members of the program object, from the type's description: from one offset to the next.
+  void attribute_program(SizeReport& report, std::uint64_t size) {
+    std::map<std::uint64_t, std::string> members, best;
+    bool inside = false, in_member = false, right_size = false;
+    std::string name;
+    const auto value = [](std::string_view line) {
+      return std::string(line.substr(line.rfind(' ') + 1));
+    };
+    const auto finish = [&] {
+      if (right_size && members.size() > best.size()) best = members;
+      members.clear();
+    };
+    for_each_line(
+        {prefix_ + "readelf", "--debug-dump=info", "-W", image_}, [&](std::string_view line) {
+          if (line.find("Abbrev Number") != std::string_view::npos) {
+            in_member = inside && line.find("DW_TAG_member") != std::string_view::npos;
+            if (line.find("DW_TAG_class_type") != std::string_view::npos) {
+              finish();
+              inside = true;
+              right_size = false;
+            }
+          } else if (!inside) {
+            return;
+          } else if (!in_member && line.find("DW_AT_byte_size") != std::string_view::npos) {
+            right_size = right_size || std::stoull(value(line), nullptr, 0) == size;
+          } else if (in_member && line.find("DW_AT_name") != std::string_view::npos) {
+            name = value(line);
+          } else if (in_member &&
+                     line.find("DW_AT_data_member_location") != std::string_view::npos) {
+            members[std::stoull(value(line), nullptr, 0)] = name;
+          }
+        });
+    finish();
+    for (auto member = best.begin(); member != best.end(); ++member) {
+      const auto next = std::next(member);
+      const std::uint64_t bytes = (next == best.end() ? size : next->first) - member->first;
+      usage(report, member->second == "trace" ? "runtime" : map_.owner_of_member(member->second))
+          .ram += bytes;
+    }
+    if (best.empty()) report.others["schedule"].ram += size;
+  }
+
+  static void attribute_rest(SizeReport& report) {
+    Usage sum;
+    for (const auto* part : {&report.nodes, &report.others}) {
+      for (const auto& [name, usage] : *part) {
+        sum.flash += usage.flash;
+        sum.ram += usage.ram;
+      }
+    }
+    // Constants without a symbol, what the linker adds, alignment.
+    Usage& rest = report.others["other"];
+    rest.flash += report.flash > sum.flash ? report.flash - sum.flash : 0;
+    rest.ram += report.ram > sum.ram ? report.ram - sum.ram : 0;
+  }
+
+  std::string image_, prefix_;
+  std::map<std::uint64_t, Symbol> symbols_;
+  std::map<std::string, std::uint64_t> ends_;
+  std::vector<std::string> frames_;
+  ProgramMap map_;
+};
+
+}  // namespace
+
+std::optional<SizeReport> measure_image(const std::string& image, const std::string& build,
+                                        Diagnostics& diagnostics) {
+  const auto prefix = tool_prefix(image);
+  if (!prefix) {
+    diagnostics.io_error("E0911", {}, fmt::format("`{}` is no image", image)).help =
+        "give the .elf file that was built for a board";
+    return std::nullopt;
+  }
+  SizeReport report;
+  if (!Measurement(image, *prefix).run(report)) {
+    diagnostics.io_error("E0911", {}, fmt::format("cannot read `{}` with `{}nm`", image, *prefix))
+        .help = "install the board's compiler: toolchains/install-packages boards";
+    return std::nullopt;
+  }
+  report.stack = stack_bound(*prefix, image, build);
+  return report;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/size/size.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+void add_rows(std::string& text, const std::map<std::string, Usage>& parts) {
+  for (const auto& [name, usage] : parts)
+    text += fmt::format("{:<28} {:>8} {:>8}\n", name, usage.flash, usage.ram);
+}
+
+nlohmann::ordered_json usages(const std::map<std::string, Usage>& parts) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [name, usage] : parts) json[name] = {{"flash", usage.flash}, {"ram", usage.ram}};
+  return json;
+}
+
+}  // namespace
+
+std::string size_text(const SizeReport& report) {
+  std::string text = fmt::format("{:<28} {:>8} {:>8}\n", "bytes", "flash", "RAM");
+  add_rows(text, report.nodes);
+  add_rows(text, report.others);
+  text += fmt::format("{:<28} {:>8} {:>8}\n\n", "all", report.flash, report.ram);
+  text += fmt::format("stack: {} bytes at most, through {} calls", report.stack.bytes,
+                      report.stack.path.empty() ? 0 : report.stack.path.size() - 1);
+  if (!report.stack.unbounded.empty())
+    text += fmt::format("; not counted is what {} call through pointers or again themselves",
+                        fmt::join(report.stack.unbounded, ", "));
+  text += "; interrupts come on top\n";
+  if (const auto& count = report.instructions)
+    text += fmt::format("instructions of a slot: {:.0f} on average, {} to {}, in {} slots\n",
+                        count->mean, count->least, count->most, count->slots);
+  return text;
+}
+
+std::string size_json(const SizeReport& report) {
+  nlohmann::ordered_json json;
+  json["flash"] = report.flash;
+  json["ram"] = report.ram;
+  json["nodes"] = usages(report.nodes);
+  json["others"] = usages(report.others);
+  json["stack"] = {{"bytes", report.stack.bytes},
+                   {"path", report.stack.path},
+                   {"unbounded", report.stack.unbounded}};
+  if (const auto& count = report.instructions)
+    json["instructions"] = {{"slots", count->slots},
+                            {"least", count->least},
+                            {"most", count->most},
+                            {"mean", count->mean}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace eagerx::gen
