@@ -85,25 +85,33 @@ class Measurement {
           out << fmt::format("{:x}\n", at);
       }
     }
-    frames_.clear();
+    addresses_.clear();
     for_each_line({"sh", "-c", fmt::format("exec {}addr2line -a -i -e \"$1\" <\"$2\"", prefix_),
                    "sh", image_, list},
                   [&](std::string_view line) {
                     if (line.starts_with("0x")) {
-                      finish_address(report);
-                    } else {
-                      frames_.emplace_back(line);
+                      addresses_.emplace_back();
+                    } else if (!addresses_.empty()) {
+                      addresses_.back().emplace_back(line);
                     }
                   });
-    finish_address(report);
+    find_program();
+    for (const auto& frames : addresses_) usage(report, owner(frames)).flash += 2;
     std::error_code ignored;
     fs::remove(list, ignored);
   }
 
-  void finish_address(SizeReport& report) {
-    if (frames_.empty()) return;
-    usage(report, owner()).flash += 2;
-    frames_.clear();
+  using Frames = std::vector<std::string>;
+
+  void find_program() {
+    for (const auto& frames : addresses_) {
+      for (const auto& frame : frames) {
+        const std::string file = frame.substr(0, frame.rfind(':'));
+        if (!file.ends_with("/program.hpp")) continue;
+        map_ = read_program_map(file);
+        return;
+      }
+    }
   }
 
   Usage& usage(SizeReport& report, const std::string& owner) {
@@ -111,16 +119,15 @@ class Measurement {
   }
 
   /// Frames go from what was inlined to what it was inlined into.
-  std::string owner() {
-    for (const auto& frame : frames_) {
+  std::string owner(const Frames& frames) const {
+    for (const auto& frame : frames) {
       const auto colon = frame.rfind(':');
       const std::string file = frame.substr(0, colon);
       if (!file.ends_with("/program.hpp")) continue;
-      if (map_.node_of_line.empty()) map_ = read_program_map(file);
       const auto node = map_.node_of_line.find(std::atoi(frame.c_str() + colon + 1));
       if (node != map_.node_of_line.end()) return node->second;
     }
-    for (const auto& frame : frames_) {
+    for (const auto& frame : frames) {
       const std::string owner = owner_of_file(frame);
       if (!owner.empty()) return owner;
     }
@@ -230,7 +237,7 @@ class Measurement {
   std::string image_, prefix_;
   std::map<std::uint64_t, Symbol> symbols_;
   std::map<std::string, std::uint64_t> ends_;
-  std::vector<std::string> frames_;
+  std::vector<Frames> addresses_;
   ProgramMap map_;
 };
 

@@ -8,6 +8,7 @@ namespace eagerx::gen {
 std::string ProgramMap::owner_of_member(const std::string& member) const {
   if (const auto node = node_of_member.find(member); node != node_of_member.end())
     return node->second;
+  if (member.ends_with("_simulator_")) return "simulators";
   return is_ring.contains(member) ? "rings" : "schedule";
 }
 

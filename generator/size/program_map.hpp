@@ -12,7 +12,7 @@ struct ProgramMap {
   std::map<std::string, std::string> type_of_node;    // `smooth` → `ButterworthFilter`
   std::map<std::string, bool> is_ring;                // members in the block of messages
 
-  /// The owner of a member: a node, `rings`, `policy`, or `schedule`.
+  /// The owner of a member: a node, `rings`, `simulators` or `schedule`.
   [[nodiscard]] std::string owner_of_member(const std::string& member) const;
 };
 

@@ -8,6 +8,8 @@
 #           has, <name> is built in a build tree of its own with the board's toolchain file.
 #   PATHS   your own folders of entities and targets, searched first
 #   OUTPUT  where the generated sources go, <build>/<name>.eagerx without it
+# For boards there is also <name>.size: `eagerx-gen size` of the image, which fails when the `budget:` of the graph is
+# exceeded.
 # The target property EAGERX_IMAGE is the program's file; EAGERX_SOURCES is OUTPUT.
 include_guard(GLOBAL)
 
@@ -43,7 +45,7 @@ function(eagerx_add_graph)
   _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
   _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${arg_BOARD} "${arg_ENGINE}" "${paths}")
   if(toolchain AND NOT CMAKE_CROSSCOMPILING)
-    _eagerx_build_with_toolchain(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder} ${toolchain})
+    _eagerx_build_with_toolchain(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder} ${toolchain} ${arg_GRAPH})
   else()
     _eagerx_build_here(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder})
     foreach(path IN LISTS paths)
@@ -126,7 +128,7 @@ function(_eagerx_build_here target stamp output board board_folder)
 endfunction()
 
 # A program for another compiler: the generated tree is a project of its own.
-function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain)
+function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain graph)
   set(build ${CMAKE_CURRENT_BINARY_DIR}/${target}.build)
   set(image ${build}/${target}.elf)
   cmake_path(GET board_folder PARENT_PATH targets_folder)
@@ -150,4 +152,12 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
     COMMENT "Building ${target} for ${board}"
     VERBATIM)
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE ${image})
+  # What the image takes; fails when that is more than the graph's `budget:`.
+  add_custom_target(
+    ${target}.size
+    COMMAND eagerx::eagerx-gen size ${image} --build ${build} --graph ${graph}
+    DEPENDS ${stamp}.configured
+    COMMENT "Measuring ${target}"
+    VERBATIM)
+  add_dependencies(${target}.size ${target})
 endfunction()
