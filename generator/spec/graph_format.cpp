@@ -231,15 +231,14 @@ FormatPtr budget_format() {
                                             {"ram", bytes, false, "bytes besides the stack"}});
   Format nodes = *format::file_map("nodes");  // engine nodes have names such as object/node
   nodes.item = part;
-  return format::record(
-      "the budget",
-      {{"flash", bytes, false, "bytes of code and constants of the image"},
-       {"ram", bytes, false, "bytes of memory besides the stack"},
-       {"stack", bytes, false, "bytes of stack"},
-       {"instructions", format::integer("a number of instructions", 0), false,
-        "most instructions of a slot, the agent included"},
-       {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
-        "budgets of nodes, by their names"}});
+  return format::record("the budget",
+                        {{"flash", bytes, false, "bytes of code and constants of the image"},
+                         {"ram", bytes, false, "bytes of memory besides the stack"},
+                         {"stack", bytes, false, "bytes of stack"},
+                         {"instructions", format::integer("a number of instructions", 0), false,
+                          "most instructions of a slot, the agent included"},
+                         {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
+                          "budgets of nodes, by their names"}});
 }
 
 const Format& graph_format() {
