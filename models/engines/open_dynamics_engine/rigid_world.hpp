@@ -92,8 +92,10 @@ class RigidWorld {
     for (std::size_t i = 0; bodies > 0 && i < MaxContacts; ++i) {
       dContact contact{};
       contact.surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
-      contact.surface.mu = 1.0;
-      contact.surface.soft_cfm = 1.0;  // as soft as to be harmless
+      contact.surface.mu = dInfinity;
+      contact.surface.soft_erp = 1.0;
+      contact.geom.depth = kWarmUpDepth;  // every contact pushes: nothing for the solver to decide
+      contact.surface.soft_cfm = 1.0;     // as soft as to be harmless
       contact.geom.normal[2] = 1.0;
       const dBodyID body = body_at(i % bodies);
       const dBodyID other = bodies > 1 ? body_at((i + 1) % bodies) : nullptr;
@@ -242,7 +244,8 @@ class RigidWorld {
     watched_ = 0;
   }
 
-  static constexpr double kSlowest = 1e-6;  // [m/s] below, nothing slides or bounces
+  static constexpr double kWarmUpDepth = 0.01;  // [m]
+  static constexpr double kSlowest = 1e-6;      // [m/s] below, nothing slides or bounces
 
   struct Pair {
     RigidShape* one = nullptr;
