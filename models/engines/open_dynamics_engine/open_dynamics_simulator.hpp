@@ -4,21 +4,13 @@
 #include <ode/ode.h>
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <models/engines/open_dynamics_engine/rigid_joints.hpp>
+#include <models/engines/open_dynamics_engine/rigid_parts.hpp>
 #include <models/engines/open_dynamics_engine/rigid_world.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 
 namespace eagerx::models {
-
-/// Position control of a joint; none while stiffness and damping are zero.
-struct JointServo {
-  double position = 0.0;    // [rad, m]
-  double stiffness = 0.0;   // [N·m/rad, N/m]
-  double damping = 0.0;     // [N·m·s/rad, N·s/m]
-  double max_torque = 0.0;  // [N·m, N]
-};
 
 /// Bodies, joints and geometries of one object. Positions of items are those in the model's lists.
 /// Engine states say what is wanted (want_…, parameters); place() brings it about, so that their
@@ -54,8 +46,9 @@ class OpenDynamicsSimulator {
   void build(dWorldID world, dSpaceID space) {
     world_ = world;
     for (std::size_t b = 0; b < kBodies; ++b) body_[b] = dBodyCreate(world);
-    for (std::size_t j = 0; j < kJoints; ++j) create_joint(j);
-    for (std::size_t g = 0; g < kGeometries; ++g) create_geometry(g, space);
+    for (std::size_t j = 0; j < kJoints; ++j)
+      joint_[j] = create_joint(world, Model::kJoints[j], body_[kChild[j]], parent_body(j));
+    for (std::size_t g = 0; g < kGeometries; ++g) create_shape(g, space);
     shapes_.begin = shape_.data();
     shapes_.count = kGeometries;
     if constexpr (requires { Model::kTouchesItself; })
@@ -154,8 +147,9 @@ class OpenDynamicsSimulator {
   double joint_torque(std::size_t joint) const { return torque_[joint]; }
   /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders).
   void set_joint_motor(std::size_t joint, double velocity, double torque) {
-    set_parameter(joint, dParamVel, finite(velocity));
-    set_parameter(joint, dParamFMax, eagerx::max(finite(torque), 0.0));
+    const JointKind kind = Model::kJoints[joint].kind;
+    set_joint_parameter(joint_[joint], kind, dParamVel, finite(velocity));
+    set_joint_parameter(joint_[joint], kind, dParamFMax, eagerx::max(finite(torque), 0.0));
   }
   double joint_position(std::size_t joint, std::size_t axis = 0) const {
     constexpr double kFullTurn = 6.283185307179586;
@@ -232,7 +226,8 @@ class OpenDynamicsSimulator {
       dBodyAddForce(body_[b], f[0], f[1], f[2]);
     }
     for (std::size_t j = 0; j < kJoints; ++j) {
-      if (servo_[j].max_torque > 0.0) torque_[j] = servo_torque(j);
+      if (servo_[j].max_torque > 0.0)
+        torque_[j] = servo_[j].torque(joint_position(j), joint_velocity(j));
       if (torque_[j] != 0.0) apply_torque(j);
     }
   }
@@ -325,112 +320,15 @@ class OpenDynamicsSimulator {
   void configure() {
     if constexpr (requires { Model::configure(*this); }) Model::configure(*this);
     for (std::size_t b = 0; b < kBodies; ++b) set_state(b, reference_state(b));
-    for (std::size_t j = 0; j < kJoints; ++j) set_anchor(j);
+    for (std::size_t j = 0; j < kJoints; ++j)
+      anchor_joint(joint_[j], Model::kJoints[j], origin() + anchor_[j]);
     reconfigured_ = false;
   }
 
-  void create_joint(std::size_t j) {
-    switch (Model::kJoints[j].kind) {
-      case JointKind::hinge:
-        joint_[j] = dJointCreateHinge(world_, nullptr);
-        break;
-      case JointKind::slider:
-        joint_[j] = dJointCreateSlider(world_, nullptr);
-        break;
-      case JointKind::universal:
-        joint_[j] = dJointCreateUniversal(world_, nullptr);
-        break;
-      case JointKind::ball:
-        joint_[j] = dJointCreateBall(world_, nullptr);
-        break;
-      case JointKind::fixed:
-        joint_[j] = dJointCreateFixed(world_, nullptr);
-        break;
-    }
-    dJointAttach(joint_[j], body_[kChild[j]], parent_body(j));
-    if (Model::kJoints[j].low > -kUnlimited) set_parameter(j, dParamLoStop, Model::kJoints[j].low);
-    if (Model::kJoints[j].high < kUnlimited) set_parameter(j, dParamHiStop, Model::kJoints[j].high);
-  }
-
-  void set_anchor(std::size_t j) {
-    const Vector3 at = origin() + anchor_[j];
-    const Vector3& axis = Model::kJoints[j].axis;
-    const Vector3& axis2 = Model::kJoints[j].axis2;
-    switch (Model::kJoints[j].kind) {
-      case JointKind::hinge:
-        dJointSetHingeAnchor(joint_[j], at[0], at[1], at[2]);
-        dJointSetHingeAxis(joint_[j], axis[0], axis[1], axis[2]);
-        break;
-      case JointKind::slider:
-        dJointSetSliderAxis(joint_[j], axis[0], axis[1], axis[2]);
-        break;
-      case JointKind::universal:  // the library's first body is the child
-        dJointSetUniversalAnchor(joint_[j], at[0], at[1], at[2]);
-        set_universal_axes(joint_[j], axis2, axis);
-        break;
-      case JointKind::ball:
-        dJointSetBallAnchor(joint_[j], at[0], at[1], at[2]);
-        break;
-      case JointKind::fixed:
-        dJointSetFixed(joint_[j]);
-        break;
-    }
-  }
-
-  /// The library takes one axis after the other and wants them never to be parallel in between.
-  static void set_universal_axes(dJointID joint, const Vector3& first, const Vector3& second) {
-    const Vector3 between = first + 0.5 * second + 0.25 * cross(first, second);
-    dJointSetUniversalAxis1(joint, between[0], between[1], between[2]);
-    dJointSetUniversalAxis2(joint, second[0], second[1], second[2]);
-    dJointSetUniversalAxis1(joint, first[0], first[1], first[2]);
-  }
-
-  void set_parameter(std::size_t j, int parameter, double value) {
-    if (Model::kJoints[j].kind == JointKind::hinge)
-      dJointSetHingeParam(joint_[j], parameter, value);
-    if (Model::kJoints[j].kind == JointKind::slider)
-      dJointSetSliderParam(joint_[j], parameter, value);
-  }
-
-  void create_geometry(std::size_t g, dSpaceID space) {
-    const RigidGeometry& geometry = Model::kGeometries[g];
-    const std::size_t body = scene::find(Model::kBodies, geometry.body);
-    const Vector3& at = geometry.position;
-    const Vector3& size = geometry.size;
-    dGeomID geom = nullptr;
-    switch (geometry.kind) {
-      case ShapeKind::sphere:
-        geom = dCreateSphere(space, size[0]);
-        break;
-      case ShapeKind::box:
-        geom = dCreateBox(space, size[0], size[1], size[2]);
-        break;
-      case ShapeKind::capsule:
-        geom = dCreateCapsule(space, size[0], size[1]);
-        break;
-      case ShapeKind::plane: {
-        const Vector3& n = geometry.axis;
-        geom = dCreatePlane(space, n[0], n[1], n[2], dot(n, origin() + at));
-        break;
-      }
-    }
-    shape_[g].geom = geom;
+  void create_shape(std::size_t g, dSpaceID space) {
+    const std::size_t body = scene::find(Model::kBodies, Model::kGeometries[g].body);
     shape_[g].body = body < kBodies ? body_[body] : nullptr;
-    if (geometry.kind == ShapeKind::plane) return;
-    if (body < kBodies) {
-      dGeomSetBody(geom, body_[body]);
-      dGeomSetOffsetPosition(geom, at[0], at[1], at[2]);
-    } else {
-      const Vector3 place = origin() + at;
-      dGeomSetPosition(geom, place[0], place[1], place[2]);
-    }
-  }
-
-  double servo_torque(std::size_t j) const {
-    const JointServo& servo = servo_[j];
-    const double torque =
-        servo.stiffness * (servo.position - joint_position(j)) - servo.damping * joint_velocity(j);
-    return eagerx::max(-servo.max_torque, eagerx::min(torque, servo.max_torque));
+    shape_[g].geom = create_geometry(space, Model::kGeometries[g], shape_[g].body, origin());
   }
 
   void apply_torque(std::size_t j) {
@@ -477,7 +375,6 @@ class OpenDynamicsSimulator {
   }
 
   static constexpr double kLeast = 1e-12;
-  static constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
   dWorldID world_ = nullptr;
   std::array<dBodyID, kBodies> body_{};

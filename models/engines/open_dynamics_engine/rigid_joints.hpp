@@ -27,6 +27,19 @@ constexpr std::size_t degrees_of_freedom(JointKind kind) {
   return kind == JointKind::hinge || kind == JointKind::slider ? 1 : 0;
 }
 
+/// Position control of a joint; none while max_torque is zero.
+struct JointServo {
+  double position = 0.0;    // [rad, m]
+  double stiffness = 0.0;   // [N·m/rad, N/m]
+  double damping = 0.0;     // [N·m·s/rad, N·s/m]
+  double max_torque = 0.0;  // [N·m, N]
+
+  constexpr double torque(double at, double velocity) const {
+    const double wanted = stiffness * (position - at) - damping * velocity;
+    return eagerx::max(-max_torque, eagerx::min(wanted, max_torque));
+  }
+};
+
 /// A joint between bodies whose centres of mass are at these places in the reference pose.
 struct JointFrame {
   RigidJoint joint;

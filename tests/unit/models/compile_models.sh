@@ -14,7 +14,7 @@ mapfile -t headers < <(find models -name '*.hpp' "${linux[@]}" | sort)
 # What the Open Dynamics Engine itself is needed for compiles where that is. Objects, engine nodes and engine states
 # do not need it.
 if ! echo '#include <ode/ode.h>' | "$@" -x c++ -fsyntax-only - 2>/dev/null; then
-  mapfile -t headers < <(grep -LE '<ode/ode.h>|/(rigid_world|open_dynamics_simulator).hpp>' "${headers[@]}")
+  mapfile -t headers < <(grep -LE '<ode/ode.h>|/(rigid_world|rigid_parts|open_dynamics_simulator).hpp>' "${headers[@]}")
 fi
 [ ${#headers[@]} -gt 0 ]
 for header in "${headers[@]}"; do
