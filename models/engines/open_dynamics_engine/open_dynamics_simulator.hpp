@@ -4,6 +4,7 @@
 #include <ode/ode.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <models/engines/open_dynamics_engine/rigid_joints.hpp>
 #include <models/engines/open_dynamics_engine/rigid_parts.hpp>
@@ -84,7 +85,6 @@ class OpenDynamicsSimulator {
   }
 
   // ---- what engine states want of the next place()
-
   void want_joint(std::size_t joint, const JointCoordinates& coordinates) {
     wanted_joint_[joint] = coordinates;
     joint_wanted_[joint] = true;
@@ -116,7 +116,6 @@ class OpenDynamicsSimulator {
   }
 
   // ---- for configure() of the model
-
   /// Mass [kg] and inertia about the axes through the centre of mass [kg·m²]. What is not positive
   /// becomes the least that the library can compute with.
   void set_mass(std::size_t body, double mass, const Vector3& inertia) {
@@ -136,7 +135,6 @@ class OpenDynamicsSimulator {
   void set_reference(std::size_t body, const Vector3& position) { reference_[body] = position; }
 
   // ---- for actuate() of the model, and for engine nodes
-
   /// Held until it is set again, in place of torques.
   void set_joint_servo(std::size_t joint, JointServo servo) {
     servo.position = finite(servo.position);
@@ -191,7 +189,6 @@ class OpenDynamicsSimulator {
   }
 
   // ---- for the engine
-
   void place() {
     if (placed_) return;
     std::array<RigidState, kBodies> before, after;
