@@ -261,7 +261,7 @@ class RigidWorld {
   std::size_t watched_ = 0;
   std::array<Pair, MaxContacts> shapes_{};
   std::array<dJointFeedback, MaxContacts> feedback_{};
-  unsigned long seed_ = 0;
+  unsigned long seed_ = 0;  // NOLINT(google-runtime-int): what dRandSetSeed takes
   std::uint32_t dropped_ = 0;
 };
 
