@@ -40,7 +40,7 @@ std::uint64_t stack_taken(const std::string& text) {
   static const std::regex kPush(R"(^(v?)(push|stmdb\.?w?\s+sp!,|stmfd\s+sp!,)\S*\s*\{(.*)\})");
   static const std::regex kSub(R"(^subw?\S*\s+sp,.*#(\d+))");
   static const std::regex kStore(R"(^(str|strd)\S*\s.*\[sp, #-(\d+)\]!)");
-  static const std::regex kRiscv(R"(^(c\.)?addi(16sp)?\s+sp,sp,-(\d+))");
+  static const std::regex kRiscv(R"(^(c\.)?addi?(16sp)?\s+sp,sp,-(\d+))");
   std::smatch match;
   if (std::regex_search(text, match, kPush))
     return bytes_of_registers(match[3], match[1].length() > 0);
@@ -63,6 +63,8 @@ Functions read_disassembly(const std::string& prefix, const std::string& image) 
   for_each_line({prefix + "objdump", "-d", "--no-show-raw-insn", image},
                 [&](std::string_view view) {
                   std::string line(view);
+                  if (std::regex_match(line, match, kHead) && match[1].str().starts_with(".L"))
+                    return;
                   if (std::regex_match(line, match, kHead)) {
                     name = match[1];
                     current = &functions[name];
