@@ -86,7 +86,8 @@ class Builder:
         for folder in [ROOT / "models", *self.library]:
             for manifest in folder.glob("engines/*/manifest.yaml"):
                 text = manifest.read_text()
-                for theirs in re.findall(r"[\w.]+/\w+", re.search(r"^eagerx: (.*)", text, re.MULTILINE)[1]):
+                ids = re.search(r"^eagerx: (.*)", text, re.MULTILINE)
+                for theirs in re.findall(r"[\w.]+/\w+", ids[1] if ids else ""):
                     found[theirs] = re.search(r"^id: (\w+)", text, re.MULTILINE)[1]
         return found
 
