@@ -11,6 +11,8 @@
 namespace eagerx::models::testing {
 namespace {
 
+constexpr double kPeriod = 0.02;
+
 /// Classical Runge-Kutta with steps of 0.1 ms, which is exact to 1e-9 here.
 template <std::size_t N, class F>
 std::array<double, N> exact(std::array<double, N> x, double time, const F& f) {
@@ -66,9 +68,9 @@ Errors swing(double seconds) {
   };
   Errors errors;
   auto expected = start;
-  for (double time = 0.0; time < seconds; time += scene.kPeriod) {
+  for (double time = 0.0; time < seconds; time += kPeriod) {
     scene.tick();
-    expected = exact(expected, scene.kPeriod, motion);
+    expected = exact(expected, kPeriod, motion);
     const double theta = scene.simulator.joint_position(0);
     const double drift = energy(theta, scene.simulator.joint_velocity(0)) - energy(start[0], 0.0);
     errors.position = std::max(errors.position, std::abs(theta - expected[0]));
@@ -106,7 +108,7 @@ TEST(Accuracy, PendulumOnItsMotorMovesAsOnOdeEngine) {
     scene.simulator.input[0] = voltage;
     scene.tick();
     const auto c = Ode::precompute(Ode::default_parameters(), {{voltage}});
-    expected = exact(expected, scene.kPeriod, [&](const std::array<double, 2>& x) {
+    expected = exact(expected, kPeriod, [&](const std::array<double, 2>& x) {
       const auto dx = Ode::derivative(c, {{x[0], x[1]}});
       return std::array<double, 2>{dx[0], dx[1]};
     });
@@ -164,13 +166,12 @@ Errors move_arm(double seconds, double torque) {
   scene.reset();
   const double before = Arm::energy(expected);
   Errors errors;
-  for (double time = 0.0; time < seconds - 1e-9; time += scene.kPeriod) {
+  for (double time = 0.0; time < seconds - 1e-9; time += kPeriod) {
     const double t1 = torque * std::sin(3.0 * time), t2 = -0.5 * t1;
     scene.simulator.set_joint_torque(0, t1);
     scene.simulator.set_joint_torque(1, t2);
     scene.tick();
-    expected =
-        exact(expected, scene.kPeriod, [&](const auto& x) { return Arm::motion(x, t1, t2); });
+    expected = exact(expected, kPeriod, [&](const auto& x) { return Arm::motion(x, t1, t2); });
     const std::array<double, 4> now = {
         scene.simulator.joint_position(0), scene.simulator.joint_position(1),
         scene.simulator.joint_velocity(0), scene.simulator.joint_velocity(1)};
@@ -213,7 +214,7 @@ TEST(Accuracy, CartMovesAsItsEquationsSay) {
     const double force = tick % 10 < 5 ? 5.0 : -5.0;
     scene.simulator.set_joint_torque(0, force);
     scene.tick();
-    expected = exact(expected, scene.kPeriod, [&](const std::array<double, 4>& x) {
+    expected = exact(expected, kPeriod, [&](const std::array<double, 4>& x) {
       // Barto, Sutton, Anderson, 1983
       const double s = std::sin(x[1]), c = std::cos(x[1]);
       const double push = (force + mp * l * x[3] * x[3] * s) / (mc + mp);

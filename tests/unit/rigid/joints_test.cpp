@@ -8,6 +8,8 @@
 namespace eagerx::models::testing {
 namespace {
 
+constexpr double kPeriod = 0.02;
+
 constexpr RigidBody link(const char* name, double z) {
   return {
       .name = name, .mass = 0.5, .inertia = {{0.01, 0.012, 0.008}}, .position = {{0.05, 0.02, z}}};
@@ -79,8 +81,7 @@ TEST(Joints, ResetLeavesNothingToCorrect) {
   for (std::size_t b = 0; b < 5; ++b) {
     const RigidState now = scene.simulator.state(b);
     for (std::size_t i = 0; i < 3; ++i) {
-      EXPECT_NEAR(now.position[i], before[b].position[i] + scene.kPeriod * before[b].velocity[i],
-                  2e-3)
+      EXPECT_NEAR(now.position[i], before[b].position[i] + kPeriod * before[b].velocity[i], 2e-3)
           << b;
       EXPECT_NEAR(now.velocity[i], before[b].velocity[i], 0.1) << b;
     }
@@ -127,7 +128,7 @@ TEST(Joints, TurnsAreCountedInBothDirections) {
       EXPECT_NEAR(scene.simulator.joint_position(0), start, 1e-9);
       for (int i = 1; i <= 100; ++i) {
         scene.tick();
-        ASSERT_NEAR(scene.simulator.joint_position(0), start + speed * i * scene.kPeriod, 0.02);
+        ASSERT_NEAR(scene.simulator.joint_position(0), start + speed * i * kPeriod, 0.02);
       }
     }
   }
