@@ -3,9 +3,17 @@
 #include <targets/common/cortex-m/cmsdk_uart.hpp>
 
 namespace eagerx::board {
+namespace {
+
+using Port = CmsdkUart<0x59303000, 25'000'000, 115'200>;
+
+}  // namespace
 
 void uart_write(char character) {
-  CmsdkUart<0x59303000, 25'000'000, 115'200>::write(character);
+  write_to<Port>(character);
+}
+bool uart_read(char& character) {
+  return read_from<Port>(character);
 }
 
 }  // namespace eagerx::board

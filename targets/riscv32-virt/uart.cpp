@@ -3,14 +3,29 @@
 #include <targets/common/bare-metal/console.hpp>
 
 namespace eagerx::board {
+namespace {
+
+constexpr std::uintptr_t kData = 0x10000000;
+constexpr std::uintptr_t kLineStatus = 0x10000005;
+
+volatile std::uint8_t& reg(std::uintptr_t address) {
+  return *reinterpret_cast<volatile std::uint8_t*>(address);
+}
+
+}  // namespace
 
 void uart_write(char character) {
-  constexpr std::uintptr_t kData = 0x10000000;
-  constexpr std::uintptr_t kLineStatus = 0x10000005;
   constexpr std::uint8_t kTransmitEmpty = 1U << 5U;
-  while ((*reinterpret_cast<volatile std::uint8_t*>(kLineStatus) & kTransmitEmpty) == 0) {
+  while ((reg(kLineStatus) & kTransmitEmpty) == 0) {
   }
-  *reinterpret_cast<volatile std::uint8_t*>(kData) = static_cast<std::uint8_t>(character);
+  reg(kData) = static_cast<std::uint8_t>(character);
+}
+
+bool uart_read(char& character) {
+  constexpr std::uint8_t kReceived = 1U << 0U;
+  if ((reg(kLineStatus) & kReceived) == 0) return false;
+  character = static_cast<char>(reg(kData));
+  return true;
 }
 
 }  // namespace eagerx::board

@@ -62,9 +62,21 @@ int print() {
   return 0;
 }
 
+/// Sends every character that comes in back with the next one's code, up to the end of a line.
+int echo() {
+  eagerx::board::uart_write('>');
+  char character = 0;
+  while (character != '\n') {
+    if (!eagerx::board::uart_read(character)) continue;
+    eagerx::board::uart_write(character == '\n' ? character : static_cast<char>(character + 1));
+  }
+  return 0;
+}
+
 int run(std::string_view what) {
   if (what == "print") return print();
   if (what == "uart") return console.send_to(eagerx::board::Output::uart), print();
+  if (what == "echo") return echo();
   if (what == "exit") return 7;
   if (what == "undefined") undefined_instruction();
   if (what == "divide") return 5 / zero;

@@ -1,0 +1,37 @@
+// Registers of peripherals. Drivers of peripherals take the memory as a template parameter, so that
+// tests can put one in its place that records what happens.
+#pragma once
+
+#include <cstdint>
+
+namespace eagerx::board {
+
+/// Registers of 32 bits where the processor sees them.
+struct MappedMemory {
+  static std::uint32_t read(std::uintptr_t address) {
+    return *reinterpret_cast<const volatile std::uint32_t*>(address);
+  }
+  static void write(std::uintptr_t address, std::uint32_t value) {
+    *reinterpret_cast<volatile std::uint32_t*>(address) = value;
+  }
+};
+
+template <class Memory>
+void set_bits(std::uintptr_t address, std::uint32_t bits) {
+  Memory::write(address, Memory::read(address) | bits);
+}
+template <class Memory>
+void clear_bits(std::uintptr_t address, std::uint32_t bits) {
+  Memory::write(address, Memory::read(address) & ~bits);
+}
+/// The bits of `mask` become those of `value`.
+template <class Memory>
+void change_bits(std::uintptr_t address, std::uint32_t mask, std::uint32_t value) {
+  Memory::write(address, (Memory::read(address) & ~mask) | value);
+}
+template <class Memory>
+bool has_bits(std::uintptr_t address, std::uint32_t bits) {
+  return (Memory::read(address) & bits) == bits;
+}
+
+}  // namespace eagerx::board
