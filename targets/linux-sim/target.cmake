@@ -8,7 +8,8 @@ function(eagerx_configure_target executable)
       ${here}/action_file.cpp ${here}/describe.cpp ${here}/interrupt.cpp ${here}/options.cpp ${here}/pacer.cpp ${here}/progress.cpp
       ${here}/summary.cpp ${here}/text_file.cpp)
     target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime)
-    target_compile_options(eagerx_linux_sim PRIVATE -Wall -Wextra $<$<CONFIG:>:-O2>)
+    # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
+    target_compile_options(eagerx_linux_sim PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   endif()
   target_link_libraries(${executable} PRIVATE eagerx_linux_sim)
   # Without a build type CMake would not optimise at all.
