@@ -48,6 +48,11 @@ class OpenDynamicsEngine {
 
   /// Contacts that were left out since the start of the program; saturates.
   std::uint32_t dropped_contacts() const { return world_.dropped_contacts(); }
+  /// f(name, count) for each, for the summary of a run.
+  template <class F>
+  void for_each_count(F&& f) const {
+    f("dropped contacts", dropped_contacts());
+  }
 
  private:
   using Config = typename Io::Config;

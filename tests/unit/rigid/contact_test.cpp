@@ -162,6 +162,12 @@ TEST(Contacts, ThoseBeyondTheMemoryAreCounted) {
   EXPECT_EQ(scene.engine.dropped_contacts(), 0U);
   scene.tick();
   EXPECT_GT(scene.engine.dropped_contacts(), 0U);
+  std::uint64_t in_summary = 0;
+  scene.engine.for_each_count([&](const char* name, std::uint64_t count) {
+    EXPECT_STREQ(name, "dropped contacts");
+    in_summary = count;
+  });
+  EXPECT_EQ(in_summary, scene.engine.dropped_contacts());
 }
 
 }  // namespace

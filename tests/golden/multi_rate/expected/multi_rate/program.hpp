@@ -25,7 +25,11 @@ class Program {
 
   /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
   /// reset does it if nobody has.
-  void warm_up() { eagerx::start(engine_, left_simulator_, right_simulator_); }
+  void warm_up() {
+    if (warm_) return;
+    warm_ = true;
+    eagerx::start(engine_, left_simulator_, right_simulator_);
+  }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() { eagerx::stop(engine_, left_simulator_, right_simulator_); }
   /// f(name, count) for what engine and objects count besides messages.
@@ -325,6 +329,7 @@ class Program {
   eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
   eagerx::Array<float, 1> right_u_action_[1]{};
 
+  bool warm_ = false;  // whether the engine was started
   bool started_ = false;  // whether there was a reset at all
 
   // Simulators, engine and nodes.
