@@ -15,7 +15,8 @@ class GraphView {
   GraphView(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network)
       : plan_(plan), graph_(*plan.graph), names_(names), network_(network) {
     constants_.unique("kName");
-    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels"})
+    for (const char* taken :
+         {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kSafety"})
       constants_.unique(taken);
   }
 
@@ -31,6 +32,7 @@ class GraphView {
     add_draws(view);
     add_random_action(view);
     add_policy(view);
+    add_safety(view);
     return view;
   }
 
@@ -232,6 +234,34 @@ class GraphView {
     view["policy_outputs"] = std::move(outputs);
     view.set("reads_in_order", kind != "argmax");
     view.set("place", names_.place(graph_.agent.span));
+  }
+
+  void add_safety(View& view) const {
+    constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+    const Safety& safety = graph_.safety;
+    const auto flag = [](bool value) { return value ? "true" : "false"; };
+    View place = list();
+    if (safety.declared) {
+      place = object();
+      place.set("place", names_.place(safety.span));
+    }
+    view["safety_place"] = std::move(place);
+    view.set("declared", flag(safety.declared));
+    view.set("late", fmt::format("{}", safety.late));
+    view.set("max_lateness_ns",
+             fmt::format("{}", (safety.max_lateness_s * Rational(kNsPerSecond)).floor()));
+    view.set("missed", fmt::format("{}", safety.missed));
+    view.set("recover", fmt::format("{}", safety.recover));
+    view.set("clips", flag(safety.clips));
+    view.set("holds", flag(safety.holds));
+    std::vector<std::string> values;
+    for (std::size_t i = 0; i < safety.actions.size(); ++i) {
+      std::vector<double> value = safety.actions[i];
+      if (std::count(value.begin(), value.end(), value.front()) == std::ssize(value))
+        value.resize(1);  // one for all elements
+      values.push_back(message_literal(value, graph_.environment().outputs[i].space));
+    }
+    view.set("safe_action", fmt::format("{{{}}}", fmt::join(values, ", ")));
   }
 
   const Plan& plan_;

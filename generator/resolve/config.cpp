@@ -190,7 +190,7 @@ bool is_kept(std::string_view text, std::optional<Dtype> dtype) {
 }  // namespace
 
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
-                      Diagnostics& diagnostics) {
+                      Diagnostics& diagnostics, const References& outside) {
   const std::vector<std::string> meant = report_unknown(entity, settings, diagnostics);
   Config result;
   for (const auto& parameter : entity.config) {
@@ -210,7 +210,8 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    auto value = Reader(parameter, *node, diagnostics).read();
+    const Node read = setting != nullptr ? *node : substitute(*node, outside, diagnostics);
+    auto value = Reader(parameter, read, diagnostics).read();
     if (!value) continue;
     value->given = setting != nullptr;
     value->span = setting != nullptr ? setting->value.span : span;

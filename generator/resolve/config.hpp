@@ -15,9 +15,9 @@ using References = std::map<std::string, Node, std::less<>>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
 /// unknown, E0321 missing, E0322 wrong type, E0323 out of range). `span`: where a missing one
-/// should have been.
+/// should have been. `outside`: what a `$(…)` in a default refers to.
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
-                      Diagnostics& diagnostics);
+                      Diagnostics& diagnostics, const References& outside = {});
 
 /// The references that a config gives rise to: `config NAME` for every parameter.
 References references_of(const Entity& entity, const std::vector<Setting>& settings);

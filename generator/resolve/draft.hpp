@@ -89,6 +89,7 @@ struct Draft {
   std::vector<DraftObject> objects;
   std::set<std::string> doubtful;  // objects and nodes with a reported problem: what is said of
                                    // their ports is not judged
+  References safety = {};          // `$(safety KEY)`, in defaults of parameters
 };
 
 /// What a SpaceSpec says, with references replaced. Problems: E0325 shape, E0326 bounds.
@@ -137,9 +138,17 @@ void add_objects(Draft& draft);
 void check_cycles(Draft& draft);
 void connect(Draft& draft);          // the user's connections; unconnected ports
 void resolve_spaces(Draft& draft);   // spaces and processors; fills the graph's inputs and outputs
+void resolve_safety(Draft& draft);   // safe actions, in the spaces of the actions
 void resolve_states(Draft& draft);   // how states are drawn
 void resolve_targets(Draft& draft);  // which states the reset nodes bring about
 
+/// What `$(safety KEY)` means in manifests.
+References safety_references(const GraphSpec& spec);
+/// Adds what `$(safe ACTUATOR)` means in the implementation of `object`, whose own references are
+/// `references`: its value in `safety:`, else that of the action that is connected to it, else zero
+/// moved into its space. Problems: E0307, E0327.
+void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& entity,
+                        References& references);
 /// A processor between a port with the space `arriving` and its receiver; `source`: where the
 /// message comes from. Problems: E0303 to E0306, E0312.
 std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,

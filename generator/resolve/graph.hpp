@@ -158,6 +158,17 @@ struct Agent {
   Span span;
 };
 
+/// What is safe and when; defaults filled in.
+struct Safety {
+  bool declared = false;
+  std::uint32_t late = 1, missed = 2, recover = 3;  // instants in a row
+  Rational max_lateness_s;                          // a period of the environment if none is given
+  bool clips = true;                                // actions outside of their space
+  bool holds = false;                               // the action before one that is not finite
+  std::vector<std::vector<double>> actions;  // of the environment, a value for each element
+  Span span;
+};
+
 struct Graph {
   std::string name;
   std::string path, file_name;  // of the graph file; file_name without folders
@@ -166,6 +177,7 @@ struct Graph {
       nodes;  // [0] environment, [1] engine, then the others in the order written
   std::vector<Object> objects;
   Agent agent;
+  Safety safety;
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
   Span span;

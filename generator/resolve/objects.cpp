@@ -65,6 +65,7 @@ class ObjectBuilder {
     references_ = references_of(entity_, spec_.config);
     add_rates("sensors", entity_.sensors, spec_.sensors);
     add_rates("actuators", entity_.actuators, spec_.actuators);
+    add_safe_actuators(draft_, spec_, entity_, references_);
   }
 
   /// Sensors and actuators in use: the connected ones and the listed ones.
@@ -138,7 +139,7 @@ class ObjectBuilder {
 
   void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {
     const auto settings = substitute(spec.config, references_, diagnostics());
-    node.node.config = resolve_config(entity, settings, spec.type.span, diagnostics());
+    node.node.config = resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
     if (!entity.engines.empty() &&
         std::find(entity.engines.begin(), entity.engines.end(), implementation_.engine.value) ==

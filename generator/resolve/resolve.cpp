@@ -91,7 +91,7 @@ bool check_engine_option(const Library& library, const ResolveOptions& options,
 
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics) {
-  Draft draft{spec, library, diagnostics, {}, {}, {}, {}};
+  Draft draft{spec, library, diagnostics, {}, {}, {}, {}, safety_references(spec)};
   draft.graph.name = spec.name.value;
   draft.graph.path = spec.path;
   draft.graph.file_name = std::filesystem::path(spec.path).filename().string();
@@ -109,6 +109,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_agent(draft);
   check_cycles(draft);
   resolve_spaces(draft);
+  resolve_safety(draft);
   if (spec.reset_timeout_s) draft.graph.reset_timeout_s = spec.reset_timeout_s->value;
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
   check_limits(draft);

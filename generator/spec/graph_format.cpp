@@ -276,6 +276,7 @@ const Format& graph_format() {
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},
        {"agent", agent_format(), false, "what decides (default: zero)"},
+       {"safety", safety_format(), false, "what is safe, and when it takes the agent's place"},
        {"budget", budget_format(), false,
         "what an image for a board may take, checked by `eagerx-gen size`"}});
   return *kFormat;

@@ -157,6 +157,18 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   return spec;
 }
 
+std::optional<SafetySpec> read_safety(const Node* node) {
+  if (node == nullptr) return std::nullopt;
+  SafetySpec spec;
+  spec.span = node->span;
+  spec.actions = read_config(node->find("actions"));
+  spec.actuators = read_config(node->find("actuators"));
+  for (const auto& setting : read_config(node)) {
+    if (setting.name != "actions" && setting.name != "actuators") spec.settings.push_back(setting);
+  }
+  return spec;
+}
+
 }  // namespace
 
 SpaceSpec read_space(const Node& node) {
@@ -251,6 +263,7 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
   spec.observations = read_selection(*root.find("observations"), diagnostics);
   spec.connections = read_connections(root.find("connections"), diagnostics);
   spec.agent = read_agent(root.find("agent"), diagnostics);
+  spec.safety = read_safety(root.find("safety"));
   return spec;
 }
 

@@ -104,6 +104,14 @@ struct AgentSpec {
   std::optional<Spanned<std::string>> golden;      // file of known answers
 };
 
+/// What is safe and when it is applied; what is left out has the default of `safety_defaults`.
+struct SafetySpec {
+  Span span;
+  std::vector<Setting> actions;    // by name: a number or a list
+  std::vector<Setting> actuators;  // by object.actuator
+  std::vector<Setting> settings;   // the others, by key
+};
+
 struct GraphSpec {
   FileId file = FileId::none;
   std::string path;
@@ -120,10 +128,18 @@ struct GraphSpec {
   std::vector<ComponentSpec> observations;
   std::vector<ConnectionSpec> connections;
   AgentSpec agent;
+  std::optional<SafetySpec> safety;
 };
 
 /// The table of the graph file.
 const Format& graph_format();
+
+/// Keys of `safety:` that have a default, and the text of it.
+struct SafetyDefault {
+  const char* key;
+  const char* value;
+};
+const std::vector<SafetyDefault>& safety_defaults();
 
 /// Typed form of a tree; all problems are reported. nullopt if the tree does not have the form of
 /// the table; after other problems (E0206) there is still enough to look for more.
@@ -140,6 +156,7 @@ const std::vector<std::string>& dtype_names();
 FormatPtr space_format(Reference references, bool like);
 FormatPtr connections_format();
 FormatPtr engine_nodes_format();
+FormatPtr safety_format();
 FormatPtr config_format();
 SpaceSpec read_space(const Node& node);
 std::vector<Setting> read_config(const Node* node);

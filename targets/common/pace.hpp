@@ -12,6 +12,7 @@ struct Timing {
   std::uint64_t late = 0;           // whose deadline was over before the slot before them was done
   std::uint64_t worst = 0;          // largest lateness
   std::uint64_t late_in_a_row = 0;  // up to now
+  std::uint64_t too_late_in_a_row = 0;  // of these, later than the graph's `max_lateness`
   struct Range {
     std::uint64_t least = 0, most = 0, sum = 0;
 
@@ -37,7 +38,13 @@ class PacedTrace : public HashTrace {
  public:
   static constexpr bool kSlots = true;
 
-  void set_pace(Pace pace) { pace_ = pace; }
+  void set_pace(Pace pace, std::int64_t max_lateness_ns) {
+    constexpr std::uint64_t kNsPerSecond = 1'000'000'000;
+    const auto ns = static_cast<std::uint64_t>(max_lateness_ns);
+    pace_ = pace;
+    max_lateness_ =
+        ns / kNsPerSecond * Clock::hz() + ns % kNsPerSecond * Clock::hz() / kNsPerSecond;
+  }
 
   template <class Rate>
   void slot(Rate /*rate*/, Seq tick) {
@@ -67,6 +74,8 @@ class PacedTrace : public HashTrace {
   }
 
   std::uint64_t wait_until(std::uint64_t deadline, std::uint64_t now) {
+    const bool too_late = now > deadline && now - deadline > max_lateness_;
+    timing_.too_late_in_a_row = too_late ? timing_.too_late_in_a_row + 1 : 0;
     if (now > deadline) {
       ++timing_.late;
       ++timing_.late_in_a_row;
@@ -82,6 +91,7 @@ class PacedTrace : public HashTrace {
   std::uint64_t start_ = 0;
   std::uint64_t begun_ = 0;
   std::uint64_t deadline_ = 0;
+  std::uint64_t max_lateness_ = 0;
   Pace pace_ = Pace::free;
   Timing timing_;
 };

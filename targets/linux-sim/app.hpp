@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <targets/common/csv.hpp>
+#include <targets/common/guard.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/describe.hpp>
@@ -41,7 +42,7 @@ class Watch {
   Watch(const Options& options, TextFile& csv, TextFile& trace)
       : csv_(csv),
         trace_(trace),
-        pacer_(Graph::Rate::period_s, options.real_time_factor),
+        pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
         progress_(options.plan.episodes * options.plan.steps, !options.quiet) {}
 
   bool go_on() const { return !interrupted() && !csv_.failed() && !trace_.failed(); }
@@ -63,6 +64,10 @@ class Watch {
     progress_.step(steps_);
     if (pacer_.paces()) pacer_.wait_for(steps_);
   }
+
+  /// Whether there is something that a safe action could stop.
+  bool has_begun() const { return episodes_ > 0; }
+  std::uint64_t late_in_a_row() const { return pacer_.late_in_a_row(); }
 
   void finish(Summary& summary) {
     constexpr double kSecondsPerNs = 1e-9;
@@ -110,14 +115,19 @@ inline bool close_output(TextFile& file, const std::string& path) {
 /// One run of a program whose trace is `Program`'s.
 template <class Graph, class Program>
 void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
-                 Watch<Graph>& watch) {
+                 Watch<Graph>& watch, target::Guard<Graph>& guard) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
-    if (options.agent == target::Agent::csv) return table[step];
-    return target::act<Graph>(options.agent, key, step, observation);
+    if (step == 0) guard.reset();
+    const typename Graph::Action action =
+        options.agent == target::Agent::csv
+            ? table[step]
+            : target::act<Graph>(options.agent, key, step, observation);
+    return guard.check(observation, action, watch.late_in_a_row());
   };
   program.warm_up();  // a library may need memory for it, and none afterwards
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
+  if (Graph::kSafety.declared && interrupted() && watch.has_begun()) program.step(guard.stop());
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
   program.stop();
 }
@@ -132,16 +142,19 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
   const std::string_view agent = target::name_of(options.agent);
 
   Watch<Graph> watch(options, csv, trace);
+  target::Guard<Graph> guard;
   std::uint64_t hash = 0;
   Summary summary;
   summary.graph = Graph::kName;
   summary.engine = Graph::kEngine;
   summary.agent = std::string(agent);
   summary.seed = options.plan.seed;
+  const auto note = [&](const char* name, std::uint64_t count) {
+    summary.faults.emplace_back(name, count);
+  };
   const auto note_faults = [&](const auto& program) {
-    target::for_each_fault(program, [&](const char* name, std::uint64_t count) {
-      summary.faults.emplace_back(name, count);
-    });
+    target::for_each_fault(program, note);
+    guard.for_each_count(note);
   };
   if (options.hash || trace.is_open()) {
     auto& program = target::program_of_run<typename Graph::template Program<Recorder>>;
@@ -149,12 +162,12 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
       Recorder::write_head(trace, options.plan.seed, agent);
       program.trace.write_to(&trace);
     }
-    run_program(options, table, program, watch);
+    run_program(options, table, program, watch, guard);
     hash = program.trace.hash();
     note_faults(program);
   } else {
     auto& program = target::program_of_run<typename Graph::template Program<NoTrace>>;
-    run_program(options, table, program, watch);
+    run_program(options, table, program, watch, guard);
     note_faults(program);
   }
 

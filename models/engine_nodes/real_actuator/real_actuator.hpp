@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 
 namespace eagerx::models {
+
+/// What becomes of an action out of the limits.
+enum class OutOfLimits : std::uint8_t { clip, safe };
 
 /// Every tick: next action := last action [n] within its limits, which is also the output; the safe
 /// action while RealEngine holds the actuators, and as long as no action has come.
@@ -27,7 +31,7 @@ class RealActuator {
       const Real wanted = in.action.empty() ? static_cast<Real>(Io::Config::safe_action[i])
                                             : static_cast<Real>(element(in.action.back(), i));
       const Real applied = simulator.act(i, wanted, static_cast<Real>(Io::Config::low[i]),
-                                         static_cast<Real>(Io::Config::high[i]));
+                                         static_cast<Real>(Io::Config::high[i]), kClips);
       element(out.action_applied, i) = static_cast<ScalarOf<Message>>(applied);
     }
   }
@@ -35,6 +39,7 @@ class RealActuator {
  private:
   using Message = typename decltype(Io::Inputs::action)::value_type;
   static constexpr std::size_t kSize = size_of<Message>;
+  static constexpr bool kClips = Io::Config::limits == OutOfLimits::clip;
   static_assert(kSize == Simulator::Model::kActuators,
                 "RealActuator: the action must have as many elements as the model has actuators");
 };

@@ -14,9 +14,10 @@ namespace eagerx::models {
 ///   2. sleep until the instant
 ///   3. one round trip measures all sensors of all objects
 ///   4. if something is wrong, all actuators get their safe action at once
-/// Wrong is: later than `max_lateness` (0: a period), an error of the link, a sensor without a
-/// value for `missed` instants, an action that is not finite. The safe action stays until `recover`
-/// instants in a row were right. An engine that is more than a period late does not catch up: the
+/// Wrong is: `late` instants in a row later than `max_lateness` (0: a period), an error of the
+/// link, a sensor without a value for `missed` instants, an action that is not finite or out of
+/// limits that make safe. The safe action stays until `recover` instants in a row were right (0:
+/// until the next episode). An engine that is more than a period late does not catch up: the
 /// instants after it move. `Platform::prepare(priority)` is called once before.
 template <class Io, class Link, class Platform>
 class HardwareEngine {
@@ -40,7 +41,9 @@ class HardwareEngine {
     const BusError error = link_.run();
     start_ns_ = Clock::now_ns();
     (simulators.collect(error, start_ns_), ...);
-    right_ = error == BusError::none && !((simulators.missed() > 0) || ...) ? kRecover : 0;
+    late_in_a_row_ = 0;
+    is_safe_ = error != BusError::none || ((simulators.missed() > 0) || ...);
+    right_ = 0;
     (simulators.hold(is_safe()), ...);
   }
 
@@ -57,9 +60,12 @@ class HardwareEngine {
     (simulators.collect(answer, Clock::now_ns()), ...);
     if (error == BusError::none) error = answer;
     const bool stale = ((simulators.missed() >= kMissed) || ...);
+    missing_ += ((simulators.missed() > 0) || ...);
     stale_ += stale;
+    link_errors_ += error != BusError::none;
+    bad_actions_ += bad_action;
     const bool right = in_time && error == BusError::none && !stale && !bad_action;
-    right_ = !right ? 0 : right_ < kRecover ? right_ + 1 : kRecover;
+    note(right);
     safe_instants_ += is_safe();
     if (!right && !was_safe) make_safe(due_ns, simulators...);
   }
@@ -72,7 +78,7 @@ class HardwareEngine {
     link_.close();
   }
 
-  bool is_safe() const { return right_ < kRecover; }
+  bool is_safe() const { return is_safe_; }
   const Lateness& lateness() const { return lateness_; }
   const Link& link() const { return link_; }
 
@@ -83,7 +89,10 @@ class HardwareEngine {
     lateness_.for_each_count(f);
     f("instants too late", overruns_);
     f("instants moved", moved_);
-    f("instants without a sensor", stale_);
+    f("instants with a sensor missing", missing_);
+    f("instants with a sensor stale", stale_);
+    f("instants with a link error", link_errors_);
+    f("instants with a bad action", bad_actions_);
     f("instants with safe actions", safe_instants_);
     f("safe actions", safe_actions_);
     f("slowest safe action us", static_cast<std::uint64_t>(slowest_ns_ / kNsPerUs));
@@ -95,6 +104,7 @@ class HardwareEngine {
  private:
   using Clock = typename Link::Clock;
   static constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+  static constexpr std::uint32_t kLate = static_cast<std::uint32_t>(Io::Config::late);
   static constexpr std::uint32_t kMissed = static_cast<std::uint32_t>(Io::Config::missed);
   static constexpr std::uint32_t kRecover = static_cast<std::uint32_t>(Io::Config::recover);
   static constexpr auto kPeriodNs =
@@ -113,7 +123,7 @@ class HardwareEngine {
                                      rest * std::uint64_t{kNsPerSecond} / Io::Rate::num);
   }
 
-  /// False if it was too late for that.
+  /// False if it was too late, and so were as many before it as make safe.
   bool wait_until(std::int64_t due_ns) {
     if (Clock::now_ns() < due_ns) Clock::sleep_until(due_ns);
     const std::int64_t late_ns = Clock::now_ns() - due_ns;
@@ -122,9 +132,22 @@ class HardwareEngine {
       start_ns_ += late_ns;
       ++moved_;
     }
-    if (late_ns <= kMaxLateNs) return true;
+    if (late_ns <= kMaxLateNs) {
+      late_in_a_row_ = 0;
+      return true;
+    }
     ++overruns_;
-    return false;
+    if (late_in_a_row_ < kLate) ++late_in_a_row_;
+    return late_in_a_row_ < kLate;
+  }
+
+  void note(bool right) {
+    if (!right) {
+      is_safe_ = true;
+      right_ = 0;
+    } else if (is_safe_ && kRecover > 0) {
+      is_safe_ = ++right_ < kRecover;
+    }
   }
 
   template <class... Simulators>
@@ -139,12 +162,17 @@ class HardwareEngine {
   Link link_{};
   bool started_ = false;
   std::int64_t start_ns_ = 0;
-  std::uint32_t right_ = 0;  // instants in a row, up to kRecover
+  bool is_safe_ = false;
+  std::uint32_t right_ = 0;  // instants in a row since the last wrong one, while safe
+  std::uint32_t late_in_a_row_ = 0;
   Lateness lateness_{};
   std::int64_t slowest_ns_ = 0;
   std::uint64_t overruns_ = 0;
   std::uint64_t moved_ = 0;
+  std::uint64_t missing_ = 0;
   std::uint64_t stale_ = 0;
+  std::uint64_t link_errors_ = 0;
+  std::uint64_t bad_actions_ = 0;
   std::uint64_t safe_instants_ = 0;
   std::uint64_t safe_actions_ = 0;
   std::uint64_t failed_starts_ = 0;

@@ -54,16 +54,17 @@ class HardwareSimulator {
     safe_[i] = safe;
     action_[i] = safe;
   }
-  /// The next action of actuator `i`, moved into its limits; what will be applied. NaN and infinite
-  /// ones are counted and make the whole object safe.
-  Real act(std::size_t i, Real wanted, Real low, Real high) {
+  /// The next action of actuator `i`, moved into its limits; what will be applied. NaN, infinite
+  /// ones and, unless `clips`, those out of the limits are counted and make everything safe.
+  Real act(std::size_t i, Real wanted, Real low, Real high, bool clips = true) {
     if (!eagerx::isfinite(wanted)) {
       ++not_finite_;
       bad_action_ = true;
       wanted = safe_[i];
     } else if (wanted < low || wanted > high) {
       ++limited_;
-      wanted = wanted < low ? low : high;
+      bad_action_ = bad_action_ || !clips;
+      wanted = !clips ? safe_[i] : wanted < low ? low : high;
     }
     action_[i] = wanted;
     return is_safe_ ? safe_[i] : wanted;
@@ -112,7 +113,7 @@ class HardwareSimulator {
   template <class F>
   void for_each_count(F&& f) const {
     for (std::size_t i = 1; i < kBusErrors; ++i) f(kErrorNames[i], errors_[i]);
-    f("actions limited", limited_);
+    f("actions out of limits", limited_);
     f("actions not finite", not_finite_);
     f("late in resets", late_in_resets_);
   }

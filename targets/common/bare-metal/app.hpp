@@ -13,6 +13,7 @@
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/csv.hpp>
+#include <targets/common/guard.hpp>
 #include <targets/common/pace.hpp>
 #include <targets/common/run.hpp>
 
@@ -222,15 +223,18 @@ int run(const char* board) {
   }
 
   auto& program = target::program_of_run<typename Graph::template Program<Trace>>;
-  program.trace.set_pace(options.pace);
+  program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();
   Watch<Graph> watch(options, program.trace);
+  target::Guard<Graph> guard;
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
-    return target::act<Graph>(options.agent, key, step, observation);
+    if (step == 0) guard.reset();
+    return guard.check(observation, target::act<Graph>(options.agent, key, step, observation),
+                       program.trace.timing().too_late_in_a_row);
   };
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();
-  if (too_late) program.step(Graph::zero());
+  if (too_late) program.step(guard.stop());
 
   print("graph", Graph::kName);
   print("engine", Graph::kEngine);
@@ -241,12 +245,14 @@ int run(const char* board) {
   print("steps", watch.steps());
   print("program", sizeof program, " bytes");
   print("stack", stack_used_bytes(), " bytes");
-  target::for_each_fault(program, [](const char* name, std::uint64_t count) {
+  const auto print_count = [](const char* name, std::uint64_t count) {
     if (count > 0) print(name, count);
-  });
+  };
+  target::for_each_fault(program, print_count);
+  if constexpr (Graph::kSafety.declared) guard.for_each_count(print_count);
   if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);
   if (too_late)
-    print("error: stopped with the action zero, late slots in a row:", options.late_limit);
+    print("error: stopped with the safe action, late slots in a row:", options.late_limit);
   console.text("trace hash 0x");
   console.hex(program.trace.hash());
   console.text("\n");

@@ -95,6 +95,7 @@ using Simulator = HardwareSimulator<FakeModel, FakeLink>;
 struct EngineConfig {
   static constexpr int priority = 0;
   static constexpr double max_lateness = 0.005;
+  static constexpr int late = 1;
   static constexpr int missed = 2;
   static constexpr int recover = 2;
 };
@@ -128,6 +129,7 @@ struct ActuatorIo : SensorIo {
     static constexpr std::array<double, 1> safe_action = {0.5};
     static constexpr std::array<double, 1> low = {-2.0};
     static constexpr std::array<double, 1> high = {2.0};
+    static constexpr auto limits = OutOfLimits::clip;
   };
   struct Inputs {
     Latest<std::int64_t> tick;
@@ -265,7 +267,7 @@ TEST_F(RealEngineTest, OneMissingValueIsBorneTwoAreNot) {
   EXPECT_EQ(instant().back(), "run measure");
   EXPECT_EQ(instant().back(), "post act5");
   EXPECT_EQ(count("sensor parity"), 2U);
-  EXPECT_EQ(count("instants without a sensor"), 1U);
+  EXPECT_EQ(count("instants with a sensor stale"), 1U);
 }
 
 TEST_F(RealEngineTest, ValuesOutsideTheLimitsAndNaNAreNotTaken) {
@@ -287,13 +289,56 @@ TEST_F(RealEngineTest, ActionsAreLimitedAndNaNIsSafe) {
   instant();
   EXPECT_EQ(applied[0], 2.0F);
   EXPECT_EQ(instant()[0], "post act20");
-  EXPECT_GE(count("actions limited"), 2U);
+  EXPECT_GE(count("actions out of limits"), 2U);
   action = std::numeric_limits<float>::quiet_NaN();
   instant();
   action = 1.0F;
   const Lines lines = instant();
   EXPECT_EQ(lines.front(), "post act5") << "the NaN of the instant before";
   EXPECT_EQ(count("actions not finite"), 1U);
+}
+
+struct StrictIo : ActuatorIo {
+  struct Config : ActuatorIo::Config {
+    static constexpr auto limits = OutOfLimits::safe;
+  };
+};
+
+TEST_F(RealEngineTest, AnActionOutOfLimitsCanMakeSafe) {
+  begin();
+  instant();
+  RealActuator<StrictIo> strict;
+  const Array<float, 1> ring[1] = {{{7.0F}}};
+  const std::int64_t ticks[1] = {0};
+  StrictIo::Outputs out{applied};
+  strict.callback({n}, {{ticks, 1}, {ring, 1}}, out, simulator);
+  EXPECT_EQ(applied[0], 0.5F);
+  EXPECT_EQ(instant().front(), "post act5");
+  EXPECT_TRUE(engine.is_safe());
+  EXPECT_EQ(count("instants with a bad action"), 1U);
+}
+
+struct PatientIo : RealEngineIo {
+  struct Config : EngineConfig {
+    static constexpr int late = 2;
+    static constexpr int recover = 0;
+  };
+};
+
+TEST_F(RealEngineTest, SeveralLateInstantsMakeSafeUntilTheNextEpisode) {
+  HardwareEngine<PatientIo, FakeLink, FakePlatform> patient;
+  patient.start(simulator);
+  patient.reset({}, simulator);
+  FakeClock::late = 6 * kMs;
+  patient.callback({1}, simulator);
+  EXPECT_FALSE(patient.is_safe()) << "one is borne";
+  patient.callback({2}, simulator);
+  EXPECT_TRUE(patient.is_safe());
+  FakeClock::late = 0;
+  for (Seq tick = 3; tick < 100; ++tick) patient.callback({tick}, simulator);
+  EXPECT_TRUE(patient.is_safe());
+  patient.reset({}, simulator);
+  EXPECT_FALSE(patient.is_safe());
 }
 
 TEST_F(RealEngineTest, NothingIsSentBeforeTheFirstActuatorIsReset) {

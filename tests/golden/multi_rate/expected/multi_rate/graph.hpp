@@ -8,6 +8,7 @@
 #include <eagerx/agent.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
+#include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
 #include "multi_rate/program.hpp"
@@ -101,6 +102,17 @@ struct Graph {
 
   /// The action that does nothing.
   static Action zero() { return Action{}; }
+
+  /// When the safe action takes the agent's place.
+  static constexpr eagerx::Safety kSafety{.declared = false,
+                                          .late = 1,
+                                          .max_lateness_ns = 100000000,
+                                          .missed = 2,
+                                          .recover = 3,
+                                          .clips = true,
+                                          .holds = false};
+  /// The safe action.
+  static Action safe() { return {{{0.0F}}, {{0.0F}}}; }
 
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {

@@ -1,0 +1,188 @@
+// What is safe: values of actions and actuators, and when they are applied.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/read/scalar.hpp"
+#include "generator/resolve/draft.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+const Setting* find_setting(const std::vector<Setting>& settings, std::string_view name) {
+  const auto found = std::find_if(settings.begin(), settings.end(),
+                                  [&](const Setting& s) { return s.name == name; });
+  return found == settings.end() ? nullptr : &*found;
+}
+
+double bound(const std::vector<double>& bounds, std::size_t i, double otherwise) {
+  if (bounds.empty()) return otherwise;
+  return bounds.size() == 1 ? bounds[0] : bounds[i];
+}
+
+std::vector<double> zero_in(const Space& space) {
+  std::vector<double> zero;
+  for (std::size_t i = 0; i < space.size(); ++i) {
+    const double low = bound(space.low, i, lowest_of(space.dtype));
+    const double high = bound(space.high, i, highest_of(space.dtype));
+    zero.push_back(std::min(std::max(0.0, low), high));
+  }
+  return zero;
+}
+
+/// The value that was written, checked against its space (E0322, E0327); nullopt if it is wrong.
+std::optional<std::vector<double>> value_of(const std::string& name, const Space& space,
+                                            const Setting& setting, Diagnostics& diagnostics) {
+  RandomSpec spec;
+  spec.kind = RandomSpec::Kind::value;
+  spec.span = setting.value.span;
+  spec.first = setting.value;
+  const auto random = read_random(name, space, spec, diagnostics);
+  return random ? std::optional(random->first) : std::nullopt;
+}
+
+Node scalar(std::string text, Span span) {
+  Node node;
+  node.kind = NodeKind::scalar;
+  node.text = std::move(text);
+  node.span = span;
+  return node;
+}
+
+Node list_of(const std::vector<double>& values, Span span) {
+  Node node;
+  node.kind = NodeKind::sequence;
+  node.span = span;
+  for (const double value : values) node.items.push_back(scalar(fmt::format("{}", value), span));
+  return node;
+}
+
+/// The safe value of the action that is connected to the actuator as it is, if one is declared.
+const Setting* of_connected_action(const GraphSpec& spec, const std::string& object,
+                                   const std::string& actuator) {
+  constexpr std::string_view kActions = "actions.";
+  for (const auto& connection : spec.connections) {
+    const std::string& to = connection.to.value;
+    if (to != object + "." + actuator && to != object + ".actuators." + actuator) continue;
+    if (connection.processor || !connection.from.value.starts_with(kActions)) return nullptr;
+    return find_setting(spec.safety->actions, connection.from.value.substr(kActions.size()));
+  }
+  return nullptr;
+}
+
+void report_unknown_actions(Draft& draft) {
+  std::vector<std::string> known;
+  for (const auto& action : draft.nodes[Graph::kEnvironment].outputs) known.push_back(action.name);
+  for (const auto& setting : draft.spec.safety->actions) {
+    if (std::find(known.begin(), known.end(), setting.name) != known.end()) continue;
+    draft.diagnostics
+        .error("E0307", setting.span, fmt::format("there is no action `{}`", setting.name))
+        .help = suggestion(setting.name, known, "the graph has no actions");
+  }
+}
+
+/// Of objects whose type is known.
+void report_unknown_actuators(Draft& draft) {
+  std::vector<std::string> known;
+  for (const auto& object : draft.objects) {
+    if (object.entity == nullptr) return;
+    for (const auto& actuator : object.entity->actuators)
+      known.push_back(object.name + "." + actuator.name.value);
+  }
+  for (const auto& setting : draft.spec.safety->actuators) {
+    if (std::find(known.begin(), known.end(), setting.name) != known.end()) continue;
+    draft.diagnostics
+        .error("E0307", setting.span, fmt::format("there is no actuator `{}`", setting.name))
+        .help = suggestion(setting.name, known, "no object has actuators");
+  }
+}
+
+void check_time(const std::string& key, const Node& node, Diagnostics& diagnostics) {
+  constexpr double kLongestS = 3600.0;
+  if (Rational::parse(node.text).value_or(Rational()).to_double() <= kLongestS) return;
+  diagnostics.error("E0323", node.span, fmt::format("`{}` is out of range", key)).label =
+      "must be at most 3600 s";
+}
+
+}  // namespace
+
+References safety_references(const GraphSpec& spec) {
+  References result;
+  for (const auto& [key, value] : safety_defaults()) {
+    const Setting* setting = spec.safety ? find_setting(spec.safety->settings, key) : nullptr;
+    const std::string name = fmt::format("safety {}", key);
+    result[name] = setting != nullptr ? setting->value : scalar(value, spec.name.span);
+  }
+  return result;
+}
+
+void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& entity,
+                        References& references) {
+  for (const auto& port : entity.actuators) {
+    const std::string& name = port.name.value;
+    const std::string written = object.name.value + "." + name;
+    Diagnostics quiet;  // what is wrong with the space is told of where it is used
+    PartialSpace partial = partial_space(port.space, references, quiet);
+    if (object.actuators) {
+      const auto set = std::find_if(object.actuators->begin(), object.actuators->end(),
+                                    [&](const ComponentSpec& c) { return c.name.value == name; });
+      if (set != object.actuators->end() && set->space)
+        partial = overlay(partial, partial_space(*set->space, {}, quiet));
+    }
+    const auto space = complete(partial);
+    if (!space || quiet.has_errors()) continue;
+    std::vector<double> safe = zero_in(*space);
+    Span span = object.name.span;
+    if (draft.spec.safety) {
+      const Setting* setting = find_setting(draft.spec.safety->actuators, written);
+      // The action's own value is told of with the action.
+      Diagnostics& diagnostics = setting != nullptr ? draft.diagnostics : quiet;
+      if (setting == nullptr) setting = of_connected_action(draft.spec, object.name.value, name);
+      const auto value =
+          setting != nullptr ? value_of(written, *space, *setting, diagnostics) : std::nullopt;
+      if (value) {
+        safe = *value;
+        span = setting->value.span;
+      }
+    }
+    references["safe " + name] = list_of(safe, span);
+  }
+}
+
+void resolve_safety(Draft& draft) {
+  if (draft.spec.safety) {
+    report_unknown_actions(draft);
+    report_unknown_actuators(draft);
+    for (const char* key : {"max_lateness", "link_timeout"})
+      check_time(key, draft.safety.at(fmt::format("safety {}", key)), draft.diagnostics);
+  }
+  if (draft.graph.nodes.empty()) return;  // something was wrong before
+  const GraphNode& environment = draft.graph.environment();
+  Safety& safety = draft.graph.safety;
+  const auto text = [&](const char* key) {
+    return draft.safety.at(fmt::format("safety {}", key)).text;
+  };
+  const auto count = [&](const char* key) {
+    return static_cast<std::uint32_t>(parse_int(text(key)).value_or(1));
+  };
+  safety.late = count("late");
+  safety.missed = count("missed");
+  safety.recover = count("recover");
+  safety.clips = text("limits") == "clip";
+  safety.holds = text("not_finite") == "hold";
+  const Rational lateness = Rational::parse(text("max_lateness")).value_or(Rational());
+  safety.max_lateness_s = lateness == Rational() ? Rational(1) / environment.rate_hz : lateness;
+  for (const auto& action : environment.outputs) safety.actions.push_back(zero_in(action.space));
+  if (!draft.spec.safety) return;
+  safety.declared = true;
+  safety.span = draft.spec.safety->span;
+  for (std::size_t i = 0; i < environment.outputs.size(); ++i) {
+    const Output& action = environment.outputs[i];
+    const Setting* setting = find_setting(draft.spec.safety->actions, action.name);
+    if (setting == nullptr) continue;
+    auto value = value_of("actions." + action.name, action.space, *setting, draft.diagnostics);
+    if (value) safety.actions[i] = std::move(*value);
+  }
+}
+
+}  // namespace eagerx::gen

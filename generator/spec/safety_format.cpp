@@ -1,0 +1,48 @@
+// The table of `safety:` in the graph file.
+#include "generator/spec/graph_spec.hpp"
+
+namespace eagerx::gen {
+
+const std::vector<SafetyDefault>& safety_defaults() {
+  static const std::vector<SafetyDefault> kDefaults = {
+      {"late", "1"},      {"max_lateness", "0"},  {"missed", "2"},         {"recover", "3"},
+      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}};
+  return kDefaults;
+}
+
+FormatPtr safety_format() {
+  constexpr double kMost = 1'000'000;
+  const FormatPtr count = format::integer("a number of instants", 1, kMost);
+  const FormatPtr time = format::decimal("a time in seconds", 0.0, false);
+  const FormatPtr values =
+      format::one_of("a number, or a list with one number for each element",
+                     {format::list("a list of numbers", format::number("a number"), 1),
+                      format::number("a number")});
+  Format actuators = *format::file_map("actuators");  // their names have a dot: object.actuator
+  actuators.item = values;
+  return format::record(
+      "safety",
+      {{"actions", format::map("actions", values), false,
+        "safe value of each action (default: zero, moved into its space)"},
+       {"actuators", std::make_shared<const Format>(std::move(actuators)), false,
+        "safe value of each `object.actuator` of real hardware (default: that of the action it is "
+        "connected to, else zero moved into its space)"},
+       {"late", count, false,
+        "instants in a row later than `max_lateness` that make safe (default 1)"},
+       {"max_lateness", time, false,
+        "seconds that an instant may be late in real time (default 0: a period)"},
+       {"missed", count, false,
+        "instants in a row without a valid value of a sensor that make safe (default 2)"},
+       {"recover", format::integer("a number of instants", 0, kMost), false,
+        "instants in a row that must be right before actions are applied again; 0: the next "
+        "episode (default 3)"},
+       {"limits", format::keyword({"clip", "safe"}), false,
+        "an action outside of its space is moved into it, or makes safe (default clip)"},
+       {"not_finite", format::keyword({"safe", "hold"}), false,
+        "an action that is NaN or infinite, or follows an observation that is, makes safe, or the "
+        "action before is held for up to `missed` instants (default safe)"},
+       {"link_timeout", time, false,
+        "longest time that a link may take to answer, in seconds (default 0.01)"}});
+}
+
+}  // namespace eagerx::gen
