@@ -165,7 +165,7 @@ struct Safety {
   Rational max_lateness_s;                          // a period of the environment if none is given
   bool clips = true;                                // actions outside of their space
   bool holds = false;                               // the action before one that is not finite
-  std::vector<std::vector<double>> actions;  // of the environment, a value for each element
+  std::vector<std::vector<double>> actions;         // of the environment, a value for each element
   Span span;
 };
 

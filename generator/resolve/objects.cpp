@@ -139,7 +139,8 @@ class ObjectBuilder {
 
   void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {
     const auto settings = substitute(spec.config, references_, diagnostics());
-    node.node.config = resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
+    node.node.config =
+        resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
     if (!entity.engines.empty() &&
         std::find(entity.engines.begin(), entity.engines.end(), implementation_.engine.value) ==
