@@ -51,11 +51,32 @@ class GraphView {
     return "policy";
   }
 
+  static std::string publisher(NodeRole role) {
+    switch (role) {
+      case NodeRole::environment:
+        return "environment";
+      case NodeRole::engine:
+        return "engine";
+      case NodeRole::engine_node:
+        return "engine_node";
+      case NodeRole::node:
+        break;
+    }
+    return "node";
+  }
+
   void add_channels(View& view) const {
     View channels = list();
     for (const auto& channel : plan_.channels) {
+      const GraphNode& node = graph_.nodes[channel.node];
+      const Space& space = node.outputs[channel.output].space;
       View item = object();
       item.set("channel", channel.name);
+      item.set("dtype", std::string(to_string(space.dtype)));
+      item.set("size", fmt::format("{}", space.size()));
+      item.set("num", fmt::format("{}", node.rate_hz.num()));
+      item.set("den", fmt::format("{}", node.rate_hz.den()));
+      item.set("publisher", publisher(node.role));
       channels.push_back(item);
     }
     view["channels"] = std::move(channels);

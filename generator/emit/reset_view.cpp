@@ -100,7 +100,8 @@ class ResetView {
         fmt::format("{}::States{{{}}}", names_.io[Graph::kEngine], joined(states))};
     const auto& simulators = names_.simulator_member;
     arguments.insert(arguments.end(), simulators.begin(), simulators.end());
-    return fmt::format("eagerx::reset_engine({})", joined(arguments));
+    return fmt::format("if (eagerx::runs_engine(trace)) eagerx::reset_engine({})",
+                       joined(arguments));
   }
 
   std::string state_argument(std::size_t n, std::size_t s) {

@@ -25,6 +25,17 @@ void reset_engine(Engine& engine, const States& states, Simulators&... simulator
   }
 }
 
+/// Whether the engine acts on the world itself, so that nothing can be tried or repeated: it says
+/// `static constexpr bool kReal = true`.
+template <class Engine, class... Simulators>
+constexpr bool is_real(const Engine& /*engine*/, const Simulators&... /*simulators*/) {
+  if constexpr (requires { Engine::kReal; }) {
+    return Engine::kReal;
+  } else {
+    return false;
+  }
+}
+
 /// At the end of a run: engine.stop(simulators...) where the engine has one.
 template <class Engine, class... Simulators>
 void stop(Engine& engine, Simulators&... simulators) {

@@ -36,6 +36,17 @@ inline constexpr bool waits_for_slots = requires {
   requires Trace::kSlots;
 };
 
+/// A trace that can take the engine's place, because it knows what the engine nodes would publish,
+/// has `bool runs_engine() const`; while that is false, engine and engine states are not called.
+template <class Trace>
+constexpr bool runs_engine(const Trace& trace) {
+  if constexpr (requires { trace.runs_engine(); }) {
+    return trace.runs_engine();
+  } else {
+    return static_cast<void>(trace), true;
+  }
+}
+
 /// Costs nothing.
 struct NoTrace {
   void episode(std::uint32_t /*index*/) {}

@@ -114,6 +114,7 @@ class ActionTable final : public ActionSink {
     return bad;
   }
 
+  std::uint64_t size() const { return actions_.size(); }
   const Action& operator[](std::uint64_t step) const { return actions_[step]; }
 
  private:

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <targets/common/csv.hpp>
@@ -112,16 +114,23 @@ inline bool close_output(TextFile& file, const std::string& path) {
   return path.empty() || file.close() || cannot_write(file, path);
 }
 
+/// The agent's action in a step; a file of actions may be shorter than a log.
+template <class Graph>
+typename Graph::Action action_of(const Options& options, const ActionTable<Graph>& table,
+                                 EpisodeKey key, Seq step,
+                                 const typename Graph::Observation& observation) {
+  if (options.agent != target::Agent::csv)
+    return target::act<Graph>(options.agent, key, step, observation);
+  return step < table.size() ? table[step] : Graph::zero();
+}
+
 /// One run of a program whose trace is `Program`'s.
 template <class Graph, class Program>
 void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
                  Watch<Graph>& watch, target::Guard<Graph>& guard) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if (step == 0) guard.reset();
-    const typename Graph::Action action =
-        options.agent == target::Agent::csv
-            ? table[step]
-            : target::act<Graph>(options.agent, key, step, observation);
+    const auto action = action_of<Graph>(options, table, key, step, observation);
     return guard.check(observation, action, watch.late_in_a_row());
   };
   program.warm_up();  // a library may need memory for it, and none afterwards
@@ -130,6 +139,35 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
   if (Graph::kSafety.declared && interrupted() && watch.has_begun()) program.step(guard.stop());
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
   program.stop();
+}
+
+/// The agent's action, with what the log gives in its place.
+template <class Graph>
+typename Graph::Action replayed_action(const Replay& replay, std::uint32_t episode,
+                                       typename Graph::Action action) {
+  Graph::for_each_action(action, [&](const char* name, auto& message, const auto&... /*space*/) {
+    const std::string channel = std::string("environment/") + name;
+    for (std::uint32_t i = 0; i < std::size(Graph::kChannels); ++i) {
+      if (channel == Graph::kChannels[i].name) replay.copy(i, episode, message);
+    }
+  });
+  return action;
+}
+
+template <class Graph, class Program>
+void replay_episodes(const Options& options, const trace_log::Log& log, const ActionTable<Graph>& table,
+                     Program& program, Replay& replay) {
+  program.warm_up();
+  for (std::uint32_t episode = 0; episode < log.episodes() && replay.go_on(); ++episode) {
+    const EpisodeKey key{log.seed, log.environment, episode};
+    program.trace.episode(episode);
+    typename Graph::Observation observation = program.reset(Graph::draw(key));
+    for (Seq step = 0; replay.go_on() && replay.has_step(episode); ++step) {
+      const auto action = action_of<Graph>(options, table, key, step, observation);
+      observation = program.step(replayed_action<Graph>(replay, episode, action));
+    }
+    replay.end_episode(episode);
+  }
 }
 
 /// Runs with everything checked and read; writes files and summary.
@@ -159,10 +197,12 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
   if (options.hash || trace.is_open()) {
     auto& program = target::program_of_run<typename Graph::template Program<Recorder>>;
     if (trace.is_open()) {
-      Recorder::write_head(trace, options.plan.seed, agent);
-      program.trace.write_to(&trace);
+      Recorder::Text::head(trace, options.plan.seed, options.plan.environment, agent,
+                           options.trace_time);
+      program.trace.write_to(&trace, options.trace_time);
     }
     run_program(options, table, program, watch, guard);
+    program.trace.write_end();
     hash = program.trace.hash();
     note_faults(program);
   } else {
@@ -179,6 +219,24 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
   if (options.hash) std::fputs(hash_line(hash).c_str(), out);
   const bool printed = std::fflush(out) == 0;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
+}
+
+/// Repeats the run of a log: exit code 0 if nothing differs, 1 if something does.
+template <class Graph>
+int replay_log(const Options& options, const ActionTable<Graph>& table) {
+  std::string problem;
+  const std::optional<trace_log::Log> log = trace_log::read_log_file(options.replay, problem);
+  if (!log) return fail(problem, kBadFile);
+  auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
+  Replay replay(*log, Graph::kChannels);
+  if (!replay.prepare(options.replay_given, program.is_real(), problem))
+    return fail(problem, kBadFile);
+  program.trace.follow(&replay);
+  replay_episodes<Graph>(options, *log, table, program, replay);
+  std::fputs(replay.report(Graph::kName, Graph::kEngine).c_str(), stdout);
+  if (options.hash) std::fputs(hash_line(program.trace.hash()).c_str(), stdout);
+  if (std::fflush(stdout) != 0) return kBadFile;
+  return replay.divergence() ? kDiverged : kDone;
 }
 
 template <class Graph>
@@ -238,6 +296,7 @@ int run(int argc, char** argv) {
     const ActionProblem problem = table.load(options.action_file, options.plan.steps);
     if (problem.exit_code != 0) return fail(problem.text, problem.exit_code);
   }
+  if (!options.replay.empty()) return replay_log<Graph>(options, table);
   catch_interrupts();
   return run_with<Graph>(options, table);
 }

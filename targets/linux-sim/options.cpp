@@ -55,6 +55,17 @@ bool set_trace(Options& options, std::string_view value) {
   options.trace = value;
   return !value.empty();
 }
+bool set_trace_time(Options& options, std::string_view) {
+  return options.trace_time = true;
+}
+bool set_replay(Options& options, std::string_view value) {
+  options.replay = value;
+  return !value.empty();
+}
+bool set_replay_given(Options& options, std::string_view value) {
+  options.replay_given = value;
+  return !value.empty();
+}
 bool set_real_time_factor(Options& options, std::string_view value) {
   return parse_number(value, 0.0, options.real_time_factor) &&
          std::isfinite(options.real_time_factor);
@@ -99,6 +110,12 @@ constexpr std::array kOptions{
     Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, a row a step",
            set_csv},
     Option{"--trace", "FILE", "a file name or `-`", "write every message, a line each", set_trace},
+    Option{"--trace-time", "", "", "write into the trace when each message was sent", set_trace_time},
+    Option{"--replay", "LOG", "a file name", "repeat the run of a trace and compare the messages",
+           set_replay},
+    Option{"--replay-given", "LIST", "names between commas",
+           "what is taken from it: channels, actions, sensors, none (actions,sensors)",
+           set_replay_given},
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "a number of at least 0",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
@@ -203,7 +220,8 @@ first row. A first row with the names of the columns and lines that begin with #
 `-` writes to the standard output; the summary then goes to the standard error.
 Ctrl-C ends the run after the current step, with files complete and the summary.
 
-Exit codes: 0 done or interrupted, 1 problem in a file of actions or failed self-test, 2 wrong usage, 3 cannot read or write.
+Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test or diverged from the log, 2 wrong
+usage, 3 cannot read or write.
 )";
 }
 

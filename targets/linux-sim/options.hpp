@@ -12,6 +12,7 @@ namespace eagerx::linux_sim {
 inline constexpr int kDone = 0;
 inline constexpr int kBadActions = 1;
 inline constexpr int kSelfTestFailed = 1;
+inline constexpr int kDiverged = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kBadFile = 3;
 
@@ -22,6 +23,9 @@ struct Options {
   std::string action_file;  // of Agent::csv
   std::string csv;          // empty: none; "-": standard output
   std::string trace;        // the same
+  bool trace_time = false;
+  std::string replay;  // a log; empty: none
+  std::string replay_given = "actions,sensors";
   double real_time_factor = 0.0;
   bool hash = false;
   bool quiet = false;

@@ -1,24 +1,33 @@
-// The trace: hash and, if wanted, every message in a file.
+// The trace: hash and, if wanted, every message in a file, or compared with a log.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
-#include <eagerx/version.hpp>
-#include <string>
+#include <string_view>
+#include <targets/common/trace_text.hpp>
+#include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/replay.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
 
-/// A trace for generated programs that folds messages into the hash and writes them to a file.
-/// The format is described in targets/linux-sim/README.md, "The trace file".
+/// A trace for generated programs that folds messages into the hash, writes them to a file, and
+/// compares them with a log or takes them from it.
 template <class Graph>
 class TraceRecorder {
  public:
-  /// Without a file only the hash is made.
-  void write_to(TextFile* file) { file_ = file; }
+  using Text = target::TraceText<Graph, TextFile>;
+
+  /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
+  void write_to(TextFile* file, bool timed) {
+    file_ = file;
+    start_ns_ = now_ns();
+    timed_ = timed;
+  }
+  void follow(Replay* replay) { replay_ = replay; }
+  bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 
   void episode(std::uint32_t index) {
@@ -29,49 +38,33 @@ class TraceRecorder {
   /// Never inlined: a program has a call for each of its messages, and a thousand nodes take 15 %
   /// (g++) to 29 % (clang++) more text when all of them are expanded.
   template <class Message>
-  [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+  [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, Message& message) {
+    if (replay_ != nullptr) replay_->message(channel, episode_, seq, message);
     hash_(channel, seq, message);
     if (file_ != nullptr) write(channel, seq, message);
   }
 
-  static void write_head(TextFile& file, std::uint64_t seed, std::string_view agent) {
-    file.text("# eagerx trace 1\n# graph ");
-    file.text(Graph::kName);
-    file.text("\n# engine ");
-    file.text(Graph::kEngine);
-    file.text("\n# rate ");
-    file.number(Graph::Rate::num);
-    file.text("/");
-    file.number(Graph::Rate::den);
-    file.text("\n# seed ");
-    file.number(seed);
-    file.text("\n# agent ");
-    file.text(agent);
-    file.text("\n# runtime ");
-    file.number(kVersionMajor);
-    file.text(".");
-    file.number(kVersionMinor);
-    file.text("\nepisode,channel,seq,values\n");
+  /// The file's last line.
+  void write_end() const {
+    if (file_ != nullptr) Text::end(*file_, messages_, hash());
   }
 
  private:
   template <class Message>
   void write(std::uint32_t channel, Seq seq, const Message& message) {
-    file_->number(episode_);
-    file_->text(",");
-    file_->text(Graph::kChannels[channel]);
-    file_->text(",");
-    file_->number(seq);
-    for (std::size_t i = 0; i < size_of<Message>; ++i) {
-      file_->text(",");
-      file_->number(element(message, i));
-    }
-    file_->text("\n");
+    ++messages_;
+    Text::begin_message(*file_, episode_, channel, seq);
+    if (timed_) Text::time(*file_, now_ns() - start_ns_);
+    Text::values(*file_, message);
   }
 
   HashTrace hash_;
   TextFile* file_ = nullptr;
+  Replay* replay_ = nullptr;
+  std::uint64_t messages_ = 0;  // in the file
+  std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;
+  bool timed_ = false;
 };
 
 }  // namespace eagerx::linux_sim

@@ -92,7 +92,7 @@ struct PrintingTrace {
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
     hash(channel, seq, message);
-    std::printf("sent %s %" PRIu64, Graph::kChannels[channel], seq);
+    std::printf("sent %s %" PRIu64, Graph::kChannels[channel].name, seq);
     print_message(message);
     std::printf("\n");
   }

@@ -22,6 +22,8 @@ namespace eagerx::models {
 template <class Io, class Link, class Platform>
 class HardwareEngine {
  public:
+  static constexpr bool kReal = true;
+
   template <class... Simulators>
   void start(Simulators&... simulators) {
     if (started_) return;  // a program that warms up is started again by its first reset

@@ -1,0 +1,386 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <targets/common/log_file.hpp>
+#include <targets/common/trace_text.hpp>
+
+namespace eagerx::trace_log {
+namespace {
+
+constexpr std::array<std::string_view, 11> kDtypes = {"float32", "float64", "int8",   "int16",
+                                                      "int32",   "int64",   "uint8",  "uint16",
+                                                      "uint32",  "uint64",  "bool"};
+
+template <class T>
+bool parse(std::string_view text, T& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+template <class T>
+bool parse_as(std::string_view text, std::uint64_t& bits) {
+  T value{};
+  if (!parse(text, value)) return false;
+  bits = canonical_bits(value);
+  return true;
+}
+
+bool parse_value(Dtype dtype, std::string_view text, std::uint64_t& bits) {
+  switch (dtype) {
+    case Dtype::float32:
+      return parse_as<float>(text, bits);
+    case Dtype::float64:
+      return parse_as<double>(text, bits);
+    case Dtype::int8:
+      return parse_as<std::int8_t>(text, bits);
+    case Dtype::int16:
+      return parse_as<std::int16_t>(text, bits);
+    case Dtype::int32:
+      return parse_as<std::int32_t>(text, bits);
+    case Dtype::int64:
+      return parse_as<std::int64_t>(text, bits);
+    case Dtype::uint8:
+      return parse_as<std::uint8_t>(text, bits);
+    case Dtype::uint16:
+      return parse_as<std::uint16_t>(text, bits);
+    case Dtype::uint32:
+      return parse_as<std::uint32_t>(text, bits);
+    case Dtype::uint64:
+      return parse_as<std::uint64_t>(text, bits);
+    case Dtype::boolean:
+      break;
+  }
+  bits = text == "1" ? 1 : 0;
+  return text == "0" || text == "1";
+}
+
+/// What an error shows of the file: at most 40 characters, none that a terminal would obey.
+std::string shown(std::string_view text) {
+  constexpr std::size_t kMost = 40;
+  std::string result = "`";
+  for (const char c : text.substr(0, kMost)) result += c >= ' ' && c <= '~' ? c : '?';
+  return result + (text.size() > kMost ? "…`" : "`");
+}
+
+class Reader {
+ public:
+  Reader(const std::string& path, std::string_view text) : rest_(text) { log_.path = path; }
+
+  std::optional<Log> read(std::string& problem) {
+    const bool read_all = skip_to_begin() && read_head() && read_rows();
+    log_.lines = line_;
+    if (!read_all) {
+      problem = problem_;
+      return std::nullopt;
+    }
+    return std::move(log_);
+  }
+
+ private:
+  /// The next line without its end. False behind the last one; an unfinished one is none.
+  bool next() {
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) {
+      cut_ = !rest_.empty();
+      return false;
+    }
+    text_ = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    if (!text_.empty() && text_.back() == '\r') text_.remove_suffix(1);  // serial lines
+    ++line_;
+    return true;
+  }
+
+  bool fail(std::string_view place, const std::string& what) {
+    const std::size_t before = place.data() == nullptr
+                                   ? text_.size()
+                                   : static_cast<std::size_t>(place.data() - text_.data());
+    const std::size_t column = before + 1;
+    problem_ = log_.path + ":" + std::to_string(line_) + ":" + std::to_string(column) +
+               ": error: " + what;
+    return false;
+  }
+
+  /// A board may have said something before.
+  bool skip_to_begin() {
+    while (next()) {
+      if (text_ == target::kTraceFirstLine) return true;
+      if (text_.starts_with("# eagerx trace ")) return fail(text_, shown(text_) + " is not a version that can be read; this is version 1");
+    }
+    problem_ = log_.path + ": error: no line `" + std::string(target::kTraceFirstLine) +
+               "`; a log is what a program writes with `--trace FILE`";
+    return false;
+  }
+
+  /// Lines `# name value` up to the names of the columns.
+  bool read_head() {
+    while (next()) {
+      if (text_ == "episode,channel,seq,values") return check_head();
+      if (text_ == "episode,channel,seq,time_ns,values") {
+        log_.timed = true;
+        return check_head();
+      }
+      if (!text_.starts_with("# ")) return fail(text_, "expected `# name value` or `episode,channel,seq,values`, found " + shown(text_));
+      const std::string_view fact = text_.substr(2);
+      const std::size_t space = std::min(fact.find(' '), fact.size());
+      const std::string_view name = fact.substr(0, space);
+      const std::string_view value = fact.substr(std::min(space + 1, fact.size()));
+      if (!read_fact(name, value)) return false;
+    }
+    problem_ = log_.path + ": error: the log ends before its first message, in line " +
+               std::to_string(line_ + 1);
+    return false;
+  }
+
+  bool read_fact(std::string_view name, std::string_view value) {
+    if (name == "graph") return log_.graph = value, true;
+    if (name == "engine") return log_.engine = value, true;
+    if (name == "agent") return log_.agent = value, true;
+    if (name == "seed") {
+      has_seed_ = true;
+      return parse(value, log_.seed) || fail(value, shown(value) + " is not a seed");
+    }
+    if (name == "environment")
+      return parse(value, log_.environment) || fail(value, shown(value) + " is not the number of an environment");
+    if (name == "channel") return read_channel(value);
+    return true;  // what a later version may add
+  }
+
+  bool read_channel(std::string_view value) {
+    std::array<std::string_view, 4> words;
+    std::string_view rest = value;
+    for (auto& word : words) {
+      const std::size_t space = std::min(rest.find(' '), rest.size());
+      word = rest.substr(0, space);
+      rest.remove_prefix(std::min(space + 1, rest.size()));
+      if (word.empty()) return fail(value, "a channel is `name dtype size rate`, not " + shown(value));
+    }
+    if (!rest.empty()) return fail(rest, shown(rest) + " behind the rate of a channel");
+    Channel channel;
+    channel.name = words[0];
+    const std::optional<Dtype> dtype = dtype_of(words[1]);
+    if (!dtype) return fail(words[1], shown(words[1]) + " is not a type");
+    channel.dtype = *dtype;
+    if (!parse(words[2], channel.size) || channel.size == 0)
+      return fail(words[2], shown(words[2]) + " is not a number of elements");
+    const std::size_t slash = words[3].find('/');
+    if (slash == std::string_view::npos || !parse(words[3].substr(0, slash), channel.rate_num) ||
+        !parse(words[3].substr(slash + 1), channel.rate_den) || channel.rate_num == 0 ||
+        channel.rate_den == 0)
+      return fail(words[3], shown(words[3]) + " is not a rate");
+    const auto number = static_cast<std::uint32_t>(log_.channels.size());
+    if (!channels_.emplace(channel.name, number).second)
+      return fail(words[0], shown(words[0]) + " is there twice");
+    log_.channels.push_back(std::move(channel));
+    return true;
+  }
+
+  bool check_head() {
+    if (!has_seed_) return fail(text_, "the log does not say its `# seed`");
+    if (log_.channels.empty()) return fail(text_, "the log has no lines `# channel name dtype size rate`");
+    return true;
+  }
+
+  bool read_rows() {
+    while (next()) {
+      if (text_.starts_with("# end ")) return read_end(text_.substr(6));
+      if (!read_row()) return false;
+    }
+    if (cut_) ++line_;
+    return true;  // ended early
+  }
+
+  bool read_row() {
+    Row row;
+    row.line = line_;
+    row.first = log_.values.size();
+    std::string_view rest = text_;
+    std::string_view cell;
+    if (!take(rest, cell) || !parse(cell, row.episode))
+      return fail(cell, shown(cell) + " is not the number of an episode");
+    const std::uint32_t last = log_.rows.empty() ? 0 : log_.rows.back().episode;
+    const bool follows = row.episode == last || (row.episode == last + 1 && !log_.rows.empty());
+    if (!follows) return fail(cell, "expected episode " + std::to_string(last) + " or the next");
+    if (!take(rest, cell)) return fail(rest, "the line ends before its channel");
+    const auto channel = channels_.find(cell);
+    if (channel == channels_.end())
+      return fail(cell, "no line `# channel` says what " + shown(cell) + " is");
+    row.channel = channel->second;
+    if (!take(rest, cell) || !parse(cell, row.seq))
+      return fail(cell, shown(cell) + " is not the number of a message");
+    if (log_.timed && (!take(rest, cell) || !parse(cell, row.time_ns)))
+      return fail(cell, shown(cell) + " is not a time in nanoseconds");
+    return read_values(rest, row);
+  }
+
+  bool read_values(std::string_view rest, const Row& row) {
+    const Channel& channel = log_.channels[row.channel];
+    std::string_view cell;
+    std::uint64_t size = 0;
+    while (take(rest, cell)) {
+      if (size == channel.size)
+        return fail(cell, "a message of " + shown(channel.name) + " has " + std::to_string(channel.size) + " values, this one more");
+      std::uint64_t bits = 0;
+      if (!parse_value(channel.dtype, cell, bits))
+        return fail(cell, shown(cell) + " is not a " + std::string(name_of(channel.dtype)));
+      log_.values.push_back(bits);
+      ++size;
+    }
+    if (size < channel.size)
+      return fail(rest, "a message of " + shown(channel.name) + " has " + std::to_string(channel.size) + " values, this one " + std::to_string(size));
+    log_.rows.push_back(row);
+    return true;
+  }
+
+  /// Cuts the next cell off; false if there is none.
+  static bool take(std::string_view& rest, std::string_view& cell) {
+    cell = rest;
+    if (rest.data() == nullptr) return false;
+    const std::size_t comma = rest.find(',');
+    cell = rest.substr(0, comma);
+    if (comma == std::string_view::npos) {
+      rest = {};
+    } else {
+      rest.remove_prefix(comma + 1);
+    }
+    return true;
+  }
+
+  bool read_end(std::string_view fact) {
+    const std::size_t space = std::min(fact.find(' '), fact.size());
+    const std::string_view hash = fact.substr(std::min(space + 1, fact.size()));
+    std::uint64_t messages = 0;
+    if (!parse(fact.substr(0, space), messages) || !hash.starts_with("0x") || hash.size() != 18 ||
+        !parse_hex(hash.substr(2), log_.hash))
+      return fail(fact, "the last line is `# end messages hash`, not " + shown(text_));
+    if (messages != log_.rows.size())
+      return fail(fact, "the log has " + std::to_string(log_.rows.size()) + " messages, its last line says " + std::to_string(messages));
+    log_.complete = true;
+    return true;
+  }
+
+  static bool parse_hex(std::string_view text, std::uint64_t& value) {
+    constexpr int kHexadecimal = 16;
+    const auto [end, error] =
+        std::from_chars(text.data(), text.data() + text.size(), value, kHexadecimal);
+    return error == std::errc() && end == text.data() + text.size();
+  }
+
+  Log log_;
+  std::map<std::string, std::uint32_t, std::less<>> channels_;
+  std::string_view rest_, text_;
+  std::size_t line_ = 0;
+  bool cut_ = false;
+  bool has_seed_ = false;
+  std::string problem_;
+};
+
+template <class T>
+std::string as_text(std::uint64_t bits) {
+  constexpr std::size_t kLongest = 32;
+  std::array<char, kLongest> buffer{};
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value_of<T>(bits));
+  return {buffer.data(), result.ptr};
+}
+
+/// Numbers in the order of their values, without a gap.
+template <class Signed>
+std::int64_t order(Signed bits) {
+  return bits >= 0 ? bits : std::numeric_limits<Signed>::min() - bits;
+}
+
+}  // namespace
+
+std::optional<Dtype> dtype_of(std::string_view name) {
+  const auto* found = std::find(kDtypes.begin(), kDtypes.end(), name);
+  if (found == kDtypes.end()) return std::nullopt;
+  return static_cast<Dtype>(found - kDtypes.begin());
+}
+
+std::string_view name_of(Dtype dtype) {
+  return kDtypes[static_cast<std::size_t>(dtype)];
+}
+
+std::optional<std::uint32_t> Log::channel(std::string_view name) const {
+  for (std::uint32_t i = 0; i < channels.size(); ++i) {
+    if (channels[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<Log> read_log(const std::string& path, std::string_view text, std::string& problem) {
+  return Reader(path, text).read(problem);
+}
+
+std::optional<Log> read_log_file(const std::string& path, std::string& problem) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf())) {
+    problem = "error: cannot read `" + path + "`: " + std::strerror(errno);
+    return std::nullopt;
+  }
+  return read_log(path, text.str(), problem);
+}
+
+std::string text_of(Dtype dtype, std::uint64_t bits) {
+  switch (dtype) {
+    case Dtype::float32:
+      return as_text<float>(bits);
+    case Dtype::float64:
+      return as_text<double>(bits);
+    case Dtype::uint8:
+    case Dtype::uint16:
+    case Dtype::uint32:
+    case Dtype::uint64:
+      return std::to_string(bits);
+    default:
+      return std::to_string(static_cast<std::int64_t>(bits));
+  }
+}
+
+double number_of(Dtype dtype, std::uint64_t bits) {
+  switch (dtype) {
+    case Dtype::float32:
+      return double{value_of<float>(bits)};
+    case Dtype::float64:
+      return value_of<double>(bits);
+    case Dtype::uint64:
+      return static_cast<double>(bits);
+    default:
+      return static_cast<double>(static_cast<std::int64_t>(bits));
+  }
+}
+
+std::optional<std::uint64_t> distance(Dtype dtype, std::uint64_t a, std::uint64_t b) {
+  const double x = number_of(dtype, a);
+  const double y = number_of(dtype, b);
+  if (x != x || y != y) return std::nullopt;
+  std::int64_t i = static_cast<std::int64_t>(a);
+  std::int64_t k = static_cast<std::int64_t>(b);
+  if (dtype == Dtype::float32) {
+    i = order(static_cast<std::int32_t>(a));
+    k = order(static_cast<std::int32_t>(b));
+  } else if (dtype == Dtype::float64) {
+    i = order(static_cast<std::int64_t>(a));
+    k = order(static_cast<std::int64_t>(b));
+  } else if (dtype == Dtype::uint64) {
+    return a < b ? b - a : a - b;
+  }
+  // The difference of two 64 bit numbers fits into 64 bits without a sign.
+  return i < k ? static_cast<std::uint64_t>(k) - static_cast<std::uint64_t>(i)
+               : static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(k);
+}
+
+std::string distance_text(Dtype dtype, std::uint64_t a, std::uint64_t b) {
+  const auto steps = distance(dtype, a, b);
+  if (!steps) return "one is not a number";
+  const bool floating = dtype == Dtype::float32 || dtype == Dtype::float64;
+  return std::to_string(*steps) + (floating ? " ulp" : "") + " apart";
+}
+
+}  // namespace eagerx::trace_log

@@ -1,0 +1,101 @@
+// The trace as text: what `--trace` writes, on every target. Its form is in targets/README.md, "The
+// trace file"; targets/common/log_file.hpp reads it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/channel.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <eagerx/version.hpp>
+#include <string_view>
+
+namespace eagerx::target {
+
+inline constexpr std::string_view kTraceFirstLine = "# eagerx trace 1";
+
+/// `Writer` has text(std::string_view) and number(value).
+template <class Graph, class Writer>
+class TraceText {
+ public:
+  static void head(Writer& out, std::uint64_t seed, std::uint32_t environment,
+                   std::string_view agent, bool timed) {
+    out.text(kTraceFirstLine);
+    line(out, "graph", Graph::kName);
+    line(out, "engine", Graph::kEngine);
+    begin(out, "rate");
+    fraction(out, Graph::Rate::num, Graph::Rate::den);
+    begin(out, "seed");
+    out.number(seed);
+    begin(out, "environment");
+    out.number(environment);
+    line(out, "agent", agent);
+    begin(out, "runtime");
+    out.number(kVersionMajor);
+    out.text(".");
+    out.number(kVersionMinor);
+    for (const Channel& channel : Graph::kChannels) {
+      line(out, "channel", channel.name);
+      out.text(" ");
+      out.text(channel.dtype);
+      out.text(" ");
+      out.number(channel.size);
+      out.text(" ");
+      fraction(out, channel.rate_num, channel.rate_den);
+    }
+    out.text(timed ? "\nepisode,channel,seq,time_ns,values\n" : "\nepisode,channel,seq,values\n");
+  }
+
+  /// What comes before the values of a message.
+  static void begin_message(Writer& out, std::uint32_t episode, std::uint32_t channel, Seq seq) {
+    out.number(episode);
+    out.text(",");
+    out.text(Graph::kChannels[channel].name);
+    out.text(",");
+    out.number(seq);
+  }
+  static void time(Writer& out, std::int64_t ns) {
+    out.text(",");
+    out.number(ns);
+  }
+  template <class Message>
+  static void values(Writer& out, const Message& message) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      out.text(",");
+      out.number(element(message, i));
+    }
+    out.text("\n");
+  }
+
+  /// The last line: how many messages there were, and their hash. A file without it ended early.
+  static void end(Writer& out, std::uint64_t messages, std::uint64_t hash) {
+    constexpr unsigned kBitsPerDigit = 4;
+    constexpr unsigned kBits = 64;
+    out.text("# end ");
+    out.number(messages);
+    out.text(" 0x");
+    for (unsigned shift = kBits; shift > 0;) {
+      shift -= kBitsPerDigit;
+      out.text({&"0123456789abcdef"[(hash >> shift) & 0xfU], 1});
+    }
+    out.text("\n");
+  }
+
+ private:
+  static void begin(Writer& out, std::string_view name) {
+    out.text("\n# ");
+    out.text(name);
+    out.text(" ");
+  }
+  static void line(Writer& out, std::string_view name, std::string_view value) {
+    begin(out, name);
+    out.text(value);
+  }
+  static void fraction(Writer& out, std::uint64_t num, std::uint64_t den) {
+    out.number(num);
+    out.text("/");
+    out.number(den);
+  }
+};
+
+}  // namespace eagerx::target

@@ -1,0 +1,198 @@
+#include <algorithm>
+#include <targets/linux-sim/replay.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+std::string quoted(std::string_view text) {
+  return "`" + std::string(text) + "`";
+}
+
+/// "float32 [2] at 30/1 Hz"
+std::string described(std::string_view dtype, std::uint64_t size, std::uint64_t num,
+                      std::uint64_t den) {
+  return std::string(dtype) + " [" + std::to_string(size) + "] at " + std::to_string(num) + "/" +
+         std::to_string(den) + " Hz";
+}
+
+std::string count_text(std::uint64_t count, std::string_view what) {
+  return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Replay::Replay(const trace_log::Log& log, std::span<const Channel> channels)
+    : log_(log), facts_(channels), channels_(channels.size()) {
+  std::vector<std::optional<std::uint32_t>> here(log.channels.size());
+  for (std::uint32_t i = 0; i < channels.size(); ++i) {
+    channels_[i].in_log = log.channel(channels[i].name);
+    if (channels_[i].in_log) here[*channels_[i].in_log] = i;
+  }
+  for (std::size_t row = 0; row < log.rows.size(); ++row) {
+    const auto& channel = here[log.rows[row].channel];
+    if (channel) channels_[*channel].rows.push_back(row);
+  }
+}
+
+bool Replay::prepare(std::string_view given, bool engine_is_real, std::string& problem) {
+  if (!fits(problem) || !choose(given, problem)) return false;
+  runs_engine_ = !engine_is_real;
+  for (std::uint32_t i = 0; i < facts_.size(); ++i) {
+    const bool of_engine = facts_[i].publisher == Publisher::engine_node;
+    if (engine_is_real && of_engine && !channels_[i].given) {
+      problem = "error: real hardware cannot be asked for " + quoted(facts_[i].name) +
+                " again\nhelp: let the log give `sensors`, or replay in the program of a simulation";
+      return false;
+    }
+    const bool is_action = facts_[i].publisher == Publisher::environment;
+    if (!steps_ && is_action && !channels_[i].rows.empty()) steps_ = i;
+  }
+  if (!steps_) {
+    problem = log_.path + ": error: the log has no actions (`environment/…` of this program), so "
+                          "nothing says how many steps there were";
+  }
+  return steps_.has_value();
+}
+
+bool Replay::fits(std::string& problem) const {
+  for (std::uint32_t i = 0; i < facts_.size(); ++i) {
+    if (!channels_[i].in_log) continue;
+    const trace_log::Channel& recorded = log_.channels[*channels_[i].in_log];
+    const Channel& here = facts_[i];
+    if (trace_log::name_of(recorded.dtype) == here.dtype && recorded.size == here.size &&
+        recorded.rate_num == here.rate_num && recorded.rate_den == here.rate_den)
+      continue;
+    problem = log_.path + ": error: " + quoted(here.name) + " is " +
+              described(trace_log::name_of(recorded.dtype), recorded.size, recorded.rate_num,
+                        recorded.rate_den) +
+              " in the log, " + described(here.dtype, here.size, here.rate_num, here.rate_den) +
+              " in this program";
+    return false;
+  }
+  return true;
+}
+
+bool Replay::choose(std::string_view given, std::string& problem) {
+  while (!given.empty()) {
+    const std::size_t comma = std::min(given.find(','), given.size());
+    const std::string_view word = given.substr(0, comma);
+    given.remove_prefix(std::min(comma + 1, given.size()));
+    bool found = word == "none" || word == "actions" || word == "sensors";
+    for (std::uint32_t i = 0; i < facts_.size(); ++i) {
+      const Publisher publisher = facts_[i].publisher;
+      const bool meant = word == facts_[i].name ||
+                         (word == "actions" && publisher == Publisher::environment) ||
+                         (word == "sensors" && publisher == Publisher::engine_node);
+      if (meant) channels_[i].given = true;
+      found = found || meant;
+    }
+    if (!found) {
+      problem = "error: this program has no channel " + quoted(word) +
+                "\nhelp: the lines `# channel` of a trace name them; `actions`, `sensors` and "
+                "`none` are understood, too";
+      return false;
+    }
+  }
+  return true;
+}
+
+const trace_log::Row* Replay::next_row(std::uint32_t channel) const {
+  const ChannelState& state = channels_[channel];
+  return state.next < state.rows.size() ? &log_.rows[state.rows[state.next]] : nullptr;
+}
+
+bool Replay::has_step(std::uint32_t episode) const {
+  const trace_log::Row* const row = next_row(*steps_);
+  return row != nullptr && row->episode == episode;
+}
+
+const std::uint64_t* Replay::peek(std::uint32_t channel, std::uint32_t episode) const {
+  const trace_log::Row* const row = channels_[channel].given ? next_row(channel) : nullptr;
+  return row != nullptr && row->episode == episode ? log_.values_of(*row) : nullptr;
+}
+
+const std::uint64_t* Replay::expect(std::uint32_t channel, std::uint32_t episode, Seq seq) {
+  ChannelState& state = channels_[channel];
+  if (!go_on() || state.rows.empty()) return nullptr;
+  const trace_log::Row* const row = next_row(channel);
+  if (row == nullptr && !log_.complete) {
+    ended_early_ = true;
+    return nullptr;
+  }
+  if (row == nullptr || row->episode != episode || row->seq != seq) {
+    divergence_ = Divergence{channel, episode, seq, std::nullopt, 0, 0, row ? row->line : 0};
+    return nullptr;
+  }
+  ++state.next;
+  given_ += state.given;
+  return log_.values_of(*row);
+}
+
+void Replay::differ(std::uint32_t channel, std::size_t element, std::uint64_t here,
+                    std::uint64_t recorded) {
+  const ChannelState& state = channels_[channel];
+  const trace_log::Row& row = log_.rows[state.rows[state.next - 1]];
+  divergence_ = Divergence{channel, row.episode, row.seq, element, here, recorded, row.line};
+}
+
+void Replay::end_episode(std::uint32_t episode) {
+  for (std::uint32_t i = 0; i < channels_.size() && go_on(); ++i) {
+    const trace_log::Row* const row = next_row(i);
+    if (row != nullptr && row->episode == episode)
+      divergence_ = Divergence{i, episode, row->seq, std::nullopt, 0, 0, row->line};
+  }
+}
+
+std::string divergence_text(const Divergence& divergence, const Channel& channel,
+                            trace_log::Dtype dtype) {
+  const std::string_view name = channel.name;
+  const std::size_t slash = name.rfind('/');
+  const double time_s = static_cast<double>(divergence.seq) *
+                        static_cast<double>(channel.rate_den) /
+                        static_cast<double>(channel.rate_num);
+  std::string text = "diverged: episode " + std::to_string(divergence.episode) + ", tick " +
+                     std::to_string(divergence.seq) + " (" + std::to_string(time_s) + " s), node " +
+                     quoted(name.substr(0, slash)) + ", field " + quoted(name.substr(slash + 1));
+  if (!divergence.element) {
+    return text + ": " +
+           (divergence.line == 0 ? "no such message in the log"
+                                 : "the log has another message in line " +
+                                       std::to_string(divergence.line));
+  }
+  return text + ", element " + std::to_string(*divergence.element) + ": " +
+         trace_log::text_of(dtype, divergence.recorded) + " in the log, line " +
+         std::to_string(divergence.line) + ", " + trace_log::text_of(dtype, divergence.here) +
+         " here, " + trace_log::distance_text(dtype, divergence.recorded, divergence.here);
+}
+
+/// Channels of both that are given, or compared.
+std::string Replay::names(bool given) const {
+  std::string text;
+  for (std::uint32_t i = 0; i < facts_.size(); ++i) {
+    if (channels_[i].rows.empty() || channels_[i].given != given) continue;
+    text += std::string(text.empty() ? "" : " ") + facts_[i].name;
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string Replay::report(std::string_view graph, std::string_view engine) const {
+  std::string text = "log " + log_.path + ": graph " + log_.graph + " on " + log_.engine +
+                     ", seed " + std::to_string(log_.seed) + "\n";
+  text += "program: graph " + std::string(graph) + " on " + std::string(engine) + "\n";
+  text += "given by the log: " + names(true) + "\n";
+  text += "compared: " + names(false) + "\n";
+  if (divergence_) {
+    const Channel& channel = facts_[divergence_->channel];
+    text += divergence_text(*divergence_, channel, *trace_log::dtype_of(channel.dtype)) + "\n";
+    text += count_text(equal_, "message") + " compared before, all equal; " +
+            count_text(given_, "message") + " given\n";
+    return text;
+  }
+  if (!log_.complete)
+    text += "the log ends early, in line " + std::to_string(log_.lines) + "\n";
+  text += "equal: " + count_text(equal_, "message") + " compared, " +
+          count_text(given_, "message") + " given\n";
+  return text;
+}
+
+}  // namespace eagerx::linux_sim

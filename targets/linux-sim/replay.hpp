@@ -1,0 +1,109 @@
+// A run against a log: what the log gives is taken from it, the rest is compared with it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/channel.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <eagerx/trace.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <targets/common/log_file.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace eagerx::linux_sim {
+
+/// Where a program and a log part.
+struct Divergence {
+  std::uint32_t channel = 0;  // of the program
+  std::uint32_t episode = 0;
+  Seq seq = 0;
+  std::optional<std::size_t> element;   // without: one of the two has no such message
+  std::uint64_t here = 0, recorded = 0;  // bits
+  std::size_t line = 0;                 // of the log; 0: nowhere
+};
+
+/// Goes through a log message by message as the program sends its own. Channels that the log or the
+/// program does not have are left alone.
+class Replay {
+ public:
+  Replay(const trace_log::Log& log, std::span<const Channel> channels);
+
+  /// `given` names what is taken from the log, between commas: channels, `actions` or `sensors`
+  /// (what engine nodes send). False if log and program do not fit; `problem` says why.
+  bool prepare(std::string_view given, bool engine_is_real, std::string& problem);
+
+  bool runs_engine() const { return runs_engine_; }
+  bool go_on() const { return !divergence_ && !ended_early_; }
+  /// Whether the log has another step of this episode.
+  bool has_step(std::uint32_t episode) const;
+  /// After the last step: messages that only the log has are a divergence.
+  void end_episode(std::uint32_t episode);
+
+  /// The next message of `channel`, if the log gives it, without going on.
+  template <class Message>
+  void copy(std::uint32_t channel, std::uint32_t episode, Message& message) const {
+    const std::uint64_t* const recorded = peek(channel, episode);
+    if (recorded != nullptr) assign(message, recorded);
+  }
+
+  template <class Message>
+  void message(std::uint32_t channel, std::uint32_t episode, Seq seq, Message& message) {
+    const std::uint64_t* const recorded = expect(channel, episode, seq);
+    if (recorded == nullptr) return;
+    if (channels_[channel].given) return assign(message, recorded);
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      const std::uint64_t bits = canonical_bits(element(message, i));
+      if (bits != recorded[i]) return differ(channel, i, bits, recorded[i]);
+    }
+    ++equal_;
+  }
+
+  const std::optional<Divergence>& divergence() const { return divergence_; }
+  std::uint64_t equal() const { return equal_; }
+  std::uint64_t given() const { return given_; }
+  /// What came out, in lines of text.
+  std::string report(std::string_view graph, std::string_view engine) const;
+
+ private:
+  struct ChannelState {
+    std::optional<std::uint32_t> in_log;
+    bool given = false;
+    std::vector<std::size_t> rows;  // of the log
+    std::size_t next = 0;
+  };
+
+  template <class Message>
+  static void assign(Message& message, const std::uint64_t* recorded) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i)
+      element(message, i) = trace_log::value_of<ScalarOf<Message>>(recorded[i]);
+  }
+
+  const std::uint64_t* peek(std::uint32_t channel, std::uint32_t episode) const;
+  const trace_log::Row* next_row(std::uint32_t channel) const;
+  const std::uint64_t* expect(std::uint32_t channel, std::uint32_t episode, Seq seq);
+  void differ(std::uint32_t channel, std::size_t element, std::uint64_t here,
+              std::uint64_t recorded);
+  bool choose(std::string_view given, std::string& problem);
+  bool fits(std::string& problem) const;
+  std::string names(bool given) const;
+
+  const trace_log::Log& log_;
+  std::span<const Channel> facts_;
+  std::vector<ChannelState> channels_;
+  std::optional<std::uint32_t> steps_;  // the channel of an action, which every step has once
+  bool runs_engine_ = true;
+  bool ended_early_ = false;
+  std::uint64_t equal_ = 0, given_ = 0;
+  std::optional<Divergence> divergence_;
+};
+
+/// One line: where, both values, how far apart.
+std::string divergence_text(const Divergence& divergence, const Channel& channel,
+                            trace_log::Dtype dtype);
+
+}  // namespace eagerx::linux_sim
