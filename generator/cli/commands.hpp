@@ -22,6 +22,7 @@ struct Options {
   std::string depfile;
   std::string image, build, baseline, run_on;  // size
   bool json_output = false;
+  std::string program, log, second_log, given;  // replay
   std::string entity;                 // info
   std::string policy, golden;         // policy
   std::string normalize, activation;  // policy
@@ -35,6 +36,7 @@ int import_command(const Options& options);
 int info_command(const Options& options);
 int schema_command();
 int size_command(const Options& options);
+int replay_command(const Options& options);
 int new_board_command(const Options& options);
 int policy_command(const Options& options);
 

@@ -99,6 +99,28 @@ void add_size(CLI::App& app, Options& options) {
   add_diagnostics(app, options);
 }
 
+void add_replay(CLI::App& app, Options& options) {
+  app.add_option("program", options.program, "the program, built for Linux")->type_name("PROGRAM");
+  app.add_option("log", options.log, "what a run wrote with --trace")->type_name("LOG");
+  app.add_option("--given", options.given,
+                 "what is taken from the log: channels, actions, sensors, none, between commas "
+                 "(default: actions,sensors)")
+      ->type_name("LIST");
+  app.add_option_function<std::vector<std::string>>(
+         "--compare",
+         [&options](const std::vector<std::string>& logs) {
+           options.log = logs[0];
+           options.second_log = logs[1];
+         },
+         "compare two logs instead")
+      ->expected(2)
+      ->type_name("LOG LOG");
+  app.callback([&options] {
+    if (options.second_log.empty() ? options.log.empty() : !options.program.empty())
+      throw CLI::RequiredError("either PROGRAM and LOG or --compare LOG LOG");
+  });
+}
+
 constexpr const char* kFooter =
     "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may also be a "
     "file "
@@ -108,7 +130,7 @@ constexpr const char* kFooter =
 
 bool is_command(const char* word) {
   for (const char* command :
-       {"generate", "check", "import", "info", "new", "policy", "schema", "size"}) {
+       {"generate", "check", "import", "info", "new", "policy", "replay", "schema", "size"}) {
     if (std::string_view(word) == command) return true;
   }
   return false;
@@ -132,6 +154,9 @@ int run(std::vector<std::string> arguments) {
   make.require_subcommand(1);
   CLI::App& size = *app.add_subcommand("size", "flash, RAM, stack and instructions of an image");
   add_size(size, options);
+  CLI::App& replay =
+      *app.add_subcommand("replay", "repeat the run of a log and find the first difference");
+  add_replay(replay, options);
   add_graph(generate, options);
   add_output(generate, options);
   add_selection(generate, options);
@@ -178,6 +203,7 @@ int run(std::vector<std::string> arguments) {
   if (import.parsed()) return eagerx::gen::import_command(options);
   if (make.parsed()) return eagerx::gen::new_board_command(options);
   if (policy.parsed()) return eagerx::gen::policy_command(options);
+  if (replay.parsed()) return eagerx::gen::replay_command(options);
   if (size.parsed()) return eagerx::gen::size_command(options);
   if (schema.parsed()) return eagerx::gen::schema_command();
   return eagerx::gen::info_command(options);

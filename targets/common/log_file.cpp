@@ -12,8 +12,8 @@
 namespace eagerx::trace_log {
 namespace {
 
-constexpr std::array<std::string_view, 11> kDtypes = {"float32", "float64", "int8",   "int16",
-                                                      "int32",   "int64",   "uint8",  "uint16",
+constexpr std::array<std::string_view, 11> kDtypes = {"float32", "float64", "int8",  "int16",
+                                                      "int32",   "int64",   "uint8", "uint16",
                                                       "uint32",  "uint64",  "bool"};
 
 template <class T>
@@ -101,8 +101,8 @@ class Reader {
                                    ? text_.size()
                                    : static_cast<std::size_t>(place.data() - text_.data());
     const std::size_t column = before + 1;
-    problem_ = log_.path + ":" + std::to_string(line_) + ":" + std::to_string(column) +
-               ": error: " + what;
+    problem_ =
+        log_.path + ":" + std::to_string(line_) + ":" + std::to_string(column) + ": error: " + what;
     return false;
   }
 
@@ -110,7 +110,8 @@ class Reader {
   bool skip_to_begin() {
     while (next()) {
       if (text_ == target::kTraceFirstLine) return true;
-      if (text_.starts_with("# eagerx trace ")) return fail(text_, shown(text_) + " is not a version that can be read; this is version 1");
+      if (text_.starts_with("# eagerx trace "))
+        return fail(text_, shown(text_) + " is not a version that can be read; this is version 1");
     }
     problem_ = log_.path + ": error: no line `" + std::string(target::kTraceFirstLine) +
                "`; a log is what a program writes with `--trace FILE`";
@@ -125,7 +126,9 @@ class Reader {
         log_.timed = true;
         return check_head();
       }
-      if (!text_.starts_with("# ")) return fail(text_, "expected `# name value` or `episode,channel,seq,values`, found " + shown(text_));
+      if (!text_.starts_with("# "))
+        return fail(text_, "expected `# name value` or `episode,channel,seq,values`, found " +
+                               shown(text_));
       const std::string_view fact = text_.substr(2);
       const std::size_t space = std::min(fact.find(' '), fact.size());
       const std::string_view name = fact.substr(0, space);
@@ -146,7 +149,8 @@ class Reader {
       return parse(value, log_.seed) || fail(value, shown(value) + " is not a seed");
     }
     if (name == "environment")
-      return parse(value, log_.environment) || fail(value, shown(value) + " is not the number of an environment");
+      return parse(value, log_.environment) ||
+             fail(value, shown(value) + " is not the number of an environment");
     if (name == "channel") return read_channel(value);
     return true;  // what a later version may add
   }
@@ -158,10 +162,11 @@ class Reader {
       const std::size_t space = std::min(rest.find(' '), rest.size());
       word = rest.substr(0, space);
       rest.remove_prefix(std::min(space + 1, rest.size()));
-      if (word.empty()) return fail(value, "a channel is `name dtype size rate`, not " + shown(value));
+      if (word.empty())
+        return fail(value, "a channel is `name dtype size rate`, not " + shown(value));
     }
     if (!rest.empty()) return fail(rest, shown(rest) + " behind the rate of a channel");
-    Channel channel;
+    RecordedChannel channel;
     channel.name = words[0];
     const std::optional<Dtype> dtype = dtype_of(words[1]);
     if (!dtype) return fail(words[1], shown(words[1]) + " is not a type");
@@ -182,7 +187,8 @@ class Reader {
 
   bool check_head() {
     if (!has_seed_) return fail(text_, "the log does not say its `# seed`");
-    if (log_.channels.empty()) return fail(text_, "the log has no lines `# channel name dtype size rate`");
+    if (log_.channels.empty())
+      return fail(text_, "the log has no lines `# channel name dtype size rate`");
     return true;
   }
 
@@ -219,12 +225,13 @@ class Reader {
   }
 
   bool read_values(std::string_view rest, const Row& row) {
-    const Channel& channel = log_.channels[row.channel];
+    const RecordedChannel& channel = log_.channels[row.channel];
     std::string_view cell;
     std::uint64_t size = 0;
     while (take(rest, cell)) {
       if (size == channel.size)
-        return fail(cell, "a message of " + shown(channel.name) + " has " + std::to_string(channel.size) + " values, this one more");
+        return fail(cell, "a message of " + shown(channel.name) + " has " +
+                              std::to_string(channel.size) + " values, this one more");
       std::uint64_t bits = 0;
       if (!parse_value(channel.dtype, cell, bits))
         return fail(cell, shown(cell) + " is not a " + std::string(name_of(channel.dtype)));
@@ -232,7 +239,9 @@ class Reader {
       ++size;
     }
     if (size < channel.size)
-      return fail(rest, "a message of " + shown(channel.name) + " has " + std::to_string(channel.size) + " values, this one " + std::to_string(size));
+      return fail(rest, "a message of " + shown(channel.name) + " has " +
+                            std::to_string(channel.size) + " values, this one " +
+                            std::to_string(size));
     log_.rows.push_back(row);
     return true;
   }
@@ -259,7 +268,8 @@ class Reader {
         !parse_hex(hash.substr(2), log_.hash))
       return fail(fact, "the last line is `# end messages hash`, not " + shown(text_));
     if (messages != log_.rows.size())
-      return fail(fact, "the log has " + std::to_string(log_.rows.size()) + " messages, its last line says " + std::to_string(messages));
+      return fail(fact, "the log has " + std::to_string(log_.rows.size()) +
+                            " messages, its last line says " + std::to_string(messages));
     log_.complete = true;
     return true;
   }
@@ -284,7 +294,8 @@ template <class T>
 std::string as_text(std::uint64_t bits) {
   constexpr std::size_t kLongest = 32;
   std::array<char, kLongest> buffer{};
-  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value_of<T>(bits));
+  const auto result =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value_of<T>(bits));
   return {buffer.data(), result.ptr};
 }
 

@@ -1,5 +1,5 @@
-// Reads what `--trace` wrote, on Linux. Nothing in a file is trusted: whatever is wrong is said with
-// line and column.
+// Reads what `--trace` wrote, on Linux. Nothing in a file is trusted: whatever is wrong is said
+// with line and column.
 #pragma once
 
 #include <bit>
@@ -32,7 +32,7 @@ enum class Dtype : std::uint8_t {
 std::optional<Dtype> dtype_of(std::string_view name);
 std::string_view name_of(Dtype dtype);
 
-struct Channel {
+struct RecordedChannel {
   std::string name;  // "node/output"
   Dtype dtype = Dtype::float32;
   std::uint64_t size = 0;  // elements of a message
@@ -40,7 +40,7 @@ struct Channel {
 };
 
 struct Row {
-  std::size_t line = 0;  // in the file, from 1
+  std::size_t line = 0;   // in the file, from 1
   std::size_t first = 0;  // of its values in Log::values
   std::uint64_t seq = 0;
   std::int64_t time_ns = 0;  // since the log began; 0 without time stamps
@@ -52,11 +52,11 @@ struct Log {
   std::string path, graph, engine, agent;
   std::uint64_t seed = 0;
   std::uint32_t environment = 0;
-  std::vector<Channel> channels;
+  std::vector<RecordedChannel> channels;
   std::vector<Row> rows;  // in the order of the file
   std::vector<std::uint64_t> values;
   bool timed = false;
-  bool complete = false;  // has its last line; otherwise it ended early
+  bool complete = false;   // has its last line; otherwise it ended early
   std::uint64_t hash = 0;  // if complete
   std::size_t lines = 0;
 

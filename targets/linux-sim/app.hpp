@@ -143,7 +143,7 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
 
 /// The agent's action, with what the log gives in its place.
 template <class Graph>
-typename Graph::Action replayed_action(const Replay& replay, std::uint32_t episode,
+typename Graph::Action replayed_action(const trace_log::Replay& replay, std::uint32_t episode,
                                        typename Graph::Action action) {
   Graph::for_each_action(action, [&](const char* name, auto& message, const auto&... /*space*/) {
     const std::string channel = std::string("environment/") + name;
@@ -155,8 +155,8 @@ typename Graph::Action replayed_action(const Replay& replay, std::uint32_t episo
 }
 
 template <class Graph, class Program>
-void replay_episodes(const Options& options, const trace_log::Log& log, const ActionTable<Graph>& table,
-                     Program& program, Replay& replay) {
+void replay_episodes(const Options& options, const trace_log::Log& log,
+                     const ActionTable<Graph>& table, Program& program, trace_log::Replay& replay) {
   program.warm_up();
   for (std::uint32_t episode = 0; episode < log.episodes() && replay.go_on(); ++episode) {
     const EpisodeKey key{log.seed, log.environment, episode};
@@ -228,7 +228,7 @@ int replay_log(const Options& options, const ActionTable<Graph>& table) {
   const std::optional<trace_log::Log> log = trace_log::read_log_file(options.replay, problem);
   if (!log) return fail(problem, kBadFile);
   auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
-  Replay replay(*log, Graph::kChannels);
+  trace_log::Replay replay(*log, Graph::kChannels);
   if (!replay.prepare(options.replay_given, program.is_real(), problem))
     return fail(problem, kBadFile);
   program.trace.follow(&replay);

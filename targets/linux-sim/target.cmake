@@ -6,7 +6,7 @@ function(eagerx_configure_target executable)
     add_library(
       eagerx_linux_sim STATIC EXCLUDE_FROM_ALL
       ${here}/action_file.cpp ${here}/describe.cpp ${here}/interrupt.cpp ${here}/options.cpp ${here}/pacer.cpp ${here}/progress.cpp
-      ${here}/replay.cpp ${here}/../common/log_file.cpp
+      ${here}/../common/replay.cpp ${here}/../common/log_file.cpp
       ${here}/summary.cpp ${here}/text_file.cpp)
     target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime)
     # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).

@@ -6,9 +6,9 @@
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <string_view>
+#include <targets/common/replay.hpp>
 #include <targets/common/trace_text.hpp>
 #include <targets/linux-sim/pacer.hpp>
-#include <targets/linux-sim/replay.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
@@ -26,7 +26,7 @@ class TraceRecorder {
     start_ns_ = now_ns();
     timed_ = timed;
   }
-  void follow(Replay* replay) { replay_ = replay; }
+  void follow(trace_log::Replay* replay) { replay_ = replay; }
   bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 
@@ -60,7 +60,7 @@ class TraceRecorder {
 
   HashTrace hash_;
   TextFile* file_ = nullptr;
-  Replay* replay_ = nullptr;
+  trace_log::Replay* replay_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
   std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <eagerx/agent.hpp>
+#include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/safety.hpp>
@@ -29,22 +30,22 @@ struct Graph {
   static constexpr const char* kAgentCsv = "";
   static constexpr bool kHasPolicy = false;
 
-  /// Names of the published messages; the index is the channel of the trace.
-  static constexpr const char* kChannels[] = {
-      "engine/tick",
-      "environment/push",
-      "environment/voltage",
-      "fast/filtered",
-      "left/theta/observation",
-      "left/theta_dot/observation",
-      "left/u/action_applied",
-      "left/u_applied/action_applied",
-      "left/x/observation",
-      "right/theta/observation",
-      "right/u/action_applied",
-      "right/u_applied/action_applied",
-      "right/x/observation",
-      "slow/filtered",
+  /// The published messages; the index is the channel of the trace.
+  static constexpr eagerx::Channel kChannels[] = {
+      {"engine/tick", "int64", 1, 60, 1, eagerx::Publisher::engine},
+      {"environment/push", "float32", 1, 10, 1, eagerx::Publisher::environment},
+      {"environment/voltage", "float32", 1, 10, 1, eagerx::Publisher::environment},
+      {"fast/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
+      {"left/theta/observation", "float32", 1, 20, 1, eagerx::Publisher::engine_node},
+      {"left/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"left/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"left/u_applied/action_applied", "float32", 1, 10, 1, eagerx::Publisher::engine_node},
+      {"left/x/observation", "float32", 2, 20, 1, eagerx::Publisher::engine_node},
+      {"right/theta/observation", "float32", 1, 15, 1, eagerx::Publisher::engine_node},
+      {"right/u/action_applied", "float32", 1, 20, 1, eagerx::Publisher::engine_node},
+      {"right/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"right/x/observation", "float32", 2, 15, 1, eagerx::Publisher::engine_node},
+      {"slow/filtered", "float32", 1, 20, 1, eagerx::Publisher::node},
   };
 
   /// actions.voltage, graph.yaml:46:3

@@ -31,7 +31,11 @@ class Program {
     eagerx::start(engine_, left_simulator_, right_simulator_);
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
-  void stop() { eagerx::stop(engine_, left_simulator_, right_simulator_); }
+  void stop() {
+    if (eagerx::runs_engine(trace)) eagerx::stop(engine_, left_simulator_, right_simulator_);
+  }
+  /// Whether the engine acts on the world itself.
+  bool is_real() const { return eagerx::is_real(engine_, left_simulator_, right_simulator_); }
   /// f(name, count) for what engine and objects count besides messages.
   template <class F>
   void for_each_count(F&& f) const {
@@ -50,19 +54,19 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (states.left_model_state)
+    if (states.left_model_state && eagerx::runs_engine(trace))
       LeftModelState::reset(*states.left_model_state, left_simulator_);
-    if (states.left_mass)
+    if (states.left_mass && eagerx::runs_engine(trace))
       LeftMass::reset(*states.left_mass, left_simulator_);
-    if (states.left_length)
+    if (states.left_length && eagerx::runs_engine(trace))
       LeftLength::reset(*states.left_length, left_simulator_);
-    if (states.right_model_state)
+    if (states.right_model_state && eagerx::runs_engine(trace))
       RightModelState::reset(*states.right_model_state, right_simulator_);
-    if (states.right_max_speed)
+    if (states.right_max_speed && eagerx::runs_engine(trace))
       RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
-    if (states.right_length)
+    if (states.right_length && eagerx::runs_engine(trace))
       RightLength::reset(*states.right_length, right_simulator_);
-    eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
+    if (eagerx::runs_engine(trace)) eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);
@@ -88,10 +92,10 @@ class Program {
   Observation step(const Action& action) {
     // actions.voltage, graph.yaml:46:3
     action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1, action.voltage);
+    trace(channel::environment_voltage, n10Hz_ - 1, action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     // actions.push, graph.yaml:47:3
     action_push_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.push;
-    trace(channel::environment_push, n10Hz_ - 1, action.push);
+    trace(channel::environment_push, n10Hz_ - 1, action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     after(due_);
     for (;;) {
       due_ = next();
@@ -127,7 +131,7 @@ class Program {
     if ((due & k60Hz) != 0) {
       // engine: OdeEngine, graph.yaml:8:1
       {
-        if (n60Hz_ > 1) engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
+        if (n60Hz_ > 1 && eagerx::runs_engine(trace)) engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n60Hz_ - 1);
         trace(channel::engine_tick, n60Hz_ - 1, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>)
@@ -147,8 +151,8 @@ class Program {
           trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
         fast_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
-        right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
         trace(channel::fast_filtered, n30Hz_ - 1, new_filtered);
+        right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
       }
       // right/u_applied: ActionApplied, graph.yaml:23:3
       {
@@ -179,8 +183,8 @@ class Program {
         if constexpr (eagerx::traces_inputs<Trace>)
           trace.inputs("left/theta", LeftThetaIo::Rate{}, n20Hz_ - 1, in);
         left_theta_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
-        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
         trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
       }
       // right/u: OdeInput, graph.yaml:23:3
       {

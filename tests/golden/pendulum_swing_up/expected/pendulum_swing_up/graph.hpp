@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <eagerx/agent.hpp>
+#include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/safety.hpp>
@@ -30,16 +31,16 @@ struct Graph {
   static constexpr const char* kAgentCsv = "";
   static constexpr bool kHasPolicy = true;
 
-  /// Names of the published messages; the index is the channel of the trace.
-  static constexpr const char* kChannels[] = {
-      "engine/tick",
-      "environment/voltage",
-      "pendulum/theta/observation",
-      "pendulum/theta_dot/observation",
-      "pendulum/u/action_applied",
-      "pendulum/u_applied/action_applied",
-      "pendulum/x/observation",
-      "smooth/filtered",
+  /// The published messages; the index is the channel of the trace.
+  static constexpr eagerx::Channel kChannels[] = {
+      {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine},
+      {"environment/voltage", "float32", 1, 30, 1, eagerx::Publisher::environment},
+      {"pendulum/theta/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"pendulum/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"pendulum/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"pendulum/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
+      {"pendulum/x/observation", "float32", 2, 30, 1, eagerx::Publisher::engine_node},
+      {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
   };
 
   /// actions.voltage, graph.yaml:25:3

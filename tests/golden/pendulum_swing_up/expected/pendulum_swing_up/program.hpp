@@ -31,7 +31,11 @@ class Program {
     eagerx::start(engine_, pendulum_simulator_);
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
-  void stop() { eagerx::stop(engine_, pendulum_simulator_); }
+  void stop() {
+    if (eagerx::runs_engine(trace)) eagerx::stop(engine_, pendulum_simulator_);
+  }
+  /// Whether the engine acts on the world itself.
+  bool is_real() const { return eagerx::is_real(engine_, pendulum_simulator_); }
   /// f(name, count) for what engine and objects count besides messages.
   template <class F>
   void for_each_count(F&& f) const {
@@ -45,9 +49,9 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (states.pendulum_model_state)
+    if (states.pendulum_model_state && eagerx::runs_engine(trace))
       PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
-    eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
+    if (eagerx::runs_engine(trace)) eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
@@ -62,7 +66,7 @@ class Program {
   Observation step(const Action& action) {
     // actions.voltage, graph.yaml:25:3
     action_voltage_[0] = action.voltage;
-    trace(channel::environment_voltage, n30Hz_ - 1, action.voltage);
+    trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
     after(eagerx::Constant<k30Hz>{});
     before(eagerx::Constant<k30Hz>{});
     return observe(eagerx::Constant<k30Hz>{});
@@ -82,7 +86,7 @@ class Program {
     if ((due & k30Hz) != 0) {
       // engine: OdeEngine, graph.yaml:7:1
       {
-        if (n30Hz_ > 1) engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
+        if (n30Hz_ > 1 && eagerx::runs_engine(trace)) engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n30Hz_ - 1);
         trace(channel::engine_tick, n30Hz_ - 1, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>)
@@ -115,8 +119,8 @@ class Program {
         if constexpr (eagerx::traces_inputs<Trace>)
           trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n30Hz_ - 1, in);
         pendulum_theta_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
         trace(channel::pendulum_theta_observation, n30Hz_ - 1, pendulum_theta_observation_[0]);
+        observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
       }
       // pendulum/theta_dot: FloatOutput, graph.yaml:13:3
       {

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <targets/linux-sim/replay.hpp>
+#include <targets/common/replay.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::trace_log {
 namespace {
 
 std::string quoted(std::string_view text) {
@@ -15,13 +15,13 @@ std::string described(std::string_view dtype, std::uint64_t size, std::uint64_t 
          std::to_string(den) + " Hz";
 }
 
+}  // namespace
+
 std::string count_text(std::uint64_t count, std::string_view what) {
   return std::to_string(count) + " " + std::string(what) + (count == 1 ? "" : "s");
 }
 
-}  // namespace
-
-Replay::Replay(const trace_log::Log& log, std::span<const Channel> channels)
+Replay::Replay(const Log& log, std::span<const Channel> channels)
     : log_(log), facts_(channels), channels_(channels.size()) {
   std::vector<std::optional<std::uint32_t>> here(log.channels.size());
   for (std::uint32_t i = 0; i < channels.size(); ++i) {
@@ -40,16 +40,18 @@ bool Replay::prepare(std::string_view given, bool engine_is_real, std::string& p
   for (std::uint32_t i = 0; i < facts_.size(); ++i) {
     const bool of_engine = facts_[i].publisher == Publisher::engine_node;
     if (engine_is_real && of_engine && !channels_[i].given) {
-      problem = "error: real hardware cannot be asked for " + quoted(facts_[i].name) +
-                " again\nhelp: let the log give `sensors`, or replay in the program of a simulation";
+      problem =
+          "error: real hardware cannot be asked for " + quoted(facts_[i].name) +
+          " again\nhelp: let the log give `sensors`, or replay in the program of a simulation";
       return false;
     }
     const bool is_action = facts_[i].publisher == Publisher::environment;
     if (!steps_ && is_action && !channels_[i].rows.empty()) steps_ = i;
   }
   if (!steps_) {
-    problem = log_.path + ": error: the log has no actions (`environment/…` of this program), so "
-                          "nothing says how many steps there were";
+    problem = log_.path +
+              ": error: the log has no actions (`environment/…` of this program), so "
+              "nothing says how many steps there were";
   }
   return steps_.has_value();
 }
@@ -57,16 +59,16 @@ bool Replay::prepare(std::string_view given, bool engine_is_real, std::string& p
 bool Replay::fits(std::string& problem) const {
   for (std::uint32_t i = 0; i < facts_.size(); ++i) {
     if (!channels_[i].in_log) continue;
-    const trace_log::Channel& recorded = log_.channels[*channels_[i].in_log];
+    const RecordedChannel& recorded = log_.channels[*channels_[i].in_log];
     const Channel& here = facts_[i];
-    if (trace_log::name_of(recorded.dtype) == here.dtype && recorded.size == here.size &&
+    if (name_of(recorded.dtype) == here.dtype && recorded.size == here.size &&
         recorded.rate_num == here.rate_num && recorded.rate_den == here.rate_den)
       continue;
-    problem = log_.path + ": error: " + quoted(here.name) + " is " +
-              described(trace_log::name_of(recorded.dtype), recorded.size, recorded.rate_num,
-                        recorded.rate_den) +
-              " in the log, " + described(here.dtype, here.size, here.rate_num, here.rate_den) +
-              " in this program";
+    problem =
+        log_.path + ": error: " + quoted(here.name) + " is " +
+        described(name_of(recorded.dtype), recorded.size, recorded.rate_num, recorded.rate_den) +
+        " in the log, " + described(here.dtype, here.size, here.rate_num, here.rate_den) +
+        " in this program";
     return false;
   }
   return true;
@@ -96,25 +98,25 @@ bool Replay::choose(std::string_view given, std::string& problem) {
   return true;
 }
 
-const trace_log::Row* Replay::next_row(std::uint32_t channel) const {
+const Row* Replay::next_row(std::uint32_t channel) const {
   const ChannelState& state = channels_[channel];
   return state.next < state.rows.size() ? &log_.rows[state.rows[state.next]] : nullptr;
 }
 
 bool Replay::has_step(std::uint32_t episode) const {
-  const trace_log::Row* const row = next_row(*steps_);
+  const Row* const row = next_row(*steps_);
   return row != nullptr && row->episode == episode;
 }
 
 const std::uint64_t* Replay::peek(std::uint32_t channel, std::uint32_t episode) const {
-  const trace_log::Row* const row = channels_[channel].given ? next_row(channel) : nullptr;
+  const Row* const row = channels_[channel].given ? next_row(channel) : nullptr;
   return row != nullptr && row->episode == episode ? log_.values_of(*row) : nullptr;
 }
 
 const std::uint64_t* Replay::expect(std::uint32_t channel, std::uint32_t episode, Seq seq) {
   ChannelState& state = channels_[channel];
   if (!go_on() || state.rows.empty()) return nullptr;
-  const trace_log::Row* const row = next_row(channel);
+  const Row* const row = next_row(channel);
   if (row == nullptr && !log_.complete) {
     ended_early_ = true;
     return nullptr;
@@ -128,41 +130,57 @@ const std::uint64_t* Replay::expect(std::uint32_t channel, std::uint32_t episode
   return log_.values_of(*row);
 }
 
+void Replay::compare(std::uint32_t channel, std::uint32_t episode, Seq seq,
+                     const std::uint64_t* bits) {
+  const std::uint64_t* const recorded = expect(channel, episode, seq);
+  if (recorded == nullptr) return;
+  for (std::size_t i = 0; i < facts_[channel].size; ++i) {
+    if (bits[i] != recorded[i]) return differ(channel, i, bits[i], recorded[i]);
+  }
+  ++equal_;
+}
+
 void Replay::differ(std::uint32_t channel, std::size_t element, std::uint64_t here,
                     std::uint64_t recorded) {
   const ChannelState& state = channels_[channel];
-  const trace_log::Row& row = log_.rows[state.rows[state.next - 1]];
+  const Row& row = log_.rows[state.rows[state.next - 1]];
   divergence_ = Divergence{channel, row.episode, row.seq, element, here, recorded, row.line};
 }
 
 void Replay::end_episode(std::uint32_t episode) {
   for (std::uint32_t i = 0; i < channels_.size() && go_on(); ++i) {
-    const trace_log::Row* const row = next_row(i);
-    if (row != nullptr && row->episode == episode)
-      divergence_ = Divergence{i, episode, row->seq, std::nullopt, 0, 0, row->line};
+    const Row* const row = next_row(i);
+    if (row != nullptr && row->episode <= episode)
+      divergence_ = Divergence{i, row->episode, row->seq, std::nullopt, 0, 0, row->line};
   }
 }
 
+void Replay::end_all() {
+  end_episode(std::numeric_limits<std::uint32_t>::max());
+}
+
 std::string divergence_text(const Divergence& divergence, const Channel& channel,
-                            trace_log::Dtype dtype) {
+                            const std::string& recorded, const std::string& here) {
   const std::string_view name = channel.name;
-  const std::size_t slash = name.rfind('/');
+  const std::size_t slash = std::min(name.rfind('/'), name.size());
   const double time_s = static_cast<double>(divergence.seq) *
                         static_cast<double>(channel.rate_den) /
                         static_cast<double>(channel.rate_num);
+  const std::string field(name.substr(std::min(slash + 1, name.size())));
   std::string text = "diverged: episode " + std::to_string(divergence.episode) + ", tick " +
                      std::to_string(divergence.seq) + " (" + std::to_string(time_s) + " s), node " +
-                     quoted(name.substr(0, slash)) + ", field " + quoted(name.substr(slash + 1));
+                     quoted(name.substr(0, slash)) + ", field " + quoted(field);
+  const std::string line = ", line " + std::to_string(divergence.line);
   if (!divergence.element) {
+    const bool none = divergence.line == 0;
     return text + ": " +
-           (divergence.line == 0 ? "no such message in the log"
-                                 : "the log has another message in line " +
-                                       std::to_string(divergence.line));
+           (none ? "no such message in " + recorded : "another message in " + recorded + line);
   }
+  const Dtype dtype = *dtype_of(channel.dtype);
   return text + ", element " + std::to_string(*divergence.element) + ": " +
-         trace_log::text_of(dtype, divergence.recorded) + " in the log, line " +
-         std::to_string(divergence.line) + ", " + trace_log::text_of(dtype, divergence.here) +
-         " here, " + trace_log::distance_text(dtype, divergence.recorded, divergence.here);
+         text_of(dtype, divergence.recorded) + " in " + recorded + line + ", " +
+         text_of(dtype, divergence.here) + " " + here + ", " +
+         distance_text(dtype, divergence.recorded, divergence.here);
 }
 
 /// Channels of both that are given, or compared.
@@ -183,16 +201,15 @@ std::string Replay::report(std::string_view graph, std::string_view engine) cons
   text += "compared: " + names(false) + "\n";
   if (divergence_) {
     const Channel& channel = facts_[divergence_->channel];
-    text += divergence_text(*divergence_, channel, *trace_log::dtype_of(channel.dtype)) + "\n";
+    text += divergence_text(*divergence_, channel, "the log", "here") + "\n";
     text += count_text(equal_, "message") + " compared before, all equal; " +
             count_text(given_, "message") + " given\n";
     return text;
   }
-  if (!log_.complete)
-    text += "the log ends early, in line " + std::to_string(log_.lines) + "\n";
+  if (!log_.complete) text += "the log ends early, in line " + std::to_string(log_.lines) + "\n";
   text += "equal: " + count_text(equal_, "message") + " compared, " +
           count_text(given_, "message") + " given\n";
   return text;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::trace_log

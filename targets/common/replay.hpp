@@ -15,23 +15,23 @@
 #include <type_traits>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::trace_log {
 
 /// Where a program and a log part.
 struct Divergence {
   std::uint32_t channel = 0;  // of the program
   std::uint32_t episode = 0;
   Seq seq = 0;
-  std::optional<std::size_t> element;   // without: one of the two has no such message
+  std::optional<std::size_t> element;    // without: one of the two has no such message
   std::uint64_t here = 0, recorded = 0;  // bits
-  std::size_t line = 0;                 // of the log; 0: nowhere
+  std::size_t line = 0;                  // of the log; 0: nowhere
 };
 
 /// Goes through a log message by message as the program sends its own. Channels that the log or the
 /// program does not have are left alone.
 class Replay {
  public:
-  Replay(const trace_log::Log& log, std::span<const Channel> channels);
+  Replay(const Log& log, std::span<const Channel> channels);
 
   /// `given` names what is taken from the log, between commas: channels, `actions` or `sensors`
   /// (what engine nodes send). False if log and program do not fit; `problem` says why.
@@ -43,6 +43,8 @@ class Replay {
   bool has_step(std::uint32_t episode) const;
   /// After the last step: messages that only the log has are a divergence.
   void end_episode(std::uint32_t episode);
+  /// The same after the last episode, for messages of all later ones.
+  void end_all();
 
   /// The next message of `channel`, if the log gives it, without going on.
   template <class Message>
@@ -62,6 +64,11 @@ class Replay {
     }
     ++equal_;
   }
+  /// The same for a message in bits, which is always compared.
+  void compare(std::uint32_t channel, std::uint32_t episode, Seq seq, const std::uint64_t* bits);
+
+  /// False if a channel of both is of another type, size or rate; `problem` says which.
+  bool fits(std::string& problem) const;
 
   const std::optional<Divergence>& divergence() const { return divergence_; }
   std::uint64_t equal() const { return equal_; }
@@ -80,19 +87,18 @@ class Replay {
   template <class Message>
   static void assign(Message& message, const std::uint64_t* recorded) {
     for (std::size_t i = 0; i < size_of<Message>; ++i)
-      element(message, i) = trace_log::value_of<ScalarOf<Message>>(recorded[i]);
+      element(message, i) = value_of<ScalarOf<Message>>(recorded[i]);
   }
 
   const std::uint64_t* peek(std::uint32_t channel, std::uint32_t episode) const;
-  const trace_log::Row* next_row(std::uint32_t channel) const;
+  const Row* next_row(std::uint32_t channel) const;
   const std::uint64_t* expect(std::uint32_t channel, std::uint32_t episode, Seq seq);
   void differ(std::uint32_t channel, std::size_t element, std::uint64_t here,
               std::uint64_t recorded);
   bool choose(std::string_view given, std::string& problem);
-  bool fits(std::string& problem) const;
   std::string names(bool given) const;
 
-  const trace_log::Log& log_;
+  const Log& log_;
   std::span<const Channel> facts_;
   std::vector<ChannelState> channels_;
   std::optional<std::uint32_t> steps_;  // the channel of an action, which every step has once
@@ -102,8 +108,10 @@ class Replay {
   std::optional<Divergence> divergence_;
 };
 
-/// One line: where, both values, how far apart.
+/// One line: where, both values, how far apart. `recorded` and `here` name the two sides.
 std::string divergence_text(const Divergence& divergence, const Channel& channel,
-                            trace_log::Dtype dtype);
+                            const std::string& recorded, const std::string& here);
+/// "1 message", "2 messages"
+std::string count_text(std::uint64_t count, std::string_view what);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::trace_log
