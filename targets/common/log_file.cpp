@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
-#include <sstream>
 #include <targets/common/log_file.hpp>
 #include <targets/common/trace_text.hpp>
 
@@ -329,13 +329,14 @@ std::optional<Log> read_log(const std::string& path, std::string_view text, std:
 }
 
 std::optional<Log> read_log_file(const std::string& path, std::string& problem) {
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) {
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (!file || errno != 0) {  // the stream itself says nothing about a folder
     problem = "error: cannot read `" + path + "`: " + std::strerror(errno);
     return std::nullopt;
   }
-  return read_log(path, text.str(), problem);
+  return read_log(path, text, problem);
 }
 
 std::string text_of(Dtype dtype, std::uint64_t bits) {

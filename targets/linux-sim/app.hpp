@@ -158,12 +158,15 @@ template <class Graph, class Program>
 void replay_episodes(const Options& options, const trace_log::Log& log,
                      const ActionTable<Graph>& table, Program& program, trace_log::Replay& replay) {
   program.warm_up();
+  target::Guard<Graph> guard;
   for (std::uint32_t episode = 0; episode < log.episodes() && replay.go_on(); ++episode) {
     const EpisodeKey key{log.seed, log.environment, episode};
     program.trace.episode(episode);
+    guard.reset();
     typename Graph::Observation observation = program.reset(Graph::draw(key));
     for (Seq step = 0; replay.go_on() && replay.has_step(episode); ++step) {
-      const auto action = action_of<Graph>(options, table, key, step, observation);
+      const auto wanted = action_of<Graph>(options, table, key, step, observation);
+      const auto action = guard.check(observation, wanted, 0);  // the log tells no lateness
       observation = program.step(replayed_action<Graph>(replay, episode, action));
     }
     replay.end_episode(episode);

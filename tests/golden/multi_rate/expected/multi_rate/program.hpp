@@ -28,7 +28,7 @@ class Program {
   void warm_up() {
     if (warm_) return;
     warm_ = true;
-    eagerx::start(engine_, left_simulator_, right_simulator_);
+    if (eagerx::runs_engine(trace)) eagerx::start(engine_, left_simulator_, right_simulator_);
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() {
