@@ -51,13 +51,13 @@ inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], floa
                   float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;
-  policy::full_panels<In, Weights::kFullPanels>(layer.w, layer.b, x, y);
+  policy::full_panels<A, In, Weights::kFullPanels>(layer.w, layer.b, x, y, slope);
   if constexpr (Weights::kTail > 0) {
     float tail[Weights::kTail];
     policy::tail_panel<In, Weights::kTail>(layer.w + kFull * In, layer.b + kFull, x, tail);
+    if constexpr (A != Activation::identity) policy::activate_all<A, Out - kFull>(tail, slope);
     for (std::size_t k = kFull; k < Out; ++k) y[k] = tail[k - kFull];
   }
-  activate<A>(y, slope);
 }
 
 /// Parameters of a LayerNorm.

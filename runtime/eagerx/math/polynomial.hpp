@@ -11,7 +11,7 @@ namespace eagerx::detail {
 template <class R, std::size_t N>
 [[gnu::always_inline]] constexpr R horner(R x, const std::array<LaneOf<R>, N>& c) {
   R sum = R(c[0]);
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
+  [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
     ((sum = sum * x + R(c[I + 1])), ...);
   }
   (std::make_index_sequence<N - 1>{});

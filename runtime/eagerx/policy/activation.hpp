@@ -67,7 +67,9 @@ template <Activation A, class R>
 [[gnu::always_inline]] constexpr R activated(R x, [[maybe_unused]] float slope) {
   const R zero = R(0.0F);
   if constexpr (A == Activation::relu) {
-    return select(x < zero, zero, x);
+    return max(x, zero);
+  } else if constexpr (A == Activation::tanh && lanes<R> > 1) {
+    return detail::tanh_inlined(x);
   } else if constexpr (A == Activation::tanh) {
     return eagerx::tanh(x);
   } else if constexpr (A == Activation::elu) {

@@ -1,5 +1,5 @@
-// As many floats as fit into a register, with the words that eagerx/math.hpp is written in (GCC and
-// Clang vector extensions).
+// Registers of floats, with the words that eagerx/math.hpp is written in (GCC and Clang vector
+// extensions).
 #pragma once
 
 #include <bit>
@@ -7,9 +7,11 @@
 #include <cstdint>
 #include <cstring>
 #include <eagerx/math.hpp>
+#include <utility>
 
 namespace eagerx::policy {
 
+/// Floats in a register.
 #if defined(__AVX__)
 inline constexpr std::size_t kLanes = 8;
 #else
@@ -35,88 +37,149 @@ template <class Vector>
   return v;
 }
 
-/// A mask of lanes: all bits set where true.
-struct MaskLanes {
-  VectorOf<std::int32_t, kLanes>::type v;
-};
+/// `Count` registers of `Width` numbers each. Operations go through the registers one by one: while
+/// the result of one is on its way the others are at work.
+template <class T, std::size_t Width, std::size_t Count>
+struct Registers {
+  using Vector = typename VectorOf<T, Width>::type;
+  Vector v[Count];
 
-/// kLanes unsigned integers.
-struct BitLanes {
-  using Vector = VectorOf<std::uint32_t, kLanes>::type;
-  Vector v;
-  BitLanes() = default;
-  [[gnu::always_inline]] explicit BitLanes(Vector vector) : v(vector) {}
-  [[gnu::always_inline]] explicit BitLanes(std::uint32_t x) : v(x - Vector{}) {}
-  [[gnu::always_inline]] friend BitLanes operator+(BitLanes a, BitLanes b) {
-    return BitLanes(a.v + b.v);
+  /// Calls f with the number of each register. No loop: compilers keep arrays in registers only if
+  /// they know every index from the start.
+  template <class F>
+  [[gnu::always_inline]] static void each(F&& f) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
+      (f(I), ...);
+    }
+    (std::make_index_sequence<Count>{});
   }
-  [[gnu::always_inline]] friend BitLanes operator-(BitLanes a, BitLanes b) {
-    return BitLanes(a.v - b.v);
-  }
-  [[gnu::always_inline]] friend BitLanes operator&(BitLanes a, BitLanes b) {
-    return BitLanes(a.v & b.v);
-  }
-  [[gnu::always_inline]] friend BitLanes operator|(BitLanes a, BitLanes b) {
-    return BitLanes(a.v | b.v);
-  }
-  [[gnu::always_inline]] friend BitLanes operator<<(BitLanes a, int shift) {
-    return BitLanes(a.v << static_cast<std::uint32_t>(shift));
-  }
-  [[gnu::always_inline]] friend BitLanes operator>>(BitLanes a, int shift) {
-    return BitLanes(a.v >> static_cast<std::uint32_t>(shift));
-  }
-};
 
-/// kLanes floats.
-struct FloatLanes {
-  using Vector = FloatVector<kLanes>;
-  Vector v;
-  FloatLanes() = default;
-  [[gnu::always_inline]] explicit FloatLanes(Vector vector) : v(vector) {}
+  Registers() = default;
   // x - 0 is x for every x; x + 0 would lose the sign of -0.
-  [[gnu::always_inline]] explicit FloatLanes(float x) : v(x - Vector{}) {}
-  [[gnu::always_inline]] friend FloatLanes operator+(FloatLanes a, FloatLanes b) {
-    return FloatLanes(a.v + b.v);
+  [[gnu::always_inline]] explicit Registers(T x) {
+    each([&](std::size_t i) { v[i] = x - Vector{}; });
   }
-  [[gnu::always_inline]] friend FloatLanes operator-(FloatLanes a, FloatLanes b) {
-    return FloatLanes(a.v - b.v);
+  /// Register i is f(i).
+  template <class F>
+  [[gnu::always_inline]] static Registers of(F&& f) {
+    Registers result;
+    each([&](std::size_t i) { result.v[i] = f(i); });
+    return result;
   }
-  [[gnu::always_inline]] friend FloatLanes operator-(FloatLanes a) { return FloatLanes(-a.v); }
-  [[gnu::always_inline]] friend FloatLanes operator*(FloatLanes a, FloatLanes b) {
-    return FloatLanes(a.v * b.v);
+  [[gnu::always_inline]] static Registers load(const T* from) {
+    return of([&](std::size_t i) { return policy::load<Vector>(from + i * Width); });
   }
-  [[gnu::always_inline]] friend FloatLanes operator/(FloatLanes a, FloatLanes b) {
-    return FloatLanes(a.v / b.v);
-  }
-  [[gnu::always_inline]] friend MaskLanes operator<(FloatLanes a, FloatLanes b) {
-    return {a.v < b.v};
-  }
-  [[gnu::always_inline]] friend MaskLanes operator>=(FloatLanes a, FloatLanes b) {
-    return {a.v >= b.v};
-  }
-  [[gnu::always_inline]] friend MaskLanes operator==(FloatLanes a, FloatLanes b) {
-    return {a.v == b.v};
+  [[gnu::always_inline]] void store(T* to) const {
+    each([&](std::size_t i) { std::memcpy(to + i * Width, &v[i], sizeof v[i]); });
   }
 };
 
-[[gnu::always_inline]] inline FloatLanes select(MaskLanes mask, FloatLanes when_true,
-                                                FloatLanes when_false) {
-  return FloatLanes(mask.v ? when_true.v : when_false.v);
+template <std::size_t Width, std::size_t Count>
+using FloatLanes = Registers<float, Width, Count>;
+template <std::size_t Width, std::size_t Count>
+using BitLanes = Registers<std::uint32_t, Width, Count>;
+/// All bits set where true.
+template <std::size_t Width, std::size_t Count>
+using MaskLanes = Registers<std::int32_t, Width, Count>;
+
+#define EAGERX_POLICY_BINARY(R, op)                                                       \
+  template <std::size_t W, std::size_t C>                                                 \
+  [[gnu::always_inline]] inline R<W, C> operator op(const R<W, C>& a, const R<W, C>& b) { \
+    return R<W, C>::of([&](std::size_t i) { return a.v[i] op b.v[i]; });                  \
+  }
+EAGERX_POLICY_BINARY(FloatLanes, +)
+EAGERX_POLICY_BINARY(FloatLanes, -)
+EAGERX_POLICY_BINARY(FloatLanes, *)
+EAGERX_POLICY_BINARY(FloatLanes, /)
+EAGERX_POLICY_BINARY(BitLanes, +)
+EAGERX_POLICY_BINARY(BitLanes, -)
+EAGERX_POLICY_BINARY(BitLanes, &)
+EAGERX_POLICY_BINARY(BitLanes, |)
+#undef EAGERX_POLICY_BINARY
+
+#define EAGERX_POLICY_COMPARISON(op)                                                     \
+  template <std::size_t W, std::size_t C>                                                \
+  [[gnu::always_inline]] inline MaskLanes<W, C> operator op(const FloatLanes<W, C>& a,   \
+                                                            const FloatLanes<W, C>& b) { \
+    return MaskLanes<W, C>::of([&](std::size_t i) { return a.v[i] op b.v[i]; });         \
+  }
+EAGERX_POLICY_COMPARISON(<)
+EAGERX_POLICY_COMPARISON(>=)
+EAGERX_POLICY_COMPARISON(==)
+#undef EAGERX_POLICY_COMPARISON
+
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline FloatLanes<W, C> operator-(const FloatLanes<W, C>& a) {
+  return FloatLanes<W, C>::of([&](std::size_t i) { return -a.v[i]; });
 }
-[[gnu::always_inline]] inline BitLanes bits(FloatLanes x) {
-  return BitLanes(std::bit_cast<BitLanes::Vector>(x.v));
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline BitLanes<W, C> operator<<(const BitLanes<W, C>& a, int shift) {
+  return BitLanes<W, C>::of(
+      [&](std::size_t i) { return a.v[i] << static_cast<std::uint32_t>(shift); });
 }
-[[gnu::always_inline]] inline FloatLanes unbits(BitLanes x) {
-  return FloatLanes(std::bit_cast<FloatLanes::Vector>(x.v));
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline BitLanes<W, C> operator>>(const BitLanes<W, C>& a, int shift) {
+  return BitLanes<W, C>::of(
+      [&](std::size_t i) { return a.v[i] >> static_cast<std::uint32_t>(shift); });
+}
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline FloatLanes<W, C> select(const MaskLanes<W, C>& mask,
+                                                      const FloatLanes<W, C>& when_true,
+                                                      const FloatLanes<W, C>& when_false) {
+  return FloatLanes<W, C>::of(
+      [&](std::size_t i) { return mask.v[i] ? when_true.v[i] : when_false.v[i]; });
+}
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline BitLanes<W, C> bits(const FloatLanes<W, C>& x) {
+  using Vector = typename BitLanes<W, C>::Vector;
+  return BitLanes<W, C>::of([&](std::size_t i) { return std::bit_cast<Vector>(x.v[i]); });
+}
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline FloatLanes<W, C> unbits(const BitLanes<W, C>& x) {
+  using Vector = typename FloatLanes<W, C>::Vector;
+  return FloatLanes<W, C>::of([&](std::size_t i) { return std::bit_cast<Vector>(x.v[i]); });
+}
+
+/// The smaller number, `b` if they are equal or one is NaN; the larger one. One instruction on x86,
+/// where compilers make two or three.
+template <class Vector>
+[[gnu::always_inline]] inline Vector smaller(Vector a, Vector b) {
+#if defined(__AVX__)
+  if constexpr (sizeof(Vector) == 32) return __builtin_ia32_minps256(a, b);
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(Vector) == 16) return __builtin_ia32_minps(a, b);
+#endif
+  return a < b ? a : b;
+}
+template <class Vector>
+[[gnu::always_inline]] inline Vector larger(Vector a, Vector b) {
+#if defined(__AVX__)
+  if constexpr (sizeof(Vector) == 32) return __builtin_ia32_maxps256(a, b);
+#endif
+#if defined(__SSE2__)
+  if constexpr (sizeof(Vector) == 16) return __builtin_ia32_maxps(a, b);
+#endif
+  return a > b ? a : b;
+}
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline FloatLanes<W, C> min(const FloatLanes<W, C>& a,
+                                                   const FloatLanes<W, C>& b) {
+  return FloatLanes<W, C>::of([&](std::size_t i) { return smaller(b.v[i], a.v[i]); });
+}
+template <std::size_t W, std::size_t C>
+[[gnu::always_inline]] inline FloatLanes<W, C> max(const FloatLanes<W, C>& a,
+                                                   const FloatLanes<W, C>& b) {
+  return FloatLanes<W, C>::of([&](std::size_t i) { return larger(b.v[i], a.v[i]); });
 }
 
 }  // namespace eagerx::policy
 
 namespace eagerx {
-template <>
-struct LaneTraits<policy::FloatLanes> {
+template <std::size_t Width, std::size_t Count>
+struct LaneTraits<policy::FloatLanes<Width, Count>> {
   using Lane = float;
-  using Bits = policy::BitLanes;
-  static constexpr int kLanes = static_cast<int>(policy::kLanes);
+  using Bits = policy::BitLanes<Width, Count>;
+  static constexpr int kLanes = static_cast<int>(Width * Count);
 };
 }  // namespace eagerx

@@ -1,9 +1,9 @@
 // Panels of outputs: sums that run over the inputs side by side. Three ways to the same bits:
 // vector lanes where the machine has exact ones, Cortex-M registers, plain loops. Each provides,
 // for w [Panels][In][width], b and y [Panels * width] and x [In]:
-//   full_panels<In, Panels>(w, b, x, y)    panels eight wide
-//   tail_panel<In, Width>(w, b, x, y)      one panel 1, 2, 4 or 8 wide
-//   activate_all<A, Out>(y, slope)         y = A(y)
+//   full_panels<A, In, Panels>(w, b, x, y, slope)    y = A(panels), eight wide
+//   tail_panel<In, Width>(w, b, x, y)                one panel 1, 2, 4 or 8 wide
+//   activate_all<A, Out>(y, slope)                   y = A(y)
 #pragma once
 
 // 32-bit NEON flushes denormals to zero, so it does not count as exact.

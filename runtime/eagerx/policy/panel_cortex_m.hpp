@@ -97,11 +97,6 @@ namespace eagerx::policy {
   } while (b != end);
 }
 
-template <std::size_t In, std::size_t Panels>
-inline void full_panels(const float* w, const float* b, const float* x, float* y) {
-  if constexpr (Panels > 0) panels_of_layer(w, b, x, y, In, Panels);
-}
-
 /// Whole groups of the one output of a layer: `sum` and the products of `groups` groups.
 [[gnu::noinline]] inline float groups_of_output(float sum, const float* w, const float* x,
                                                 std::size_t groups) {
@@ -219,15 +214,25 @@ template <Activation A>
 }
 
 template <Activation A, std::size_t Out>
-inline void activate_all(float (&y)[Out], float slope) {
+inline void activate_all(float* y, float slope) {
   constexpr std::size_t kEight = 8;
-  if constexpr (A == Activation::relu) {
+  if constexpr (A == Activation::identity) {
+    return;
+  } else if constexpr (A == Activation::relu) {
     if constexpr (Out >= kEight) relu_eights(y, Out / kEight);
     for (std::size_t k = Out - Out % kEight; k < Out; ++k) y[k] = activated<A>(y[k], slope);
   } else if constexpr (A == Activation::tanh) {
     tanh_range(y, Out);
   } else {
     activate_range<A>(y, y + Out, slope);
+  }
+}
+
+template <Activation A, std::size_t In, std::size_t Panels>
+inline void full_panels(const float* w, const float* b, const float* x, float* y, float slope) {
+  if constexpr (Panels > 0) {
+    panels_of_layer(w, b, x, y, In, Panels);
+    activate_all<A, Panels * kPanel>(y, slope);
   }
 }
 

@@ -22,12 +22,19 @@ inline constexpr std::size_t kRegistersAtATime = 4;
 template <std::size_t In, std::size_t Width, std::size_t Panels>
 class PanelBlock {
  public:
+  /// y = sums, or relu of them.
+  template <Activation A>
   static void run(const float* w, const float* b, const float* x, float* y) {
     Vector sum[kVectors];
-    std::memcpy(sum, b, sizeof sum);
+#pragma GCC unroll 8
+    for (std::size_t v = 0; v < kVectors; ++v) sum[v] = load<Vector>(b + v * kWidth);
     for (std::size_t j = 0; j + kGroup <= In; j += kGroup) add_group<kGroup>(w, x, j, sum);
     if constexpr (In % kGroup > 0) add_group<In % kGroup>(w, x, In - In % kGroup, sum);
-    std::memcpy(y, sum, sizeof sum);
+#pragma GCC unroll 8
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      if constexpr (A == Activation::relu) sum[v] = larger(Vector{}, sum[v]);
+      std::memcpy(y + v * kWidth, &sum[v], sizeof sum[v]);
+    }
   }
 
  private:
@@ -60,35 +67,128 @@ class PanelBlock {
   }
 };
 
-template <std::size_t In, std::size_t Width>
-inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
-  PanelBlock<In, Width, 1>::run(w, b, x, y);
+/// The one output of a layer with `Groups` whole groups: products side by side, then the sums of
+/// all groups side by side, which needs the products turned.
+template <std::size_t Groups>
+[[gnu::always_inline]] inline float groups_of_output(float sum, const float* w, const float* x) {
+  using Vector = FloatVector<kGroup>;
+  Vector row[kGroup];
+#pragma GCC unroll 8
+  for (std::size_t g = 0; g < kGroup; ++g) {
+    row[g] = g < Groups ? load<Vector>(w + g * kGroup) * load<Vector>(x + g * kGroup) : Vector{};
+  }
+  Vector pairs[kGroup];
+#pragma GCC unroll 4
+  for (std::size_t i = 0; i < kGroup; i += 2) {
+    pairs[i] = __builtin_shufflevector(row[i], row[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
+    pairs[i + 1] = __builtin_shufflevector(row[i], row[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+  }
+  Vector fours[kGroup];
+#pragma GCC unroll 2
+  for (std::size_t i = 0; i < kGroup; i += 4) {
+#pragma GCC unroll 2
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vector a = pairs[i + k];
+      const Vector b = pairs[i + k + 2];
+      fours[i + 2 * k] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+      fours[i + 2 * k + 1] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+  }
+  Vector part = __builtin_shufflevector(fours[0], fours[4], 0, 1, 2, 3, 8, 9, 10, 11);
+#pragma GCC unroll 4
+  for (std::size_t j = 1; j < 4; ++j) {
+    part = part + __builtin_shufflevector(fours[j], fours[j + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+  }
+#pragma GCC unroll 4
+  for (std::size_t j = 0; j < 4; ++j) {
+    part = part + __builtin_shufflevector(fours[j], fours[j + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  }
+#pragma GCC unroll 8
+  for (std::size_t g = 0; g < Groups; ++g) sum = sum + part[g];
+  return sum;
 }
 
-template <std::size_t In, std::size_t Panels>
-inline void full_panels(const float* w, const float* b, const float* x, float* y) {
+template <std::size_t In, std::size_t Width>
+inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
+  if constexpr (Width == 1 && In >= kGroup && kLanes == kGroup) {
+    constexpr std::size_t kAtATime = kGroup * kGroup;
+    constexpr std::size_t kGroups = In % kAtATime / kGroup;
+    constexpr std::size_t kRest = In % kGroup;
+    float sum = b[0];
+    for (std::size_t j = 0; j + kAtATime <= In; j += kAtATime) {
+      sum = groups_of_output<kGroup>(sum, w + j, x + j);
+    }
+    constexpr std::size_t kDone = In - In % kAtATime;
+    if constexpr (kGroups > 0) sum = groups_of_output<kGroups>(sum, w + kDone, x + kDone);
+    if constexpr (kRest > 0) {
+      float part = w[In - kRest] * x[In - kRest];
+      for (std::size_t k = In - kRest + 1; k < In; ++k) part = part + w[k] * x[k];
+      sum = sum + part;
+    }
+    y[0] = sum;
+  } else {
+    PanelBlock<In, Width, 1>::template run<Activation::identity>(w, b, x, y);
+  }
+}
+
+template <std::size_t In, std::size_t Panels, Activation A>
+inline void panels_of_layer(const float* w, const float* b, const float* x, float* y) {
   constexpr std::size_t kAtATime = kRegistersAtATime * kLanes / kPanel;
   constexpr std::size_t kRest = Panels % kAtATime;
   constexpr std::size_t kOutputs = kAtATime * kPanel;
   for (std::size_t block = 0; block < Panels / kAtATime; ++block) {
     const std::size_t k = block * kOutputs;
-    PanelBlock<In, kPanel, kAtATime>::run(w + k * In, b + k, x, y + k);
+    PanelBlock<In, kPanel, kAtATime>::template run<A>(w + k * In, b + k, x, y + k);
   }
   constexpr std::size_t kDone = (Panels - kRest) * kPanel;
   if constexpr (kRest > 0) {
-    PanelBlock<In, kPanel, kRest>::run(w + kDone * In, b + kDone, x, y + kDone);
+    PanelBlock<In, kPanel, kRest>::template run<A>(w + kDone * In, b + kDone, x, y + kDone);
   }
 }
 
+// A function that stays one and takes in all that it calls, so that numbers stay in registers.
+#if defined(__clang__)
+#define EAGERX_POLICY_ALONE gnu::noinline, gnu::flatten
+#else
+#define EAGERX_POLICY_ALONE gnu::noipa, gnu::flatten
+#endif
+
+/// y = A(y), for whole registers. Layers of one size share it.
 template <Activation A, std::size_t Out>
-inline void activate_all(float (&y)[Out], float slope) {
-  constexpr std::size_t kWhole = Out - Out % kLanes;
-  for (std::size_t k = 0; k < kWhole; k += kLanes) {
-    const FloatLanes x(load<FloatLanes::Vector>(y + k));
-    const FloatLanes result = activated<A>(x, slope);
-    std::memcpy(y + k, &result.v, sizeof result.v);
+[[EAGERX_POLICY_ALONE]] void activate_numbers(float* y, float slope) {
+  constexpr std::size_t kAtATime = kRegistersAtATime;
+  using Many = FloatLanes<kLanes, kAtATime>;
+  using One = FloatLanes<kLanes, 1>;
+  std::size_t k = 0;
+  for (; k + kAtATime * kLanes <= Out; k += kAtATime * kLanes) {
+    activated<A>(Many::load(y + k), slope).store(y + k);
   }
-  for (std::size_t k = kWhole; k < Out; ++k) y[k] = activated<A>(y[k], slope);
+  for (; k + kLanes <= Out; k += kLanes) activated<A>(One::load(y + k), slope).store(y + k);
+}
+
+template <Activation A, std::size_t Out>
+inline void activate_all(float* y, float slope) {
+  if constexpr (A == Activation::identity) return;
+  constexpr std::size_t kRest = Out % kLanes;
+  if constexpr (Out >= kLanes) activate_numbers<A, Out - kRest>(y, slope);
+  if constexpr (kRest > 0) {
+    FloatLanes<kLanes, 1> rest(0.0F);
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < kRest; ++i) rest.v[0][i] = y[Out - kRest + i];
+    rest = activated<A>(rest, slope);
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < kRest; ++i) y[Out - kRest + i] = rest.v[0][i];
+  }
+}
+
+template <Activation A, std::size_t In, std::size_t Panels>
+inline void full_panels(const float* w, const float* b, const float* x, float* y, float slope) {
+  if constexpr (A == Activation::relu) {
+    panels_of_layer<In, Panels, A>(w, b, x, y);
+  } else if constexpr (Panels > 0) {
+    panels_of_layer<In, Panels, Activation::identity>(w, b, x, y);
+    activate_all<A, Panels * kPanel>(y, slope);
+  }
 }
 
 }  // namespace eagerx::policy
