@@ -324,7 +324,7 @@ class ProgramView {
   }
 
   void add_memory(View& view) const {
-    View rings = list(), members = list();
+    View rings = list(), members = list(), counters = list();
     for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
       const Ring& ring = plan_.rings[r];
       View item = object();
@@ -343,9 +343,16 @@ class ProgramView {
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i)
       add(names_.simulator_type[i], names_.simulator_member[i]);
-    for (const std::size_t n : nodes_in_order(plan_))
-      add(fmt::format("{}<{}>", graph_.nodes[n].entity->cpp.name, names_.io[n]),
-          names_.node_member[n]);
+    for (const std::size_t n : nodes_in_order(plan_)) {
+      const Entity& entity = *graph_.nodes[n].entity;
+      add(fmt::format("{}<{}>", entity.cpp.name, names_.io[n]), names_.node_member[n]);
+      if (entity.counts.empty()) continue;
+      View item = object();
+      item.set("node", graph_.nodes[n].name);
+      item.set("member", names_.node_member[n]);
+      counters.push_back(item);
+    }
+    view["counters"] = std::move(counters);
     view["rings"] = std::move(rings);
     view["members"] = std::move(members);
   }

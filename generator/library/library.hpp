@@ -95,6 +95,7 @@ struct Entity {
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<PortManifest> targets;  // a node with targets is a reset node
   std::vector<ObjectEngine> object_engines;
+  std::vector<std::string> counts;             // nodes: what for_each_count() counts
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
   std::string path;                            // of the manifest, as messages show it

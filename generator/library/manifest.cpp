@@ -227,6 +227,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.description = text_at(root, "description");
   entity.path = path;
   entity.cpp = read_cpp(root, folder);
+  entity.counts = texts_at(root, "counts");
   entity.packages = texts_at(root, "pkg_config");
   if (const Node* system = root.find("system")) entity.system = {system->text, system->span};
   entity.config = read_parameters(root, diagnostics);

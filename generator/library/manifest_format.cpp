@@ -115,7 +115,9 @@ Fields node_ports() {
                              false, "the entity sets the delay at its reset, up to this"}};
   return Fields{{"inputs", ports("inputs", port_fields() + connection_defaults() + max_delay),
                  false, "inputs"},
-                {"outputs", ports("outputs", port_fields()), false, "outputs"}} +
+                {"outputs", ports("outputs", port_fields()), false, "outputs"},
+                {"counts", texts(), false,
+                 "what its for_each_count() counts besides messages, for the summary"}} +
          states();
 }
 

@@ -1,5 +1,9 @@
-// How a program starts, resets and stops its engine, and what engine and simulators count.
+// How a program starts, resets and stops its engine, and what everything counts.
 #pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 
 namespace eagerx {
 
@@ -46,6 +50,21 @@ void stop(Engine& engine, Simulators&... simulators) {
 template <class F, class Part>
 void for_each_count_of(F& f, const Part& part) {
   if constexpr (requires { part.for_each_count(f); }) part.for_each_count(f);
+}
+
+/// The same for a node, whose counts are called "name: count". The text is valid during the call.
+template <class F, class Node>
+void for_each_count_of_node(F& f, const char* name, const Node& node) {
+  node.for_each_count([&](const char* what, std::uint64_t count) {
+    constexpr std::size_t kLongest = 127;
+    char text[kLongest + 1];
+    std::size_t n = 0;
+    for (const char* part : {name, ": ", what}) {
+      while (*part != '\0' && n < kLongest) text[n++] = *part++;
+    }
+    text[n] = '\0';
+    f(static_cast<const char*>(text), count);
+  });
 }
 
 /// The same for an engine and its simulators.

@@ -17,10 +17,15 @@
 #include <models/engine_states/ode_parameters/ode_parameters.hpp>
 #include <models/engine_states/set_gym_attribute/set_gym_attribute.hpp>
 #include <models/engines/gym_engine/gym_engine.hpp>
+#include <models/nodes/action_limits/action_limits.hpp>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
+#include <models/nodes/fallback_controller/fallback_controller.hpp>
 #include <models/nodes/moving_average_filter/moving_average_filter.hpp>
+#include <models/nodes/nan_guard/nan_guard.hpp>
+#include <models/nodes/pid_controller/pid_controller.hpp>
 #include <models/nodes/reset_angle/reset_angle.hpp>
 #include <models/nodes/reset_decomposed_angle/reset_decomposed_angle.hpp>
+#include <models/nodes/slew_limit/slew_limit.hpp>
 #include <models/nodes/windowed_butterworth/windowed_butterworth.hpp>
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
@@ -35,6 +40,7 @@
 
 #include "tests/unit/models/entity_io.hpp"
 #include "tests/unit/models/gym_io.hpp"
+#include "tests/unit/models/safety_io.hpp"
 
 namespace eagerx::models {
 
@@ -79,6 +85,16 @@ template struct VoltageToMotorTorque<ProcessorIo<float, Array<float, 1>, Array<f
 template struct VoltageToMotorTorque<ProcessorIo<double, Array<float, 1>, Array<float, 1>>>;
 template struct ObsWithDecomposedAngle<ProcessorIo<float, Array<float, 3>, Array<float, 2>>>;
 template struct ObsWithDecomposedAngle<ProcessorIo<double, Array<float, 3>, Array<float, 2>>>;
+template class ActionLimits<testing::ActionLimitsIo<float, Array<float, 2>>>;
+template class ActionLimits<testing::ActionLimitsIo<double, float>>;
+template class SlewLimit<testing::SlewLimitIo<float, float>>;
+template class SlewLimit<testing::SlewLimitIo<double, Array<float, 2>>>;
+template class NanGuard<testing::NanGuardIo<float, Array<float, 2>>>;
+template class NanGuard<testing::NanGuardIo<double, Array<double, 2>>>;
+template class FallbackController<testing::FallbackIo<float, Array<float, 2>>>;
+template class FallbackController<testing::PlainFallbackIo<double, float>>;
+template class PidController<testing::PidIo<float>>;
+template class PidController<testing::StateFeedbackIo<double>>;
 template class MovingAverageFilter<testing::MeanIo<float, float, Array<float, 1>>>;
 template class MovingAverageFilter<
     testing::MeanIo<double, Array<float, 2>, Array<float, 2>, testing::Skipped>>;

@@ -1,0 +1,75 @@
+// What stands in for messages that are not finite.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <models/nodes/action_limits/per_element.hpp>
+#include <type_traits>
+
+namespace eagerx::models {
+
+/// Every tick: `guarded` := the last `signal` if all its elements are finite, else the last one
+/// that was for up to `hold` ticks in a row, else `safe`.
+template <class Io>
+class NanGuard {
+ public:
+  void reset(const typename Io::States& /*states*/) {
+    held_ = kHold;
+    for (std::size_t i = 0; i < kSize; ++i) element(last_, i) = safe(i);
+  }
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    using Result = std::remove_cvref_t<decltype(out.guarded)>;
+    static_assert(size_of<Result> == kSize,
+                  "NanGuard: `guarded` must have as many elements as `signal`");
+    if (!in.signal.empty() && is_finite(in.signal.back())) {
+      last_ = in.signal.back();
+      held_ = 0;
+    } else if (held_ < kHold) {
+      ++held_;
+      ++replaced_;
+    } else {
+      for (std::size_t i = 0; i < kSize; ++i) element(last_, i) = safe(i);
+      replaced_ += !in.signal.empty();
+      safe_ += !in.signal.empty();
+    }
+    for (std::size_t i = 0; i < kSize; ++i) {
+      element(out.guarded, i) = static_cast<ScalarOf<Result>>(element(last_, i));
+    }
+  }
+
+  /// f(name, count) for each; they go on over episodes.
+  template <class F>
+  void for_each_count(F&& f) const {
+    f("replaced", replaced_);
+    f("safe", safe_);
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Message = typename decltype(Io::Inputs::signal)::value_type;
+  static constexpr std::size_t kSize = size_of<Message>;
+  static constexpr auto kHold = static_cast<std::uint32_t>(Io::Config::hold);
+  static_assert(is_one_or_each(Io::Config::safe, kSize),
+                "NanGuard: `safe` has one value, or one for each element");
+
+  static ScalarOf<Message> safe(std::size_t i) {
+    return value_for<ScalarOf<Message>>(Io::Config::safe, i);
+  }
+  static bool is_finite(const Message& message) {
+    bool finite = true;
+    for (std::size_t i = 0; i < kSize; ++i)
+      finite = finite && eagerx::isfinite(element(message, i));
+    return finite;
+  }
+
+  Message last_{};
+  std::uint32_t held_ = 0;
+  std::uint64_t replaced_ = 0;
+  std::uint64_t safe_ = 0;
+};
+
+}  // namespace eagerx::models

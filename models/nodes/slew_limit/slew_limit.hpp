@@ -1,0 +1,72 @@
+// A signal that changes no faster than it may.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <models/nodes/action_limits/per_element.hpp>
+#include <type_traits>
+
+namespace eagerx::models {
+
+/// Every tick, for each element: y ← y + clamp(x − y, ±per_second/rate), x the last `signal`,
+/// y = `initial` at a reset; `limited` is y. NaN and a signal that has not come leave y as it is.
+template <class Io>
+class SlewLimit {
+ public:
+  void reset(const typename Io::States& /*states*/) {
+    for (std::size_t i = 0; i < kSize; ++i) value_[i] = value_for<Real>(Io::Config::initial, i);
+  }
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    using Result = std::remove_cvref_t<decltype(out.limited)>;
+    static_assert(size_of<Result> == kSize,
+                  "SlewLimit: `limited` must have as many elements as `signal`");
+    bool limited = false;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      if (!in.signal.empty()) {
+        limited = follow(i, static_cast<Real>(element(in.signal.back(), i))) || limited;
+      }
+      element(out.limited, i) = static_cast<ScalarOf<Result>>(value_[i]);
+    }
+    limited_ += limited;
+  }
+
+  /// f(name, count) for each; they go on over episodes.
+  template <class F>
+  void for_each_count(F&& f) const {
+    f("limited", limited_);
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Message = typename decltype(Io::Inputs::signal)::value_type;
+  static constexpr std::size_t kSize = size_of<Message>;
+  static_assert(is_one_or_each(Io::Config::per_second, kSize) &&
+                    is_one_or_each(Io::Config::initial, kSize),
+                "SlewLimit: `per_second` and `initial` have one value, or one for each element");
+
+  /// True if element `i` could not follow. A signal within reach is taken as it is, to the bit.
+  bool follow(std::size_t i, Real wanted) {
+    const Real step =
+        value_for<Real>(Io::Config::per_second, i) * static_cast<Real>(Io::Rate::period_s);
+    if (eagerx::isnan(wanted)) return true;
+    if (wanted > value_[i] + step) {
+      value_[i] += step;
+    } else if (wanted < value_[i] - step) {
+      value_[i] -= step;
+    } else {
+      value_[i] = wanted;
+      return false;
+    }
+    return true;
+  }
+
+  std::array<Real, kSize> value_{};
+  std::uint64_t limited_ = 0;
+};
+
+}  // namespace eagerx::models
