@@ -352,7 +352,7 @@ class ProgramView {
       item.set("member", names_.node_member[n]);
       counters.push_back(item);
     }
-    view["counters"] = std::move(counters);
+    view["node_counts"] = std::move(counters);
     view["rings"] = std::move(rings);
     view["members"] = std::move(members);
   }
