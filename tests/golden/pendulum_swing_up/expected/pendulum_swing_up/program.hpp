@@ -36,7 +36,8 @@ class Program {
   }
   /// Whether the engine acts on the world itself.
   bool is_real() const { return eagerx::is_real(engine_, pendulum_simulator_); }
-  /// f(name, count) for what engine and objects count besides messages.
+  /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid during
+  /// its call.
   template <class F>
   void for_each_count(F&& f) const {
     eagerx::for_each_count(f, engine_, pendulum_simulator_);
