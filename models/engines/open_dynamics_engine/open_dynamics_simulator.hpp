@@ -60,11 +60,11 @@ class OpenDynamicsSimulator {
   void restart() {
     for (std::size_t b = 0; b < kBodies; ++b) {
       reference_[b] = Model::kBodies[b].position;
-      set_mass(b, Model::kBodies[b].mass, Model::kBodies[b].inertia);
+      set_mass(b, Model::kBodies[b].mass, Model::kBodies[b].inertia, Model::kBodies[b].products);
     }
     for (std::size_t j = 0; j < kJoints; ++j) {
       anchor_[j] = Model::kJoints[j].anchor;
-      turns_[j] = 0;
+      turns_[j] = {};
     }
     for (std::size_t g = 0; g < kGeometries; ++g) {
       shape_[g].friction = Model::kGeometries[g].friction;
@@ -116,42 +116,51 @@ class OpenDynamicsSimulator {
   }
 
   // ---- for configure() of the model
-  /// Mass [kg] and inertia about the axes through the centre of mass [kg·m²]. What is not positive
-  /// becomes the least that the library can compute with.
-  void set_mass(std::size_t body, double mass, const Vector3& inertia) {
+  /// Mass [kg], inertia about the axes through the centre of mass and its products [kg·m²]. What is
+  /// not positive becomes the least that the library can compute with.
+  void set_mass(std::size_t body, double mass, const Vector3& inertia,
+                const Vector3& products = {}) {
     const auto positive = [](double value) { return value > kLeast ? value : kLeast; };
     dMass all;
     dMassSetParameters(&all, positive(mass), 0, 0, 0, positive(inertia[0]), positive(inertia[1]),
-                       positive(inertia[2]), 0, 0, 0);
+                       positive(inertia[2]), products[0], products[1], products[2]);
     dBodySetMass(body_[body], &all);
   }
   /// Mass alone; the inertia changes in proportion. One that is not positive changes nothing.
   void set_mass(std::size_t body, double mass) {
     if (!(mass > 0.0) || !eagerx::isfinite(mass)) return;
     const RigidBody& nominal = Model::kBodies[body];
-    set_mass(body, mass, (mass / nominal.mass) * nominal.inertia);
+    const double scale = mass / nominal.mass;
+    set_mass(body, mass, scale * nominal.inertia, scale * nominal.products);
   }
   void set_anchor(std::size_t joint, const Vector3& anchor) { anchor_[joint] = anchor; }
   void set_reference(std::size_t body, const Vector3& position) { reference_[body] = position; }
 
   // ---- for actuate() of the model, and for engine nodes
+  // No actuator has more torque than the joint's max_torque.
   /// Held until it is set again, in place of torques.
   void set_joint_servo(std::size_t joint, JointServo servo) {
     servo.position = finite(servo.position);
+    servo.max_torque = eagerx::min(servo.max_torque, Model::kJoints[joint].max_torque);
     servo_[joint] = servo;
   }
   /// Held until it is set again: torque of a hinge about its axis [N·m], force of a slider [N].
-  void set_joint_torque(std::size_t joint, double torque) { torque_[joint] = finite(torque); }
+  void set_joint_torque(std::size_t joint, double torque) {
+    const double most = Model::kJoints[joint].max_torque;
+    torque_[joint] = eagerx::max(-most, eagerx::min(finite(torque), most));
+  }
   double joint_torque(std::size_t joint) const { return torque_[joint]; }
-  /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders).
+  /// Makes hinge or slider move at `velocity` with `torque` at most (a force of sliders). One that
+  /// is not stronger than the joint's friction does nothing.
   void set_joint_motor(std::size_t joint, double velocity, double torque) {
-    const JointKind kind = Model::kJoints[joint].kind;
-    set_joint_parameter(joint_[joint], kind, dParamVel, finite(velocity));
-    set_joint_parameter(joint_[joint], kind, dParamFMax, eagerx::max(finite(torque), 0.0));
+    const RigidJoint& of = Model::kJoints[joint];
+    const double most = eagerx::min(finite(torque), of.max_torque) - of.friction;
+    set_joint_parameter(joint_[joint], of.kind, dParamVel, most > 0.0 ? finite(velocity) : 0.0);
+    set_joint_parameter(joint_[joint], of.kind, dParamFMax, most > 0.0 ? most : of.friction);
   }
   double joint_position(std::size_t joint, std::size_t axis = 0) const {
     constexpr double kFullTurn = 6.283185307179586;
-    return coordinates(joint).position[axis] + kFullTurn * static_cast<double>(turns_[joint]);
+    return coordinates(joint).position[axis] + kFullTurn * static_cast<double>(turns_[joint].turns);
   }
   double joint_velocity(std::size_t joint, std::size_t axis = 0) const {
     return coordinates(joint).velocity[axis];
@@ -225,7 +234,9 @@ class OpenDynamicsSimulator {
     for (std::size_t j = 0; j < kJoints; ++j) {
       if (servo_[j].max_torque > 0.0)
         torque_[j] = servo_[j].torque(joint_position(j), joint_velocity(j));
-      if (torque_[j] != 0.0) apply_torque(j);
+      const double damping = Model::kJoints[j].damping;
+      const double torque = damping > 0.0 ? torque_[j] - damping * joint_velocity(j) : torque_[j];
+      if (torque != 0.0) apply_torque(j, torque);
     }
   }
   void after_step() {
@@ -328,9 +339,9 @@ class OpenDynamicsSimulator {
     shape_[g].geom = create_geometry(space, Model::kGeometries[g], shape_[g].body, origin());
   }
 
-  void apply_torque(std::size_t j) {
+  void apply_torque(std::size_t j, double torque) {
     const Vector3 axis = rotate(parent_state(j).rotation, Model::kJoints[j].axis);
-    const Vector3 t = torque_[j] * axis;
+    const Vector3 t = torque * axis;
     const dBodyID child = body_[kChild[j]];
     const dBodyID parent = parent_body(j);
     if (Model::kJoints[j].kind == JointKind::hinge) {
@@ -343,32 +354,22 @@ class OpenDynamicsSimulator {
     }
   }
 
-  /// The rotation's w and its part along the axis: an angle of half the size, so that a full circle
-  /// of theirs is two turns of the joint.
-  struct HalfAngle {
-    double cosine, sine;
-  };
-  HalfAngle half_angle(std::size_t j) const {
+  /// f(cosine, sine) of half the angle of a hinge.
+  template <class F>
+  void with_half_angle(std::size_t j, F&& f) const {
     const dReal* q = dBodyGetQuaternion(body_[kChild[j]]);
     Quaternion turn{{q[0], q[1], q[2], q[3]}};
     if (kParent[j] < kBodies) turn = product(inverse(state(kParent[j]).rotation), turn);
     const Vector3& axis = Model::kJoints[j].axis;
-    return {turn[0], turn[1] * axis[0] + turn[2] * axis[1] + turn[3] * axis[2]};
+    f(turn[0], turn[1] * axis[0] + turn[2] * axis[1] + turn[3] * axis[2]);
   }
-  /// angle_about() jumps by two turns where the cosine is negative and the sine changes its sign.
   void follow_turns(std::size_t j) {
-    const HalfAngle now = half_angle(j);
-    const bool negative = now.sine < 0.0;
-    if (now.cosine < 0.0 && negative != was_negative_[j]) turns_[j] += negative ? 2 : -2;
-    was_negative_[j] = negative;
+    with_half_angle(j, [&](double cosine, double sine) { turns_[j].follow(cosine, sine); });
   }
   void count_turns(std::size_t j, double position) {
     if (Model::kJoints[j].kind != JointKind::hinge) return;
-    constexpr double kTurnsPerRad = 0.15915494309189535;
-    const HalfAngle now = half_angle(j);
-    const double raw = 2.0 * eagerx::atan2(now.sine, now.cosine);
-    turns_[j] = static_cast<std::int64_t>(eagerx::floor((position - raw) * kTurnsPerRad + 0.5));
-    was_negative_[j] = now.sine < 0.0;
+    with_half_angle(j,
+                    [&](double cosine, double sine) { turns_[j].begin(position, cosine, sine); });
   }
 
   static constexpr double kLeast = 1e-12;
@@ -383,8 +384,7 @@ class OpenDynamicsSimulator {
   std::array<Vector3, kBodies> force_{};
   std::array<double, kJoints> torque_{};
   std::array<JointServo, kJoints> servo_{};
-  std::array<std::int64_t, kJoints> turns_{};
-  std::array<bool, kJoints> was_negative_{};
+  std::array<TurnCounter, kJoints> turns_{};
   std::array<Vector3, kBodies> velocity_before_{};  // at the engine's last tick
   double per_period_ = 0.0;
   std::array<JointCoordinates, kJoints> wanted_joint_{};

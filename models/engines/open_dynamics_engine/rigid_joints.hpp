@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 
 namespace eagerx::models {
@@ -37,6 +38,28 @@ struct JointServo {
   constexpr double torque(double at, double velocity) const {
     const double wanted = stiffness * (position - at) - damping * velocity;
     return eagerx::max(-max_torque, eagerx::min(wanted, max_torque));
+  }
+};
+
+/// Counts the turns of a hinge, of which a quaternion knows only whether they are even. It takes
+/// the rotation's w and its part along the axis: cosine and sine of half the angle, so that a full
+/// circle of theirs is two turns of the joint.
+struct TurnCounter {
+  std::int64_t turns = 0;
+  bool was_negative = false;  // the sine
+
+  /// The angle is `position` [rad].
+  constexpr void begin(double position, double cosine, double sine) {
+    constexpr double kTurnsPerRad = 0.15915494309189535;
+    const double raw = 2.0 * eagerx::atan2(sine, cosine);
+    turns = static_cast<std::int64_t>(eagerx::floor((position - raw) * kTurnsPerRad + 0.5));
+    was_negative = sine < 0.0;
+  }
+  /// angle_about() jumps by two turns where the cosine is negative and the sine changes its sign.
+  constexpr void follow(double cosine, double sine) {
+    const bool negative = sine < 0.0;
+    if (cosine < 0.0 && negative != was_negative) turns += negative ? 2 : -2;
+    was_negative = negative;
   }
 };
 

@@ -39,6 +39,8 @@ inline dJointID create_joint(dWorldID world, const RigidJoint& joint, dBodyID ch
   dJointAttach(result, child, parent);
   if (joint.low > -kUnlimited) set_joint_parameter(result, joint.kind, dParamLoStop, joint.low);
   if (joint.high < kUnlimited) set_joint_parameter(result, joint.kind, dParamHiStop, joint.high);
+  if (joint.friction > 0.0)
+    set_joint_parameter(result, joint.kind, dParamFMax, joint.friction);  // at velocity 0
   return result;
 }
 
@@ -84,6 +86,8 @@ inline dGeomID create_geometry(dSpaceID space, const RigidGeometry& geometry,
       return dCreateBox(space, size[0], size[1], size[2]);
     case ShapeKind::capsule:
       return dCreateCapsule(space, size[0], size[1]);
+    case ShapeKind::cylinder:
+      return dCreateCylinder(space, size[0], size[1]);
     case ShapeKind::plane:
       break;
   }
@@ -96,13 +100,18 @@ inline dGeomID create_geometry(dSpaceID space, const RigidGeometry& geometry, dB
                                const Vector3& origin) {
   const dGeomID geom = create_geometry(space, geometry, origin);
   if (geometry.kind == ShapeKind::plane) return geom;
+  const Quaternion& turn = geometry.rotation;
+  const bool is_turned = turn != kNoRotation;
+  const dQuaternion q = {turn[0], turn[1], turn[2], turn[3]};
   if (body != nullptr) {
     const Vector3& at = geometry.position;
     dGeomSetBody(geom, body);
     dGeomSetOffsetPosition(geom, at[0], at[1], at[2]);
+    if (is_turned) dGeomSetOffsetQuaternion(geom, q);
   } else {
     const Vector3 at = origin + geometry.position;
     dGeomSetPosition(geom, at[0], at[1], at[2]);
+    if (is_turned) dGeomSetQuaternion(geom, q);
   }
   return geom;
 }

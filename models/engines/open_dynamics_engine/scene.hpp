@@ -17,6 +17,7 @@ struct RigidBody {
   double mass = 1.0;                 // [kg]
   Vector3 inertia{{1.0, 1.0, 1.0}};  // about the body's axes through its centre of mass [kg·m²]
   Vector3 position{};                // of the centre of mass in the reference pose
+  Vector3 products{};                // of inertia: Ixy, Ixz, Iyz, as in the matrix [kg·m²]
 };
 
 enum class JointKind : std::uint8_t {
@@ -41,13 +42,18 @@ struct RigidJoint {
   // Of hinge (within ±π) and slider: where the joint stops.
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
+  // Of hinge and slider, too.
+  double max_torque = std::numeric_limits<double>::infinity();  // of all actuators [N·m, N]
+  double damping = 0.0;   // torque against each rad/s [N·m·s/rad, N·s/m]
+  double friction = 0.0;  // torque that holds the joint, and brakes it when it moves [N·m, N]
 };
 
 enum class ShapeKind : std::uint8_t {
-  sphere,   // size: radius
-  box,      // size: the three sides
-  capsule,  // size: radius, length of the cylinder, along the body's z axis
-  plane     // the half space below `position`, whose normal is `axis`; belongs to no body
+  sphere,    // size: radius
+  box,       // size: the three sides
+  capsule,   // size: radius, length of the cylinder between the half spheres, along its z axis
+  cylinder,  // size: radius, length along its z axis
+  plane      // the half space below `position`, whose normal is `axis`; belongs to no body
 };
 
 /// A shape that touches others. Friction of a contact is the product of both frictions; it bounces
@@ -61,6 +67,7 @@ struct RigidGeometry {
   Vector3 axis{{0.0, 0.0, 1.0}};  // normal of a plane
   double friction = 1.0;          // Coulomb's coefficient
   double bounce = 0.0;            // share of the normal speed that is left
+  Quaternion rotation{{1.0, 0.0, 0.0, 0.0}};  // from the axes of body or frame; not of planes
 };
 
 namespace scene {
