@@ -97,9 +97,10 @@ class RigidWorld {
       contact.geom.depth = kWarmUpDepth;  // every contact pushes: nothing for the solver to decide
       contact.surface.soft_cfm = 1.0;     // as soft as to be harmless
       contact.geom.normal[2] = 1.0;
-      const dBodyID body = body_at(i % bodies);
-      const dBodyID other = bodies > 1 ? body_at((i + 1) % bodies) : nullptr;
-      attach(contact, body, other);
+      const dBodyID body = body_at(i % bodies);  // once for each of its shapes
+      const dBodyID other = body_at((i + 1) % bodies);
+      const dJointID joint = attach(contact, body, other != body ? other : nullptr);
+      dJointSetFeedback(joint, &feedback_[i]);  // quick_step needs memory for it
     }
     advance();
     forget_contacts();

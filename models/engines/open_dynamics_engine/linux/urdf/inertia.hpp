@@ -1,0 +1,29 @@
+// Inertia of links, turned and put together.
+#pragma once
+
+#include <vector>
+
+#include "models/engines/open_dynamics_engine/linux/urdf/urdf.hpp"
+
+namespace eagerx::urdf {
+
+/// About the centre of mass, along the axes of the robot's frame.
+struct MassAndInertia {
+  double mass = 0.0;   // [kg]
+  Vector3 centre{};    // [m]
+  Vector3 inertia{};   // Ixx, Iyy, Izz [kg·m²]
+  Vector3 products{};  // Ixy, Ixz, Iyz
+};
+
+/// What a link in this frame has.
+MassAndInertia turned(const Inertial& inertial, const Frame& link);
+/// One body of all parts, by the theorem of Steiner.
+MassAndInertia together(const std::vector<MassAndInertia>& parts);
+
+/// Whether every axis has a positive inertia.
+bool is_positive(const Vector3& inertia, const Vector3& products);
+/// Whether besides none is larger than that of both other principal axes together, but for
+/// rounding.
+bool is_of_a_body(const Vector3& inertia, const Vector3& products);
+
+}  // namespace eagerx::urdf

@@ -1,0 +1,227 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "generator/emit/namer.hpp"
+#include "models/engines/open_dynamics_engine/linux/urdf/robot.hpp"
+
+namespace eagerx::urdf {
+namespace {
+
+constexpr double kAnything = 999.0;  // bounds of what nothing is said about
+constexpr double kHalfTurn = 3.14;
+constexpr int kRate = 50;  // Hz, where the graph does not say another
+
+/// A list of numbers as YAML has it.
+template <class F>
+std::string numbers(const std::vector<BodyJoint>& joints, F&& number) {
+  std::string text;
+  for (const BodyJoint& joint : joints)
+    text += (text.empty() ? "" : ", ") + gen::double_literal(number(joint) + 0.0);
+  return text;
+}
+
+double or_else(double value, double fallback) {
+  return std::isfinite(value) ? value : fallback;
+}
+double low(const BodyJoint& joint) {
+  return or_else(joint.limits.lower, -kHalfTurn);
+}
+double high(const BodyJoint& joint) {
+  return or_else(joint.limits.upper, kHalfTurn);
+}
+
+/// The parts of a manifest, filled item by item.
+class Manifest {
+ public:
+  explicit Manifest(const Robot& robot) : robot_(robot) {}
+
+  std::string text() {
+    if (!robot_.joints.empty()) add_joints();
+    for (const Body& body : robot_.bodies) add_body(body);
+    for (const Shape& shape : robot_.shapes) {
+      if (!shape.body.empty()) add_contact(shape.name);
+    }
+    if (robot_.ground)
+      state("ground_friction", "{dtype: float32, shape: [], low: 0.2, high: 1.0}",
+            "factor on the friction of everything that touches the ground",
+            "GeometryFriction, config: {geometry: ground_plane}");
+    state("gravity",
+          "{dtype: float32, shape: [3], low: [0.0, 0.0, -9.81], high: [0.0, 0.0, -9.81]}",
+          "of the whole world, in m/s^2", "Gravity");
+    return head() + config() + "sensors:\n" + sensors_ +
+           (actuators_.empty() ? "" : "actuators:\n" + actuators_) + "states:\n" + states_ +
+           engine() + "requires:\n" +
+           "  - {that: \"len(origin) == 3\", because: \"`origin` has three values\"}\n";
+  }
+
+ private:
+  std::string names() const {
+    std::string result;
+    for (const BodyJoint& joint : robot_.joints) result += (result.empty() ? "" : " ") + joint.name;
+    return result;
+  }
+
+  std::string head() const {
+    return fmt::format(
+        R"(# Made by eagerx-urdf from {0}. Do not edit: change the description and convert it again.
+kind: object
+id: {1}
+summary: A robot with {2} and {3}, from the description {0}.
+description: |
+  Joints of `position`, `velocity`, `torque` in this order: {4}.
+  Links that fixed joints hold together are one body, called by the first of them. Poses are those of the centre of
+  mass, turned as seen from the position in which all joints are at 0. An actuator that no connection names does
+  nothing; name one of them.
+)",
+        robot_.file, robot_.id, counted(robot_.bodies.size(), "body", "bodies"),
+        counted(robot_.joints.size(), "joint", "joints"), robot_.joints.empty() ? "none" : names());
+  }
+
+  static std::string counted(std::size_t count, const char* one, const char* many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+  }
+
+  std::string config() const {
+    std::string text = R"(config:
+  origin: {type: floats, unit: m, default: [0.0, 0.0, 0.0], about: "where the frame of the first link is in the world"}
+  touches_itself: {type: bool, default: false, about: "its own bodies collide, but for those that a joint connects"}
+  friction: {type: float, default: 1.0, low: 0.0, about: "coefficient of friction of all its shapes; that of a contact is the product of both"}
+  bounce: {type: float, default: 0.0, low: 0.0, high: 1.0, about: share of the normal speed that is left after a contact}
+)";
+    if (robot_.joints.empty()) return text;
+    double most = 0.0;
+    for (const BodyJoint& joint : robot_.joints)
+      most = std::max(most, or_else(joint.limits.effort, kAnything));
+    return text +
+           fmt::format(
+               R"(  stiffness: {{type: float, default: 100.0, low: 0.0, about: "of the actuator `position`, for each rad or m [N*m/rad, N/m]"}}
+  damping: {{type: float, default: 5.0, low: 0.0, about: "of the actuator `position`, for each rad/s or m/s [N*m*s/rad, N*s/m]"}}
+  max_torque: {{type: float, default: {}, low: 0.0, about: "of the actuators `velocity` and `position`; a joint's own limit holds besides [N*m, N]"}}
+)",
+               gen::double_literal(most));
+  }
+
+  void sensor(const std::string& name, const std::string& space, const std::string& about,
+              const std::string& type) {
+    sensors_ +=
+        fmt::format("  {}: {{rate: {}, space: {}, about: \"{}\"}}\n", name, kRate, space, about);
+    nodes_ += fmt::format("      {0}: {{type: {1}, rate: $(sensors {0} rate)", name, type);
+    connections_ += fmt::format("      - {{from: {0}.observation, to: sensors.{0}}}\n", name);
+  }
+  /// Ends the node that sensor() began.
+  void configured(const std::string& config) {
+    nodes_ += fmt::format(", config: {{{}}}}}\n", config);
+  }
+
+  void state(const std::string& name, const std::string& space, const std::string& about,
+             const std::string& type) {
+    states_ += fmt::format("  {}: {{space: {}, about: \"{}\"}}\n", name, space, about);
+    engine_states_ += fmt::format("      {}: {{type: {}}}\n", name, type);
+  }
+
+  std::string joint_space(const std::string& low, const std::string& high) const {
+    return fmt::format("{{dtype: float32, shape: [{}], low: {}, high: {}}}", robot_.joints.size(),
+                       low, high);
+  }
+
+  void add_joints() {
+    const std::string anything = joint_space("-999.0", "999.0");
+    const std::string config = fmt::format("joints: {}, size: {}", names(), robot_.joints.size());
+    sensor("position", anything, "of all joints, in rad and m; not wrapped", "JointPositionSensor");
+    configured(config);
+    sensor("velocity", anything, "of all joints, in rad/s and m/s", "JointVelocitySensor");
+    configured(config);
+    sensor("torque", anything, "of all joints in the engine's last step, in N*m and N",
+           "JointTorqueSensor");
+    configured(config);
+    const auto bounds = [&](auto&& number) {
+      return joint_space(
+          fmt::format("[{}]",
+                      numbers(robot_.joints, [&](const BodyJoint& j) { return -number(j); })),
+          fmt::format("[{}]", numbers(robot_.joints, number)));
+    };
+    actuator("torque", "JointTorqueActuator", "",
+             bounds([](const BodyJoint& j) { return or_else(j.limits.effort, kAnything); }),
+             "of all joints, in N*m and N");
+    actuator("velocity", "JointMotorActuator", ", max_torque: $(config max_torque)",
+             bounds([](const BodyJoint& j) { return or_else(j.limits.velocity, kAnything); }),
+             "of all joints, in rad/s and m/s");
+    actuator("position", "JointPositionActuator",
+             ", stiffness: $(config stiffness), damping: $(config damping), "
+             "max_torque: $(config max_torque)",
+             joint_space(fmt::format("[{}]", numbers(robot_.joints, low)),
+                         fmt::format("[{}]", numbers(robot_.joints, high))),
+             "of all joints, in rad and m");
+    const auto slow = [](const BodyJoint& j) { return std::min(j.limits.velocity, 1.0); };
+    const auto slow_back = [](const BodyJoint& j) { return -std::min(j.limits.velocity, 1.0); };
+    state("model_state",
+          fmt::format("{{dtype: float32, shape: [{}], low: [{}, {}], high: [{}, {}]}}",
+                      2 * robot_.joints.size(), numbers(robot_.joints, low),
+                      numbers(robot_.joints, slow_back), numbers(robot_.joints, high),
+                      numbers(robot_.joints, slow)),
+          "positions of all joints in rad and m, then their velocities",
+          fmt::format("JointState, config: {{joints: {}}}", names()));
+  }
+
+  void actuator(const char* name, const char* type, const char* config, const std::string& space,
+                const char* about) {
+    actuators_ +=
+        fmt::format("  {}: {{rate: {}, space: {}, about: \"{}\"}}\n", name, kRate, space, about);
+    nodes_ += fmt::format(
+        "      {0}_actuator: {{type: {1}, rate: $(actuators {0} rate), config: {{joints: {2}, "
+        "default_action: [{3}]{4}}}}}\n",
+        name, type, names(), numbers(robot_.joints, [](const BodyJoint&) { return 0.0; }), config);
+    connections_ += fmt::format("      - {{from: actuators.{0}, to: {0}_actuator.action}}\n", name);
+  }
+
+  void add_body(const Body& body) {
+    const std::string config = "body: " + body.name;
+    sensor(body.name + "_pose", "{dtype: float32, shape: [7], low: -999.0, high: 999.0}",
+           "[x, y, z] in m and quaternion [qw, qx, qy, qz]", "BodyPoseSensor");
+    configured(config);
+    sensor(body.name + "_twist", "{dtype: float32, shape: [6], low: -999.0, high: 999.0}",
+           "[vx, vy, vz] in m/s, [wx, wy, wz] in rad/s", "BodyTwistSensor");
+    configured(config);
+    sensor(body.name + "_imu", "{dtype: float32, shape: [6], low: -9999.0, high: 9999.0}",
+           "specific force in m/s^2, angular velocity in rad/s, in the axes of the body",
+           "ImuSensor");
+    configured(config);
+    state(body.name + "_mass",
+          fmt::format("{{dtype: float32, shape: [], low: {}, high: {}}}",
+                      gen::double_literal(0.5 * body.mass), gen::double_literal(2.0 * body.mass)),
+          "in kg; the inertia goes with it", fmt::format("BodyMass, config: {{{}}}", config));
+    if (!body.is_free) return;
+    state(body.name + "_start",
+          "{dtype: float32, shape: [7], low: [-1.0, -1.0, 0.0, -1.0, -1.0, -1.0, -1.0], high: 1.0}",
+          "pose as the sensor gives it, the quaternion with any length",
+          fmt::format("BodyPose, config: {{{}}}", config));
+    state(body.name + "_speed", "{dtype: float32, shape: [6], low: -1.0, high: 1.0}",
+          "twist as the sensor gives it", fmt::format("BodyTwist, config: {{{}}}", config));
+  }
+
+  void add_contact(const std::string& shape) {
+    sensor(shape + "_contact", "{dtype: float32, shape: [3], low: -99999.0, high: 99999.0}",
+           "force of all that touches it, in N", "ContactForceSensor");
+    configured("geometry: " + shape);
+  }
+
+  std::string engine() const {
+    return fmt::format(
+        "engines:\n  OpenDynamicsEngine:\n    model: {{header: {0}.hpp, class: "
+        "\"eagerx::models::{1}\"}}\n    nodes:\n{2}    connections:\n{3}    states:\n{4}",
+        robot_.name, robot_.id, nodes_, connections_, engine_states_);
+  }
+
+  const Robot& robot_;
+  std::string sensors_, actuators_, states_, nodes_, connections_, engine_states_;
+};
+
+}  // namespace
+
+std::string manifest_text(const Robot& robot) {
+  return Manifest(robot).text();
+}
+
+}  // namespace eagerx::urdf

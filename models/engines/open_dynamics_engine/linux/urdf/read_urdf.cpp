@@ -1,0 +1,265 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+
+#include "generator/read/text.hpp"
+#include "models/engines/open_dynamics_engine/linux/urdf/urdf.hpp"
+#include "models/engines/open_dynamics_engine/linux/urdf/xml.hpp"
+
+namespace eagerx::urdf {
+namespace {
+
+constexpr std::size_t kMaxBytes = 4'000'000;
+constexpr std::size_t kMaxItems = 1'000;  // links, and joints; the simulation would not end
+
+/// First about x, then about the fixed y, then about the fixed z [rad].
+Quaternion rotation_of(const Vector3& rpy) {
+  using models::rotation;
+  const Quaternion roll = rotation({{1.0, 0.0, 0.0}}, rpy[0]);
+  const Quaternion pitch = rotation({{0.0, 1.0, 0.0}}, rpy[1]);
+  const Quaternion yaw = rotation({{0.0, 0.0, 1.0}}, rpy[2]);
+  return models::normalised(product(yaw, product(pitch, roll)));
+}
+
+class Reader {
+ public:
+  Reader(gen::FileId file, std::string_view text, gen::Diagnostics& diagnostics)
+      : xml_(file, text, diagnostics) {}
+
+  Description read() {
+    Description result;
+    pugi::xml_document document;
+    const pugi::xml_node robot = xml_.parse(document);
+    if (!robot) return result;
+    xml_.check(robot, {.attributes = {"name", "version"},
+                       .many = {"link", "joint"},
+                       .unseen = {"material"},
+                       .warned = {"gazebo", "transmission"}});
+    result.name = xml_.text(robot, "name");
+    result.place = xml_.span(robot);
+    for (const pugi::xml_node element : robot.children("link")) {
+      result.links.push_back(link(element));
+      if (result.links.size() > kMaxItems) break;
+    }
+    for (const pugi::xml_node element : robot.children("joint")) {
+      result.joints.push_back(joint(element));
+      if (result.joints.size() > kMaxItems) break;
+    }
+    if (result.links.size() > kMaxItems || result.joints.size() > kMaxItems)
+      xml_.error("E0851", result.place,
+                 fmt::format("there are more than {} links or joints", kMaxItems));
+    return result;
+  }
+
+ private:
+  Frame origin(pugi::xml_node element) {
+    const pugi::xml_node origin = element.child("origin");
+    if (!origin) return {};
+    xml_.check(origin, {.attributes = {"xyz", "rpy"}});
+    return {xml_.vector(origin, "xyz", Vector3{}),
+            rotation_of(xml_.vector(origin, "rpy", Vector3{}))};
+  }
+
+  Link link(pugi::xml_node element) {
+    xml_.check(element, {.attributes = {"name", "type"},
+                         .once = {"inertial"},
+                         .many = {"collision"},
+                         .unseen = {"visual"},
+                         .warned = {"gazebo"}});
+    Link result;
+    result.name = xml_.text(element, "name");
+    result.place = xml_.span(element, "name");
+    if (const pugi::xml_node inertial = element.child("inertial")) {
+      result.inertial = this->inertial(inertial);
+      result.inertial_place = xml_.span(inertial);
+    }
+    for (const pugi::xml_node collision : element.children("collision"))
+      result.collisions.push_back(this->collision(collision));
+    return result;
+  }
+
+  Inertial inertial(pugi::xml_node element) {
+    xml_.check(element, {.once = {"origin", "mass", "inertia"}});
+    Inertial result;
+    result.origin = origin(element);
+    const pugi::xml_node mass = xml_.child(element, "mass");
+    xml_.check(mass, {.attributes = {"value"}});
+    result.mass = xml_.number(mass, "value");
+    if (result.mass < 0.0) xml_.error("E0853", xml_.span(mass), "a mass cannot be negative");
+    const pugi::xml_node inertia = xml_.child(element, "inertia");
+    xml_.check(inertia, {.attributes = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}});
+    result.inertia = {
+        {xml_.number(inertia, "ixx"), xml_.number(inertia, "iyy"), xml_.number(inertia, "izz")}};
+    result.products = {{xml_.number(inertia, "ixy", 0.0), xml_.number(inertia, "ixz", 0.0),
+                        xml_.number(inertia, "iyz", 0.0)}};
+    return result;
+  }
+
+  Collision collision(pugi::xml_node element) {
+    xml_.check(element, {.attributes = {"name"},
+                         .once = {"origin", "geometry"},
+                         .unseen = {"material"},
+                         .warned = {"verbose"}});
+    Collision result;
+    result.name = element.attribute("name").value();
+    result.place = xml_.span(element);
+    result.origin = origin(element);
+    const pugi::xml_node geometry = xml_.child(element, "geometry");
+    if (!geometry) return result;
+    xml_.check(geometry, {.many = {"box", "sphere", "cylinder", "capsule"}});
+    const auto is_element = [](pugi::xml_node node) { return node.type() == pugi::node_element; };
+    const pugi::xml_node shape = geometry.find_child(is_element);
+    if (!shape) xml_.error("E0852", xml_.span(geometry), "`geometry` has no shape");
+    for (pugi::xml_node other = shape.next_sibling(); other; other = other.next_sibling()) {
+      if (is_element(other))
+        xml_.error("E0851", xml_.span(other), "`geometry` has a second shape").help =
+            "give the link another `collision`";
+    }
+    set_shape(shape, result);
+    return result;
+  }
+
+  void set_shape(pugi::xml_node shape, Collision& result) {
+    const std::string_view kind = shape.name();
+    if (kind == "box") {
+      result.kind = models::ShapeKind::box;
+      xml_.check(shape, {.attributes = {"size"}});
+      result.size = xml_.vector(shape, "size");
+      if (result.size[0] <= 0.0 || result.size[1] <= 0.0 || result.size[2] <= 0.0)
+        xml_.error("E0853", xml_.span(shape, "size"), "the sides of a box are larger than 0");
+    } else if (kind == "sphere") {
+      result.kind = models::ShapeKind::sphere;
+      xml_.check(shape, {.attributes = {"radius"}});
+      result.size[0] = xml_.positive(shape, "radius");
+    } else if (kind == "cylinder" || kind == "capsule") {
+      result.kind = kind == "cylinder" ? models::ShapeKind::cylinder : models::ShapeKind::capsule;
+      xml_.check(shape, {.attributes = {"radius", "length"}});
+      result.size = {{xml_.positive(shape, "radius"), xml_.positive(shape, "length"), 0.0}};
+    }
+  }
+
+  Joint joint(pugi::xml_node element) {
+    xml_.check(element, {.attributes = {"name", "type"},
+                         .once = {"origin", "parent", "child", "axis", "limit", "dynamics"},
+                         .warned = {"calibration", "safety_controller"}});
+    Joint result;
+    result.name = xml_.text(element, "name");
+    result.place = xml_.span(element, "name");
+    set_type(element, result);
+    result.origin = origin(element);
+    const auto end = [&](const char* name, std::string& link, gen::Span& place) {
+      const pugi::xml_node which = xml_.child(element, name);
+      xml_.check(which, {.attributes = {"link"}});
+      link = xml_.text(which, "link");
+      place = which ? xml_.span(which, "link") : result.place;
+    };
+    end("parent", result.parent, result.parent_place);
+    end("child", result.child, result.child_place);
+    if (result.type == JointType::fixed || result.type == JointType::floating) return result;
+    set_axis(element.child("axis"), result);
+    set_limits(element, result);
+    const pugi::xml_node dynamics = element.child("dynamics");
+    xml_.check(dynamics, {.attributes = {"damping", "friction"}});
+    result.damping = xml_.not_negative(dynamics, "damping", 0.0);
+    result.friction = xml_.not_negative(dynamics, "friction", 0.0);
+    return result;
+  }
+
+  void set_type(pugi::xml_node element, Joint& result) {
+    static const std::map<std::string, JointType> kTypes = {{"fixed", JointType::fixed},
+                                                            {"revolute", JointType::revolute},
+                                                            {"continuous", JointType::continuous},
+                                                            {"prismatic", JointType::prismatic},
+                                                            {"floating", JointType::floating}};
+    const std::string type = xml_.text(element, "type");
+    const auto known = kTypes.find(type);
+    if (known != kTypes.end()) {
+      result.type = known->second;
+    } else if (!type.empty()) {
+      auto& wrong = xml_.error("E0851", xml_.span(element, "type"),
+                               fmt::format("joints of type `{}` are not supported", type));
+      const std::string near =
+          gen::nearest(type, {"fixed", "revolute", "continuous", "prismatic", "floating"});
+      wrong.help = near.empty()
+                       ? "`fixed`, `revolute`, `continuous`, `prismatic` and `floating` are"
+                       : fmt::format("did you mean `{}`?", near);
+    }
+  }
+
+  void set_axis(pugi::xml_node axis, Joint& result) {
+    if (!axis) return;
+    xml_.check(axis, {.attributes = {"xyz"}});
+    const Vector3 v = xml_.vector(axis, "xyz");
+    const double square = dot(v, v);
+    if (square == 1.0) {
+      result.axis = v;
+    } else if (square > 1e-12 && std::isfinite(square)) {
+      result.axis = (1.0 / std::sqrt(square)) * v;
+    } else if (!std::isnan(square)) {
+      xml_.error("E0853", xml_.span(axis, "xyz"), "an axis has a direction");
+    }
+  }
+
+  void set_limits(pugi::xml_node element, Joint& result) {
+    const bool has_range = result.type != JointType::continuous;
+    const pugi::xml_node limit = has_range ? xml_.child(element, "limit") : element.child("limit");
+    if (!limit) return;
+    xml_.check(limit, {.attributes = {"lower", "upper", "effort", "velocity"}});
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+    result.effort = xml_.not_negative(limit, "effort", kUnlimited);
+    result.velocity = xml_.not_negative(limit, "velocity", kUnlimited);
+    if (!has_range) return;
+    result.lower = xml_.number(limit, "lower", 0.0);
+    result.upper = xml_.number(limit, "upper", 0.0);
+    if (result.lower > result.upper) {
+      xml_.error("E0853", xml_.span(limit, "lower"), "`lower` is above `upper`");
+    } else if (result.type == JointType::revolute) {
+      result.lower = within_half_turn(limit, "lower", result.lower);
+      result.upper = within_half_turn(limit, "upper", result.upper);
+    }
+  }
+
+  /// The library knows stops within half a turn only. Written with a few digits, half a turn may be
+  /// a little more.
+  double within_half_turn(pugi::xml_node limit, const char* name, double value) {
+    constexpr double kRounding = 1e-3;
+    if (std::abs(value) <= std::numbers::pi) return value;
+    if (std::abs(value) > std::numbers::pi + kRounding)
+      xml_.error("E0851", xml_.span(limit, name), "stops beyond half a turn are not supported")
+          .help = "keep them within ±3.1416, or make the joint `continuous`";
+    return std::copysign(std::numbers::pi, value);
+  }
+
+  Xml xml_;
+};
+
+}  // namespace
+
+std::optional<Description> read_text(const std::string& name, std::string text,
+                                     gen::SourceMap& sources, gen::Diagnostics& diagnostics) {
+  const gen::FileId file = sources.add(name, gen::normalize_text(std::move(text)));
+  if (!gen::check_text(sources.text(file), file, diagnostics)) return std::nullopt;
+  Description result = Reader(file, sources.text(file), diagnostics).read();
+  result.file = std::filesystem::path(name).filename().string();
+  if (diagnostics.has_errors()) return std::nullopt;
+  return result;
+}
+
+std::optional<Description> read_file(const std::string& path, gen::SourceMap& sources,
+                                     gen::Diagnostics& diagnostics) {
+  gen::LoadedFile file = gen::load_file(path, kMaxBytes);
+  if (file.status == gen::LoadedFile::Status::loaded)
+    return read_text(path, std::move(file.bytes), sources, diagnostics);
+  const gen::Span place{sources.add(path, {}), 0, 0, 0};
+  if (file.status == gen::LoadedFile::Status::too_large) {
+    diagnostics.error("E0102", place, fmt::format("the file is larger than {} bytes", kMaxBytes));
+  } else {
+    diagnostics.io_error("E0101", place, fmt::format("cannot read `{}`: {}", path, file.reason));
+  }
+  return std::nullopt;
+}
+
+}  // namespace eagerx::urdf

@@ -1,0 +1,69 @@
+// A description as OpenDynamicsEngine wants it: bodies, joints, shapes in one frame.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/engines/open_dynamics_engine/linux/urdf/urdf.hpp"
+
+namespace eagerx::urdf {
+
+enum class Base : std::uint8_t { by_inertia, fixed, free };
+
+struct RobotOptions {
+  std::string id;                // of the object; empty: from the robot's name
+  Base base = Base::by_inertia;  // the first link belongs to the world if it has no `inertial`
+  bool ground = false;           // add the plane z = 0 of the world
+};
+
+/// Links that fixed joints hold together, as one body. Fields as in RigidBody.
+struct Body {
+  std::string name;  // of the first link
+  gen::Span place;
+  double mass = 0.0;
+  Vector3 position{};
+  Vector3 inertia{}, products{};
+  bool is_free = false;  // no joint holds it
+};
+
+/// Fields as in RigidJoint.
+struct BodyJoint {
+  std::string name;
+  bool slides = false;  // else it turns
+  std::string parent;   // empty: the world
+  std::string child;
+  Vector3 anchor{}, axis{};
+  Joint limits;  // of the description
+};
+
+/// Fields as in RigidGeometry.
+struct Shape {
+  std::string name;
+  models::ShapeKind kind = models::ShapeKind::sphere;
+  std::string body;  // empty: the world
+  Vector3 size{}, position{};
+  Quaternion rotation{};
+};
+
+/// All names are made of letters, digits and `_`.
+struct Robot {
+  std::string file;
+  std::string id;    // "TwoLinkArm"
+  std::string name;  // "two_link_arm"
+  std::string base;  // the first link
+  std::vector<Body> bodies;
+  std::vector<BodyJoint> joints;  // parents first
+  std::vector<Shape> shapes;
+  bool ground = false;
+};
+
+/// Problems: E0854 (names), E0855 (the links are no tree), E0856 (masses that no body has).
+std::optional<Robot> make_robot(const Description& description, const RobotOptions& options,
+                                gen::Diagnostics& diagnostics);
+
+/// The object's header and its manifest.
+std::string header_text(const Robot& robot);
+std::string manifest_text(const Robot& robot);
+
+}  // namespace eagerx::urdf

@@ -1,0 +1,89 @@
+// A robot as its URDF file describes it, typed.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "models/engines/open_dynamics_engine/scene.hpp"
+
+namespace eagerx::urdf {
+
+using models::dot;
+using models::product;
+using models::Quaternion;
+using models::rotate;
+using models::Vector3;
+using models::operator+;
+using models::operator-;
+using models::operator*;
+
+/// A frame in another one.
+struct Frame {
+  Vector3 position{};                         // [m]
+  Quaternion rotation{{1.0, 0.0, 0.0, 0.0}};  // of length 1
+};
+
+struct Inertial {
+  Frame origin;        // of the centre of mass, in the link's frame
+  double mass = 0.0;   // [kg]
+  Vector3 inertia{};   // Ixx, Iyy, Izz about the axes of `origin` [kg·m²]
+  Vector3 products{};  // Ixy, Ixz, Iyz
+};
+
+struct Collision {
+  std::string name;  // may be empty
+  gen::Span place;
+  Frame origin;  // in the link's frame
+  models::ShapeKind kind = models::ShapeKind::sphere;
+  Vector3 size{};  // as RigidGeometry has it
+};
+
+struct Link {
+  std::string name;
+  gen::Span place;
+  std::optional<Inertial> inertial;
+  gen::Span inertial_place;
+  std::vector<Collision> collisions;
+};
+
+enum class JointType : std::uint8_t { fixed, revolute, continuous, prismatic, floating };
+
+/// Angles in rad, lengths in m, torques in N·m (revolute, continuous) or N (prismatic).
+struct Joint {
+  std::string name;
+  gen::Span place;
+  JointType type = JointType::fixed;
+  std::string parent, child;  // links
+  gen::Span parent_place, child_place;
+  Frame origin;                   // of the child's frame in the parent's, at position 0
+  Vector3 axis{{1.0, 0.0, 0.0}};  // of length 1, in the child's frame
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  double effort = std::numeric_limits<double>::infinity();    // largest torque
+  double velocity = std::numeric_limits<double>::infinity();  // largest, in magnitude
+  double damping = 0.0, friction = 0.0;
+};
+
+struct Description {
+  std::string file;  // its name, without folders
+  std::string name;
+  gen::Span place;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+};
+
+/// Reads what this library can simulate of URDF (http://wiki.ros.org/urdf/XML), by its own rules:
+/// an element that would change the motion and is not known is an error, one that would not is left
+/// out; with a warning unless it is only seen. Problems: E0101 to E0103, E0850 (no XML), E0851 (not
+/// supported), E0852 (missing), E0853 (not the number it should be), E0854 (names).
+std::optional<Description> read_file(const std::string& path, gen::SourceMap& sources,
+                                     gen::Diagnostics& diagnostics);
+/// The same of a text.
+std::optional<Description> read_text(const std::string& name, std::string text,
+                                     gen::SourceMap& sources, gen::Diagnostics& diagnostics);
+
+}  // namespace eagerx::urdf

@@ -1,0 +1,220 @@
+#include "models/engines/open_dynamics_engine/linux/urdf/xml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "generator/read/scalar.hpp"
+
+namespace eagerx::urdf {
+namespace {
+
+/// What is read where there is an error: no comparison holds, so that it is reported once.
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+constexpr std::string_view kBlanks = " \t\n\r";
+
+bool contains(Names names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> result;
+  for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;) {
+    const std::size_t end = std::min(text.find_first_of(kBlanks, at), text.size());
+    result.push_back(text.substr(at, end - at));
+    at = text.find_first_not_of(kBlanks, end);
+  }
+  return result;
+}
+
+std::optional<double> finite_number(std::string_view text) {
+  const auto value = gen::parse_number(text);
+  // -0 is 0: nobody means anything by it.
+  return value && std::isfinite(*value) ? std::optional(*value + 0.0) : std::nullopt;
+}
+
+std::string choices(const Contents& contents) {
+  std::string result;
+  for (const Names names : {contents.once, contents.many}) {
+    for (const std::string_view name : names)
+      result += fmt::format("{}`{}`", result.empty() ? "" : ", ", name);
+  }
+  return result;
+}
+
+std::string help_for(std::string_view name, const Contents& contents) {
+  if (name.starts_with("xacro:")) return "run `xacro FILE > robot.urdf` first";
+  if (name == "mesh") return "use a `box`, `sphere`, `cylinder` or `capsule`";
+  std::vector<std::string> candidates;
+  for (const Names names : {contents.once, contents.many})
+    candidates.insert(candidates.end(), names.begin(), names.end());
+  const std::string near = gen::nearest(name, candidates);
+  if (!near.empty()) return fmt::format("did you mean `{}`?", near);
+  const std::string all = choices(contents);
+  return all.empty() ? "nothing is read inside of it" : "elements that are read here: " + all;
+}
+
+}  // namespace
+
+pugi::xml_node Xml::parse(pugi::xml_document& document) {
+  const std::string_view text = locator_.text();
+  const auto result =
+      document.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+  if (!result) {
+    const auto at = std::min(static_cast<std::size_t>(result.offset), text.size());
+    std::string why = result.description();
+    if (!why.empty() && why[0] >= 'A' && why[0] <= 'Z') why[0] += 'a' - 'A';
+    error("E0850", locator_.span({at, at + 1}), fmt::format("not well-formed XML: {}", why));
+    return {};
+  }
+  const pugi::xml_node root = document.document_element();
+  if (std::string_view(root.name()) != "robot") {
+    error("E0850", root ? span(root) : locator_.whole(), "this is no URDF file").help =
+        "its first element is `robot`";
+    return {};
+  }
+  for (pugi::xml_node other = root.next_sibling(); other; other = other.next_sibling()) {
+    if (other.type() == pugi::node_element)
+      error("E0850", span(other), "there is a second element at the top of the file");
+  }
+  return root;
+}
+
+std::size_t Xml::offset_of(pugi::xml_node element) const {
+  const std::ptrdiff_t offset = element.offset_debug();
+  return offset < 0 ? 0 : std::min(static_cast<std::size_t>(offset), locator_.text().size());
+}
+
+gen::Span Xml::span(pugi::xml_node element) const {
+  const std::size_t begin = offset_of(element);
+  return locator_.span({begin, begin + std::string_view(element.name()).size()});
+}
+
+gen::Span Xml::span(pugi::xml_node element, const char* attribute) const {
+  const std::string_view text = locator_.text(), name = attribute;
+  const std::size_t end = text.find('>', offset_of(element));
+  for (std::size_t at = text.find(name, offset_of(element)); at < end;
+       at = text.find(name, at + 1)) {
+    const std::size_t after = text.find_first_not_of(kBlanks, at + name.size());
+    if (after >= text.size() || text[after] != '=') continue;
+    if (kBlanks.find(text[at - 1]) == std::string_view::npos) continue;
+    const std::size_t quote = text.find_first_not_of(kBlanks, after + 1);
+    if (quote >= text.size()) break;
+    const std::size_t close = text.find(text[quote], quote + 1);
+    return locator_.span({at, std::min(close, text.size() - 1) + 1});
+  }
+  return span(element);
+}
+
+void Xml::check(pugi::xml_node element, const Contents& contents) {
+  check_attributes(element, contents);
+  for (const pugi::xml_node child : element.children()) {
+    if (child.type() == pugi::node_element) check_child(element, child, contents);
+  }
+}
+
+void Xml::check_attributes(pugi::xml_node element, const Contents& contents) {
+  std::vector<std::string_view> seen;
+  for (const pugi::xml_attribute attribute : element.attributes()) {
+    const std::string_view name = attribute.name();
+    if (name.starts_with("xmlns")) continue;
+    if (!contains(contents.attributes, name)) {
+      auto& wrong = error("E0851", span(element, attribute.name()),
+                          fmt::format("`{}` has no attribute `{}`", element.name(), name));
+      const std::string near =
+          gen::nearest(name, {contents.attributes.begin(), contents.attributes.end()});
+      if (!near.empty()) wrong.help = fmt::format("did you mean `{}`?", near);
+    } else if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
+      error("E0854", span(element, attribute.name()),
+            fmt::format("`{}` has `{}` twice", element.name(), name));
+    }
+    seen.push_back(name);
+  }
+}
+
+void Xml::check_child(pugi::xml_node element, pugi::xml_node child, const Contents& contents) {
+  const std::string_view name = child.name();
+  if (contains(contents.many, name) || contains(contents.unseen, name)) return;
+  if (contains(contents.warned, name)) {
+    diagnostics_.warning("E0851", span(child), fmt::format("`{}` is left out", name));
+  } else if (!contains(contents.once, name)) {
+    error("E0851", span(child), fmt::format("`{}` in `{}` is not supported", name, element.name()))
+        .help = help_for(name, contents);
+  } else if (element.child(child.name()) != child) {
+    error("E0854", span(child), fmt::format("`{}` has `{}` twice", element.name(), name));
+  }
+}
+
+pugi::xml_node Xml::child(pugi::xml_node element, const char* name) {
+  const pugi::xml_node result = element.child(name);
+  if (!result) error("E0852", span(element), fmt::format("`{}` has no `{}`", element.name(), name));
+  return result;
+}
+
+bool Xml::is_missing(pugi::xml_node element, const char* attribute, bool optional) {
+  if (element.attribute(attribute)) return false;
+  // A missing element has been reported already.
+  if (element && !optional)
+    error("E0852", span(element),
+          fmt::format("`{}` has no attribute `{}`", element.name(), attribute));
+  return true;
+}
+
+std::string Xml::text(pugi::xml_node element, const char* attribute) {
+  if (is_missing(element, attribute, false)) return {};
+  std::string result = element.attribute(attribute).value();
+  if (result.empty())
+    error("E0852", span(element, attribute), fmt::format("`{}` is empty", attribute));
+  return result;
+}
+
+double Xml::number(pugi::xml_node element, const char* attribute, std::optional<double> fallback) {
+  if (is_missing(element, attribute, fallback.has_value())) return fallback.value_or(kNoNumber);
+  const std::string_view written = element.attribute(attribute).value();
+  const auto list = words(written);
+  const auto value = list.size() == 1 ? finite_number(list[0]) : std::nullopt;
+  if (!value)
+    error("E0853", span(element, attribute),
+          fmt::format("`{}` has to be a number, not `{}`", attribute, written));
+  return value.value_or(kNoNumber);
+}
+
+models::Vector3 Xml::vector(pugi::xml_node element, const char* attribute,
+                            std::optional<models::Vector3> fallback) {
+  if (is_missing(element, attribute, fallback.has_value()))
+    return fallback.value_or(models::Vector3{{kNoNumber, kNoNumber, kNoNumber}});
+  const std::string_view written = element.attribute(attribute).value();
+  const auto list = words(written);
+  models::Vector3 result{{kNoNumber, kNoNumber, kNoNumber}};
+  bool is_right = list.size() == 3;
+  for (std::size_t i = 0; is_right && i < 3; ++i) {
+    const auto value = finite_number(list[i]);
+    is_right = value.has_value();
+    result[i] = value.value_or(kNoNumber);
+  }
+  if (!is_right)
+    error("E0853", span(element, attribute),
+          fmt::format("`{}` has to be three numbers, not `{}`", attribute, written));
+  return result;
+}
+
+double Xml::positive(pugi::xml_node element, const char* attribute) {
+  const double value = number(element, attribute);
+  if (value <= 0.0)
+    error("E0853", span(element, attribute),
+          fmt::format("`{}` has to be larger than 0", attribute));
+  return value;
+}
+
+double Xml::not_negative(pugi::xml_node element, const char* attribute, double fallback) {
+  const double value = number(element, attribute, fallback);
+  if (value < 0.0)
+    error("E0853", span(element, attribute), fmt::format("`{}` cannot be negative", attribute));
+  return value;
+}
+
+}  // namespace eagerx::urdf
