@@ -61,9 +61,10 @@ int convert(const Options& options) {
   }
   diagnostics.sort_by_place();
   if (options.json) {
-    std::fputs(render_json(diagnostics, sources).c_str(), stderr);
+    static_cast<void>(std::fputs(render_json(diagnostics, sources).c_str(), stderr));
   } else if (!diagnostics.all().empty()) {
-    std::fputs(render_text(diagnostics, sources, isatty(STDERR_FILENO) == 1).c_str(), stderr);
+    static_cast<void>(
+        std::fputs(render_text(diagnostics, sources, isatty(STDERR_FILENO) == 1).c_str(), stderr));
   }
   if (diagnostics.has_io_errors()) return eagerx::gen::kInputOutput;
   return diagnostics.has_errors() ? eagerx::gen::kProblems : eagerx::gen::kDone;
@@ -114,7 +115,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "error: a bug in eagerx-urdf: %s\n", error.what());
+    static_cast<void>(std::fprintf(stderr, "error: a bug in eagerx-urdf: %s\n", error.what()));
     return eagerx::gen::kInternal;
   }
 }

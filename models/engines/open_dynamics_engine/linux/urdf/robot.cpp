@@ -173,8 +173,8 @@ class Maker {
       open.pop_back();
       add_link(now);
       const auto& joints = joints_from_[now.link];
-      for (auto j = joints.rbegin(); j != joints.rend(); ++j)
-        open.push_back(follow(now, from_.joints[*j]));
+      for (std::size_t i = joints.size(); i-- > 0;)
+        open.push_back(follow(now, from_.joints[joints[i]]));
     }
   }
 
