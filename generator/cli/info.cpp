@@ -104,6 +104,8 @@ void print_entity(const Entity& entity) {
   if (!entity.description.empty()) fmt::print("\n{}", entity.description);
   print_eagerx_ids(entity);
   if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
+  if (!entity.runs.empty())
+    fmt::print("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
   for (const auto& implementation : entity.object_engines)
     fmt::print("\nimplemented for: {}\n", implementation.engine.value);
   print_parameters(entity.config);

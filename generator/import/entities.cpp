@@ -266,10 +266,8 @@ class EntityTranslator {
 }  // namespace
 
 const ObjectEngine* Translation::implementation(const Entity& object) const {
-  for (const auto& implementation : object.object_engines) {
-    if (implementation.engine.value == result.spec.engine.type.value) return &implementation;
-  }
-  return nullptr;
+  const Entity* engine = counterparts.library().find(result.spec.engine.type.value);
+  return engine == nullptr ? nullptr : object.implementation(*engine);
 }
 
 void translate_names(Translation& t) {

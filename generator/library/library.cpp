@@ -115,6 +115,19 @@ const PortManifest* Entity::target(std::string_view name) const {
   return find_port(targets, name);
 }
 
+const ObjectEngine* Entity::implementation(const Entity& engine) const {
+  const auto made_for = [&](const std::string& name) -> const ObjectEngine* {
+    for (const auto& each : object_engines) {
+      if (each.engine.value == name) return &each;
+    }
+    return nullptr;
+  };
+  const ObjectEngine* found = made_for(engine.id.value);
+  for (std::size_t i = 0; found == nullptr && i < engine.runs.size(); ++i)
+    found = made_for(engine.runs[i]);
+  return found;
+}
+
 const Entity* Library::find(const std::string& id) const {
   const auto found = entities.find(id);
   return found == entities.end() ? nullptr : &found->second;

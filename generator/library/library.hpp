@@ -90,6 +90,7 @@ struct Entity {
   CppClass cpp;
   CppClass simulator;                // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
+  std::vector<std::string> runs;     // engines: others whose implementations of objects they run
   std::vector<Parameter> config;
   std::vector<Requirement> requirements;
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
@@ -98,6 +99,7 @@ struct Entity {
   std::vector<std::string> counts;             // nodes: what for_each_count() counts
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
+  std::optional<Spanned<std::string>> family;  // the family of boards it needs
   std::string path;                            // of the manifest, as messages show it
   std::string include_root;                    // folder that the include is relative to
 
@@ -107,6 +109,9 @@ struct Entity {
   [[nodiscard]] const PortManifest* actuator(std::string_view name) const;
   [[nodiscard]] const PortManifest* state(std::string_view name) const;
   [[nodiscard]] const PortManifest* target(std::string_view name) const;
+  /// How this object is made on `engine`: for the engine itself, else for one that it runs; nullptr
+  /// if it is not.
+  [[nodiscard]] const ObjectEngine* implementation(const Entity& engine) const;
 };
 
 /// A board or system that generated programs run on.
@@ -117,6 +122,7 @@ struct Target {
       templates;  // template file (full path) → output name
   std::string cmake, toolchain;
   std::string system;  // its operating system; empty: none
+  std::string family;  // the family of boards it is of; empty: none
   std::vector<std::string> run;
 };
 

@@ -230,6 +230,8 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.counts = texts_at(root, "counts");
   entity.packages = texts_at(root, "pkg_config");
   if (const Node* system = root.find("system")) entity.system = {system->text, system->span};
+  if (const Node* family = root.find("family")) entity.family = {family->text, family->span};
+  entity.runs = texts_at(root, "runs");
   entity.config = read_parameters(root, diagnostics);
   entity.inputs = read_ports(root, "inputs");
   complete_tick(entity.inputs);
@@ -292,6 +294,7 @@ std::optional<Target> read_target_manifest(const Node& root, const std::string& 
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
+  target.family = text_at(root, "family");
   target.run = texts_at(root, "run");
   return target;
 }

@@ -93,7 +93,9 @@ Fields cpp() {
       {"header", format::text("a header beside the manifest"), true, "header beside the manifest"},
       {"class", format::text("a C++ class template"), true, "C++ class template over its Io"},
       {"pkg_config", texts(), false, "pkg-config's names of the libraries that it needs"},
-      {"system", system_format(), false, "the operating system it needs (default: none)"}};
+      {"system", system_format(), false, "the operating system it needs (default: none)"},
+      {"family", format::name("a family of boards"), false,
+       "the family of boards it needs (default: none)"}};
 }
 
 Fields config() {
@@ -179,6 +181,8 @@ FormatPtr target_format() {
                  {"flash", texts(), false, "origin and size of the memory for code"},
                  {"ram", texts(), false, "origin and size of the memory for data"},
                  {"system", system_format(), false, "its operating system (default: none)"},
+                 {"family", format::name("a family of boards"), false,
+                  "what entities made for these boards name (default: none)"},
                  {"run", texts(), false, "command that runs an image"}});
 }
 
@@ -200,7 +204,9 @@ const Format* manifest_format(std::string_view kind) {
       {"engine",
        format::record("an engine",
                       common("engine") + cpp() + config() + states() +
-                          Fields{{"simulator",
+                          Fields{{"runs", texts(), false,
+                                  "engines whose implementations of objects it runs, too"},
+                                 {"simulator",
                                   format::record("a simulator",
                                                  {{"class", format::text("a C++ class template"),
                                                    true, "class template over a model"},

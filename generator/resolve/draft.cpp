@@ -233,15 +233,16 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
   return base;
 }
 
-const ObjectEngine* find_implementation(const Entity& entity, const std::string& engine, Span span,
+const ObjectEngine* find_implementation(const Entity& entity, const Entity& engine, Span span,
                                         Diagnostics& diagnostics) {
+  if (const ObjectEngine* found = entity.implementation(engine)) return found;
   std::vector<std::string> known;
-  for (const auto& implementation : entity.object_engines) {
-    if (implementation.engine.value == engine) return &implementation;
+  known.reserve(entity.object_engines.size());
+  for (const auto& implementation : entity.object_engines)
     known.push_back(implementation.engine.value);
-  }
   auto& problem = diagnostics.error(
-      "E0308", span, fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine));
+      "E0308", span,
+      fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine.id.value));
   problem.help = known.empty() ? "it has no implementation at all"
                                : fmt::format("it is made for {}", fmt::join(known, ", "));
   return nullptr;

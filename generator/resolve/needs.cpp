@@ -30,12 +30,30 @@ void for_each_entity(const Graph& graph, F&& f) {
   }
 }
 
-std::string systems_help(const Library& library, const std::string& system) {
+/// The targets that have what an entity needs. `Member`: Target::system or Target::family.
+std::string targets_help(const Library& library, std::string Target::*member,
+                         const std::string& wanted) {
   std::vector<std::string> ids;
   for (const auto& [id, target] : library.targets) {
-    if (target.system == system) ids.push_back("`--target " + id + "`");
+    if (target.*member == wanted) ids.push_back("`--target " + id + "`");
   }
-  return fmt::format("{}, or another engine: `--engine NAME`", fmt::join(ids, ", "));
+  return fmt::format("{}{}another engine: `--engine NAME`", fmt::join(ids, ", "),
+                     ids.empty() ? "" : ", or ");
+}
+
+std::string system_of(const Target& target) {
+  return target.system.empty() ? "has no operating system" : "runs " + target.system;
+}
+
+/// What an entity needs and the target is not, in words; empty if there is nothing.
+std::string missing(const Entity& entity, const Target& target) {
+  if (entity.system && entity.system->value != target.system)
+    return fmt::format("`{}` needs {}, but target `{}` {}", entity.id.value, entity.system->value,
+                       target.id.value, system_of(target));
+  if (entity.family && entity.family->value != target.family)
+    return fmt::format("`{}` needs a board of the family {}, but target `{}` is none",
+                       entity.id.value, entity.family->value, target.id.value);
+  return {};
 }
 
 }  // namespace
@@ -51,20 +69,18 @@ std::vector<std::string> packages_of(const Graph& graph) {
 void check_system(const Graph& graph, const Target& target, const Library& library,
                   Diagnostics& diagnostics) {
   std::set<std::string> reported;
-  bool engine = true;
+  // What belongs to an engine that cannot run here need not be named too.
+  const bool engine_runs = missing(*graph.engine().entity, target).empty();
+  bool is_engine = true;
   for_each_entity(graph, [&](const Entity& entity, Span span) {
-    // What belongs to an engine that cannot run here need not be named too.
-    const bool follows = !engine && graph.engine().entity->system && !entity.engines.empty();
-    engine = false;
-    if (!entity.system || entity.system->value == target.system || follows) return;
-    if (!reported.insert(entity.id.value).second) return;
-    diagnostics
-        .error("E0330", span,
-               fmt::format("`{}` needs {}, but target `{}` {}", entity.id.value,
-                           entity.system->value, target.id.value,
-                           target.system.empty() ? "has no operating system"
-                                                 : fmt::format("runs {}", target.system)))
-        .help = systems_help(library, entity.system->value);
+    const bool follows = !is_engine && !engine_runs && !entity.engines.empty();
+    is_engine = false;
+    const std::string what = missing(entity, target);
+    if (what.empty() || follows || !reported.insert(entity.id.value).second) return;
+    const bool is_system = entity.system && entity.system->value != target.system;
+    diagnostics.error("E0330", span, what).help =
+        is_system ? targets_help(library, &Target::system, entity.system->value)
+                  : targets_help(library, &Target::family, entity.family->value);
   });
 }
 

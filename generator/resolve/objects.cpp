@@ -378,8 +378,7 @@ void add_objects(Draft& draft) {
         find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);
     const ObjectEngine* implementation = nullptr;
     if (entity != nullptr && engine != nullptr) {
-      implementation =
-          find_implementation(*entity, engine->id.value, spec.type.span, draft.diagnostics);
+      implementation = find_implementation(*entity, *engine, spec.type.span, draft.diagnostics);
     }
     Object object{spec.name.value, entity, implementation, {}, {}, spec.name.span};
     if (entity != nullptr)

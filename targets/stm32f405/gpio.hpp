@@ -51,6 +51,14 @@ class Gpio {
     write(pin, level);
     set_mode(pin, PinMode::output);
   }
+  /// An output that pulls down or lets go, with a pull-up.
+  static void make_open_drain(Pin pin, bool level) {
+    start(pin);
+    set_pull(pin, PinPull::up);
+    set_bits<Memory>(reg(pin, kOpenDrain), 1U << pin.number);
+    write(pin, level);
+    set_mode(pin, PinMode::output);
+  }
   static void make_analog(Pin pin) {
     start(pin);
     set_mode(pin, PinMode::analog);

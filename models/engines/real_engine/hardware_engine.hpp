@@ -18,7 +18,7 @@ namespace eagerx::models {
 /// link, a sensor without a value for `missed` instants, an action that is not finite or out of
 /// limits that make safe. The safe action stays until `recover` instants in a row were right (0:
 /// until the next episode). An engine that is more than a period late does not catch up: the
-/// instants after it move. `Platform::prepare(priority)` is called once before.
+/// instants after it move. `Platform::prepare()` is called once before, then `Platform::open(link)`.
 template <class Io, class Link, class Platform>
 class HardwareEngine {
  public:
@@ -28,9 +28,8 @@ class HardwareEngine {
   void start(Simulators&... simulators) {
     if (started_) return;  // a program that warms up is started again by its first reset
     started_ = true;
-    using Config = typename Io::Config;
-    Platform::prepare(static_cast<int>(Config::priority));
-    if (!Platform::template open<Config>(link_)) ++failed_starts_;
+    Platform::prepare();
+    if (!Platform::open(link_)) ++failed_starts_;
     (simulators.attach(link_), ...);
   }
 

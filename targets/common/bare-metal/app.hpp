@@ -235,6 +235,7 @@ int run(const char* board) {
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();
   if (too_late) program.step(guard.stop());
+  program.stop();
 
   print("graph", Graph::kName);
   print("engine", Graph::kEngine);

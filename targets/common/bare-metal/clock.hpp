@@ -5,7 +5,7 @@
 
 namespace eagerx::board {
 
-/// Starts the timer; the first call of clock_ticks() is near 0.
+/// Starts the timer, from 0. One that runs goes on.
 void start_clock();
 /// Ticks so far.
 std::uint64_t clock_ticks();

@@ -18,6 +18,7 @@ volatile std::uint32_t& reg(std::uintptr_t address) {
 
 void start_clock() {
   constexpr std::uint32_t kOnWithExceptionFromCore = 7;
+  if ((reg(0xE000E010) & 1U) != 0) return;
   reg(0xE000E014) = kRound - 1;  // reload
   reg(0xE000E018) = 0;           // value: any write makes it 0, and the next tick reloads it
   reg(0xE000E010) = kOnWithExceptionFromCore;

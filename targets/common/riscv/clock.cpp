@@ -23,7 +23,7 @@ std::uint64_t started = 0;
 }  // namespace
 
 void start_clock() {
-  started = time_now();
+  if (started == 0) started = time_now();
 }
 
 std::uint64_t clock_ticks() {

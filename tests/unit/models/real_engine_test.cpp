@@ -64,8 +64,7 @@ struct FakeLink {
 
 struct FakePlatform {
   static inline bool opens = true;
-  static void prepare(int /*priority*/) {}
-  template <class Config>
+  static void prepare() {}
   static bool open(FakeLink& /*link*/) {
     return opens;
   }
@@ -93,7 +92,6 @@ struct FakeModel {
 using Simulator = HardwareSimulator<FakeModel, FakeLink>;
 
 struct EngineConfig {
-  static constexpr int priority = 0;
   static constexpr double max_lateness = 0.005;
   static constexpr int late = 1;
   static constexpr int missed = 2;

@@ -14,22 +14,23 @@
 namespace eagerx::models {
 
 /// What RealEngine wants of the system.
+template <class Config>
 struct LinuxPlatform {
   /// Locks the program's memory and gives it real-time priority `priority` (SCHED_FIFO), unless
   /// that is 0. What is not allowed is said once, and the program goes on.
-  static void prepare(int priority) {
-    if (priority <= 0) return;
+  static void prepare() {
+    constexpr auto kPriority = static_cast<int>(Config::priority);
+    if (kPriority <= 0) return;
     if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
       say("memory is not locked, a page fault may delay an instant", "raise `ulimit -l`");
     }
     sched_param parameters{};
-    parameters.sched_priority = priority;
+    parameters.sched_priority = kPriority;
     if (sched_setscheduler(0, SCHED_FIFO, &parameters) != 0) {
       say("no real-time priority, other programs may delay an instant", "raise `ulimit -r`");
     }
   }
 
-  template <class Config>
   static bool open(links::FtdiLink& link) {
     constexpr double kMsPerSecond = 1e3;
     const links::FtdiSelection selection{static_cast<int>(Config::vendor),
@@ -53,7 +54,8 @@ struct LinuxPlatform {
 };
 
 template <class Io>
-class RealEngine : public HardwareEngine<Io, links::FtdiLink, LinuxPlatform> {};
+class RealEngine : public HardwareEngine<Io, links::FtdiLink, LinuxPlatform<typename Io::Config>> {
+};
 
 template <HardwareModel Model>
 using RealSimulator = HardwareSimulator<Model, links::FtdiLink>;

@@ -1,0 +1,76 @@
+// Peripherals besides buses: what a driver or a main program may ask of PWM, ADC, quadrature
+// encoders, timers and watchdogs, whatever board they are on. Errors are those of bus.hpp, and what
+// is read is valid after run(), as on a bus.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <eagerx/bus.hpp>
+
+namespace eagerx {
+
+/// write_duty(channel, duty): the share of time, 0 to 1, that an output is high; others are
+/// limited, NaN is 0.
+template <class B>
+concept PwmBus = requires(B& bus, std::uint8_t channel, float duty) {
+  bus.write_duty(channel, duty);
+  { bus.run() } -> std::same_as<BusError>;
+};
+
+/// read_volts(channel, volts&): a voltage.
+template <class B>
+concept AdcBus = requires(B& bus, std::uint8_t channel, float& volts) {
+  bus.read_volts(channel, volts);
+  { bus.run() } -> std::same_as<BusError>;
+};
+
+/// read_encoder(encoder, counts&): edges of both lines since the start, up minus down; it wraps at
+/// 32 bits.
+template <class B>
+concept EncoderBus = requires(B& bus, std::uint8_t encoder, std::int32_t& counts) {
+  bus.read_encoder(encoder, counts);
+  { bus.run() } -> std::same_as<BusError>;
+};
+
+/// Time as ticks of hardware since its start, in 64 bits; wait_for() returns as soon as so many are
+/// over.
+template <class T>
+concept HardwareTimer = requires(T& timer, std::uint64_t ticks) {
+  { timer.ticks() } -> std::same_as<std::uint64_t>;
+  { timer.hz() } -> std::convertible_to<std::uint64_t>;
+  timer.wait_for(ticks);
+};
+
+/// start(ms) makes the hardware reset the system when feed() is not called for so long (false if it
+/// cannot wait so long, or is not there); most watchdogs cannot be stopped again.
+template <class W>
+concept Watchdog = requires(W& watchdog, std::uint32_t ms) {
+  { watchdog.start(ms) } -> std::same_as<bool>;
+  watchdog.feed();
+};
+
+/// `duty` as a number of `counts`, rounded to the nearest.
+constexpr std::uint32_t counts_of_duty(float duty, std::uint32_t counts) {
+  if (!(duty > 0.0F)) return 0;
+  if (duty >= 1.0F) return counts;
+  return static_cast<std::uint32_t>(duty * static_cast<float>(counts) + 0.5F);
+}
+
+/// A counter of 16 bits with the rest of its 32 bits, for an encoder that is read at least once in
+/// 32767 counts.
+class WideCount {
+ public:
+  std::int32_t update(std::uint16_t counter) {
+    const auto moved = static_cast<std::uint16_t>(counter - (count_ & 0xffffU));
+    count_ += moved < kHalf ? moved : moved - kRound;
+    return static_cast<std::int32_t>(count_);
+  }
+
+ private:
+  static constexpr std::uint32_t kHalf = 0x8000;
+  static constexpr std::uint32_t kRound = 0x10000;
+
+  std::uint32_t count_ = 0;  // wraps on purpose
+};
+
+}  // namespace eagerx
