@@ -7,19 +7,18 @@
 
 namespace eagerx::board::mps2 {
 
-/// Counts `ClockHz` down twice, to an interrupt that nobody takes and then to the reset: each is
-/// half of the time-out. Locked after every access.
+/// Counts `ClockHz` down to the non-maskable interrupt, which ends the program with a message, and,
+/// should that fail too, once more to the reset. Locked after every access.
 template <std::uint32_t ClockHz, class Memory = MappedMemory>
 class ApbWatchdog {
  public:
   static constexpr std::uint32_t kLongestMs =
-      static_cast<std::uint32_t>(0xffffffffULL * 2'000 / ClockHz);
+      static_cast<std::uint32_t>(0xffffffffULL * 1'000 / ClockHz);
 
   static bool start(std::uint32_t ms) {
     if (ms == 0 || ms > kLongestMs) return false;
-    const std::uint64_t half = std::uint64_t{ms} * ClockHz / 2'000;
     Memory::write(kLock, kUnlock);
-    Memory::write(kLoad, static_cast<std::uint32_t>(half));
+    Memory::write(kLoad, static_cast<std::uint32_t>(std::uint64_t{ms} * ClockHz / 1'000));
     Memory::write(kControl, kCountAndReset);
     Memory::write(kLock, 0);
     return true;

@@ -1,14 +1,10 @@
 // RealEngine on Linux: over libftdi, with real-time scheduling where that is allowed.
 #pragma once
 
-#include <sched.h>
-#include <sys/mman.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <models/engines/real_engine/hardware_engine.hpp>
 #include <models/engines/real_engine/hardware_simulator.hpp>
+#include <models/engines/real_engine/linux/real_time.hpp>
 #include <models/links/ftdi/linux/ftdi_link.hpp>
 
 namespace eagerx::models {
@@ -16,20 +12,7 @@ namespace eagerx::models {
 /// What RealEngine wants of the system.
 template <class Config>
 struct LinuxPlatform {
-  /// Locks the program's memory and gives it real-time priority `priority` (SCHED_FIFO), unless
-  /// that is 0. What is not allowed is said once, and the program goes on.
-  static void prepare() {
-    constexpr auto kPriority = static_cast<int>(Config::priority);
-    if (kPriority <= 0) return;
-    if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
-      say("memory is not locked, a page fault may delay an instant", "raise `ulimit -l`");
-    }
-    sched_param parameters{};
-    parameters.sched_priority = kPriority;
-    if (sched_setscheduler(0, SCHED_FIFO, &parameters) != 0) {
-      say("no real-time priority, other programs may delay an instant", "raise `ulimit -r`");
-    }
-  }
+  static void prepare() { ask_for_real_time(static_cast<int>(Config::priority)); }
 
   static bool open(links::FtdiLink& link) {
     constexpr double kMsPerSecond = 1e3;
@@ -44,12 +27,6 @@ struct LinuxPlatform {
         "program runs\n",
         static_cast<unsigned>(selection.vendor), static_cast<unsigned>(selection.product)));
     return false;
-  }
-
- private:
-  static void say(const char* what, const char* help) {
-    static_cast<void>(
-        std::fprintf(stderr, "note: %s (%s); as root, or %s\n", what, std::strerror(errno), help));
   }
 };
 
