@@ -51,7 +51,12 @@ class Hardware {
     return true;
   }
   bool start_adc(float reference) { return adc_.start(reference), true; }
-  bool add_adc(std::uint8_t channel) { return Adc<Memory>::add(channel); }
+  /// The chip's channel that is the next number of read_volts(); false if there are 8.
+  bool add_adc(std::uint8_t channel) {
+    if (voltages_ == kMostPins || !Adc<Memory>::add(channel)) return false;
+    voltage_[voltages_++] = channel;
+    return true;
+  }
   /// The next encoder; false if there are 4.
   bool add_encoder(const TimerPort& port) {
     if (encoders_ == kMostEncoders) return false;
@@ -93,7 +98,8 @@ class Hardware {
   }
   BusError write_duty(std::uint8_t channel, float duty) { return pwm_.write_duty(channel, duty); }
   BusError read_volts(std::uint8_t channel, float& volts) {
-    return adc_.read_volts(channel, volts);
+    if (channel >= voltages_) return BusError::unsupported;
+    return adc_.read_volts(voltage_[channel], volts);
   }
   BusError read_encoder(std::uint8_t encoder, std::int32_t& counts) {
     if (encoder >= encoders_) return BusError::unsupported;
@@ -109,9 +115,11 @@ class Hardware {
   std::array<Pin, kMostPins> select_{};
   std::array<Pin, kMostPins> pin_{};
   std::array<bool, kMostPins> is_output_{};
+  std::array<std::uint8_t, kMostPins> voltage_{};
   bool is_watched_ = false;
   std::size_t selects_ = 0;
   std::size_t pins_ = 0;
+  std::size_t voltages_ = 0;
   std::size_t encoders_ = 0;
 };
 

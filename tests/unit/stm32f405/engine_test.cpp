@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <eagerx/rate.hpp>
+#include <models/objects/dc_motor/dc_motor_real.hpp>
 #include <models/objects/pendulum/pendulum_real.hpp>
 #include <numbers>
 #include <string>
@@ -167,7 +168,7 @@ TEST_F(Stm32Engine, PinsPwmAdcAndEncodersByNumber) {
   chip.at[0x40000824] = 0xfffe;
   chip.at[0x40020810] = 1U << 13U;
   link.read_pin(0, level);
-  link.read_volts(11, volts);
+  link.read_volts(0, volts);
   link.read_encoder(0, counts);
   link.write_duty(1, 0.25F);
   ASSERT_EQ(link.run(), BusError::none);
@@ -182,6 +183,41 @@ TEST_F(Stm32Engine, PinsPwmAdcAndEncodersByNumber) {
   link.write_pin(1, true);
   EXPECT_EQ(link.run(), BusError::unsupported);
   EXPECT_EQ(link.run(), BusError::none);
+}
+
+struct MotorIo {
+  using Real = float;
+  struct Config {
+    static constexpr int counts_per_turn = 2000;
+    static constexpr double supply = 12.0;
+    static constexpr double volts_per_ampere = 0.5;
+  };
+};
+
+TEST_F(Stm32Engine, AMotorOnPwmEncoderAndAdc) {
+  models::HardwareSimulator<models::DcMotorReal<MotorIo>, FakeLink> motor;
+  chip.at[0x40000824] = 0;
+  chip.analog[11] = 1241;  // 1 V
+  engine.start(motor);
+  motor.declare_safe(0, 0.0F);
+  engine.reset({}, motor);
+  motor.act(0, 3.0F, -12.0F, 12.0F);
+  chip.at[0x40000824] = 500;  // a quarter of a turn in an instant
+  engine.callback(Tick{1}, motor);
+  ASSERT_FALSE(engine.is_safe());
+  EXPECT_FLOAT_EQ(motor.value(0), std::numbers::pi_v<float> / 2);
+  EXPECT_NEAR(motor.value(1), std::numbers::pi_v<float> / 2 * 100, 1e-3F);
+  EXPECT_NEAR(motor.value(2), 2.0F, 1e-3F);
+  EXPECT_EQ(chip.at[0x40000434], 1050U);  // 3 V of 12 V, of 4200 ticks
+  EXPECT_EQ(chip.at[0x40000438], 0U);
+  motor.act(0, -12.0F, -12.0F, 12.0F);
+  chip.at[0x40000824] = 0xfe0c;  // back over zero
+  engine.callback(Tick{2}, motor);
+  EXPECT_FLOAT_EQ(motor.value(0), -std::numbers::pi_v<float> / 2);
+  EXPECT_EQ(chip.at[0x40000434], 0U);
+  EXPECT_EQ(chip.at[0x40000438], 4200U);
+  engine.stop(motor);
+  EXPECT_EQ(chip.at[0x40000438], 0U);
 }
 
 TEST_F(Stm32Engine, SpiKeepsToTheSlowerOfDeviceAndWiring) {
