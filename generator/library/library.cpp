@@ -115,6 +115,14 @@ const PortManifest* Entity::target(std::string_view name) const {
   return find_port(targets, name);
 }
 
+bool Entity::works_on(const Entity& engine) const {
+  const auto has = [&](const std::string& name) {
+    return std::find(engines.begin(), engines.end(), name) != engines.end();
+  };
+  return engines.empty() || has(engine.id.value) ||
+         std::any_of(engine.runs.begin(), engine.runs.end(), has);
+}
+
 const ObjectEngine* Entity::implementation(const Entity& engine) const {
   const auto made_for = [&](const std::string& name) -> const ObjectEngine* {
     for (const auto& each : object_engines) {

@@ -233,13 +233,13 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
   return base;
 }
 
-const ObjectEngine* find_implementation(const Entity& entity, const Entity& engine, Span span,
-                                        Diagnostics& diagnostics) {
+const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
+                                        const Entity& engine, Span span, Diagnostics& diagnostics) {
   if (const ObjectEngine* found = entity.implementation(engine)) return found;
   std::vector<std::string> known;
-  known.reserve(entity.object_engines.size());
-  for (const auto& implementation : entity.object_engines)
-    known.push_back(implementation.engine.value);
+  for (const auto& id : library.ids(EntityKind::engine)) {
+    if (entity.implementation(*library.find(id)) != nullptr) known.push_back(id);
+  }
   auto& problem = diagnostics.error(
       "E0308", span,
       fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine.id.value));

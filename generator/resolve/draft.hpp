@@ -118,8 +118,8 @@ bool fits(const PartialSpace& declared, const Space& arriving);
 void settle(DraftOutput& output, const ComponentSpec& settings, const std::string& written,
             Diagnostics& diagnostics);
 /// How an object is made on an engine; E0308 if it is not.
-const ObjectEngine* find_implementation(const Entity& entity, const Entity& engine, Span span,
-                                        Diagnostics& diagnostics);
+const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
+                                        const Entity& engine, Span span, Diagnostics& diagnostics);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);
 /// "did you mean `…`?", else what there is, else `otherwise`.

@@ -142,13 +142,11 @@ class ObjectBuilder {
     node.node.config =
         resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
-    if (!entity.engines.empty() &&
-        std::find(entity.engines.begin(), entity.engines.end(), implementation_.engine.value) ==
-            entity.engines.end()) {
+    const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
+    if (!entity.works_on(engine)) {
       diagnostics()
           .error("E0308", spec.type.span,
-                 fmt::format("`{}` does not work on `{}`", entity.id.value,
-                             implementation_.engine.value))
+                 fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
           .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
     }
     report_unknown(spec.inputs, entity.inputs, entity, "input");
@@ -378,7 +376,8 @@ void add_objects(Draft& draft) {
         find_entity(draft.library, spec.type, EntityKind::object, draft.diagnostics);
     const ObjectEngine* implementation = nullptr;
     if (entity != nullptr && engine != nullptr) {
-      implementation = find_implementation(*entity, *engine, spec.type.span, draft.diagnostics);
+      implementation =
+          find_implementation(draft.library, *entity, *engine, spec.type.span, draft.diagnostics);
     }
     Object object{spec.name.value, entity, implementation, {}, {}, spec.name.span};
     if (entity != nullptr)

@@ -53,7 +53,9 @@ concept Watchdog = requires(W& watchdog, std::uint32_t ms) {
 constexpr std::uint32_t counts_of_duty(float duty, std::uint32_t counts) {
   if (!(duty > 0.0F)) return 0;
   if (duty >= 1.0F) return counts;
-  return static_cast<std::uint32_t>(duty * static_cast<float>(counts) + 0.5F);
+  const float exact = duty * static_cast<float>(counts);
+  const auto whole = static_cast<std::uint32_t>(exact);
+  return whole + (exact - static_cast<float>(whole) >= 0.5F ? 1U : 0U);
 }
 
 /// A counter of 16 bits with the rest of its 32 bits, for an encoder that is read at least once in

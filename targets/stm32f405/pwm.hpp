@@ -33,7 +33,7 @@ class Pwm {
   /// Gives channel 0 to 3 its pin. False without start().
   bool add(std::uint8_t channel) const {
     if (port_ == nullptr || channel >= kChannels) return false;
-    write(timer::kCompare1 + 4U * channel, 0);
+    write(timer::kCompare1 + std::uintptr_t{4} * channel, 0);
     constexpr std::uint32_t kPwm1WithPreload = 0x68;  // OCxM 110, OCxPE
     const std::uintptr_t mode = port_->base + timer::kChannelMode1 + (channel < 2 ? 0U : 4U);
     const unsigned shift = 8U * (channel % 2U);
@@ -45,7 +45,7 @@ class Pwm {
   /// The output of `channel` is high for this share of each period.
   BusError write_duty(std::uint8_t channel, float duty) const {
     if (port_ == nullptr || channel >= kChannels) return BusError::unsupported;
-    write(timer::kCompare1 + 4U * channel, counts_of_duty(duty, period_));
+    write(timer::kCompare1 + std::uintptr_t{4} * channel, counts_of_duty(duty, period_));
     return BusError::none;
   }
   /// Ticks of a period.

@@ -18,7 +18,7 @@ namespace eagerx::links {
 struct Kernel {
   static int open(const char* path, int flags) { return ::open(path, flags | O_CLOEXEC); }
   static int close(int file) { return ::close(file); }
-  static int ioctl(int file, unsigned long request, void* argument) {
+  static int ioctl(int file, std::uintptr_t request, void* argument) {
     int result = 0;
     do {
       result = ::ioctl(file, request, argument);

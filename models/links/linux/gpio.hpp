@@ -57,7 +57,7 @@ class LinuxPin {
     is_output_ = error == BusError::none;
     return error;
   }
-  BusError carry_out(unsigned long request, void* argument) const {
+  BusError carry_out(std::uintptr_t request, void* argument) const {
     return System::ioctl(line_.handle(), request, argument) < 0 ? error_of(errno) : BusError::none;
   }
 

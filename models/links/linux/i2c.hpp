@@ -26,10 +26,10 @@ class LinuxI2c {
     constexpr std::size_t kMost = 8192;
     if (!file_.is_open()) return BusError::link_lost;
     if (n > kMost || m > kMost) return BusError::unsupported;
-    // The kernel does not write to what it sends.
-    i2c_msg messages[2] = {
-        {device.address, 0, static_cast<std::uint16_t>(n), const_cast<std::uint8_t*>(out)},
-        {device.address, I2C_M_RD, static_cast<std::uint16_t>(m), in}};
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): the kernel only reads it
+    auto* const sent = const_cast<std::uint8_t*>(out);
+    i2c_msg messages[2] = {{device.address, 0, static_cast<std::uint16_t>(n), sent},
+                           {device.address, I2C_M_RD, static_cast<std::uint16_t>(m), in}};
     const bool writes = n > 0 || m == 0;
     const unsigned count = (writes ? 1U : 0U) + (m > 0 ? 1U : 0U);
     i2c_rdwr_ioctl_data data{writes ? messages : messages + 1, count};

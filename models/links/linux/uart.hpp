@@ -54,7 +54,7 @@ class LinuxUart {
 
  private:
   template <class Step>
-  BusError carry_out(std::size_t n, short event, const Step& step) {
+  BusError carry_out(std::size_t n, std::int16_t event, const Step& step) {
     constexpr std::int64_t kNsPerMs = 1'000'000;
     const std::int64_t end = LinuxClock::now_ns() + timeout_ms_ * kNsPerMs;
     for (std::size_t done = 0; done < n;) {
@@ -73,7 +73,7 @@ class LinuxUart {
     }
     return BusError::none;
   }
-  static BusError late(short event, std::size_t done) {
+  static BusError late(std::int16_t event, std::size_t done) {
     return event == POLLIN && done > 0 ? BusError::short_reply : BusError::timeout;
   }
 

@@ -6,7 +6,8 @@
 
 namespace eagerx::board {
 
-/// Registers of 32 bits where the processor sees them.
+/// Registers of 32 bits where the processor sees them: at numbers that the manual gives.
+// NOLINTBEGIN(performance-no-int-to-ptr)
 struct MappedMemory {
   static std::uint32_t read(std::uintptr_t address) {
     return *reinterpret_cast<const volatile std::uint32_t*>(address);
@@ -15,6 +16,7 @@ struct MappedMemory {
     *reinterpret_cast<volatile std::uint32_t*>(address) = value;
   }
 };
+// NOLINTEND(performance-no-int-to-ptr)
 
 template <class Memory>
 void set_bits(std::uintptr_t address, std::uint32_t bits) {

@@ -2,9 +2,9 @@
 // numbers in files below a folder, and a pseudo terminal.
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -60,7 +60,7 @@ struct FakeKernel {
     return bytes;
   }
 
-  static int ioctl(int /*file*/, unsigned long request, void* argument) {
+  static int ioctl(int /*file*/, std::uintptr_t request, void* argument) {
     if (fails != 0) return errno = fails, -1;
     if (request == SPI_IOC_WR_MODE32) return spi_mode = *static_cast<std::uint32_t*>(argument), 0;
     if (request == SPI_IOC_MESSAGE(1)) return spi(*static_cast<spi_ioc_transfer*>(argument));
@@ -87,6 +87,7 @@ struct FakeKernel {
   }
 
  private:
+  // NOLINTBEGIN(performance-no-int-to-ptr): the kernel takes addresses as numbers
   static int spi(const spi_ioc_transfer& transfer) {
     const auto* out = reinterpret_cast<const std::uint8_t*>(transfer.tx_buf);
     sent.emplace_back(out, out + transfer.len);
@@ -96,6 +97,7 @@ struct FakeKernel {
       std::memcpy(reinterpret_cast<void*>(transfer.rx_buf), bytes.data(), bytes.size());
     return static_cast<int>(transfer.len);
   }
+  // NOLINTEND(performance-no-int-to-ptr)
   static int i2c(const i2c_rdwr_ioctl_data& data) {
     for (unsigned i = 0; i < data.nmsgs; ++i) {
       const i2c_msg& message = data.msgs[i];
