@@ -65,9 +65,7 @@ struct FakeLink {
 struct FakePlatform {
   static inline bool opens = true;
   static void prepare() {}
-  static bool open(FakeLink& /*link*/) {
-    return opens;
-  }
+  static bool open(FakeLink& /*link*/) { return opens; }
 };
 
 struct FakeModel {
