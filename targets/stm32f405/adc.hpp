@@ -26,6 +26,7 @@ class Adc {
     Memory::write(kSampleTime1, kAll56 >> 3U);
     Memory::write(kSampleTime2, kAll56);
     Memory::write(kControl2, kOn);
+    for (std::uint32_t i = 0; i < kReadsToSettle; ++i) static_cast<void>(Memory::read(kStatus));
   }
   /// The pin of channel 0 to 15 becomes analogue; kNoPin where there is none.
   static constexpr Pin pin_of_channel(std::uint8_t channel) {
@@ -76,6 +77,8 @@ class Adc {
   static constexpr std::uint32_t kEndOfConversion = 1U << 1U;
   static constexpr std::uint32_t kAll56 = 03333333333;  // 3 (56 clocks) for ten channels
   static constexpr std::uint32_t kPatience = 10'000;
+  // 3 us (DS8626, table 67), of at least four cycles of 168 MHz each.
+  static constexpr std::uint32_t kReadsToSettle = 200;
 
   float volts_per_count_ = 0.0F;
 };

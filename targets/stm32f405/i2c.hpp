@@ -60,7 +60,7 @@ class I2c {
     const std::uint32_t limit = device.max_hz < max_hz_ ? device.max_hz : max_hz_;
     if (port_ == nullptr || limit < kStandardHz) return BusError::unsupported;
     set_speed(limit >= kFastHz);
-    BusError error = has_bits<Memory>(reg(kStatus2), kBusy) ? BusError::timeout : BusError::none;
+    BusError error = is_free() ? BusError::none : BusError::timeout;
     if (error == BusError::none && (n > 0 || m == 0)) error = send(device.address, out, n);
     if (error == BusError::none && m > 0) error = receive(device.address, in, m);
     if (error == BusError::timeout) {
@@ -207,6 +207,13 @@ class I2c {
       if ((status & bit) != 0) return BusError::none;
     }
     return BusError::timeout;
+  }
+  /// The bus is busy for a moment after a stop, and as long as somebody holds a line.
+  bool is_free() const {
+    for (std::uint32_t i = 0; i < kPatience; ++i) {
+      if (!has_bits<Memory>(reg(kStatus2), kBusy)) return true;
+    }
+    return false;
   }
   /// The hardware takes the bit away when the stop is out; nothing may be written before.
   bool wait_for_stop() {
