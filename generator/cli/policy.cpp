@@ -1,9 +1,8 @@
 // eagerx-gen policy: what a weight file holds, and whether it answers as it should.
 #include <fmt/format.h>
 
-#include <bit>
-
 #include "generator/cli/pipeline.hpp"
+#include "generator/policy/cost.hpp"
 #include "generator/policy/evaluate.hpp"
 #include "generator/policy/network.hpp"
 
@@ -25,31 +24,23 @@ std::optional<Network> read(Run& run, const Options& options) {
   return read_policy(request, run.diagnostics);
 }
 
-/// Outputs as they are stored: in panels of eight, the rest padded to a power of two.
-std::size_t padded(std::size_t outputs) {
-  constexpr std::size_t kPanel = 8;
-  const std::size_t tail = outputs % kPanel;
-  return outputs - tail + (tail == 0 ? 0 : std::bit_ceil(tail));
-}
-
 void print_layers(const Network& network) {
-  std::size_t parameters = 0;
-  std::size_t floats = 0;
-  std::size_t products = 0;
+  LayerCost sum;
+  std::size_t remembered = 0;
   fmt::print("layers\n");
   for (const DenseLayer& layer : network.layers) {
-    const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} : 0;
-    parameters += layer.weights.size() + layer.bias.size() + norm;
-    floats += padded(layer.outputs) * (layer.inputs + std::size_t{1}) + norm;
-    products += layer.weights.size();
-    fmt::print("  {} -> {}{}{}\n", layer.inputs, layer.outputs, layer.norm ? " layer norm" : "",
-               layer.activation == Activation::identity
-                   ? ""
-                   : fmt::format(" {}", to_string(layer.activation)));
+    const LayerCost cost = cost_of(layer);
+    sum.parameters += cost.parameters;
+    sum.bytes += cost.bytes;
+    sum.multiply_adds += cost.multiply_adds;
+    remembered += layer.remembers();
+    const bool plain = layer.is_dense() && layer.activation == Activation::identity && !layer.norm;
+    fmt::print("  {} -> {}{}\n", layer.inputs, layer.outputs, plain ? "" : note_of(layer));
   }
-  fmt::print("parameters     {}\n", parameters);
-  fmt::print("flash          {} bytes\n", floats * sizeof(float));
-  fmt::print("multiply-adds  {}\n", products);
+  fmt::print("parameters     {}\n", sum.parameters);
+  fmt::print("flash          {} bytes\n", sum.bytes);
+  fmt::print("multiply-adds  {}\n", sum.multiply_adds);
+  if (remembered > 0) fmt::print("memory         {} bytes\n", remembered * sizeof(float));
 }
 
 std::string list_of(const std::vector<double>& values) {

@@ -32,6 +32,7 @@ class Emitter {
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     View program = program_view(plan_, names_);
     program.set("group", partial("cpp/group.mustache"));
+    program.set("has_memory", network_ && network_->has_memory());
     program.set("begin", partial("cpp/begin.mustache"));
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view(plan_, names_, network_));

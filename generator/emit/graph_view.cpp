@@ -220,6 +220,7 @@ class GraphView {
   void add_policy(View& view) const {
     View inputs = list(), outputs = list();
     view.set("has_policy", network_.has_value());
+    view.set("has_memory", network_ && network_->has_memory());
     view.set("policy_flag", network_ ? "true" : "false");
     view.set("policy_file", graph_.agent.file);
     view.set("no_policy", !network_.has_value());

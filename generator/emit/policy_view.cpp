@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "generator/emit/policy_tables.hpp"
+#include "generator/policy/cost.hpp"
 #include "generator/policy/evaluate.hpp"
 
 namespace eagerx::gen {
@@ -31,24 +32,11 @@ std::string literal(Float value) {
   return text;
 }
 
-std::string list_of(const std::vector<double>& values) {
+std::string doubles_of(const std::vector<double>& values) {
   std::vector<std::string> literals;
   literals.reserve(values.size());
   for (const double value : values) literals.push_back(literal(value));
   return fmt::format("{}", fmt::join(literals, ", "));
-}
-
-std::string list_of(const std::vector<float>& values) {
-  std::vector<std::string> literals;
-  literals.reserve(values.size());
-  for (const float value : values) literals.push_back(literal(value) + "F");
-  return fmt::format("{}", fmt::join(literals, ", "));
-}
-
-/// Number of outputs after padding.
-std::size_t padded(std::size_t outputs) {
-  const std::size_t tail = outputs % kPanel;
-  return outputs - tail + (tail == 0 ? 0 : std::bit_ceil(tail));
 }
 
 /// A table that is written value by value, eight a line.
@@ -78,16 +66,24 @@ class Table {
   std::size_t in_line_ = 0;
 };
 
+}  // namespace
+
+std::string list_of(const std::vector<float>& values) {
+  std::vector<std::string> literals;
+  literals.reserve(values.size());
+  for (const float value : values) literals.push_back(literal(value) + "F");
+  return fmt::format("{}", fmt::join(literals, ", "));
+}
+
 std::string bias_table(const DenseLayer& layer) {
-  const std::size_t count = padded(layer.outputs);
+  const std::size_t count = padded_outputs(layer.outputs);
   Table table(count);
   for (std::size_t k = 0; k < count; ++k) table.add(k < layer.outputs ? layer.bias[k] : 0.0F);
   return table.text();
 }
 
-/// Weights in panels of outputs: in a full panel, a line holds the weights of one input.
 std::string weight_table(const DenseLayer& layer) {
-  const std::size_t count = padded(layer.outputs);
+  const std::size_t count = padded_outputs(layer.outputs);
   Table table(count * layer.inputs);
   for (std::size_t first = 0; first < layer.outputs; first += kPanel) {
     const std::size_t end = std::min(first + kPanel, count);
@@ -103,6 +99,8 @@ std::string weight_table(const DenseLayer& layer) {
   return table.text();
 }
 
+namespace {
+
 /// Names out of a file must not end a comment's line; `read_policy` cleans those from inside of it.
 std::string comment_text(std::string_view text) {
   std::string line(text);
@@ -111,10 +109,13 @@ std::string comment_text(std::string_view text) {
   return line;
 }
 
-/// Slope of elu and leaky relu as one more argument.
+}  // namespace
+
 std::string slope_argument(const DenseLayer& layer) {
   return layer.slope == 0.0F ? std::string() : fmt::format(", {}F", literal(layer.slope));
 }
+
+namespace {
 
 data layer_view(const Network& network, std::size_t i) {
   const DenseLayer& layer = network.layers[i];
@@ -126,11 +127,14 @@ data layer_view(const Network& network, std::size_t i) {
   view.set("outputs", std::to_string(layer.outputs));
   view.set("activation", std::string(to_string(layer.activation)));
   view.set("slope", slope_argument(layer));
-  view.set("weights", weight_table(layer));
-  view.set("biases", bias_table(layer));
+  view.set("is_dense", layer.is_dense());
+  view.set("weights", layer.is_dense() ? weight_table(layer) : std::string());
+  view.set("biases", layer.is_dense() ? bias_table(layer) : std::string());
   view.set("input", i == 0 ? first : fmt::format("hidden{}", i));
   view.set("output", last ? std::string("action") : fmt::format("hidden{}", i + 1));
   view.set("hidden", data{!last});
+  const bool plain = layer.is_dense() && layer.activation == Activation::identity;
+  view.set("note", note_of(layer) + (plain ? " identity" : ""));
   view.set("plain", data{!layer.norm});
   view.set("norm", data{layer.norm.has_value()});
   if (layer.norm) {
@@ -138,6 +142,7 @@ data layer_view(const Network& network, std::size_t i) {
     view.set("beta", list_of(layer.norm->beta));
     view.set("epsilon", literal(layer.norm->epsilon) + "F");
   }
+  add_form(layer, i + 1, view);
   return view;
 }
 
@@ -150,17 +155,18 @@ void add_statistics(const Network& network, data& view) {
     deviation.push_back(std::sqrt(variance + statistics.epsilon));
   }
   view.set("source", comment_text(statistics.source));
-  view.set("mean", list_of(statistics.mean));
-  view.set("deviation", list_of(deviation));
+  view.set("mean", doubles_of(statistics.mean));
+  view.set("deviation", doubles_of(deviation));
   view.set("clip", literal(statistics.clip));
 }
 
 void add_self_test(const Network& network, data& view) {
   data rows{data::type::list};
+  Memory<float> memory;  // rows of a network that remembers are one sequence
   for (const std::vector<float>& observation : network.self_test) {
     data row{data::type::object};
     row.set("observation", list_of(observation));
-    row.set("answer", list_of(evaluate(network, normalized(network, observation))));
+    row.set("answer", list_of(evaluate(network, normalized(network, observation), &memory)));
     rows.push_back(row);
   }
   view.set("rows", std::to_string(network.self_test.size()));
@@ -176,9 +182,9 @@ data policy_view(const Network& network) {
   std::size_t stored = 0;
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const DenseLayer& layer = network.layers[i];
-    const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} : 0;
-    parameters += layer.weights.size() + layer.bias.size() + norm;
-    stored += padded(layer.outputs) * (layer.inputs + std::size_t{1}) + norm;
+    const LayerCost cost = cost_of(layer);
+    parameters += cost.parameters;
+    stored += cost.bytes;
     layers.push_back(layer_view(network, i));
   }
   data view{data::type::object};
@@ -187,8 +193,11 @@ data policy_view(const Network& network) {
   view.set("inputs", std::to_string(network.inputs()));
   view.set("outputs", std::to_string(network.outputs()));
   view.set("parameters", std::to_string(parameters));
-  view.set("bytes", std::to_string(stored * sizeof(float)));
+  view.set("bytes", std::to_string(stored));
   view.set("layers", layers);
+  view.set("has_memory", network.has_memory());
+  view.set("forgets", !network.has_memory());
+  add_headers(network, view);
   add_statistics(network, view);
   add_self_test(network, view);
   return view;

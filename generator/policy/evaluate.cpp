@@ -4,6 +4,9 @@
 #include <cmath>
 #include <eagerx/policy.hpp>
 
+#include "generator/policy/forms.hpp"
+#include "generator/policy/sums.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -67,19 +70,6 @@ double activated(Activation activation, double slope, double x) {
   return x;
 }
 
-/// Sums groups of eight, as eagerx/policy.hpp says. `term(i)` is a rounded number.
-template <class Term>
-float grouped_sum(float start, std::size_t count, Term&& term) {
-  constexpr std::size_t kGroup = runtime::policy::kGroup;
-  float sum = start;
-  for (std::size_t first = 0; first < count; first += kGroup) {
-    float part = term(first);
-    for (std::size_t i = first + 1; i < std::min(first + kGroup, count); ++i) part = part + term(i);
-    sum = sum + part;
-  }
-  return sum;
-}
-
 void apply_norm(const LayerNorm& norm, std::vector<float>& y) {
   const auto size = static_cast<float>(y.size());
   const float mean = grouped_sum(0.0F, y.size(), [&](std::size_t i) { return y[i]; }) / size;
@@ -117,14 +107,14 @@ std::vector<float> normalized(const Network& network, std::vector<float> observa
   return observation;
 }
 
-std::vector<float> evaluate(const Network& network, std::vector<float> input) {
-  for (const DenseLayer& layer : network.layers) {
-    std::vector<float> y(layer.outputs);
-    for (std::size_t out = 0; out < y.size(); ++out) {
-      const float* weights = layer.weights.data() + out * layer.inputs;
-      y[out] = grouped_sum(layer.bias[out], layer.inputs,
-                           [&](std::size_t i) { return weights[i] * input[i]; });
-    }
+std::vector<float> evaluate(const Network& network, std::vector<float> input,
+                            Memory<float>* memory) {
+  Memory<float> fresh;
+  if (memory == nullptr) memory = &fresh;
+  memory->resize(network.layers.size());
+  for (std::size_t i = 0; i < network.layers.size(); ++i) {
+    const DenseLayer& layer = network.layers[i];
+    std::vector<float> y = evaluate_form(layer, input, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     activate(layer.activation, layer.slope, y);
     input = std::move(y);
@@ -132,15 +122,15 @@ std::vector<float> evaluate(const Network& network, std::vector<float> input) {
   return input;
 }
 
-std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input) {
+std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input,
+                                       Memory<double>* memory) {
+  Memory<double> fresh;
+  if (memory == nullptr) memory = &fresh;
+  memory->resize(network.layers.size());
   std::vector<double> x(input.begin(), input.end());
-  for (const DenseLayer& layer : network.layers) {
-    std::vector<double> y(layer.bias.begin(), layer.bias.end());
-    for (std::size_t out = 0; out < y.size(); ++out) {
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        y[out] += static_cast<double>(layer.weights[out * layer.inputs + i]) * x[i];
-      }
-    }
+  for (std::size_t i = 0; i < network.layers.size(); ++i) {
+    const DenseLayer& layer = network.layers[i];
+    std::vector<double> y = evaluate_form(layer, x, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     for (double& value : y) {
       value = activated(layer.activation, static_cast<double>(layer.slope), value);

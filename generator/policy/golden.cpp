@@ -17,7 +17,15 @@ constexpr const char* kHelp =
 constexpr std::size_t kMaxRows = 1'000'000;
 
 /// What a column or an array may be called.
-enum class Role : std::uint8_t { none, observation, normalized, output, output_double, action };
+enum class Role : std::uint8_t {
+  none,
+  start,
+  observation,
+  normalized,
+  output,
+  output_double,
+  action
+};
 
 Role role_of(std::string_view name) {
   const std::size_t letters = name.find_last_not_of("0123456789");
@@ -27,6 +35,7 @@ Role role_of(std::string_view name) {
     return Role::output_double;
   }
   if (name == "float32" || stem == "network_out" || stem == "output") return Role::output;
+  if (name == "episode_start") return Role::start;
   if (stem == "obs" || stem == "observation") return Role::observation;
   if (stem == "nobs" || stem == "obs_normalized") return Role::normalized;
   if (stem == "action") return Role::action;
@@ -35,6 +44,8 @@ Role role_of(std::string_view name) {
 
 std::vector<std::vector<double>>* rows_of(GoldenRows& golden, Role role) {
   switch (role) {
+    case Role::start:
+      return &golden.starts;
     case Role::observation:
       return &golden.observations;
     case Role::normalized:
@@ -87,7 +98,7 @@ std::optional<GoldenRows> from_csv(std::string_view text, PolicyProblem& problem
     }
     if (golden.observations.size() >= kMaxRows) return fail("has too many rows");
     for (const Role role :
-         {Role::observation, Role::normalized, Role::output, Role::output_double, Role::action}) {
+         {Role::start, Role::observation, Role::normalized, Role::output, Role::output_double, Role::action}) {
       if (std::count(roles.begin(), roles.end(), role) > 0) rows_of(golden, role)->emplace_back();
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -154,6 +165,7 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
   if (!all_of_width(rows.normalized, count, network.inputs())) {
     return "has another number of normalised observations than of observations";
   }
+  if (!all_of_width(rows.starts, count, 1)) return "has another number of `episode_start` than rows";
   const bool fits = all_of_width(rows.outputs, count, network.outputs()) &&
                     all_of_width(rows.outputs_double, count, network.outputs());
   if (!fits)
@@ -167,6 +179,18 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
     return "has neither outputs nor actions";
   }
   return {};
+}
+
+/// Whether an episode starts with row `i`.
+bool starts(const GoldenRows& rows, std::size_t i) {
+  return i == 0 || rows.starts.empty() || rows.starts[i].front() != 0.0;
+}
+
+/// Rows of the first episode.
+std::size_t first_episode(const GoldenRows& rows) {
+  std::size_t count = std::min<std::size_t>(1, rows.observations.size());
+  while (count < rows.observations.size() && !starts(rows, count)) ++count;
+  return count;
 }
 
 std::vector<float> to_float(const std::vector<double>& values) {
@@ -199,10 +223,12 @@ std::vector<std::vector<float>> self_test_rows(const Network& network, const Gol
   std::size_t count = std::clamp<std::size_t>(kMostBytes / row, 1, kMostRows);
   std::vector<std::vector<float>> result;
   if (rows != nullptr) {
-    const std::size_t there = rows->observations.size();
+    const std::size_t there =
+        network.has_memory() ? first_episode(*rows) : rows->observations.size();
     count = std::min(count, there);
     for (std::size_t i = 0; i < count; ++i) {
-      result.push_back(to_float(rows->observations[i * there / count]));
+      const std::size_t at = network.has_memory() ? i : i * there / count;
+      result.push_back(to_float(rows->observations[at]));
     }
     return result;
   }
@@ -233,14 +259,21 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
   double largest_action = 1.0;
   // Without statistics a policy is given what was normalised elsewhere.
   const bool normalized_elsewhere = !network.normalization && !rows.normalized.empty();
+  Memory<float> memory;
+  Memory<double> exact_memory;
   for (std::size_t i = 0; i < result.rows; ++i) {
     const std::vector<float> input = normalized_elsewhere
                                          ? to_float(rows.normalized[i])
                                          : normalized(network, to_float(rows.observations[i]));
-    const std::vector<float> outputs = evaluate(network, input);
+    if (starts(rows, i)) {
+      memory.clear();
+      exact_memory.clear();
+    }
+    const std::vector<float> outputs = evaluate(network, input, &memory);
     const std::vector<double> ours(outputs.begin(), outputs.end());
-    const std::vector<double> reference =
-        rows.outputs_double.empty() ? evaluate_in_double(network, input) : rows.outputs_double[i];
+    const std::vector<double> exact = evaluate_in_double(network, input, &exact_memory);
+    const std::vector<double>& reference =
+        rows.outputs_double.empty() ? exact : rows.outputs_double[i];
     const double error = largest_difference(ours, reference);
     if (!(error <= result.ours)) {
       result.ours = error;
@@ -255,8 +288,7 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
       }
     }
     if (!rows.outputs.empty()) {
-      result.theirs = std::max(
-          result.theirs, largest_difference(rows.outputs[i], evaluate_in_double(network, input)));
+      result.theirs = std::max(result.theirs, largest_difference(rows.outputs[i], exact));
     }
     for (const double value : reference)
       largest_output = std::max(largest_output, std::fabs(value));

@@ -41,6 +41,12 @@ float default_slope(Activation activation) {
   return activation == Activation::leaky_relu ? 0.01F : 0.0F;
 }
 
+const char* to_string(Elementwise::Operation operation) {
+  constexpr std::array kNames = {"add",      "subtract", "multiply", "divide",
+                                 "at_least", "at_most",  "apply"};
+  return kNames.at(static_cast<std::size_t>(operation));
+}
+
 const char* to_string(ActionKind kind) {
   switch (kind) {
     case ActionKind::squashed:

@@ -1,9 +1,11 @@
 // A trained policy as plain data: what a weight file holds once it was read and checked.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
@@ -36,15 +38,68 @@ struct LayerNorm {
   float epsilon = 1e-5F;
 };
 
-/// y = activation(norm(W x + b)).
+/// A kernel that is moved over [channels][height][width]; one dimension is a height of 1. As
+/// eagerx::Kernel.
+struct KernelShape {
+  std::uint32_t channels = 1, height = 1, width = 1;
+  std::uint32_t rows = 1, columns = 1;
+  std::uint32_t stride_down = 1, stride_right = 1;
+  std::uint32_t pad_top = 0, pad_left = 0;
+  std::uint32_t dilation_down = 1, dilation_right = 1;
+  std::uint32_t out_height = 1, out_width = 1;
+  [[nodiscard]] std::uint32_t places() const { return out_height * out_width; }
+};
+
+/// What a layer is.
+struct Dense {};  // W x + b
+/// weights [outputs' channels][channels / groups][rows][columns], bias one a channel.
+struct Convolution {
+  KernelShape kernel;
+  std::uint32_t groups = 1;
+  std::uint32_t channels = 1;  // of the result
+};
+/// No weights.
+struct Pooling {
+  enum class Kind : std::uint8_t { max, average, average_with_padding };
+  KernelShape kernel;
+  Kind kind = Kind::max;
+};
+/// weights [gates * outputs][inputs], bias [gates * outputs]; gates in torch's order: GRU reset,
+/// update, candidate; LSTM input, forget, candidate, output. The state is what it remembers.
+struct Recurrence {
+  bool is_lstm = false;
+  std::vector<float> hidden_weights;  // [gates * outputs][outputs]
+  std::vector<float> hidden_bias;     // [gates * outputs]
+  [[nodiscard]] std::uint32_t gates() const { return is_lstm ? 4 : 3; }
+};
+/// x op c with one constant, or one for each number: `bias`. No other weights.
+struct Elementwise {
+  enum class Operation : std::uint8_t { add, subtract, multiply, divide, at_least, at_most, none };
+  Operation operation = Operation::none;
+};
+const char* to_string(Elementwise::Operation operation);
+/// Number `from[i]` of the input becomes number i.
+struct Reorder {
+  std::vector<std::uint32_t> from;  // [outputs]
+};
+
+/// y = activation(norm(W x + b)), or what `form` says in place of W x + b.
 struct DenseLayer {
   std::uint32_t inputs = 0;
   std::uint32_t outputs = 0;
-  std::vector<float> weights;  // [outputs][inputs], row-major
-  std::vector<float> bias;     // [outputs]
+  std::vector<float> weights;  // dense: [outputs][inputs], row-major
+  std::vector<float> bias;     // dense: [outputs]
   Activation activation = Activation::identity;
   float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
   std::optional<LayerNorm> norm{};
+  std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder> form{};
+
+  [[nodiscard]] bool is_dense() const { return std::holds_alternative<Dense>(form); }
+  [[nodiscard]] const Recurrence* recurrence() const { return std::get_if<Recurrence>(&form); }
+  /// Numbers that it remembers from one observation to the next.
+  [[nodiscard]] std::uint32_t remembers() const {
+    return recurrence() == nullptr ? 0 : outputs * (recurrence()->is_lstm ? 2 : 1);
+  }
 };
 
 /// clip((x - mean) / sqrt(variance + epsilon), -clip, clip) in float64: VecNormalize.
@@ -77,7 +132,7 @@ struct PolicyContract {
   std::optional<double> rate_hz;                // steps a second in training
 };
 
-/// A multi-layer perceptron: n_obs values in, n_act values out.
+/// Layers in a row: n_obs values in, n_act values out.
 struct Network {
   std::string file;                // as the user wrote it
   std::string format;              // for people: "ONNX opset 17, exported by pytorch 1.13"
@@ -90,6 +145,13 @@ struct Network {
   std::vector<std::vector<float>>
       self_test{};  // observations whose answers every program checks on its machine
 
+  std::vector<std::uint32_t> input_shape{};  // of the observation where it matters: channels first
+
+  /// Whether the answer depends on the observations before, since the start of the episode.
+  [[nodiscard]] bool has_memory() const {
+    return std::any_of(layers.begin(), layers.end(),
+                       [](const DenseLayer& layer) { return layer.remembers() > 0; });
+  }
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }
   /// What the file says; else squashed if the last layer is a tanh.

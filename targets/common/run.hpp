@@ -52,12 +52,24 @@ constexpr Agent default_agent() {
   return agent;
 }
 
+/// The policy's action; what it remembers is in the program.
+template <class Graph, class Program>
+typename Graph::Action policy_action(const typename Graph::Observation& observation,
+                                     Program& program) {
+  if constexpr (requires { program.policy_memory; }) {
+    return Graph::policy(observation, program.policy_memory);
+  } else {
+    return Graph::policy(observation);
+  }
+}
+
 /// Action `step` (from 0) of an agent that needs nothing but the program itself.
-template <class Graph>
+template <class Graph, class Program>
 typename Graph::Action act(Agent agent, EpisodeKey key, Seq step,
-                           const typename Graph::Observation& observation) {
+                           const typename Graph::Observation& observation,
+                           [[maybe_unused]] Program& program) {
   if constexpr (Graph::kHasPolicy) {
-    if (agent == Agent::policy) return Graph::policy(observation);
+    if (agent == Agent::policy) return policy_action<Graph>(observation, program);
   }
   if (agent == Agent::random) return Graph::random(key, step);
   return Graph::zero();

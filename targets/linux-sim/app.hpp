@@ -115,12 +115,12 @@ inline bool close_output(TextFile& file, const std::string& path) {
 }
 
 /// The agent's action in a step; a file of actions may be shorter than a log.
-template <class Graph>
+template <class Graph, class Program>
 typename Graph::Action action_of(const Options& options, const ActionTable<Graph>& table,
                                  EpisodeKey key, Seq step,
-                                 const typename Graph::Observation& observation) {
+                                 const typename Graph::Observation& observation, Program& program) {
   if (options.agent != target::Agent::csv)
-    return target::act<Graph>(options.agent, key, step, observation);
+    return target::act<Graph>(options.agent, key, step, observation, program);
   return step < table.size() ? table[step] : Graph::zero();
 }
 
@@ -130,7 +130,7 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
                  Watch<Graph>& watch, target::Guard<Graph>& guard) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if (step == 0) guard.reset();
-    const auto action = action_of<Graph>(options, table, key, step, observation);
+    const auto action = action_of<Graph>(options, table, key, step, observation, program);
     return guard.check(observation, action, watch.late_in_a_row());
   };
   program.warm_up();  // a library may need memory for it, and none afterwards
@@ -165,7 +165,7 @@ void replay_episodes(const Options& options, const trace_log::Log& log,
     guard.reset();
     typename Graph::Observation observation = program.reset(Graph::draw(key));
     for (Seq step = 0; replay.go_on() && replay.has_step(episode); ++step) {
-      const auto wanted = action_of<Graph>(options, table, key, step, observation);
+      const auto wanted = action_of<Graph>(options, table, key, step, observation, program);
       const auto action = guard.check(observation, wanted, 0);  // the log tells no lateness
       observation = program.step(replayed_action<Graph>(replay, episode, action));
     }

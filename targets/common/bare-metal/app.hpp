@@ -229,7 +229,8 @@ int run(const char* board) {
   target::Guard<Graph> guard;
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if (step == 0) guard.reset();
-    return guard.check(observation, target::act<Graph>(options.agent, key, step, observation),
+    return guard.check(observation,
+                       target::act<Graph>(options.agent, key, step, observation, program),
                        program.trace.timing().too_late_in_a_row);
   };
   target::run_episodes<Graph>(options.plan, program, agent, watch);

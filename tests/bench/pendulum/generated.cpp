@@ -14,7 +14,7 @@ Seen run_generated(bool policy, std::uint64_t steps) {
   states.pendulum_model_state = Array<float, 2>{{kTheta, kThetaDot}};
   Graph::Observation observation = program.reset(states);
   for (std::uint64_t step = 0; step < steps; ++step) {
-    observation = program.step(target::act<Graph>(agent, EpisodeKey{}, step, observation));
+    observation = program.step(target::act<Graph>(agent, EpisodeKey{}, step, observation, program));
   }
   const auto& angle = observation.angle.back();
   return {angle[0], angle[1], observation.theta_dot.back()};

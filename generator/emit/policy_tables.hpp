@@ -1,0 +1,29 @@
+// Tables of weights as text, and layers other than dense ones as generated code.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+#include <string>
+#include <vector>
+
+#include "generator/policy/network.hpp"
+
+namespace eagerx::gen {
+
+/// Weights in panels of outputs: in a full panel, a line holds the weights of one input.
+std::string weight_table(const DenseLayer& layer);
+std::string bias_table(const DenseLayer& layer);
+
+/// "1.0F, 0.5F".
+std::string list_of(const std::vector<float>& values);
+
+/// Slope of elu and leaky relu as one more argument.
+std::string slope_argument(const DenseLayer& layer);
+
+/// Constants and statements of layer `number` (from 1), if it is not dense; "input" and "output" of
+/// the view are their variables.
+void add_form(const DenseLayer& layer, std::size_t number, kainjow::mustache::data& view);
+
+/// Headers that the network's layers need.
+void add_headers(const Network& network, kainjow::mustache::data& view);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,91 @@
+// Recurrent layers of trained networks: GRU and LSTM, one observation at a time, in float32.
+//
+// Both products are dense layers (eagerx/policy.hpp) with their own biases, so their sums have the
+// same order and the same bits on every machine; what follows is element by element.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/policy.hpp>
+
+namespace eagerx {
+
+/// Weights of a GRU with torch's gates: reset, update, candidate, `Hidden` rows each.
+template <std::size_t In, std::size_t Hidden>
+struct GruWeights {
+  DenseWeights<In, 3 * Hidden> input;
+  DenseWeights<Hidden, 3 * Hidden> hidden;
+};
+
+/// What a GRU remembers; zero when an episode starts.
+template <std::size_t Hidden>
+struct GruMemory {
+  float h[Hidden];
+};
+
+/// r = sigmoid(Wr x + Ur h), z = sigmoid(Wz x + Uz h), n = tanh(Wn x + r (Un h)), each product with
+/// its bias; h = n + z (h - n) is remembered and is the result. `x` and `y` must not overlap.
+template <std::size_t In, std::size_t Hidden>
+inline void gru(const GruWeights<In, Hidden>& layer, const float (&x)[In],
+                GruMemory<Hidden>& memory, float (&y)[Hidden]) {
+  float from_input[3 * Hidden];
+  float from_hidden[3 * Hidden];
+  dense<Activation::identity>(layer.input, x, from_input);
+  dense<Activation::identity>(layer.hidden, memory.h, from_hidden);
+  float gates[2 * Hidden];
+  for (std::size_t k = 0; k < 2 * Hidden; ++k) gates[k] = from_input[k] + from_hidden[k];
+  activate<Activation::sigmoid>(gates);
+  for (std::size_t k = 0; k < Hidden; ++k) {
+    y[k] = from_input[2 * Hidden + k] + gates[k] * from_hidden[2 * Hidden + k];
+  }
+  activate<Activation::tanh>(y);
+  for (std::size_t k = 0; k < Hidden; ++k) {
+    y[k] = y[k] + gates[Hidden + k] * (memory.h[k] - y[k]);
+    memory.h[k] = y[k];
+  }
+}
+
+/// Weights of an LSTM with torch's gates: input, forget, candidate, output, `Hidden` rows each.
+template <std::size_t In, std::size_t Hidden>
+struct LstmWeights {
+  DenseWeights<In, 4 * Hidden> input;
+  DenseWeights<Hidden, 4 * Hidden> hidden;
+};
+
+/// What an LSTM remembers; zero when an episode starts.
+template <std::size_t Hidden>
+struct LstmMemory {
+  float h[Hidden];
+  float c[Hidden];
+};
+
+/// i, f, o = sigmoid(W x + U h), g = tanh(Wg x + Ug h), each product with its bias;
+/// c = f c + i g and h = o tanh(c) are remembered, h is the result. `x` and `y` must not overlap.
+template <std::size_t In, std::size_t Hidden>
+inline void lstm(const LstmWeights<In, Hidden>& layer, const float (&x)[In],
+                 LstmMemory<Hidden>& memory, float (&y)[Hidden]) {
+  float from_input[4 * Hidden];
+  float from_hidden[4 * Hidden];
+  dense<Activation::identity>(layer.input, x, from_input);
+  dense<Activation::identity>(layer.hidden, memory.h, from_hidden);
+  float gates[3 * Hidden];  // input, forget, output
+  float candidate[Hidden];
+  for (std::size_t k = 0; k < Hidden; ++k) {
+    gates[k] = from_input[k] + from_hidden[k];
+    gates[Hidden + k] = from_input[Hidden + k] + from_hidden[Hidden + k];
+    candidate[k] = from_input[2 * Hidden + k] + from_hidden[2 * Hidden + k];
+    gates[2 * Hidden + k] = from_input[3 * Hidden + k] + from_hidden[3 * Hidden + k];
+  }
+  activate<Activation::sigmoid>(gates);
+  activate<Activation::tanh>(candidate);
+  for (std::size_t k = 0; k < Hidden; ++k) {
+    memory.c[k] = gates[Hidden + k] * memory.c[k] + gates[k] * candidate[k];
+    y[k] = memory.c[k];
+  }
+  activate<Activation::tanh>(y);
+  for (std::size_t k = 0; k < Hidden; ++k) {
+    y[k] = gates[2 * Hidden + k] * y[k];
+    memory.h[k] = y[k];
+  }
+}
+
+}  // namespace eagerx
