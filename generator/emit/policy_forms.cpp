@@ -115,10 +115,9 @@ class Form {
   void write(const Elementwise& form) {
     if (form.operation == Elementwise::Operation::none) {
       fused_ = !layer_.norm;
-      lines_.push_back(fmt::format(
-          "eagerx::policy::apply<eagerx::Activation::{}>({}, {}{});",
-          to_string(fused_ ? layer_.activation : Activation::identity), x_, y_,
-          fused_ ? slope_argument(layer_) : ""));
+      lines_.push_back(fmt::format("eagerx::policy::apply<eagerx::Activation::{}>({}, {}{});",
+                                   to_string(fused_ ? layer_.activation : Activation::identity), x_,
+                                   y_, fused_ ? slope_argument(layer_) : ""));
       return;
     }
     data constants{data::type::object};

@@ -8,7 +8,8 @@
 
 namespace eagerx::gen {
 
-/// For people: " relu", " gru", " convolution 3x3 relu"; empty for a dense layer without activation.
+/// For people: " relu", " gru", " convolution 3x3 relu"; empty for a dense layer without
+/// activation.
 std::string note_of(const DenseLayer& layer);
 
 struct LayerCost {

@@ -109,9 +109,8 @@ Values<Real> convolve(const DenseLayer& layer, const Convolution& form, const Va
       for (std::size_t out = group * made; out < (group + 1) * made; ++out) {
         const float* weights = layer.weights.data() + out * patch.size();
         y[out * places + place] =
-            grouped_sum(static_cast<Real>(layer.bias[out]), patch.size(), [&](std::size_t i) {
-              return static_cast<Real>(weights[i]) * patch[i];
-            });
+            grouped_sum(static_cast<Real>(layer.bias[out]), patch.size(),
+                        [&](std::size_t i) { return static_cast<Real>(weights[i]) * patch[i]; });
       }
     }
   }

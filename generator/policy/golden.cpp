@@ -97,8 +97,8 @@ std::optional<GoldenRows> from_csv(std::string_view text, PolicyProblem& problem
                               roles.size()));
     }
     if (golden.observations.size() >= kMaxRows) return fail("has too many rows");
-    for (const Role role :
-         {Role::start, Role::observation, Role::normalized, Role::output, Role::output_double, Role::action}) {
+    for (const Role role : {Role::start, Role::observation, Role::normalized, Role::output,
+                            Role::output_double, Role::action}) {
       if (std::count(roles.begin(), roles.end(), role) > 0) rows_of(golden, role)->emplace_back();
     }
     for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -165,7 +165,8 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
   if (!all_of_width(rows.normalized, count, network.inputs())) {
     return "has another number of normalised observations than of observations";
   }
-  if (!all_of_width(rows.starts, count, 1)) return "has another number of `episode_start` than rows";
+  if (!all_of_width(rows.starts, count, 1))
+    return "has another number of `episode_start` than rows";
   const bool fits = all_of_width(rows.outputs, count, network.outputs()) &&
                     all_of_width(rows.outputs_double, count, network.outputs());
   if (!fits)
