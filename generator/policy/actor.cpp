@@ -24,6 +24,7 @@ class Assembly {
     auto layout = find_actor(table_, problem_);
     if (!layout) return std::nullopt;
     layout_ = std::move(*layout);
+    if (!add_memory(table_, layout_, problem_)) return std::nullopt;
     if (!check_algorithm() || !choose_activation()) return std::nullopt;
     for (const ActorModule& module : layout_.modules) {
       if (!add(module)) return std::nullopt;
@@ -92,7 +93,21 @@ class Assembly {
     return true;
   }
 
+  bool add_recurrent(const ActorModule& module) {
+    std::vector<std::string> names;
+    auto layer = recurrent_layer(table_, module.base, *module.recurrent, names, problem_);
+    if (!layer) return false;
+    if (!network_.layers.empty() && network_.outputs() != layer->inputs) {
+      return fail("E0618", fmt::format("gives {} values to its memory `{}`, which takes {}",
+                                       network_.outputs(), printable(module.base), layer->inputs));
+    }
+    used_.insert(names.begin(), names.end());
+    network_.layers.push_back(std::move(*layer));
+    return true;
+  }
+
   bool add(const ActorModule& module) {
+    if (module.recurrent) return add_recurrent(module);
     const StoredTensor* weight = table_.find(module.base + ".weight");
     if (weight == nullptr) return missing(module.base + ".weight");
     if (network_.layers.size() >= kMaxLayers) {
@@ -163,7 +178,8 @@ class Assembly {
   bool add_norm(const std::string& base, const StoredTensor& weight) {
     const std::string name = base + ".weight";
     DenseLayer* layer = network_.layers.empty() ? nullptr : &network_.layers.back();
-    if (layer == nullptr || layer->norm || layer->activation != Activation::identity) {
+    if (layer == nullptr || !layer->is_dense() || layer->norm ||
+        layer->activation != Activation::identity) {
       return fail("E0628",
                   fmt::format("has a LayerNorm that does not directly follow a Linear: `{}`",
                               printable(name)),
@@ -190,7 +206,10 @@ class Assembly {
 
   bool check_facts() {
     std::vector<std::int64_t> hidden;
-    for (const DenseLayer& layer : network_.layers) hidden.push_back(layer.outputs);
+    for (const DenseLayer& layer : network_.layers) {
+      if (layer.is_dense()) hidden.push_back(layer.outputs);
+    }
+    if (hidden.empty()) return fail("E0624", "has an actor without layers");
     hidden.pop_back();
     if (facts_.hidden && *facts_.hidden != hidden) {
       return fail("E0626", fmt::format("says that its hidden layers are {}, but its tensors are {}",

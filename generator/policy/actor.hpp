@@ -43,6 +43,7 @@ bool check_statistics(const Normalization& statistics, PolicyProblem& problem);
 struct ActorModule {
   std::string base;  // "actor.latent_pi.0"
   bool activation_after = false;
+  std::optional<int> recurrent{};  // layer of a GRU or LSTM: base.weight_ih_l0
 };
 struct ActorLayout {
   std::string about;       // "Stable-Baselines3's SAC"
@@ -52,9 +53,19 @@ struct ActorLayout {
   std::optional<Activation> activation;      // what the library takes if nothing else is said
   Activation output = Activation::identity;  // after the last layer
   bool has_bias = false;                     // always
+  std::string memory;                        // "lstm_actor": a GRU or LSTM before the modules
 };
 
 /// The one actor among the names. E0624, E0625.
 std::optional<ActorLayout> find_actor(const TensorTable& table, PolicyProblem& problem);
+
+/// Puts the layers of a GRU or LSTM into `layout`: those of `layout.memory`, else the only one
+/// there is, where its sizes fit. E0624, E0625.
+bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& problem);
+
+/// Layer `index` of the GRU or LSTM `base`. E0618, E0628 and those of `floats_of`.
+std::optional<DenseLayer> recurrent_layer(const TensorTable& table, const std::string& base,
+                                          int index, std::vector<std::string>& used,
+                                          PolicyProblem& problem);
 
 }  // namespace eagerx::gen

@@ -66,6 +66,7 @@ class Layouts {
     std::optional<Activation> activation;
     Activation output;
     bool has_bias;
+    const char* memory = "";  // a GRU or LSTM before the bodies
   };
   static constexpr std::array kKnown = {
       Known{"Stable-Baselines3's SAC",
@@ -90,13 +91,25 @@ class Layouts {
             Activation::relu,
             Activation::tanh,
             true},
+      Known{"Stable-Baselines3's RecurrentPPO",
+            "RecurrentPPO",
+            {"mlp_extractor.policy_net."},
+            "action_net",
+            false,
+            "lstm_actor.",
+            nullptr,
+            ActionKind::raw,
+            Activation::tanh,
+            Activation::identity,
+            true,
+            "lstm_actor"},
       Known{"Stable-Baselines3's PPO or A2C",
             "PPO A2C TRPO",
             {"mlp_extractor.shared_net.", "mlp_extractor.policy_net."},
             "action_net",
             false,
             "action_net.",
-            nullptr,
+            "lstm_actor.",
             ActionKind::raw,
             Activation::tanh,
             Activation::identity,
@@ -184,14 +197,14 @@ class Layouts {
       const auto next = std::next(it);
       const bool last = next == sequence.end();
       const bool gap = !dotted || (!last && next->first - it->first > 1);
-      layout.modules.push_back({it->second, last ? last_activates : gap});
+      layout.modules.push_back({it->second, last ? last_activates : gap, {}});
     }
     return true;
   }
 
   std::optional<ActorLayout> make(const Known& known) {
-    ActorLayout layout{known.about,  known.algorithms, {}, known.action, known.activation,
-                       known.output, known.has_bias};
+    ActorLayout layout{known.about,  known.algorithms, {},          known.action, known.activation,
+                       known.output, known.has_bias,   known.memory};
     for (const char* body : known.bodies) {
       if (body != nullptr && !append(body, true, layout)) return std::nullopt;
     }
@@ -200,14 +213,41 @@ class Layouts {
     } else {
       const std::string weight = std::string(known.head) + std::string(kWeight);
       if (table_.find(weight) == nullptr) return missing(weight);
-      layout.modules.push_back({known.head, false});
+      layout.modules.push_back({known.head, false, {}});
     }
     if (layout.modules.empty()) return missing(std::string(known.head) + "0.weight");
     return layout;
   }
 
+  /// A GRU or LSTM with single Linear layers before or behind it: {"gru.weight_ih_l0",
+  /// "head.weight"}.
+  std::optional<ActorLayout> around_memory() const {
+    constexpr std::string_view kInput = ".weight_ih_l0";
+    ActorLayout layout;
+    layout.about = "a torch module with a memory";
+    const StoredTensor* memory = nullptr;
+    for (const auto& [name, tensor] : table_.tensors) {
+      if (name.ends_with(kInput)) memory = memory == nullptr ? &tensor : nullptr;
+      if (!name.ends_with(kWeight) || tensor.shape.size() != 2) continue;
+      layout.modules.push_back({name.substr(0, name.size() - kWeight.size()), false, {}});
+    }
+    if (!sequences_.empty() || memory == nullptr || memory->shape.size() != 2) return std::nullopt;
+    if (layout.modules.empty() || layout.modules.size() > 2) return std::nullopt;
+    const auto gives = [&](const ActorModule& module) {
+      return table_.find(module.base + ".weight")->shape[0];
+    };
+    if (layout.modules.size() == 2) {
+      // The one before the memory gives what it takes, and is followed by an activation.
+      if (gives(layout.modules[0]) != memory->shape[1])
+        std::swap(layout.modules[0], layout.modules[1]);
+      layout.modules[0].activation_after = true;
+    }
+    return layout;
+  }
+
   /// A file of nothing but one network.
   std::optional<ActorLayout> only_sequence() {
+    if (auto layout = around_memory()) return layout;
     if (sequences_.empty()) {
       return refuse(problem_, "E0624",
                     fmt::format("has no actor among its {} tensors", table_.tensors.size()),

@@ -96,6 +96,11 @@ struct DenseLayer {
 
   [[nodiscard]] bool is_dense() const { return std::holds_alternative<Dense>(form); }
   [[nodiscard]] const Recurrence* recurrence() const { return std::get_if<Recurrence>(&form); }
+  /// Whether it knows more of its input than how many numbers there are.
+  [[nodiscard]] bool depends_on_shape() const {
+    return std::holds_alternative<Convolution>(form) || std::holds_alternative<Pooling>(form) ||
+           std::holds_alternative<Reorder>(form);
+  }
   /// Numbers that it remembers from one observation to the next.
   [[nodiscard]] std::uint32_t remembers() const {
     return recurrence() == nullptr ? 0 : outputs * (recurrence()->is_lstm ? 2 : 1);

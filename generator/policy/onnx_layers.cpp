@@ -2,12 +2,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "generator/policy/onnx_value.hpp"
 
 namespace eagerx::gen {
+bool fits_as_bias(const OnnxValue& bias, const Dims& result, std::int64_t outputs) {
+  const std::int64_t count = element_count(bias.constant.dims).value_or(0);
+  const std::optional<Dims> sum = broadcast(result, bias.constant.dims);
+  return !bias.constant.transposed && (count == 1 || count == outputs) && sum &&
+         element_count(*sum) == outputs;
+}
+
 namespace {
 
 using Kind = OnnxValue::Kind;
@@ -16,14 +22,6 @@ OnnxConstant transpose(OnnxConstant constant) {
   std::swap(constant.dims[0], constant.dims[1]);
   constant.transposed = !constant.transposed;
   return constant;
-}
-
-/// True if `bias` adds one value, or `outputs` in order, to a result of shape `result`.
-bool fits_as_bias(const OnnxValue& bias, const Dims& result, std::int64_t outputs) {
-  const std::int64_t count = element_count(bias.constant.dims).value_or(0);
-  const std::optional<Dims> sum = broadcast(result, bias.constant.dims);
-  return !bias.constant.transposed && (count == 1 || count == outputs) && sum &&
-         element_count(*sum) == outputs;
 }
 
 /// A constant times data of `length` values: `weights` [outputs, inputs] and the result's shape.
@@ -104,43 +102,6 @@ OnnxValue matmul(const OnnxCall& call) {
   return product(call, data, std::move(dense), std::move(result));
 }
 
-/// True if every value of the (small) constant is zero.
-bool is_zero(const OnnxConstant& constant) {
-  PolicyProblem ignored;
-  const auto values = read_floats(constant, ignored);
-  return values && std::all_of(values->begin(), values->end(), [](float v) { return v == 0.0F; });
-}
-
-/// The bias of a MatMul. Anything else that is added would be another rounding than the file's.
-OnnxValue add(const OnnxCall& call) {
-  const bool data_left = call.input(0).kind == Kind::data;
-  const OnnxValue& data = call.input(data_left ? 0 : 1);
-  const OnnxValue& addend = call.input(data_left ? 1 : 0);
-  const std::optional<Dims> sum = broadcast(call.input(0).shape, call.input(1).shape);
-  if (data.kind != Kind::data || addend.kind != Kind::constant) {
-    return call.misused("that does not add a constant to a layer", sum);
-  }
-  const std::int64_t outputs = element_count(*data.shape).value_or(0);
-  if (!sum || !fits_as_bias(addend, *data.shape, outputs)) {
-    return call.misused(
-        fmt::format("that adds shape {} to {}", show(addend.constant.dims), show(*data.shape)));
-  }
-  if (is_zero(addend.constant)) {
-    OnnxValue same = data;
-    same.shape = sum;
-    return same;
-  }
-  if (data.step >= 0) {
-    const OnnxStep step = call.state().steps[static_cast<std::size_t>(data.step)];
-    if (const auto* dense = std::get_if<OnnxDense>(&step.what); dense != nullptr && !dense->bias) {
-      OnnxDense biased = *dense;
-      biased.bias = addend.constant;
-      return call.data_after(step.before, std::move(biased), *sum);
-    }
-  }
-  return call.misused("that adds a constant to something that is not a product", sum);
-}
-
 OnnxValue activation(const OnnxCall& call, Activation kind, float slope = 0.0F) {
   const OnnxValue& x = call.input(0);
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
@@ -151,7 +112,20 @@ OnnxValue relu(const OnnxCall& call) {
   return activation(call, Activation::relu);
 }
 OnnxValue tanh_operator(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
   return activation(call, Activation::tanh);
+}
+
+/// elu with an alpha of 1, the only one that celu shares with it.
+OnnxValue celu(const OnnxCall& call) {
+  if (call.real("alpha", 1.0F) != 1.0F) return call.misused("whose alpha is not 1");
+  return activation(call, Activation::elu, 1.0F);
+}
+/// With one slope for all values.
+OnnxValue parametric_relu(const OnnxCall& call) {
+  const auto slope = scalar_of(call.input(1));
+  if (!slope) return call.misused("with more than one slope", call.input(0).shape);
+  return activation(call, Activation::leaky_relu, *slope);
 }
 
 OnnxValue elu(const OnnxCall& call) {
@@ -174,24 +148,6 @@ OnnxValue gelu(const OnnxCall& call) {
   return activation(call, by_tanh ? Activation::gelu_tanh : Activation::gelu);
 }
 
-/// x sigmoid(x), as torch exports SiLU. Other products are none of ours.
-OnnxValue multiply(const OnnxCall& call) {
-  const OnnxValue& a = call.input(0);
-  const OnnxValue& b = call.input(1);
-  const std::optional<Dims> shape = broadcast(a.shape, b.shape);
-  if (a.kind == Kind::data && b.kind == Kind::data) {
-    for (const auto& [x, gate] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-      if (gate->step < 0) continue;
-      const OnnxStep& step = call.state().steps[static_cast<std::size_t>(gate->step)];
-      const auto* work = std::get_if<OnnxActivation>(&step.what);
-      if (work != nullptr && work->kind == Activation::sigmoid && step.before == x->step) {
-        return call.data_after(x->step, OnnxActivation{Activation::silu}, *x->shape);
-      }
-    }
-  }
-  return call.misused("that is not x times sigmoid(x)", shape);
-}
-
 /// Over the last axis, which is the only one longer than 1.
 OnnxValue layer_normalization(const OnnxCall& call) {
   const OnnxValue& x = call.input(0);
@@ -208,43 +164,9 @@ OnnxValue layer_normalization(const OnnxCall& call) {
                     (beta.kind == Kind::absent ||
                      (beta.kind == Kind::constant && beta.constant.dims == Dims{count}));
   if (!whole || !fits) return call.misused("that does not take all values of a layer", x.shape);
-  OnnxNorm norm{gamma.constant, std::nullopt, call.real("epsilon", 1e-5F)};
+  OnnxNorm norm{std::optional(gamma.constant), std::nullopt, call.real("epsilon", 1e-5F)};
   if (beta.kind == Kind::constant) norm.beta = beta.constant;
   return call.data_after(x.step, std::move(norm), *x.shape);
-}
-
-/// One bound of a Clip: nothing if there is none, or NaN-free value; `known` is false if computed.
-struct Bound {
-  std::optional<float> value;
-  bool known = true;
-};
-
-Bound bound_of(const OnnxCall& call, std::size_t i, std::string_view name) {
-  constexpr std::int64_t kBoundsAreInputs = 11;
-  if (call.opset() < kBoundsAreInputs) {
-    const onnx::AttributeProto* found = call.attribute(name);
-    return {found != nullptr ? std::optional<float>(found->f()) : std::nullopt, true};
-  }
-  const OnnxValue& input = call.input(i);
-  if (input.kind == Kind::absent) return {};
-  PolicyProblem ignored;
-  if (input.kind != Kind::constant || element_count(input.constant.dims) != 1) return {{}, false};
-  const auto values = read_floats(input.constant, ignored);
-  return values ? Bound{values->front(), true} : Bound{{}, false};
-}
-
-OnnxValue clip(const OnnxCall& call) {
-  constexpr float kLargest = std::numeric_limits<float>::max();
-  const OnnxValue& x = call.input(0);
-  const Bound low = bound_of(call, 1, "min");
-  const Bound high = bound_of(call, 2, "max");
-  const bool no_high = high.known && (!high.value || *high.value >= kLargest);
-  const bool no_low = low.known && (!low.value || *low.value <= -kLargest);
-  if (x.kind == Kind::data && no_high && no_low) return x;
-  if (x.kind == Kind::data && no_high && low.known && *low.value == 0.0F) return relu(call);
-  return call.other({"E0613", fmt::format("clips values in {}", call.who()),
-                     "export the actor without clipping its action"},
-                    x.shape);
 }
 
 OnnxValue dropout(const OnnxCall& call) {
@@ -261,17 +183,16 @@ OnnxValue dropout(const OnnxCall& call) {
 std::vector<OnnxOperatorEntry> layer_operators() {
   return {{"Gemm", gemm},
           {"MatMul", matmul},
-          {"Add", add},
           {"Relu", relu},
           {"Tanh", tanh_operator},
           {"Elu", elu},
+          {"Celu", celu},
+          {"PRelu", parametric_relu},
           {"LeakyRelu", leaky_relu},
           {"Sigmoid", sigmoid},
           {"Softplus", softplus},
           {"Gelu", gelu},
-          {"Mul", multiply},
           {"LayerNormalization", layer_normalization},
-          {"Clip", clip},
           {"Dropout", dropout}};
 }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -51,6 +53,24 @@ std::optional<DenseLayer> make_layer(const OnnxDense& dense, PolicyProblem& prob
   return layer;
 }
 
+/// How many constants the layer of a step will have.
+std::int64_t parameters_of(const OnnxStep& step) {
+  const auto count = [](const OnnxConstant& constant) {
+    return element_count(constant.dims).value_or(kMaxParameters);
+  };
+  if (const auto* dense = std::get_if<OnnxDense>(&step.what)) {
+    return count(dense->weights) + dense->weights.dims[0];
+  }
+  if (const auto* work = std::get_if<OnnxConvolution>(&step.what)) return count(work->weights);
+  if (const auto* work = std::get_if<OnnxRecurrence>(&step.what)) {
+    return count(work->weights) + count(work->hidden_weights);
+  }
+  const bool each = std::holds_alternative<OnnxElementwise>(step.what) ||
+                    std::holds_alternative<OnnxNorm>(step.what) ||
+                    std::holds_alternative<Reorder>(step.what);
+  return each ? step.count : 0;
+}
+
 /// The steps from the observation to `last`; nothing if they are too many or too large.
 std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>& steps,
                                                     std::int32_t last, PolicyProblem& problem) {
@@ -58,10 +78,7 @@ std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>&
   std::int64_t parameters = 0;
   for (std::int32_t at = last; at >= 0; at = path.back()->before) {
     path.push_back(&steps[static_cast<std::size_t>(at)]);
-    if (const auto* dense = std::get_if<OnnxDense>(&path.back()->what); dense != nullptr) {
-      parameters +=
-          element_count(dense->weights.dims).value_or(kMaxParameters) + dense->weights.dims[0];
-    }
+    parameters += parameters_of(*path.back());
     if (parameters > kMaxParameters || path.size() > 2 * kMaxLayers) {
       problem = {
           "E0619",
@@ -73,80 +90,214 @@ std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>&
   return std::vector<const OnnxStep*>(path.rbegin(), path.rend());
 }
 
-/// Puts `activation` on the last layer. Only relu after relu changes nothing.
-bool activate(std::vector<DenseLayer>& layers, const OnnxActivation& activation,
-              const std::string& node, PolicyProblem& problem) {
-  Activation* before = layers.empty() ? nullptr : &layers.back().activation;
-  const bool same =
-      before != nullptr && *before == activation.kind && activation.kind == Activation::relu;
-  if (before == nullptr || (*before != Activation::identity && !same)) {
-    problem = {"E0613", fmt::format("has an activation that follows no layer (node `{}`)", node),
-               kExportHelp};
-    return false;
-  }
-  if (!std::isfinite(activation.slope)) {
-    problem = {"E0616", fmt::format("has an activation without a finite slope (node `{}`)", node),
-               "export the actor again"};
-    return false;
-  }
-  *before = activation.kind;
-  layers.back().slope = activation.slope;
-  return true;
-}
+/// Layers, one after the other.
+class Builder {
+ public:
+  Builder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
+          PolicyProblem& problem)
+      : count_(inputs), used_(used), problem_(problem) {}
 
-/// Puts a LayerNorm between the last layer and its activation.
-bool normalize(std::vector<DenseLayer>& layers, const OnnxNorm& norm, const std::string& node,
-               PolicyProblem& problem) {
-  DenseLayer* layer = layers.empty() ? nullptr : &layers.back();
-  if (layer == nullptr || layer->norm || layer->activation != Activation::identity ||
-      !(norm.epsilon >= 0.0F)) {
-    problem = {"E0613", fmt::format("has a LayerNorm that follows no layer (node `{}`)", node),
-               kExportHelp};
+  bool add(const OnnxStep& step) {
+    node_ = step.node;
+    after_ = static_cast<std::uint32_t>(step.count);
+    const bool added = std::visit([this](const auto& work) { return add(work); }, step.what);
+    if (added) count_ = after_;
+    return added;
+  }
+  std::vector<DenseLayer> take() { return std::move(layers_); }
+
+ private:
+  bool fail(const char* code, std::string message, std::string help = kExportHelp) {
+    problem_ = {code, std::move(message), std::move(help)};
     return false;
   }
-  auto gamma = read_floats(norm.gamma, problem);
-  if (!gamma) return false;
-  std::vector<float> beta(gamma->size(), 0.0F);
-  if (norm.beta) {
-    auto values = read_floats(*norm.beta, problem);
-    if (!values) return false;
-    beta = std::move(*values);
+
+  bool add(const OnnxDense& dense) {
+    auto layer = make_layer(dense, problem_);
+    if (!layer) return false;
+    use(dense.weights);
+    if (dense.bias) use(*dense.bias);
+    layers_.push_back(std::move(*layer));
+    return true;
   }
-  layer->norm = LayerNorm{std::move(*gamma), std::move(beta), norm.epsilon};
-  return true;
-}
+
+  /// On the last layer, if it has none; relu after relu changes nothing.
+  bool add(const OnnxActivation& activation) {
+    if (!std::isfinite(activation.slope)) {
+      return fail("E0616",
+                  fmt::format("has an activation without a finite slope (node `{}`)", node_),
+                  "export the actor again");
+    }
+    const bool relu = activation.kind == Activation::relu;
+    if (!layers_.empty() && relu && layers_.back().activation == Activation::relu) return true;
+    if (layers_.empty() || layers_.back().activation != Activation::identity) {
+      add_form(Elementwise{});
+    }
+    layers_.back().activation = activation.kind;
+    layers_.back().slope = activation.slope;
+    return true;
+  }
+
+  /// Between the last layer and its activation.
+  bool add(const OnnxNorm& norm) {
+    if (!(norm.epsilon >= 0.0F)) {
+      return fail("E0616",
+                  fmt::format("has a LayerNorm whose epsilon is no number (node `{}`)", node_),
+                  "export the actor again");
+    }
+    LayerNorm result{std::vector<float>(count_, 1.0F), std::vector<float>(count_, 0.0F),
+                     norm.epsilon};
+    if (norm.gamma && !read(*norm.gamma, result.gamma)) return false;
+    if (norm.beta && !read(*norm.beta, result.beta)) return false;
+    if (result.gamma.size() != count_ || result.beta.size() != count_) {
+      return fail("E0618", fmt::format("has a LayerNorm of another size than {} (node `{}`)",
+                                       count_, node_));
+    }
+    if (layers_.empty() || layers_.back().norm ||
+        layers_.back().activation != Activation::identity) {
+      add_form(Elementwise{});
+    }
+    layers_.back().norm = std::move(result);
+    return true;
+  }
+
+  bool add(const OnnxConvolution& work) {
+    DenseLayer& layer = add_form(work.form);
+    layer.bias.assign(work.form.channels, 0.0F);
+    return read(work.weights, layer.weights) && (!work.bias || read(*work.bias, layer.bias));
+  }
+  bool add(const Pooling& work) {
+    add_form(work);
+    return true;
+  }
+  bool add(const OnnxPad& /*work*/) {
+    return fail("E0613", fmt::format("has zeros around values that no convolution or average pool "
+                                     "takes (node `{}`)",
+                                     node_));
+  }
+  bool add(const Reorder& work) {
+    add_form(work);
+    return true;
+  }
+
+  /// A constant for all, or for each after broadcasting.
+  bool add(const OnnxElementwise& work) {
+    DenseLayer& layer = add_form(Elementwise{work.operation});
+    std::vector<float> values;
+    if (!read(work.constant, values)) return false;
+    if (values.size() == 1) {
+      layer.bias = std::move(values);
+    } else {
+      layer.bias = broadcast_to(values, work.constant.dims, work.shape);
+    }
+    const bool divides = work.operation == Elementwise::Operation::divide;
+    if (!divides || std::find(layer.bias.begin(), layer.bias.end(), 0.0F) == layer.bias.end()) {
+      return true;
+    }
+    return fail("E0616", fmt::format("divides by zero (node `{}`)", node_),
+                "the training diverged: export a policy that works");
+  }
+
+  /// ONNX's order of gates becomes torch's.
+  bool add(const OnnxRecurrence& work) {
+    DenseLayer& layer = add_form(Recurrence{work.is_lstm, {}, {}});
+    auto& cell = std::get<Recurrence>(layer.form);
+    const std::size_t gates = cell.gates();
+    std::vector<float> bias(2 * gates * after_, 0.0F);
+    if (!read(work.weights, layer.weights) || !read(work.hidden_weights, cell.hidden_weights) ||
+        (work.bias && !read(*work.bias, bias))) {
+      return false;
+    }
+    const auto half = bias.begin() + static_cast<std::ptrdiff_t>(bias.size() / 2);
+    layer.bias.assign(bias.begin(), half);
+    cell.hidden_bias.assign(half, bias.end());
+    constexpr std::array<std::size_t, 4> kLstm = {0, 2, 3, 1};  // torch's i, f, g, o in i, o, f, c
+    constexpr std::array<std::size_t, 4> kGru = {1, 0, 2, 3};   // r, z, n in z, r, h
+    for (auto* values : {&layer.weights, &layer.bias, &cell.hidden_weights, &cell.hidden_bias}) {
+      *values = gates_in_order(*values, gates, work.is_lstm ? kLstm : kGru);
+    }
+    return true;
+  }
+
+  static std::vector<float> gates_in_order(const std::vector<float>& values, std::size_t gates,
+                                           const std::array<std::size_t, 4>& order) {
+    const std::size_t size = values.size() / gates;
+    std::vector<float> result;
+    result.reserve(values.size());
+    for (std::size_t gate = 0; gate < gates; ++gate) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(order.at(gate) * size);
+      result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(size));
+    }
+    return result;
+  }
+
+  template <class Form>
+  DenseLayer& add_form(Form form) {
+    DenseLayer layer;
+    layer.inputs = count_;
+    layer.outputs = after_;
+    layer.form = std::move(form);
+    layers_.push_back(std::move(layer));
+    return layers_.back();
+  }
+  void use(const OnnxConstant& constant) { used_.insert(constant.tensor); }
+  bool read(const OnnxConstant& constant, std::vector<float>& values) {
+    auto numbers = read_floats(constant, problem_);
+    if (!numbers) return false;
+    use(constant);
+    values = std::move(*numbers);
+    return true;
+  }
+
+  /// Values of shape `from` repeated as NumPy does for `to`; they fit.
+  static std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& from,
+                                         const Dims& to) {
+    std::vector<float> result;
+    const auto count = static_cast<std::size_t>(element_count(to).value_or(0));
+    result.reserve(count);
+    const std::size_t offset = to.size() - from.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      std::size_t rest = i;
+      std::size_t at = 0;
+      std::size_t stride = 1;
+      for (std::size_t axis = to.size(); axis-- > offset;) {
+        const auto size = static_cast<std::size_t>(to[axis]);
+        const auto own = static_cast<std::size_t>(from[axis - offset]);
+        at += own == 1 ? 0 : (rest % size) * stride;
+        stride *= own;
+        rest /= size;
+      }
+      result.push_back(values[at]);
+    }
+    return result;
+  }
+
+  std::uint32_t count_;      // values before the step
+  std::uint32_t after_ = 0;  // and after it
+  std::string node_;
+  std::unordered_set<const onnx::TensorProto*>& used_;
+  PolicyProblem& problem_;
+  std::vector<DenseLayer> layers_;
+};
 
 }  // namespace
 
 std::optional<std::vector<DenseLayer>> make_layers(
-    const std::vector<OnnxStep>& steps, std::int32_t last,
+    const std::vector<OnnxStep>& steps, std::int32_t last, std::uint32_t inputs,
     std::unordered_set<const onnx::TensorProto*>& used, PolicyProblem& problem) {
   const auto path = path_to(steps, last, problem);
   if (!path) return std::nullopt;
-  std::vector<DenseLayer> layers;
+  Builder builder(inputs, used, problem);
+  bool computes = false;
   for (const OnnxStep* step : *path) {
-    if (const auto* activation = std::get_if<OnnxActivation>(&step->what)) {
-      if (!activate(layers, *activation, step->node, problem)) return std::nullopt;
-      continue;
-    }
-    if (const auto* norm = std::get_if<OnnxNorm>(&step->what)) {
-      if (!normalize(layers, *norm, step->node, problem)) return std::nullopt;
-      used.insert(norm->gamma.tensor);
-      if (norm->beta) used.insert(norm->beta->tensor);
-      continue;
-    }
-    const auto& dense = std::get<OnnxDense>(step->what);
-    std::optional<DenseLayer> layer = make_layer(dense, problem);
-    if (!layer) return std::nullopt;
-    layers.push_back(std::move(*layer));
-    used.insert(dense.weights.tensor);
-    if (dense.bias) used.insert(dense.bias->tensor);
+    if (!builder.add(*step)) return std::nullopt;
+    computes = computes || !std::holds_alternative<Reorder>(step->what);
   }
-  if (layers.empty()) {
+  if (!computes) {
     problem = {"E0620", "has no layer between its input and its first output", kExportHelp};
     return std::nullopt;
   }
-  return layers;
+  return builder.take();
 }
 
 }  // namespace eagerx::gen

@@ -13,7 +13,7 @@ namespace {
 using Kind = OnnxValue::Kind;
 using Integers = std::vector<std::int64_t>;
 
-constexpr std::size_t kMaxRank = 8;
+}  // namespace
 
 OnnxValue integers_value(Integers integers) {
   OnnxValue value;
@@ -22,6 +22,8 @@ OnnxValue integers_value(Integers integers) {
   value.integers = std::move(integers);
   return value;
 }
+
+namespace {
 
 OnnxValue constant_value(const OnnxCall& call, const onnx::TensorProto& tensor) {
   PolicyProblem problem;
@@ -34,13 +36,14 @@ OnnxValue constant_value(const OnnxCall& call, const onnx::TensorProto& tensor) 
   return value;
 }
 
-/// The same values in the same order under another shape.
+}  // namespace
+
 OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional<Dims>& shape) {
-  if (!shape || !x.shape || shape->size() > kMaxRank ||
+  if (!shape || !x.shape || shape->size() > kMaxOnnxRank ||
       element_count(*shape) != element_count(*x.shape)) {
     return call.misused("that changes the number of values", shape);
   }
-  if (x.kind != Kind::data && x.kind != Kind::constant && x.kind != Kind::other) return x;
+  if (x.kind == Kind::integers || x.kind == Kind::absent) return x;
   if (x.kind == Kind::constant && x.constant.transposed) {
     return call.misused("on a transposed constant", shape);
   }
@@ -49,6 +52,8 @@ OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional
   if (value.kind == Kind::constant) value.constant.dims = *shape;
   return value;
 }
+
+namespace {
 
 OnnxValue identity(const OnnxCall& call) {
   if (call.input(0).kind == Kind::absent) return call.misused("without an input");
@@ -149,7 +154,7 @@ OnnxValue reshape(const OnnxCall& call) {
 /// range.
 std::optional<Integers> axes_of(const OnnxCall& call, std::size_t rank) {
   std::optional<Integers> axes = call.integers(1, "axes");
-  if (!axes || axes->size() > kMaxRank) return std::nullopt;
+  if (!axes || axes->size() > kMaxOnnxRank) return std::nullopt;
   for (std::int64_t& axis : *axes) {
     const auto limit = static_cast<std::int64_t>(rank);
     if (axis < -limit || axis >= limit) return std::nullopt;
@@ -177,7 +182,7 @@ OnnxValue squeeze(const OnnxCall& call) {
 OnnxValue unsqueeze(const OnnxCall& call) {
   const OnnxValue& x = call.input(0);
   const std::optional<Integers> given = call.integers(1, "axes");
-  if (!x.shape || !given || given->size() > kMaxRank) {
+  if (!x.shape || !given || given->size() > kMaxOnnxRank) {
     return call.misused("with axes that are not constant");
   }
   const std::optional<Integers> axes = axes_of(call, x.shape->size() + given->size());
@@ -197,52 +202,6 @@ OnnxValue expand(const OnnxCall& call) {
   return reshaped(call, x, broadcast(x.shape, Dims(*wanted)));
 }
 
-OnnxValue transpose(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
-  if (!x.shape) return call.misused("of an unknown shape");
-  const std::size_t rank = x.shape->size();
-  Integers order(rank);
-  std::iota(order.rbegin(), order.rend(), 0);  // reversed is the default
-  if (const auto* perm = call.attribute("perm"); perm != nullptr) {
-    order.assign(perm->ints().begin(), perm->ints().end());
-  }
-  Integers sorted = order;
-  std::sort(sorted.begin(), sorted.end());
-  for (std::size_t i = 0; i < rank; ++i) {
-    if (sorted.size() != rank || sorted[i] != static_cast<std::int64_t>(i)) {
-      return call.misused("with axes that are not there");
-    }
-  }
-  Dims shape;
-  std::int64_t last = -1;
-  bool in_order = true;  // axes of size one may go anywhere
-  for (const std::int64_t axis : order) {
-    const std::int64_t dim = (*x.shape)[static_cast<std::size_t>(axis)];
-    shape.push_back(dim);
-    if (dim == 1) continue;
-    in_order = in_order && axis > last;
-    last = axis;
-  }
-  if (in_order) return reshaped(call, x, shape);
-  if (x.kind != Kind::constant || rank != 2) return call.misused("that reorders values", shape);
-  OnnxValue value = x;
-  value.shape = shape;
-  value.constant.dims = shape;
-  value.constant.transposed = !value.constant.transposed;
-  return value;
-}
-
-OnnxValue concat(const OnnxCall& call) {
-  if (call.input_count() == 1) return identity(call);
-  Integers all;
-  for (std::size_t i = 0; i < call.input_count(); ++i) {
-    const std::optional<Integers> part = integers_of(call.input(i));
-    if (!part || all.size() + part->size() > kMaxRank) return call.misused("of several values");
-    all.insert(all.end(), part->begin(), part->end());
-  }
-  return integers_value(std::move(all));
-}
-
 OnnxValue shape_of(const OnnxCall& call) {
   const std::optional<Dims>& shape = call.input(0).shape;
   if (!shape) return call.misused("of an unknown shape");
@@ -256,43 +215,26 @@ OnnxValue shape_of(const OnnxCall& call) {
   return integers_value({shape->begin() + start, shape->begin() + end});
 }
 
-OnnxValue gather(const OnnxCall& call) {
-  const std::optional<Integers> from = integers_of(call.input(0));
-  const std::optional<Integers> indices = integers_of(call.input(1));
-  if (!from || !indices || call.integer("axis", 0) != 0) {
-    return call.misused("on values that are not a shape");
-  }
-  Integers picked;
-  const auto size = static_cast<std::int64_t>(from->size());
-  for (const std::int64_t index : *indices) {
-    if (index < -size || index >= size) return call.misused("with an index that is not there");
-    picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
-  }
-  return integers_value(std::move(picked));
-}
-
 OnnxValue constant_of_shape(const OnnxCall& call) {
   std::optional<Dims> shape = integers_of(call.input(0));
-  if (shape && (shape->size() > kMaxRank || !element_count(*shape))) shape.reset();
-  return call.misused("on the way to the action", std::move(shape));
+  if (shape && (shape->size() > kMaxOnnxRank || !element_count(*shape))) shape.reset();
+  OnnxValue made = call.misused("on the way to the action", std::move(shape));
+  const onnx::AttributeProto* value = call.attribute("value");
+  PolicyProblem ignored;
+  const auto constant = value != nullptr ? make_constant(value->t(), ignored) : std::nullopt;
+  const auto numbers = constant ? read_floats(*constant, ignored) : std::nullopt;
+  made.is_zero = value == nullptr || (numbers && numbers->size() == 1 && numbers->front() == 0.0F);
+  return made;
 }
 
 }  // namespace
 
 std::vector<OnnxOperatorEntry> shape_operators() {
-  return {{"Identity", identity},
-          {"Cast", cast},
-          {"Constant", constant},
-          {"Flatten", flatten},
-          {"Reshape", reshape},
-          {"Squeeze", squeeze},
-          {"Expand", expand},
-          {"Unsqueeze", unsqueeze},
-          {"Transpose", transpose},
-          {"Concat", concat},
-          {"Shape", shape_of},
-          {"Gather", gather},
-          {"ConstantOfShape", constant_of_shape}};
+  return {{"Identity", identity}, {"Cast", cast},
+          {"Constant", constant}, {"Flatten", flatten},
+          {"Reshape", reshape},   {"Squeeze", squeeze},
+          {"Expand", expand},     {"Unsqueeze", unsqueeze},
+          {"Shape", shape_of},    {"ConstantOfShape", constant_of_shape}};
 }
 
 }  // namespace eagerx::gen

@@ -24,6 +24,9 @@ std::size_t element_bytes(int type) {
     case TensorProto::DOUBLE:
     case TensorProto::INT64:
       return sizeof(double);
+    case TensorProto::FLOAT16:
+    case TensorProto::BFLOAT16:
+      return 2;
     case TensorProto::BOOL:
       return 1;
     default:
@@ -68,7 +71,21 @@ Bits raw_bits(std::string_view raw, std::size_t index) {
   return bits;
 }
 
+/// float16 and bfloat16, whose typed field holds their bits in integers.
+double short_value_at(const TensorProto& tensor, std::size_t index) {
+  const auto bits = is_raw(tensor)
+                        ? raw_bits<std::uint16_t>(tensor.raw_data(), index)
+                        : static_cast<std::uint16_t>(tensor.int32_data(static_cast<int>(index)));
+  if (tensor.data_type() == TensorProto::FLOAT16) return half(bits);
+  return static_cast<double>(std::bit_cast<float>(std::uint32_t{bits} << 16U));
+}
+
+bool is_short(const TensorProto& tensor) {
+  return tensor.data_type() == TensorProto::FLOAT16 || tensor.data_type() == TensorProto::BFLOAT16;
+}
+
 double value_at(const TensorProto& tensor, std::size_t index) {
+  if (is_short(tensor)) return short_value_at(tensor, index);
   const bool wide = tensor.data_type() == TensorProto::DOUBLE;
   if (is_raw(tensor)) {
     const std::string_view raw = tensor.raw_data();
@@ -143,7 +160,8 @@ std::optional<std::vector<float>> read_floats(const OnnxConstant& constant,
                                               PolicyProblem& problem) {
   const TensorProto& tensor = *constant.tensor;
   const std::string name = printable(tensor.name());
-  if (tensor.data_type() != TensorProto::FLOAT && tensor.data_type() != TensorProto::DOUBLE) {
+  if (tensor.data_type() != TensorProto::FLOAT && tensor.data_type() != TensorProto::DOUBLE &&
+      !is_short(tensor)) {
     problem = {
         "E0615",
         fmt::format("computes with tensor `{}` of type {}", name, type_name(tensor.data_type())),

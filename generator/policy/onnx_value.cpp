@@ -12,10 +12,18 @@ namespace {
 
 using Table = std::unordered_map<std::string_view, OnnxOperator>;
 
+std::vector<OnnxOperatorEntry> all_operators() {
+  std::vector<OnnxOperatorEntry> all;
+  for (const auto& part : {layer_operators(), shape_operators(), order_operators(),
+                           elementwise_operators(), image_operators(), recurrent_operators()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
 Table make_table() {
   Table table;
-  for (const OnnxOperatorEntry& entry : layer_operators()) table.emplace(entry.name, entry.run);
-  for (const OnnxOperatorEntry& entry : shape_operators()) table.emplace(entry.name, entry.run);
+  for (const OnnxOperatorEntry& entry : all_operators()) table.emplace(entry.name, entry.run);
   return table;
 }
 
@@ -49,7 +57,6 @@ std::string_view advice(std::string_view name) {
   if (name.starts_with("Random") || name == "Multinomial" || name == "Bernoulli") {
     return "export the deterministic action: call the policy with `deterministic=True`";
   }
-  if (name == "Clip") return "export the actor without clipping its action";
   return "supported are";
 }
 
@@ -58,8 +65,7 @@ OnnxValue unsupported(const OnnxCall& call) {
   std::string help(advice(type));
   if (help == "supported are") {
     std::vector<std::string_view> names;
-    for (const OnnxOperatorEntry& entry : layer_operators()) names.push_back(entry.name);
-    for (const OnnxOperatorEntry& entry : shape_operators()) names.push_back(entry.name);
+    for (const OnnxOperatorEntry& entry : all_operators()) names.push_back(entry.name);
     std::sort(names.begin(), names.end());
     help = fmt::format("supported are {}", fmt::join(names, ", "));
   }
@@ -127,13 +133,34 @@ OnnxValue OnnxCall::misused(const std::string& how, std::optional<Dims> shape) c
                std::move(shape));
 }
 
+OnnxValue OnnxCall::too_much() const {
+  return other(
+      {"E0619", fmt::format("moves too many values before {}", who()), "use a smaller network"});
+}
+
 OnnxValue OnnxCall::data_after(std::int32_t before, OnnxWork what, Dims shape) const {
+  const std::int64_t count = element_count(shape).value_or(kMaxElements);
+  if (count > kMaxValues || count < 1) {
+    return other(
+        {"E0619",
+         fmt::format("has {} values after {}; at most {} are possible", count, who(), kMaxValues),
+         "use a smaller network"});
+  }
   OnnxValue value;
   value.kind = OnnxValue::Kind::data;
   value.shape = std::move(shape);
   value.step = static_cast<std::int32_t>(state_.steps.size());
-  state_.steps.push_back({before, std::move(what), printable(node_.name())});
+  state_.steps.push_back({before, std::move(what), printable(node_.name()), count});
   return value;
+}
+
+std::optional<float> scalar_of(const OnnxValue& value) {
+  PolicyProblem ignored;
+  if (value.kind != OnnxValue::Kind::constant || element_count(value.constant.dims) != 1) {
+    return std::nullopt;
+  }
+  const auto numbers = read_floats(value.constant, ignored);
+  return numbers ? std::optional(numbers->front()) : std::nullopt;
 }
 
 std::optional<std::vector<std::int64_t>> integers_of(const OnnxValue& value) {

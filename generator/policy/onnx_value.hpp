@@ -32,19 +32,86 @@ struct OnnxActivation {
 
 /// Normalises all values.
 struct OnnxNorm {
-  OnnxConstant gamma;
+  std::optional<OnnxConstant> gamma;
   std::optional<OnnxConstant> beta;
   float epsilon = 1e-5F;
 };
 
-using OnnxWork = std::variant<OnnxDense, OnnxActivation, OnnxNorm>;
+struct OnnxConvolution {
+  Convolution form;
+  OnnxConstant weights;  // [channels, channels read / groups, rows, columns]
+  std::optional<OnnxConstant> bias;
+};
+
+/// Zeros around an image, for the pool or convolution behind it.
+struct OnnxPad {
+  std::uint32_t top = 0, left = 0, bottom = 0, right = 0;
+};
+
+/// Where a layer's state comes from: layer `slot` of input `name`.
+struct OnnxStateSource {
+  std::string_view name;
+  std::int64_t slot = 0;
+};
+
+/// A GRU or LSTM with ONNX's gates: z, r, h and i, o, f, c.
+struct OnnxRecurrence {
+  bool is_lstm = false;
+  OnnxConstant weights;                 // [1, gates * hidden, inputs]
+  OnnxConstant hidden_weights;          // [1, gates * hidden, hidden]
+  std::optional<OnnxConstant> bias;     // [1, 2 * gates * hidden]: of the input, of the state
+  std::optional<OnnxStateSource> h, c;  // nothing: zeros at the start of an episode
+};
+
+/// x op c; `shape` is what c is broadcast to.
+struct OnnxElementwise {
+  Elementwise::Operation operation = Elementwise::Operation::add;
+  OnnxConstant constant;
+  Dims shape;
+};
+
+using OnnxWork = std::variant<OnnxDense, OnnxActivation, OnnxNorm, OnnxConvolution, Pooling,
+                              OnnxPad, OnnxRecurrence, OnnxElementwise, Reorder>;
 
 /// One thing that is done to the observation on its way. Steps form a tree: branches share their
 /// start.
 struct OnnxStep {
   std::int32_t before = -1;  // index of the step before, -1 for the observation itself
   OnnxWork what;
-  std::string node;  // printable name
+  std::string node;        // printable name
+  std::int64_t count = 0;  // values after it
+};
+
+/// Part of a state after an observation: h or c of the layer of `step`.
+struct OnnxRemembered {
+  std::int32_t step = -1;
+  bool is_cell = false;
+};
+
+/// A value on the way of a formula that exporters write out: LayerNorm and gelu. All are of the
+/// data x after step `of`.
+struct OnnxPart {
+  enum class Role : std::uint8_t {
+    none,
+    mean,            // mean(x)
+    centred,         // x - mean(x)
+    centred_square,  // (x - mean(x))²
+    variance,        // its mean, plus epsilon
+    deviation,       // the root of that
+    erf,             // erf(x / sqrt(2)), or tanh(sqrt(2 / pi) (x + 0.044715 x³)) where `by_tanh`
+    one_plus_erf,    //
+    half_plus_erf,   // half of it
+    twice_gelu,      // x (1 + erf)
+    square,          // x²
+    cube,            // x³
+    cubic,           // 0.044715 x³
+    gelu_sum,        // x + 0.044715 x³
+    gelu_inner,      // sqrt(2 / pi) of it
+  };
+  Role role = Role::none;
+  std::int32_t of = -1;
+  bool by_tanh = false;
+  float epsilon = 0.0F;
 };
 
 /// A value of the graph.
@@ -54,6 +121,7 @@ struct OnnxValue {
     constant,  // a tensor of the file
     integers,  // a shape that was computed
     data,      // the observation after `step`, in row-major order
+    state,     // layers `slot` to `slot + slots` of the state that input `state` is
     other,     // anything else: `problem` says why the action must not depend on it
   };
   Kind kind = Kind::absent;
@@ -61,6 +129,11 @@ struct OnnxValue {
   OnnxConstant constant;
   std::vector<std::int64_t> integers;
   std::int32_t step = -1;
+  OnnxStateSource state;
+  std::int64_t slots = 0;
+  std::vector<OnnxRemembered> remembered;  // layer by layer, if this is a new state
+  OnnxPart part;
+  bool is_zero = false;  // other: all zeros
   PolicyProblem problem;
 };
 
@@ -69,6 +142,8 @@ class OnnxCall {
  public:
   struct State {  // shared by all calls of a graph
     std::int64_t opset = 0;
+    bool is_sequence = false;  // the observation has time as an axis of any length
+    std::int64_t budget = std::int64_t{64} << 20U;  // values that may still be looked at
     std::vector<OnnxStep> steps;
     std::deque<onnx::TensorProto> made;  // tensors written as plain attributes
   };
@@ -97,6 +172,14 @@ class OnnxCall {
   [[nodiscard]] OnnxValue other(PolicyProblem problem, std::optional<Dims> shape = {}) const;
   /// E0613: the operator is known, but not used like this.
   [[nodiscard]] OnnxValue misused(const std::string& how, std::optional<Dims> shape = {}) const;
+  /// Whether `values` more values may be looked at or moved: a file may name the same large tensor
+  /// a million times.
+  [[nodiscard]] bool spend(std::int64_t values) const {
+    state_.budget -= values;
+    return state_.budget >= 0;
+  }
+  /// E0619: not.
+  [[nodiscard]] OnnxValue too_much() const;
   /// The observation after one more step.
   [[nodiscard]] OnnxValue data_after(std::int32_t before, OnnxWork what, Dims shape) const;
 
@@ -109,8 +192,39 @@ class OnnxCall {
 /// The small integers a value stands for, if it does.
 std::optional<std::vector<std::int64_t>> integers_of(const OnnxValue& value);
 
+inline constexpr std::size_t kMaxOnnxRank = 8;
+
+/// A computed shape.
+OnnxValue integers_value(std::vector<std::int64_t> integers);
+
+/// The same values in the same order under another shape.
+OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional<Dims>& shape);
+
 /// NumPy's broadcasting; nothing where the shapes do not fit.
 std::optional<Dims> broadcast(const std::optional<Dims>& a, const std::optional<Dims>& b);
+
+/// True if `bias` adds one value, or `outputs` in order, to a result of shape `result`.
+bool fits_as_bias(const OnnxValue& bias, const Dims& result, std::int64_t outputs);
+
+/// The constant as one number, if it is a single finite one.
+std::optional<float> scalar_of(const OnnxValue& value);
+
+/// The most values that there may be between two layers.
+inline constexpr std::int64_t kMaxValues = std::int64_t{1} << 22U;
+
+/// x op c as one more step; nothing if c cannot be broadcast to x.
+std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
+                                          Elementwise::Operation operation,
+                                          const OnnxValue& constant);
+/// Constants that are not in the file.
+OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers, const Dims& shape);
+OnnxValue made_constant(const OnnxCall& call, float number);
+/// The result of a formula's next operator, if the inputs are a part of one.
+std::optional<OnnxValue> part_of_formula(const OnnxCall& call);
+/// Data in another order: number `from[i]` becomes number i.
+OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape);
+/// Output `i` (from 1) of a node whose first one is `first`.
+OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i);
 
 /// The first output of the node. Never fails: what cannot be represented is of kind `other`.
 OnnxValue evaluate(const OnnxCall& call);
@@ -120,9 +234,14 @@ struct OnnxOperatorEntry {
   std::string_view name;
   OnnxOperator run;
 };
-/// Operators that compute (onnx_layers.cpp) and operators that only move or shape
-/// (onnx_shapes.cpp).
+/// Operators that compute (onnx_layers.cpp), that only move or shape (onnx_shapes.cpp), that pick
+/// and reorder (onnx_order.cpp), with constants (onnx_elementwise.cpp), over images
+/// (onnx_convolution.cpp), with a memory (onnx_recurrent.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
+std::vector<OnnxOperatorEntry> order_operators();
+std::vector<OnnxOperatorEntry> elementwise_operators();
+std::vector<OnnxOperatorEntry> image_operators();
+std::vector<OnnxOperatorEntry> recurrent_operators();
 
 }  // namespace eagerx::gen

@@ -92,8 +92,10 @@ class DataReader {
     if (module == "stable_baselines3.common.policies") {
       facts_.contract.algorithm = member(data_, "n_epochs") != nullptr ? "PPO" : "A2C";
     }
-    if (module.find("qrdqn") != std::string::npos ||
-        module.find("recurrent") != std::string::npos || module.find("ars") != std::string::npos) {
+    if (module.find("recurrent") != std::string::npos) {
+      facts_.contract.algorithm = "RecurrentPPO";
+    }
+    if (module.find("qrdqn") != std::string::npos || module.find("ars") != std::string::npos) {
       facts_.unsupported =
           fmt::format("is of an algorithm that is not supported (`{}`)", printable(module));
     }

@@ -26,23 +26,6 @@ double read(const char* from) {
   return static_cast<double>(value);
 }
 
-double half(std::uint16_t bits) {
-  constexpr unsigned kExponentBits = 0x1f;
-  constexpr unsigned kMantissaBits = 10;
-  const unsigned exponent = (bits >> kMantissaBits) & kExponentBits;
-  const double mantissa = bits & 0x3ffU;
-  double value = 0.0;
-  if (exponent == kExponentBits) {
-    value = mantissa == 0.0 ? std::numeric_limits<double>::infinity()
-                            : std::numeric_limits<double>::quiet_NaN();
-  } else if (exponent == 0) {
-    value = std::ldexp(mantissa, -24);
-  } else {
-    value = std::ldexp(mantissa + 1024.0, static_cast<int>(exponent) - 25);
-  }
-  return (bits & 0x8000U) != 0 ? -value : value;
-}
-
 double value_at(ElementType type, const char* from) {
   std::uint16_t bits = 0;
   switch (type) {
@@ -95,6 +78,23 @@ std::optional<std::int64_t> extent(const StoredTensor& tensor) {
 }
 
 }  // namespace
+
+double half(std::uint16_t bits) {
+  constexpr unsigned kExponentBits = 0x1f;
+  constexpr unsigned kMantissaBits = 10;
+  const unsigned exponent = (bits >> kMantissaBits) & kExponentBits;
+  const double mantissa = bits & 0x3ffU;
+  double value = 0.0;
+  if (exponent == kExponentBits) {
+    value = mantissa == 0.0 ? std::numeric_limits<double>::infinity()
+                            : std::numeric_limits<double>::quiet_NaN();
+  } else if (exponent == 0) {
+    value = std::ldexp(mantissa, -24);
+  } else {
+    value = std::ldexp(mantissa + 1024.0, static_cast<int>(exponent) - 25);
+  }
+  return (bits & 0x8000U) != 0 ? -value : value;
+}
 
 std::optional<std::int64_t> element_count(const Dims& dims) {
   std::int64_t bound = 1;  // with 1 for every 0, so that [2^62, 0, 2^62] is refused too

@@ -50,6 +50,9 @@ struct StoredTensor {
 /// E0614 unless every element of the shape lies inside of `bytes`.
 bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& problem);
 
+/// The float16 with these bits.
+double half(std::uint16_t bits);
+
 /// All values in row-major order; `fits` was true.
 std::vector<double> values_of(const StoredTensor& tensor);
 

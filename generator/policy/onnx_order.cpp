@@ -1,0 +1,239 @@
+// Operators that pick values or put them in another order.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "generator/policy/onnx_value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Integers = std::vector<std::int64_t>;
+
+std::int64_t count_of(const Dims& dims) {
+  return element_count(dims).value_or(0);
+}
+
+/// Distance between neighbours along each axis, row-major.
+Integers strides_of(const Dims& dims) {
+  Integers strides(dims.size(), 1);
+  for (std::size_t i = dims.size(); i-- > 1;) strides[i - 1] = strides[i] * dims[i];
+  return strides;
+}
+
+/// Where the values of `shape`, row-major, lie in the input: `first`, and `strides` along its axes.
+Reorder indices(const Dims& shape, std::int64_t first, const Integers& strides) {
+  Reorder order;
+  const auto count = static_cast<std::size_t>(count_of(shape));
+  order.from.reserve(count);
+  Integers at(shape.size(), 0);
+  std::int64_t from = first;
+  for (std::size_t i = 0; i < count; ++i) {
+    order.from.push_back(static_cast<std::uint32_t>(from));
+    for (std::size_t axis = shape.size(); axis-- > 0;) {
+      from += strides[axis];
+      if (++at[axis] < shape[axis]) break;
+      from -= strides[axis] * shape[axis];
+      at[axis] = 0;
+    }
+  }
+  return order;
+}
+
+/// What moving axis `order[i]` to place i does to values of `dims`.
+Reorder transposition(const Dims& dims, const Integers& order) {
+  const Integers strides = strides_of(dims);
+  Dims shape;
+  Integers moved;
+  for (const std::int64_t axis : order) {
+    shape.push_back(dims[static_cast<std::size_t>(axis)]);
+    moved.push_back(strides[static_cast<std::size_t>(axis)]);
+  }
+  return indices(shape, 0, moved);
+}
+
+OnnxValue transpose(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (!x.shape) return call.misused("of an unknown shape");
+  const std::size_t rank = x.shape->size();
+  Integers order(rank);
+  std::iota(order.rbegin(), order.rend(), 0);  // reversed is the default
+  if (const auto* perm = call.attribute("perm"); perm != nullptr) {
+    order.assign(perm->ints().begin(), perm->ints().end());
+  }
+  Integers sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 0; i < rank; ++i) {
+    if (sorted.size() != rank || sorted[i] != static_cast<std::int64_t>(i)) {
+      return call.misused("with axes that are not there");
+    }
+  }
+  Dims shape;
+  std::int64_t last = -1;
+  bool in_order = true;  // axes of size one may go anywhere
+  for (const std::int64_t axis : order) {
+    const std::int64_t dim = (*x.shape)[static_cast<std::size_t>(axis)];
+    shape.push_back(dim);
+    if (dim == 1) continue;
+    in_order = in_order && axis > last;
+    last = axis;
+  }
+  if (in_order) return reshaped(call, x, shape);
+  if (x.kind == Kind::data) {
+    if (!call.spend(count_of(*x.shape))) return call.too_much();
+    return reordered(call, x, transposition(*x.shape, order), shape);
+  }
+  if (x.kind != Kind::constant || rank != 2) return call.misused("that reorders values", shape);
+  OnnxValue value = x;
+  value.shape = shape;
+  value.constant.dims = shape;
+  value.constant.transposed = !value.constant.transposed;
+  return value;
+}
+
+/// Layers `first` to `first + count` of a state.
+OnnxValue part_of_state(const OnnxValue& x, std::int64_t first, std::int64_t count, Dims shape) {
+  OnnxValue value = x;
+  value.state.slot += first;
+  value.slots = count;
+  value.shape = std::move(shape);
+  return value;
+}
+
+/// `count` of the values along an axis, from `first` on, each `step`-th.
+OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std::int64_t first,
+                 std::int64_t count, std::int64_t step, bool keeps_axis) {
+  const Dims& dims = *x.shape;
+  Dims shape = dims;
+  shape[axis] = count;
+  Integers strides = strides_of(dims);
+  const std::int64_t start = first * strides[axis];
+  strides[axis] *= step;
+  Dims result = shape;
+  if (!keeps_axis) result.erase(result.begin() + static_cast<std::ptrdiff_t>(axis));
+  if (x.kind == Kind::state) {
+    if (axis != 0 || step != 1) return call.misused("of a part of a state");
+    return part_of_state(x, first, count, std::move(result));
+  }
+  if (count == dims[axis] && step == 1) return reshaped(call, x, result);
+  if (x.kind != Kind::data) return call.misused("on something that is no layer");
+  if (!call.spend(count_of(shape))) return call.too_much();
+  return reordered(call, x, indices(shape, start, strides), std::move(result));
+}
+
+OnnxValue gather_values(const OnnxCall& call, const OnnxValue& x) {
+  const std::optional<Integers> which = integers_of(call.input(1));
+  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
+  std::int64_t axis = call.integer("axis", 0);
+  if (axis < 0) axis += rank;
+  if (!which || which->size() != 1 || axis < 0 || axis >= rank) {
+    return call.misused("of several values");
+  }
+  const std::int64_t size = (*x.shape)[static_cast<std::size_t>(axis)];
+  const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
+  if (index < 0 || index >= size) return call.misused("with an index that is not there");
+  const bool keeps_axis = call.input(1).shape && !call.input(1).shape->empty();
+  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, keeps_axis);
+}
+
+OnnxValue gather(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind == Kind::data || x.kind == Kind::state || !x.remembered.empty()) {
+    return gather_values(call, x);
+  }
+  const std::optional<Integers> from = integers_of(x);
+  const std::optional<Integers> indices = integers_of(call.input(1));
+  if (!from || !indices || call.integer("axis", 0) != 0) {
+    return call.misused("on values that are not a shape");
+  }
+  Integers picked;
+  const auto size = static_cast<std::int64_t>(from->size());
+  for (const std::int64_t index : *indices) {
+    if (index < -size || index >= size) return call.misused("with an index that is not there");
+    picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
+  }
+  return integers_value(std::move(picked));
+}
+
+/// The new states of several layers, one after the other.
+OnnxValue joined_state(const OnnxCall& call) {
+  std::vector<OnnxRemembered> all;
+  std::optional<Dims> shape = call.input(0).shape;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    const auto& part = call.input(i).remembered;
+    if (part.empty()) return call.misused("of states and other values");
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  if (call.integer("axis", 0) != 0) return call.misused("that does not put layers one by one");
+  if (shape && !shape->empty()) shape->front() = static_cast<std::int64_t>(all.size());
+  OnnxValue value = call.misused("that joins states on the way to the action", shape);
+  value.remembered = std::move(all);
+  return value;
+}
+
+OnnxValue concat(const OnnxCall& call) {
+  if (call.input_count() == 1 && call.input(0).kind != Kind::absent) return call.input(0);
+  if (!call.input(0).remembered.empty()) return joined_state(call);
+  Integers all;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    const std::optional<Integers> part = integers_of(call.input(i));
+    if (!part || all.size() + part->size() > kMaxOnnxRank) return call.misused("of several values");
+    all.insert(all.end(), part->begin(), part->end());
+  }
+  return integers_value(std::move(all));
+}
+
+/// One axis of a Slice, from opset 10 on in inputs: start, end, step.
+OnnxValue slice(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const auto starts = call.integers(1, "starts");
+  const auto ends = call.integers(2, "ends");
+  auto axes = call.integers(3, "axes");
+  const auto steps = call.integers(4, "steps");
+  if (!starts || !ends || starts->size() != 1 || ends->size() != 1) {
+    return call.misused("of more than one axis, or without constant ends", std::nullopt);
+  }
+  if (!axes) axes = Integers{0};
+  const std::int64_t step = steps ? (steps->size() == 1 ? steps->front() : 0) : 1;
+  const auto from = integers_of(x);
+  const Dims dims = from && x.kind != Kind::data ? Dims{static_cast<std::int64_t>(from->size())}
+                                                 : x.shape.value_or(Dims{});
+  const auto rank = static_cast<std::int64_t>(dims.size());
+  if (axes->size() != 1 || axes->front() < -rank || axes->front() >= rank || step < 1) {
+    return call.misused("with axes or steps that are not there");
+  }
+  const auto axis =
+      static_cast<std::size_t>(axes->front() < 0 ? axes->front() + rank : axes->front());
+  const std::int64_t size = dims[axis];
+  const auto place = [size](std::int64_t at) {
+    return std::clamp<std::int64_t>(at < 0 ? (at < -size ? 0 : at + size) : at, 0, size);
+  };
+  const std::int64_t first = place(starts->front());
+  const std::int64_t last = place(ends->front());
+  if (last <= first || step > size) return call.misused("that leaves nothing");
+  const std::int64_t count = (last - first + step - 1) / step;
+  if (from && x.kind != Kind::data) {
+    Integers some;
+    for (std::int64_t i = first; i < last; i += step) {
+      some.push_back((*from)[static_cast<std::size_t>(i)]);
+    }
+    return integers_value(std::move(some));
+  }
+  if (x.kind != Kind::data && x.kind != Kind::state) return call.misused("on a constant");
+  return picked(call, x, axis, first, count, step, true);
+}
+
+}  // namespace
+
+OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape) {
+  return call.data_after(data.step, std::move(order), std::move(shape));
+}
+
+std::vector<OnnxOperatorEntry> order_operators() {
+  return {{"Transpose", transpose}, {"Concat", concat}, {"Gather", gather}, {"Slice", slice}};
+}
+
+}  // namespace eagerx::gen
