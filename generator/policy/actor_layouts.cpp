@@ -66,7 +66,7 @@ class Layouts {
     std::optional<Activation> activation;
     Activation output;
     bool has_bias;
-    const char* memory = "";  // a GRU or LSTM before the bodies
+    const char* memory;  // a GRU or LSTM before the bodies
   };
   static constexpr std::array kKnown = {
       Known{"Stable-Baselines3's SAC",
@@ -79,7 +79,8 @@ class Layouts {
             ActionKind::squashed,
             Activation::relu,
             Activation::tanh,
-            true},
+            true,
+            ""},
       Known{"Stable-Baselines3's TD3",
             "TD3 DDPG",
             {},
@@ -90,7 +91,8 @@ class Layouts {
             ActionKind::squashed,
             Activation::relu,
             Activation::tanh,
-            true},
+            true,
+            ""},
       Known{"Stable-Baselines3's RecurrentPPO",
             "RecurrentPPO",
             {"mlp_extractor.policy_net."},
@@ -113,7 +115,8 @@ class Layouts {
             ActionKind::raw,
             Activation::tanh,
             Activation::identity,
-            true},
+            true,
+            ""},
       Known{"Stable-Baselines3's DQN",
             "DQN",
             {},
@@ -124,7 +127,8 @@ class Layouts {
             ActionKind::argmax,
             Activation::relu,
             Activation::identity,
-            true},
+            true,
+            ""},
       Known{"rl_games",
             "",
             {"a2c_network.actor_mlp."},
@@ -135,7 +139,8 @@ class Layouts {
             ActionKind::raw,
             std::nullopt,
             Activation::identity,
-            false},
+            false,
+            ""},
       Known{"rsl_rl",
             "",
             {},
@@ -146,7 +151,8 @@ class Layouts {
             ActionKind::raw,
             std::nullopt,
             Activation::identity,
-            false},
+            false,
+            ""},
       Known{"CleanRL's PPO",
             "",
             {},
@@ -157,7 +163,8 @@ class Layouts {
             ActionKind::raw,
             std::nullopt,
             Activation::identity,
-            false},
+            false,
+            ""},
   };
 
   bool any_starts_with(std::string_view start) const {
