@@ -190,15 +190,56 @@ TEST(OnnxOperators, SiluAndLayerNorm) {
   EXPECT_TRUE(network.ignored.empty());
 }
 
-TEST(OnnxOperators, ClipBetweenBoundsIsRefused) {
+TEST(OnnxOperators, ClipBetweenBoundsIsVisible) {
   OnnxBuilder builder = test::two_layers();
   builder.add_tensor("low", {}, {-1});
   builder.add_tensor("high", {}, {1});
   builder.add_node("Clip", {"action", "low", "high"}, "clipped");
   builder.graph().mutable_output(0)->set_name("clipped");
-  const Diagnostic diagnostic = read_bad(builder.bytes());
-  EXPECT_EQ(diagnostic.code, "E0613");
-  EXPECT_EQ(diagnostic.help, "export the actor without clipping its action");
+  const Network network = read_good(builder.bytes());
+  ASSERT_EQ(network.layers.size(), 4U);
+  EXPECT_EQ(std::get<Elementwise>(network.layers[2].form).operation,
+            Elementwise::Operation::at_least);
+  EXPECT_THAT(network.layers[2].bias, ElementsAre(-1));
+  EXPECT_EQ(std::get<Elementwise>(network.layers[3].form).operation,
+            Elementwise::Operation::at_most);
+}
+
+TEST(OnnxOperators, HalvesAreExact) {
+  OnnxBuilder builder = test::two_layers();
+  onnx::TensorProto& bias = *builder.graph().mutable_initializer(1);
+  bias.clear_float_data();
+  bias.set_data_type(onnx::TensorProto::FLOAT16);
+  for (const int bits : {0x3c00, 0xc000, 0x3555}) bias.add_int32_data(bits);
+  EXPECT_THAT(read_good(builder.bytes()).layers[0].bias, ElementsAre(1.0F, -2.0F, 0x1.554p-2F));
+  bias.clear_int32_data();
+  bias.set_data_type(onnx::TensorProto::BFLOAT16);
+  bias.set_raw_data(std::string("\x80\x3f\x00\xc0\xab\x3e", 6));
+  EXPECT_THAT(read_good(builder.bytes()).layers[0].bias, ElementsAre(1.0F, -2.0F, 0x1.56p-2F));
+}
+
+TEST(OnnxOperators, ConstantMinusDataIsExact) {
+  OnnxBuilder builder = test::two_layers();
+  builder.add_tensor("one", {1, 1}, {1});
+  builder.add_node("Sub", {"one", "action"}, "rest");
+  builder.graph().mutable_output(0)->set_name("rest");
+  const Network network = read_good(builder.bytes());
+  ASSERT_EQ(network.layers.size(), 4U);
+  EXPECT_THAT(network.layers[2].bias, ElementsAre(-1));
+  EXPECT_THAT(network.layers[3].bias, ElementsAre(1));
+}
+
+TEST(OnnxOperators, PartsOfAnObservationAreReordered) {
+  OnnxBuilder builder(4);
+  builder.add_integers("one", {1});
+  builder.add_integers("end", {4});
+  builder.add_integers("two", {2});
+  builder.add_node("Slice", {"observation", "one", "end", "one", "two"}, "odd");
+  builder.add_tensor("w", {2, 1}, {1, 2});
+  builder.add_node("MatMul", {"odd", "w"}, "action");
+  const Network network = read_good(builder.bytes());
+  EXPECT_EQ(network.inputs(), 4U);
+  EXPECT_THAT(std::get<Reorder>(network.layers[0].form).from, ElementsAre(1, 3));
 }
 
 TEST(OnnxOperators, ValuesAsRawData) {
