@@ -128,6 +128,9 @@ std::optional<std::string_view> Archive::read(std::string_view name, std::string
     content = buffer;
   }
   if (content.size() != entry.size) return fail("has another size than its directory says");
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+  return content;  // a fuzzer would look for checksums all day
+#endif
   const auto* data = reinterpret_cast<const Bytef*>(content.data());
   if (crc32(0, data, static_cast<uInt>(content.size())) != entry.crc) {
     return fail("has another checksum than its directory says");
