@@ -18,8 +18,9 @@ struct Sum {
   }
 };
 
-void report(const char* code, const Graph& graph, std::string_view verb, std::uint64_t wanted,
-            const Sum& there, std::string_view what, Span place, Diagnostics& diagnostics) {
+Diagnostic& report(const char* code, const Graph& graph, std::string_view verb,
+                   std::uint64_t wanted, const Sum& there, std::string_view what, Span place,
+                   Diagnostics& diagnostics) {
   auto& problem = diagnostics.error(
       code, graph.agent.span,
       fmt::format("the policy `{}` {} {} numbers, but the {} of this graph have {}",
@@ -30,6 +31,23 @@ void report(const char* code, const Graph& graph, std::string_view verb, std::ui
                      ? "connect the observations that it was trained with, in that order (`agent: "
                        "{policy: …, observations: […]}`), or convert one with a processor"
                      : "connect the actions that it was trained with";
+  return problem;
+}
+
+/// As many numbers as several observations of one kind have are probably a stack of frames.
+void suggest_stack(const Graph& graph, const Network& network, const Sum& observed,
+                   Diagnostic& problem) {
+  constexpr std::uint64_t kMostFrames = 16;
+  if (observed.total == 0 || network.inputs() % observed.total != 0 || observed.parts.size() != 1) {
+    return;
+  }
+  const std::uint64_t frames = network.inputs() / observed.total;
+  const auto& input = graph.environment().inputs[graph.agent.observations.front()];
+  if (frames < 2 || frames > kMostFrames || input.window != 1) return;
+  problem.help += fmt::format(
+      "; a stack of the last {} comes from `window: {}` on the connection to "
+      "`observations.{}`",
+      frames, frames, input.name);
 }
 
 bool bounded(const Space& space) {
@@ -69,8 +87,11 @@ bool check_policy(const Graph& graph, const Network& network, Diagnostics& diagn
   const Span seen = graph.agent.observations.empty()
                         ? graph.span
                         : environment.inputs[graph.agent.observations.front()].span;
-  if (observed.total != network.inputs())
-    report("E0701", graph, "takes", network.inputs(), observed, "observations", seen, diagnostics);
+  if (observed.total != network.inputs()) {
+    suggest_stack(graph, network, observed,
+                  report("E0701", graph, "takes", network.inputs(), observed, "observations", seen,
+                         diagnostics));
+  }
   const bool chooses = graph.agent.output.value_or(to_string(network.action_kind())) == "argmax";
   if (!chooses && acted.total != network.outputs())
     report("E0702", graph, "gives", network.outputs(), acted, "actions",

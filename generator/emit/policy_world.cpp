@@ -21,6 +21,7 @@ class WorldCheck {
       check_bounds();
     }
     check_observations();
+    check_shape();
     check_rate();
   }
 
@@ -169,6 +170,37 @@ class WorldCheck {
     auto& problem = error("E0706", "the policy's observations are not in the graph's order");
     problem.notes.push_back({both, where, ""});
     problem.help = "say the order of the training: `agent: {policy: …, observations: […]}`";
+  }
+
+  template <class Size>
+  static std::vector<std::uint64_t> without_ones(const std::vector<Size>& shape) {
+    std::vector<std::uint64_t> result;
+    for (const Size size : shape) {
+      if (size != 1) result.push_back(size);
+    }
+    return result;
+  }
+
+  /// An image or a stack of frames, for policies that know of places: frames come first, or are
+  /// joined with the channels. Flat observations have no shape to compare.
+  void check_shape() {
+    if (network_.input_shape.size() < 2 || graph_.agent.observations.size() != 1) return;
+    const Input& input = graph_.environment().inputs[graph_.agent.observations.front()];
+    std::vector<std::uint64_t> stacked = input.space.shape;
+    std::vector<std::uint64_t> joined = stacked;
+    stacked.insert(stacked.begin(), input.window);
+    if (joined.empty()) joined.push_back(1);
+    joined.front() *= input.window;
+    const auto wanted = without_ones(network_.input_shape);
+    const auto ours = without_ones(stacked);
+    if (ours.size() < 2 || ours == wanted || without_ones(joined) == wanted) return;
+    auto& problem =
+        error("E0708", fmt::format("the policy `{}` takes an observation of shape [{}], but "
+                                   "`observations.{}` has [{}]",
+                                   graph_.agent.file, fmt::join(network_.input_shape, ", "),
+                                   input.name, fmt::join(ours, ", ")));
+    problem.notes.push_back({"the observation, its window first", input.span, ""});
+    problem.help = "images are channels first, then rows, then columns";
   }
 
   void check_rate() {

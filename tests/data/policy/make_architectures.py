@@ -13,6 +13,7 @@ import zipfile
 from pathlib import Path
 
 import numpy as np
+import onnx
 import torch
 from torch import nn
 
@@ -159,6 +160,22 @@ def recurrent_ppo():
     golden(model, torch.zeros(1, 1, 3), (torch.zeros(1, 1, 8),) * 2, "recurrent_ppo")
 
 
+def lies():
+    """Models that are wrong in one way each, for tests/diagnostics."""
+    folder = Path("../../diagnostics/cases/files")
+    model = onnx.load(OUT / "gru.onnx")
+    node = next(node for node in model.graph.node if node.op_type == "GRU")
+    state = node.input[5]
+    node.input[5] = ""
+    onnx.save(model, folder / "memory_zero.onnx")
+    node.input[5] = state
+    node.input[1], node.input[2] = node.input[2], node.input[1]
+    onnx.save(model, folder / "memory_sizes.onnx")
+    node.input[1], node.input[2] = node.input[2], node.input[1]
+    del model.graph.output[1]
+    onnx.save(model, folder / "memory_lost.onnx")
+
+
 def main():
     torch.manual_seed(3)
     OUT.mkdir(exist_ok=True)
@@ -169,6 +186,7 @@ def main():
     export(Image(), "image", torch.zeros(1, 1, 12, 12, dtype=torch.uint8))
     export(Scaled(), "scaled", torch.zeros(1, 3))
     recurrent_ppo()
+    lies()
     plain = Recurrent("GRU", 2, False, squash=False)
     np.savez(OUT / "gru_state_dict.npz", **{name: value.numpy() for name, value in plain.state_dict().items()})
     golden(plain, observation, (torch.zeros(2, 1, 8),), "gru_state_dict")
