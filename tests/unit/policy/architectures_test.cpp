@@ -9,6 +9,7 @@
 
 #include "generator/policy/evaluate.hpp"
 #include "tests/unit/policy/onnx_builder.hpp"
+#include "tests/unit/policy/table_builder.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -156,6 +157,61 @@ TEST(Architectures, WeightsThatDoNotFitAreRefused) {
     if (attribute.name() == "dilations") attribute.set_ints(0, 9);
   }
   expect(model, "E0613", "whose kernel does not fit");
+}
+
+/// A memory of `hidden` values with as many gates.
+void add_memory(std::vector<test::NamedValues>& tensors, const std::string& name, int inputs,
+                int hidden, int gates) {
+  const auto zeros = [](int count) {
+    return std::vector<float>(static_cast<std::size_t>(count), 0.25F);
+  };
+  const int rows = gates * hidden;
+  tensors.push_back({name + ".weight_ih_l0", {rows, inputs}, zeros(rows * inputs)});
+  tensors.push_back({name + ".weight_hh_l0", {rows, hidden}, zeros(rows * hidden)});
+  tensors.push_back({name + ".bias_ih_l0", {rows}, zeros(rows)});
+  tensors.push_back({name + ".bias_hh_l0", {rows}, zeros(rows)});
+}
+
+TEST(Architectures, MemoriesAreFoundWhereTheirSizesFit) {
+  std::vector<test::NamedValues> tensors;  // rsl_rl's ActorCriticRecurrent
+  add_memory(tensors, "memory_a.rnn", 3, 4, 4);
+  add_memory(tensors, "memory_c.rnn", 3, 4, 4);
+  test::add_linear(tensors, "actor.0", 4, 5);
+  test::add_linear(tensors, "actor.2", 5, 2);
+  test::add_linear(tensors, "critic.0", 4, 1);
+  Network network = test::read_good(test::safetensors(tensors, R"("activation":"elu")"));
+  ASSERT_EQ(network.layers.size(), 3U);
+  EXPECT_TRUE(network.layers[0].recurrence()->is_lstm);
+  EXPECT_EQ(network.layers[1].activation, Activation::elu);
+
+  tensors.clear();  // a memory between two layers
+  test::add_linear(tensors, "encoder", 3, 5);
+  test::add_linear(tensors, "a_head", 4, 2);
+  add_memory(tensors, "gru", 5, 4, 3);
+  network = test::read_good(test::safetensors(tensors, R"("activation":"relu")"));
+  ASSERT_EQ(network.layers.size(), 3U);
+  EXPECT_EQ(network.layers[0].activation, Activation::relu);
+  EXPECT_FALSE(network.layers[1].recurrence()->is_lstm);
+  EXPECT_EQ(network.outputs(), 2U);
+}
+
+TEST(Architectures, MemoriesThatDoNotFitAreRefused) {
+  std::vector<test::NamedValues> tensors;
+  add_memory(tensors, "gru", 5, 4, 3);
+  test::add_linear(tensors, "head.0", 3, 1);
+  EXPECT_EQ(test::read_bad(test::safetensors(tensors)).code, "E0618");
+  tensors.pop_back();
+  tensors.pop_back();
+  test::add_linear(tensors, "head.0", 4, 1);
+  add_memory(tensors, "other", 5, 4, 3);
+  EXPECT_EQ(test::read_bad(test::safetensors(tensors)).code, "E0625");
+  tensors.resize(tensors.size() - 4);
+  tensors[1].shape = {6, 8};
+  EXPECT_EQ(test::read_bad(test::safetensors(tensors)).code, "E0618");
+  tensors.clear();
+  add_memory(tensors, "rnn", 5, 4, 1);  // a plain RNN
+  test::add_linear(tensors, "head.0", 4, 1);
+  EXPECT_EQ(test::read_bad(test::safetensors(tensors)).code, "E0628");
 }
 
 }  // namespace
