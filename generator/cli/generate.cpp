@@ -8,6 +8,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/report/report.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
@@ -93,12 +94,21 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// What an image takes is checked by `size`; what the plan says, before there is one.
+void check_budget(Run& run) {
+  if (!run.spec->budget) return;
+  const Node& budget = *run.spec->budget;
+  if (budget.find("age") == nullptr && budget.find("link") == nullptr) return;
+  check_plan_budget(report_of(*run.plan), budget, run.diagnostics);
+}
+
 }  // namespace
 
 int generate_command(const Options& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
   const std::vector<const Target*> targets = find_targets(run, options);
+  check_budget(run);
   if (run.diagnostics.has_errors()) return finish(run, options);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
@@ -118,7 +128,10 @@ int generate_command(const Options& options) {
 
 int check_command(const Options& options) {
   Run run;
-  if (make(run, options)) find_targets(run, options);
+  if (make(run, options)) {
+    find_targets(run, options);
+    check_budget(run);
+  }
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;

@@ -5,6 +5,7 @@
 
 #include "generator/cli/pipeline.hpp"
 #include "generator/emit/namer.hpp"
+#include "generator/report/report.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -132,9 +133,27 @@ void print_all(const Library& library) {
   for (const auto& [id, target] : library.targets) fmt::print("  {:<22} {}\n", id, target.summary);
 }
 
+bool is_graph_file(const std::string& name) {
+  return name.ends_with(".yaml") || name.ends_with(".yml");
+}
+
+/// What the plan of a graph says of time, memory and traffic.
+int graph_info(Options options) {
+  options.graph = options.entity;
+  Run run;
+  if (!make(run, options)) return finish(run, options);
+  const PlanReport report = report_of(*run.plan);
+  if (options.json_output)
+    fmt::print("{}", report_json(report));
+  else
+    fmt::print("{}{}", plan_text(report), timing_text(report));
+  return finish(run, options);
+}
+
 }  // namespace
 
 int info_command(const Options& options) {
+  if (is_graph_file(options.entity)) return graph_info(options);
   Run run;
   load(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);

@@ -90,6 +90,8 @@ void add_size(CLI::App& app, Options& options) {
       ->type_name("GRAPH.yaml");
   app.add_option("--build", options.build, "its build folder (default: where it lies)")
       ->type_name("DIR");
+  app.add_option("--engine", options.engine, "the graph's engine in the image")->type_name("NAME");
+  add_library(app, options);
   app.add_option("--run", options.run_on, "also count instructions, in the target's emulator")
       ->type_name("TARGET");
   app.add_option("--baseline", options.baseline,
@@ -144,7 +146,7 @@ int run(std::vector<std::string> arguments) {
   app.require_subcommand(1);
   CLI::App& generate = *app.add_subcommand("generate", "write the program of a graph");
   CLI::App& check = *app.add_subcommand("check", "only look for problems");
-  CLI::App& info = *app.add_subcommand("info", "list entities and targets, or explain one");
+  CLI::App& info = *app.add_subcommand("info", "list entities and targets, or explain one or a graph");
   CLI::App& import = *app.add_subcommand(
       "import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph");
   const CLI::App& schema =
@@ -177,8 +179,13 @@ int run(std::vector<std::string> arguments) {
   add_rates(import, options);
   add_library(import, options);
   add_diagnostics(import, options);
-  info.add_option("entity", options.entity, "id of an entity or target")->type_name("ENTITY");
+  info.add_option("entity", options.entity, "id of an entity or target, or a graph file")
+      ->type_name("ENTITY|GRAPH.yaml");
+  info.add_option("--engine", options.engine, "run the graph on this engine instead of its own")
+      ->type_name("NAME");
+  add_rates(info, options);
   add_library(info, options);
+  info.add_flag("--json", options.json_output, "print JSON (of graphs)");
   board.add_option("name", options.entity, "its name")->required()->type_name("NAME");
   board.add_option("-o,--output", options.output, "where to make its folder (default: targets)")
       ->type_name("DIR");

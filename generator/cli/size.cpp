@@ -12,6 +12,7 @@
 
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/report/report.hpp"
 #include "generator/size/tools.hpp"
 
 namespace eagerx::gen {
@@ -159,17 +160,27 @@ nlohmann::json read_baseline(Run& run, const Options& options) {
   return json;
 }
 
+void print(const SizeReport& report, const std::optional<PlanReport>& plan, bool as_json) {
+  if (!as_json) {
+    fmt::print("{}{}", size_text(report), plan ? timing_text(*plan) : "");
+    return;
+  }
+  auto json = nlohmann::ordered_json::parse(size_json(report));
+  if (plan) {
+    const auto timing = nlohmann::ordered_json::parse(report_json(*plan));
+    json["ages"] = timing["ages"];
+    json["link"] = timing["link"];
+  }
+  fmt::print("{}\n", json.dump(2));
+}
+
 }  // namespace
 
 int size_command(const Options& options) {
   Run run;
   run.root = data_root();
-  Node budget;
-  if (!options.graph.empty()) {
-    const Node tree = read_yaml_file(options.graph, run.sources, run.diagnostics);
-    if (!run.diagnostics.has_errors()) read_graph_spec(tree, options.graph, run.diagnostics);
-    if (const Node* found = tree.find("budget")) budget = *found;
-  }
+  std::optional<PlanReport> plan;
+  if (!options.graph.empty() && make(run, options)) plan = report_of(*run.plan);
   const nlohmann::json baseline = read_baseline(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
   const std::string folder = fs::path(options.image).parent_path().string();
@@ -182,9 +193,11 @@ int size_command(const Options& options) {
       run.diagnostics.io_error(
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
-  if (!options.quiet)
-    fmt::print("{}", options.json_output ? size_json(*report) : size_text(*report));
-  BudgetCheck(*report, baseline, run.diagnostics).run(budget);
+  if (!options.quiet) print(*report, plan, options.json_output);
+  if (plan && run.spec->budget) {
+    BudgetCheck(*report, baseline, run.diagnostics).run(*run.spec->budget);
+    check_plan_budget(*plan, *run.spec->budget, run.diagnostics);
+  }
   return finish(run, options);
 }
 

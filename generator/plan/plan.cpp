@@ -18,24 +18,6 @@ constexpr std::uint64_t kMaxRingBytes = std::uint64_t{1} << 30U;
 // better.
 constexpr std::uint64_t kMaxWastedBytes = 256;
 
-std::uint64_t bytes_of(const Space& space) {
-  switch (space.dtype) {
-    case Dtype::float64:
-    case Dtype::int64:
-    case Dtype::uint64:
-      return 8 * space.size();
-    case Dtype::float32:
-    case Dtype::int32:
-    case Dtype::uint32:
-      return 4 * space.size();
-    case Dtype::int16:
-    case Dtype::uint16:
-      return 2 * space.size();
-    default:
-      return space.size();
-  }
-}
-
 class Planner {
  public:
   Planner(const Graph& graph, Diagnostics& diagnostics) : graph_(graph), diagnostics_(diagnostics) {
@@ -171,6 +153,24 @@ class Planner {
 };
 
 }  // namespace
+
+std::uint64_t bytes_of(const Space& space) {
+  switch (space.dtype) {
+    case Dtype::float64:
+    case Dtype::int64:
+    case Dtype::uint64:
+      return 8 * space.size();
+    case Dtype::float32:
+    case Dtype::int32:
+    case Dtype::uint32:
+      return 4 * space.size();
+    case Dtype::int16:
+    case Dtype::uint16:
+      return 2 * space.size();
+    default:
+      return space.size();
+  }
+}
 
 std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics) {
   return Planner(graph, diagnostics).run();

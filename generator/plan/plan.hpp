@@ -86,6 +86,9 @@ struct Plan {
   Schedule schedule;
 };
 
+/// What a message takes in memory.
+std::uint64_t bytes_of(const Space& space);
+
 /// Plans a resolved graph. Problems, E04xx: E0401 an input that would stay empty for ever, E0402 a
 /// number that does not fit, E0403 a limit that is passed.
 std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics);

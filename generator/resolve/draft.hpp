@@ -48,6 +48,7 @@ struct DraftInput {
   std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
   bool entity_sets_delay = false;
   bool feedthrough = false;
+  bool actuator = false;
 };
 
 struct DraftOutput {
@@ -56,6 +57,7 @@ struct DraftOutput {
   PartialSpace declared;  // what the callback gives
   std::optional<ProcessorSpec> processor;
   PartialSpace published = {};  // what comes out of the processor
+  std::string sensor = {};      // what it stands for: "pendulum.theta"
 };
 
 struct DraftNode {

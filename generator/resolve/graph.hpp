@@ -63,6 +63,7 @@ struct Processor {
 /// An output: `raw` is what the callback writes, `space` what is published after the processor.
 struct Output {
   std::string name;
+  std::string sensor;  // the sensor that it stands for, as the graph calls it: "pendulum.theta"
   Space raw, space;
   std::optional<Processor> processor;
   Span span;
@@ -90,6 +91,7 @@ struct Input {
   bool entity_sets_delay = false;       // at its reset; else only the program's interface does
   std::optional<Random> random_delay;
   bool skip = false;
+  bool actuator = false;     // of an object, `written` is its name
   bool feedthrough = false;  // of a reset node: `name` is the output that it is passed on to
   Span span;
 };

@@ -241,6 +241,7 @@ class ObjectBuilder {
         overlay(port.settings, manifest_settings(*actuator, references_, diagnostics()));
     port.settings = overlay(port.settings, settings_of(connection));
     port.written = spec_.name.value + "." + name;
+    port.actuator = true;
     PartialSpace space = partial_space(actuator->space, references_, diagnostics());
     if (const ComponentSpec* set = component(spec_.actuators, name); set != nullptr && set->space) {
       space =
@@ -267,6 +268,7 @@ class ObjectBuilder {
     if (!sensors_.contains(name)) return;
     DraftOutput& port = nodes_[source].outputs[output];
     const std::string written = spec_.name.value + "." + name;
+    port.sensor = written;
     if (connection.processor) {
       port.processor = connection.processor;
       bind(port.processor);

@@ -109,7 +109,7 @@ class SpaceResolver {
     const auto raw = declared ? complete(*declared) : std::nullopt;
     if (!raw) return false;
     slot.settled = true;
-    Output output{draft.name, *raw, *raw, std::nullopt, draft.span};
+    Output output{draft.name, draft.sensor, *raw, *raw, std::nullopt, draft.span};
     if (!check_bounds(*raw, draft.declared.span)) return true;
     if (draft.processor) {
       output.processor = make_processor(draft_, *draft.processor, *raw, draft.span);
@@ -177,6 +177,7 @@ class SpaceResolver {
     input.delay_s = draft.settings.delay_s.value_or(Rational{});
     input.skip = draft.settings.skip.value_or(false);
     input.feedthrough = draft.feedthrough;
+    input.actuator = draft.actuator;
     input.span = draft.span;
     set_changing_delay(draft, input);
     input.space = source->space;

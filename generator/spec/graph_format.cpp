@@ -237,6 +237,10 @@ FormatPtr budget_format() {
                          {"stack", bytes, false, "bytes of stack"},
                          {"instructions", format::integer("a number of instructions", 0), false,
                           "most instructions of a slot, the agent included"},
+                         {"age", format::decimal("a time in seconds", 0.0, true), false,
+                          "oldest that the newest data of a sensor may be at an actuator"},
+                         {"link", format::integer("a baud rate", 1), false,
+                          "baud rate of a serial link between the engine and the rest"},
                          {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
                           "budgets of nodes, by their names"}});
 }
@@ -278,7 +282,7 @@ const Format& graph_format() {
        {"agent", agent_format(), false, "what decides (default: zero)"},
        {"safety", safety_format(), false, "what is safe, and when it takes the agent's place"},
        {"budget", budget_format(), false,
-        "what an image for a board may take, checked by `eagerx-gen size`"}});
+        "what the program may take; what concerns an image is checked by `eagerx-gen size`"}});
   return *kFormat;
 }
 

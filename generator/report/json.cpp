@@ -1,0 +1,64 @@
+#include <nlohmann/json.hpp>
+
+#include "generator/report/report.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json time_of(const Rational& seconds) {
+  return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
+}
+
+Json json_of(const DataAge& age) {
+  Json json = {{"sensor", age.sensor}, {"actuator", age.actuator}, {"newest", time_of(age.newest_s)}};
+  json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
+  json["reached"] = age.exact;
+  json["way"] = Json::array();
+  for (const auto& hop : age.way)
+    json["way"].push_back({{"input", hop.input}, {"newest", time_of(hop.newest_s)}});
+  return json;
+}
+
+Json json_of(const LinkLoad& load) {
+  return {{"frames_per_s", load.frames_per_s.to_double()},
+          {"bytes_per_s", load.bytes_per_s.to_double()},
+          {"largest_frame", load.largest_frame},
+          {"baud", load.baud.ceil()}};
+}
+
+}  // namespace
+
+std::string report_json(const PlanReport& report) {
+  const Plan& plan = *report.plan;
+  Json json;
+  json["name"] = plan.graph->name;
+  json["engine"] = plan.graph->engine().entity->id.value;
+  json["rates"] = Json::object();
+  for (const auto& rate : plan.rates) json["rates"][rate.rate_hz.to_string()] = Json::array();
+  for (std::size_t n = 0; n < plan.nodes.size(); ++n)
+    json["rates"][plan.rates[plan.nodes[n].rate].rate_hz.to_string()].push_back(
+        plan.graph->nodes[n].name);
+  json["slots"] = plan.schedule.slots ? Json(*plan.schedule.slots) : Json(nullptr);
+  Json& rings = json["buffers"] = Json::array();
+  for (const auto& ring : plan.rings)
+    rings.push_back({{"from", plan.graph->nodes[ring.node].name},
+                     {"output", plan.graph->nodes[ring.node].outputs[ring.output].name},
+                     {"messages", ring.capacity},
+                     {"bytes", ring.capacity * bytes_of(ring.space)}});
+  json["ages"] = Json::array();
+  for (const auto& age : report.ages) json["ages"].push_back(json_of(age));
+  Json messages = Json::array();
+  for (const auto& message : report.link.messages)
+    messages.push_back({{"name", message.name},
+                        {"to_engine", message.to_engine},
+                        {"rate", message.rate_hz.to_string()},
+                        {"bytes", message.bytes}});
+  json["link"] = {{"sensors", json_of(report.link.sensors)},
+                  {"actuators", json_of(report.link.actuators)},
+                  {"messages", messages}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace eagerx::gen

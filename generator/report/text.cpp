@@ -1,0 +1,77 @@
+#include <fmt/format.h>
+
+#include "generator/report/report.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string_view name_of(ScheduleForm form) {
+  switch (form) {
+    case ScheduleForm::constants:
+      return "masks known to the compiler";
+    case ScheduleForm::table:
+      return "a table of masks";
+    case ScheduleForm::countdown:
+      return "a countdown a rate";
+  }
+  return "";
+}
+
+std::string milliseconds(const Rational& seconds) {
+  return (seconds * Rational(1000)).is_integer()
+             ? fmt::format("{} ms", (seconds * Rational(1000)).to_string())
+             : fmt::format("{:.3f} ms", seconds.to_double() * 1e3);
+}
+
+std::string load_text(const char* what, const LinkLoad& load) {
+  return fmt::format("  {:<10} {:>10.1f} frames/s, {} bytes at most in one, {:.1f} bytes/s, {:.0f} baud\n",
+                     what, load.frames_per_s.to_double(), load.largest_frame,
+                     load.bytes_per_s.to_double(), load.baud.to_double());
+}
+
+}  // namespace
+
+std::string plan_text(const PlanReport& report) {
+  const Plan& plan = *report.plan;
+  std::string text = fmt::format("{}: {} nodes on {}\n\nrates\n", plan.graph->name,
+                                 plan.graph->nodes.size(), plan.graph->engine().entity->id.value);
+  for (std::size_t rate = 0; rate < plan.rates.size(); ++rate) {
+    text += fmt::format("  {} Hz:", plan.rates[rate].rate_hz.to_string());
+    for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
+      if (plan.nodes[n].rate == rate) text += " " + plan.graph->nodes[n].name;
+    }
+    text += "\n";
+  }
+  text += plan.schedule.slots
+              ? fmt::format("\n{} slots in a hyperperiod, {}\n", *plan.schedule.slots,
+                            name_of(plan.schedule.form))
+              : fmt::format("\ntoo many slots in a hyperperiod to count, {}\n",
+                            name_of(plan.schedule.form));
+  std::uint64_t messages = 0, bytes = 0;
+  for (const auto& ring : plan.rings) {
+    messages += ring.capacity;
+    bytes += ring.capacity * bytes_of(ring.space);
+  }
+  return text + fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(),
+                            messages, bytes);
+}
+
+std::string timing_text(const PlanReport& report) {
+  std::string text = "\nage of a sensor's data at an actuator's ticks, at most\n";
+  if (report.ages.empty()) text += "  no sensor's data reach an actuator\n";
+  for (const auto& age : report.ages) {
+    text += fmt::format("  {} -> {}: newest {}, oldest {}{}\n", age.sensor, age.actuator,
+                        milliseconds(age.newest_s),
+                        age.oldest_s ? milliseconds(*age.oldest_s) : "unknown",
+                        age.exact ? "" : " (sums over connections)");
+    for (const auto& hop : age.way)
+      text += fmt::format("    -> {:<24} {}\n", hop.input, milliseconds(hop.newest_s));
+  }
+  if (report.link.messages.empty()) return text;
+  text += fmt::format("\na serial link to the engine would carry ({} bytes of framing a frame)\n",
+                      kFrameBytes);
+  text += load_text("sensors", report.link.sensors);
+  return text + load_text("actuators", report.link.actuators);
+}
+
+}  // namespace eagerx::gen
