@@ -146,7 +146,8 @@ int run(std::vector<std::string> arguments) {
   app.require_subcommand(1);
   CLI::App& generate = *app.add_subcommand("generate", "write the program of a graph");
   CLI::App& check = *app.add_subcommand("check", "only look for problems");
-  CLI::App& info = *app.add_subcommand("info", "list entities and targets, or explain one or a graph");
+  CLI::App& info =
+      *app.add_subcommand("info", "list entities and targets, or explain one or a graph");
   CLI::App& import = *app.add_subcommand(
       "import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph");
   const CLI::App& schema =

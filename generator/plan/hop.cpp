@@ -61,8 +61,7 @@ std::optional<Hop> make_hop(const Plan& plan, std::size_t node, std::size_t inpu
   if (!settle(hop, Counts{hop.a, hop.b, hop.x, what.skip})) return std::nullopt;
   // n / rate - newest(n) / source rate, in steps of a quantum common to both.
   const std::int64_t step = std::gcd(hop.source_period, hop.period);
-  const std::int64_t steps =
-      hop.x + hop.b - 1 - hop.b * (hop.received - 1) - hop.a * hop.off;
+  const std::int64_t steps = hop.x + hop.b - 1 - hop.b * (hop.received - 1) - hop.a * hop.off;
   if (steps > kMaxQuanta / step) return std::nullopt;
   hop.newest_bound = steps * step;
   const std::int64_t more = (hop.window == 0 ? ceil_div(hop.a, hop.b) : hop.window) - 1;

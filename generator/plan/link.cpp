@@ -54,8 +54,8 @@ class LinkReader {
       load.largest_frame += message.bytes;  // at an episode's start everything is due
     }
     load.frames_per_s = frames_per_s(rates_[to_engine ? 1 : 0]);
-    load.baud = Rational(kBitsOfByte) *
-                (load.bytes_per_s + Rational(kFrameBytes) * load.frames_per_s);
+    load.baud =
+        Rational(kBitsOfByte) * (load.bytes_per_s + Rational(kFrameBytes) * load.frames_per_s);
     return load;
   }
 
@@ -71,9 +71,9 @@ class LinkReader {
     const auto due = std::count_if(plan_.schedule.masks.begin(), plan_.schedule.masks.end(),
                                    [&](std::uint64_t mask) { return (mask & rates) != 0; });
     const RateClass& fastest = plan_.rates.front();
-    const Rational hyperperiods_per_s =
-        fastest.rate_hz * Rational(static_cast<std::int64_t>(fastest.period)) /
-        Rational(static_cast<std::int64_t>(hyperperiod));
+    const Rational hyperperiods_per_s = fastest.rate_hz *
+                                        Rational(static_cast<std::int64_t>(fastest.period)) /
+                                        Rational(static_cast<std::int64_t>(hyperperiod));
     return Rational(due) * hyperperiods_per_s;
   }
 

@@ -18,31 +18,32 @@ void check_ages(const PlanReport& report, const Node& entry, Diagnostics& diagno
         fmt::format("data of `{}` are up to {:.4g} s old at `{}`, {:.4g} s over the budget of {} s",
                     age.sensor, age.newest_s.to_double(), age.actuator,
                     (age.newest_s - *limit).to_double(), limit->to_string()));
-    const auto most = std::max_element(
-        age.way.begin(), age.way.end(),
-        [](const AgeHop& a, const AgeHop& b) { return a.newest_s < b.newest_s; });
-    problem.notes.push_back(
-        {fmt::format("the connection to `{}` adds most of it", most->input), most->span,
-         fmt::format("up to {:.4g} s", most->newest_s.to_double())});
+    const auto most =
+        std::max_element(age.way.begin(), age.way.end(),
+                         [](const AgeHop& a, const AgeHop& b) { return a.newest_s < b.newest_s; });
+    problem.notes.push_back({fmt::format("the connection to `{}` adds most of it", most->input),
+                             most->span,
+                             fmt::format("up to {:.4g} s", most->newest_s.to_double())});
   }
 }
 
 void check_link(const PlanReport& report, const Node& entry, Diagnostics& diagnostics) {
   const auto limit = Rational::parse(entry.text);
   if (!limit || report.link.baud() <= *limit) return;
-  auto& problem = diagnostics.error(
-      "E0420", entry.span,
-      fmt::format("a link to the engine needs {} baud, {} over its budget of {}",
-                  report.link.baud().ceil(), (report.link.baud() - *limit).ceil(),
-                  limit->to_string()));
+  auto& problem =
+      diagnostics.error("E0420", entry.span,
+                        fmt::format("a link to the engine needs {} baud, {} over its budget of {}",
+                                    report.link.baud().ceil(), (report.link.baud() - *limit).ceil(),
+                                    limit->to_string()));
   const bool to_engine = report.link.sensors.baud < report.link.actuators.baud;
   const LinkMessage* most = nullptr;
   for (const auto& message : report.link.messages) {
     if (message.to_engine != to_engine) continue;
     if (most == nullptr || most->bytes_per_s() < message.bytes_per_s()) most = &message;
   }
-  problem.notes.push_back({fmt::format("`{}` takes most of it", most->name), most->span,
-                           fmt::format("{} bytes at {} Hz", most->bytes, most->rate_hz.to_string())});
+  problem.notes.push_back(
+      {fmt::format("`{}` takes most of it", most->name), most->span,
+       fmt::format("{} bytes at {} Hz", most->bytes, most->rate_hz.to_string())});
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ Json time_of(const Rational& seconds) {
 }
 
 Json json_of(const DataAge& age) {
-  Json json = {{"sensor", age.sensor}, {"actuator", age.actuator}, {"newest", time_of(age.newest_s)}};
+  Json json = {
+      {"sensor", age.sensor}, {"actuator", age.actuator}, {"newest", time_of(age.newest_s)}};
   json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
   json["reached"] = age.exact;
   json["way"] = Json::array();

@@ -24,9 +24,10 @@ std::string milliseconds(const Rational& seconds) {
 }
 
 std::string load_text(const char* what, const LinkLoad& load) {
-  return fmt::format("  {:<10} {:>10.1f} frames/s, {} bytes at most in one, {:.1f} bytes/s, {:.0f} baud\n",
-                     what, load.frames_per_s.to_double(), load.largest_frame,
-                     load.bytes_per_s.to_double(), load.baud.to_double());
+  return fmt::format(
+      "  {:<10} {:>10.1f} frames/s, {} bytes at most in one, {:.1f} bytes/s, {:.0f} baud\n", what,
+      load.frames_per_s.to_double(), load.largest_frame, load.bytes_per_s.to_double(),
+      load.baud.to_double());
 }
 
 }  // namespace
@@ -42,11 +43,10 @@ std::string plan_text(const PlanReport& report) {
     }
     text += "\n";
   }
-  text += plan.schedule.slots
-              ? fmt::format("\n{} slots in a hyperperiod, {}\n", *plan.schedule.slots,
-                            name_of(plan.schedule.form))
-              : fmt::format("\ntoo many slots in a hyperperiod to count, {}\n",
-                            name_of(plan.schedule.form));
+  text += plan.schedule.slots ? fmt::format("\n{} slots in a hyperperiod, {}\n",
+                                            *plan.schedule.slots, name_of(plan.schedule.form))
+                              : fmt::format("\ntoo many slots in a hyperperiod to count, {}\n",
+                                            name_of(plan.schedule.form));
   std::uint64_t messages = 0, bytes = 0;
   for (const auto& ring : plan.rings) {
     messages += ring.capacity;

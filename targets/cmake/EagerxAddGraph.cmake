@@ -45,7 +45,8 @@ function(eagerx_add_graph)
   _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
   _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${arg_BOARD} "${arg_ENGINE}" "${paths}")
   if(toolchain AND NOT CMAKE_CROSSCOMPILING)
-    _eagerx_build_with_toolchain(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder} ${toolchain} ${arg_GRAPH})
+    _eagerx_build_with_toolchain(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder} ${toolchain} ${arg_GRAPH}
+                                 "${arg_ENGINE}" "${paths}")
   else()
     _eagerx_build_here(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder})
     foreach(path IN LISTS paths)
@@ -128,7 +129,7 @@ function(_eagerx_build_here target stamp output board board_folder)
 endfunction()
 
 # A program for another compiler: the generated tree is a project of its own.
-function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain graph)
+function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain graph engine paths)
   set(build ${CMAKE_CURRENT_BINARY_DIR}/${target}.build)
   set(image ${build}/${target}.elf)
   cmake_path(GET board_folder PARENT_PATH targets_folder)
@@ -152,10 +153,17 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
     COMMENT "Building ${target} for ${board}"
     VERBATIM)
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE ${image})
+  set(options)
+  if(engine)
+    list(APPEND options --engine ${engine})
+  endif()
+  foreach(path IN LISTS paths)
+    list(APPEND options --path ${path})
+  endforeach()
   # What the image takes; fails when that is more than the graph's `budget:`.
   add_custom_target(
     ${target}.size
-    COMMAND eagerx::eagerx-gen size ${image} --build ${build} --graph ${graph}
+    COMMAND eagerx::eagerx-gen size ${image} --build ${build} --graph ${graph} ${options}
     DEPENDS ${stamp}.configured
     COMMENT "Measuring ${target}"
     VERBATIM)
