@@ -46,28 +46,34 @@ class Measurement {
       if (std::sscanf(std::string(line).c_str(), "%llu %llu %llu", &text, &data, &bss) != 3) return;
       report.flash = text + data;
       report.ram = data + bss;
+      image_bytes_ = text + data + bss;
       found = true;
     });
     return found;
   }
 
   bool read_symbols() {
-    for_each_line(
-        {prefix_ + "nm", "-S", "-C", "--defined-only", image_}, [&](std::string_view line) {
-          const auto first = line.find(' ');
-          const auto second = line.find(' ', first + 1);
-          if (second == first + 2) {  // address type name: no size
-            ends_[std::string(line.substr(second + 1))] = hex(line.substr(0, first));
-            return;
-          }
-          Symbol symbol{hex(line.substr(0, first)), hex(line.substr(first + 1, second - first - 1)),
-                        line[second + 1], std::string(line.substr(second + 3))};
-          constexpr std::uint64_t kThumb = 1;
-          if (std::string_view("tTwW").find(symbol.type) != std::string_view::npos)
-            symbol.address &= ~kThumb;
-          symbols_[symbol.address] = symbol;  // one of those that share an address
-        });
+    for_each_line({prefix_ + "nm", "-S", "-C", "--defined-only", image_},
+                  [&](std::string_view line) { read_symbol(line); });
     return !symbols_.empty();
+  }
+
+  /// "address size type name", or "address type name".
+  void read_symbol(std::string_view line) {
+    const auto first = line.find(' ');
+    const auto second = first == line.npos ? line.npos : line.find(' ', first + 1);
+    if (second == line.npos) return;
+    if (second == first + 2) {
+      ends_[std::string(line.substr(second + 1))] = hex(line.substr(0, first));
+      return;
+    }
+    if (line.size() < second + 4 || line[second + 2] != ' ') return;
+    Symbol symbol{hex(line.substr(0, first)), hex(line.substr(first + 1, second - first - 1)),
+                  line[second + 1], std::string(line.substr(second + 3))};
+    constexpr std::uint64_t kThumb = 1;
+    if (is_code(symbol)) symbol.address &= ~kThumb;
+    if (symbol.size > image_bytes_) return;  // of another image, or nonsense
+    symbols_[symbol.address] = symbol;       // one of those that share an address
   }
 
   static bool is_code(const Symbol& symbol) {
@@ -186,6 +192,9 @@ class Measurement {
     const auto value = [](std::string_view line) {
       return std::string(line.substr(line.rfind(' ') + 1));
     };
+    const auto number = [&](std::string_view line) {
+      return std::strtoull(value(line).c_str(), nullptr, 0);
+    };
     const auto finish = [&] {
       if (right_size && members.size() > best.size()) best = members;
       members.clear();
@@ -202,12 +211,12 @@ class Measurement {
           } else if (!inside) {
             return;
           } else if (!in_member && line.find("DW_AT_byte_size") != std::string_view::npos) {
-            right_size = right_size || std::stoull(value(line), nullptr, 0) == size;
+            right_size = right_size || number(line) == size;
           } else if (in_member && line.find("DW_AT_name") != std::string_view::npos) {
             name = value(line);
           } else if (in_member &&
                      line.find("DW_AT_data_member_location") != std::string_view::npos) {
-            members[std::stoull(value(line), nullptr, 0)] = name;
+            if (const auto offset = number(line); offset < size) members[offset] = name;
           }
         });
     finish();
@@ -235,6 +244,7 @@ class Measurement {
   }
 
   std::string image_, prefix_;
+  std::uint64_t image_bytes_ = 0;  // flash and RAM: no symbol can be larger
   std::map<std::uint64_t, Symbol> symbols_;
   std::map<std::string, std::uint64_t> ends_;
   std::vector<Frames> addresses_;

@@ -5,6 +5,12 @@
 
 namespace eagerx::gen {
 
+namespace {
+
+constexpr std::size_t kMaxLine = 16'000;  // std::regex takes stack for every character
+
+}  // namespace
+
 std::string ProgramMap::owner_of_member(const std::string& member) const {
   if (const auto node = node_of_member.find(member); node != node_of_member.end())
     return node->second;
@@ -24,6 +30,7 @@ ProgramMap read_program_map(const std::string& path) {
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
+    if (line.size() > kMaxLine) continue;
     if (std::regex_match(line, match, kHead)) {
       node = match[2];
       end = match[1].str() + "}";

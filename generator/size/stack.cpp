@@ -3,6 +3,7 @@
 #include "generator/size/stack.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -23,6 +24,16 @@ struct Function {
 };
 using Functions = std::map<std::string, Function>;
 
+/// Lines are read with std::regex, which takes stack for every character.
+constexpr std::size_t kMaxLine = 16'000;
+
+/// 0 for what does not fit.
+std::uint64_t number(const std::string& digits) {
+  constexpr std::uint64_t kMost = 1U << 30U;
+  const std::uint64_t value = std::strtoull(digits.c_str(), nullptr, 10);
+  return value <= kMost ? value : 0;
+}
+
 /// Bytes a list of registers such as `{r4, r5, lr}` or `{s16-s19}` takes.
 std::uint64_t bytes_of_registers(const std::string& list, bool vector) {
   std::uint64_t count = 0;
@@ -30,7 +41,9 @@ std::uint64_t bytes_of_registers(const std::string& list, bool vector) {
   for (std::sregex_iterator item(list.begin(), list.end(), kItem), last; item != last; ++item) {
     const bool range = (*item)[4].matched;
     const std::uint64_t width = vector && (*item)[1] == "d" ? 8 : 4;
-    count += width * (range ? std::stoul((*item)[4]) - std::stoul((*item)[2]) + 1 : 1);
+    const std::uint64_t first = number((*item)[2]);
+    const std::uint64_t last_one = range ? number((*item)[4]) : first;
+    count += width * (last_one >= first ? last_one - first + 1 : 1);
   }
   return count;
 }
@@ -44,9 +57,9 @@ std::uint64_t stack_taken(const std::string& text) {
   std::smatch match;
   if (std::regex_search(text, match, kPush))
     return bytes_of_registers(match[3], match[1].length() > 0);
-  if (std::regex_search(text, match, kSub)) return std::stoul(match[1]);
-  if (std::regex_search(text, match, kStore)) return std::stoul(match[2]);
-  if (std::regex_search(text, match, kRiscv)) return std::stoul(match[3]);
+  if (std::regex_search(text, match, kSub)) return number(match[1]);
+  if (std::regex_search(text, match, kStore)) return number(match[2]);
+  if (std::regex_search(text, match, kRiscv)) return number(match[3]);
   return 0;
 }
 
@@ -62,6 +75,7 @@ Functions read_disassembly(const std::string& prefix, const std::string& image) 
   std::smatch match;
   for_each_line({prefix + "objdump", "-d", "--no-show-raw-insn", image},
                 [&](std::string_view view) {
+                  if (view.size() > kMaxLine) return;
                   std::string line(view);
                   if (std::regex_match(line, match, kHead) && match[1].str().starts_with(".L"))
                     return;
@@ -95,11 +109,11 @@ void read_frames(const std::string& build, Functions& functions) {
     std::ifstream file(walk->path());
     std::smatch match;
     for (std::string line; std::getline(file, line);) {
-      if (!std::regex_search(line, match, kNode)) continue;
+      if (line.size() > kMaxLine || !std::regex_search(line, match, kNode)) continue;
       std::string title = match[1];
       title.erase(0, title.rfind(':') + 1);  // local functions: file:name
       std::uint64_t& frame = frames[title];
-      frame = std::max<std::uint64_t>(frame, std::stoul(match[2]));
+      frame = std::max<std::uint64_t>(frame, number(match[2]));
     }
   }
   for (auto& [name, function] : functions) {

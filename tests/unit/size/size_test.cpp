@@ -1,0 +1,270 @@
+// What the compiler's tools print, and what becomes of it; also when it is not what they should
+// print.
+#include "generator/size/size.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "generator/size/program_map.hpp"
+#include "generator/size/stack.hpp"
+#include "generator/size/tools.hpp"
+#include "tests/unit/size/tools.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr const char* kProgram = R"(class Program {
+  void before() {
+    if (due) {
+      // smooth: ButterworthFilter, graph.yaml:19:3
+      {
+        smooth_.callback(tick, in, out);
+      }
+      // pendulum/theta: FloatOutput, graph.yaml:9:3
+      {
+        pendulum_theta_.callback(tick, in, out);
+      }
+    }
+  }
+
+  // Messages: as many of each as its readers need.
+  float smooth_filtered_[2]{};
+
+  Smooth smooth_{};
+  FloatOutput pendulum_theta_{};
+};
+)";
+
+std::optional<SizeReport> measured(const Tools& tools, Diagnostics& diagnostics) {
+  return measure_image(tools.image(), tools.folder(), diagnostics);
+}
+
+/// An image with two nodes and a policy, as the tools describe one.
+void describe(Tools& tools) {
+  const std::string program = tools.file("graph/program.hpp", kProgram);
+  tools.says("size",
+             "   text    data     bss     dec     hex filename\n  100  8  40  148  94 image\n");
+  tools.says("nm",
+             "00000000 00000006 T eagerx_start\n00000011 00000004 t step\n"
+             "00000040 00000020 r graphs::g::policy::kLayer\n"
+             "20000000 B eagerx_bss_begin\n20000028 B eagerx_bss_end\n"
+             "20000000 00000018 b eagerx::(anonymous namespace)::program_of_run<G>::program\n");
+  tools.says(
+      "addr2line",
+      "0x00000000\n/x/targets/common/start.cpp:1\n0x00000002\n/x/targets/common/start.cpp:2\n"
+      "0x00000004\n/lib/libgcc.c:4\n"
+      "0x00000010\n/x/models/nodes/filter.hpp:3\n" +
+          program +
+          ":6\n"
+          "0x00000012\n" +
+          program + ":10\n");
+  tools.says(
+      "readelf",
+      " <1><2a>: Abbrev Number: 5 (DW_TAG_class_type)\n    <2b>   DW_AT_byte_size   : 24\n"
+      " <2><2c>: Abbrev Number: 6 (DW_TAG_member)\n    <2d>   DW_AT_name : smooth_filtered_\n"
+      "    <2e>   DW_AT_data_member_location: 0\n"
+      " <2><2f>: Abbrev Number: 6 (DW_TAG_member)\n    <30>   DW_AT_name : smooth_\n"
+      "    <31>   DW_AT_data_member_location: 8\n");
+}
+
+TEST(Size, BelongsToTheBlockOfItsNode) {
+  Tools tools;
+  describe(tools);
+  Diagnostics diagnostics;
+  const auto report = measured(tools, diagnostics);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->flash, 108U);
+  EXPECT_EQ(report->ram, 48U);
+  EXPECT_EQ(report->nodes.at("smooth").flash, 2U);
+  EXPECT_EQ(report->nodes.at("pendulum/theta").flash, 2U);
+  EXPECT_EQ(report->others.at("board").flash, 4U);
+  EXPECT_EQ(report->others.at("libraries").flash, 2U);
+  EXPECT_EQ(report->others.at("policy").flash, 32U);
+  EXPECT_EQ(report->others.at("rings").ram, 8U);
+  EXPECT_EQ(report->nodes.at("smooth").ram, 16U) << "with the padding behind it";
+  EXPECT_EQ(report->others.at("other").flash, 108U - 42U) << "what has no symbol";
+}
+
+TEST(Size, PartsAddUpToTheImage) {
+  Tools tools;
+  describe(tools);
+  Diagnostics diagnostics;
+  const auto report = measured(tools, diagnostics);
+  ASSERT_TRUE(report);
+  Usage sum;
+  for (const auto* parts : {&report->nodes, &report->others}) {
+    for (const auto& [name, usage] : *parts) {
+      sum.flash += usage.flash;
+      sum.ram += usage.ram;
+    }
+  }
+  EXPECT_EQ(sum.flash, report->flash);
+  EXPECT_EQ(sum.ram, report->ram);
+}
+
+TEST(Size, RefusesWhatIsNoImage) {
+  Tools tools;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(measure_image(tools.file("text", "no image at all, but long"), ".", diagnostics));
+  EXPECT_FALSE(measure_image(tools.file("short",
+                                        "\x7f"
+                                        "ELF"),
+                             ".", diagnostics));
+  EXPECT_FALSE(measure_image(tools.folder() + "/none", ".", diagnostics));
+  EXPECT_EQ(diagnostics.error_count(), 3U);
+  for (const auto& problem : diagnostics.all()) EXPECT_EQ(problem.code, "E0911");
+}
+
+TEST(Size, ToolsThatSayNothingAreAnError) {
+  Tools tools;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(measured(tools, diagnostics));
+  ASSERT_EQ(diagnostics.error_count(), 1U);
+  EXPECT_EQ(diagnostics.all().front().code, "E0911");
+}
+
+TEST(Size, ToolsThatSayNonsenseDoNoHarm) {
+  const std::string nonsense[] = {"\n",
+                                  " \n",
+                                  "x\n",
+                                  "a b\n",
+                                  "a b c\n",
+                                  "00000000 ffffffffffffffff T f\n",
+                                  "0 9999999999999999999999 T f g\n",
+                                  "::::\n",
+                                  "0x\n:\n",
+                                  "<>:\n 0: sub sp, #\n",
+                                  std::string(100'000, 'a') + "\n",
+                                  std::string(5'000, ' ') + "\n"};
+  for (const std::string& text : nonsense) {
+    for (const char* tool : {"size", "nm", "addr2line", "objdump", "readelf"}) {
+      Tools tools;
+      describe(tools);
+      tools.says(tool, text);
+      tools.file("a.ci", text);
+      Diagnostics diagnostics;
+      const auto report = measured(tools, diagnostics);
+      EXPECT_NE(report.has_value(), diagnostics.has_errors())
+          << tool << " says " << text.substr(0, 40);
+    }
+  }
+}
+
+TEST(Size, MembersThatAreNoNumbers) {
+  Tools tools;
+  describe(tools);
+  tools.says(
+      "readelf",
+      " <1><2a>: Abbrev Number: 5 (DW_TAG_class_type)\n    <2b>   DW_AT_byte_size   : 24\n"
+      " <2><2c>: Abbrev Number: 6 (DW_TAG_member)\n    <2d>   DW_AT_name : smooth_\n"
+      "    <2e>   DW_AT_data_member_location: many\n"
+      " <2><2f>: Abbrev Number: 6 (DW_TAG_member)\n    <30>   DW_AT_name : smooth_filtered_\n"
+      "    <31>   DW_AT_data_member_location: 99999999999999999999999999\n");
+  Diagnostics diagnostics;
+  const auto report = measured(tools, diagnostics);
+  ASSERT_TRUE(report);
+  EXPECT_LE(report->nodes.at("smooth").ram, 24U);
+}
+
+constexpr const char* kDisassembly =
+    "00000000 <eagerx_start>:\n   0:\tpush\t{r4, r5, r6, lr}\n   2:\tbl\t10 <step>\n\n"
+    "00000010 <step>:\n  10:\tstmdb\tsp!, {r4, lr}\n  14:\tvpush\t{d8-d9}\n  16:\tsub\tsp, #24\n"
+    "  18:\tbl\t30 <leaf>\n  1a:\tblx\tr3\n\n00000030 <leaf>:\n  30:\tstr\tr7, [sp, #-8]!\n";
+
+TEST(Stack, IsTheDeepestChain) {
+  Tools tools;
+  tools.says("objdump", kDisassembly);
+  const StackBound bound = stack_bound("arm-none-eabi-", tools.image(), tools.folder());
+  EXPECT_EQ(bound.bytes, 16U + (8 + 16 + 24) + 8);
+  EXPECT_EQ(bound.path, (std::vector<std::string>{"eagerx_start", "step", "leaf"}));
+  EXPECT_EQ(bound.unbounded, std::vector<std::string>{"step"});
+}
+
+TEST(Stack, TheCompilersFiguresCountInsteadOfInstructions) {
+  Tools tools;
+  tools.says("objdump", kDisassembly);
+  tools.file(
+      "sub/a.ci",
+      "node: { title: \"step\" label: \"step()\\na.cpp:1:1\\n100 bytes (static)\" }\n"
+      "node: { title: \"a.cpp:leaf\" label: \"leaf()\\na.cpp:9:1\\n12 bytes (dynamic,bounded)\" }\n"
+      "node: { title: \"leaf\" label: \"no figure\" }\nnode: {\n");
+  EXPECT_EQ(stack_bound("arm-none-eabi-", tools.image(), tools.folder()).bytes, 16U + 100 + 12);
+}
+
+TEST(Stack, FunctionsThatCallThemselvesAreNamed) {
+  Tools tools;
+  tools.says("objdump",
+             "00000000 <main>:\n   0:\tbl\t10 <even>\n\n00000010 <even>:\n  10:\tpush\t{lr}\n"
+             "  12:\tbl\t20 <odd>\n\n00000020 <odd>:\n  20:\tbl\t10 <even>\n");
+  const StackBound bound = stack_bound("arm-none-eabi-", tools.image(), tools.folder());
+  EXPECT_EQ(bound.bytes, 4U);
+  EXPECT_EQ(bound.unbounded, std::vector<std::string>{"even"});
+}
+
+TEST(ProgramMap, KnowsLinesMembersAndTypes) {
+  const Tools tools;
+  const ProgramMap map = read_program_map(tools.file("program.hpp", kProgram));
+  EXPECT_EQ(map.node_of_line.at(6), "smooth");
+  EXPECT_EQ(map.node_of_line.at(10), "pendulum/theta");
+  EXPECT_EQ(map.type_of_node.at("pendulum/theta"), "FloatOutput");
+  EXPECT_EQ(map.owner_of_member("pendulum_theta_"), "pendulum/theta");
+  EXPECT_EQ(map.owner_of_member("smooth_filtered_"), "rings");
+  EXPECT_EQ(map.owner_of_member("pendulum_simulator_"), "simulators");
+  EXPECT_EQ(map.owner_of_member("n30Hz_"), "schedule");
+  EXPECT_TRUE(read_program_map(tools.folder() + "/none").node_of_line.empty());
+}
+
+TEST(ToolPrefix, IsThatOfTheMachine) {
+  const Tools tools;
+  constexpr int kRiscv = 243;
+  constexpr int kX86 = 62;
+  EXPECT_EQ(tool_prefix(tools.image()), "arm-none-eabi-");
+  EXPECT_EQ(tool_prefix(tools.file("r", Tools::elf(kRiscv))), "riscv64-unknown-elf-");
+  EXPECT_EQ(tool_prefix(tools.file("x", Tools::elf(kX86))), "");
+  EXPECT_EQ(tool_prefix(tools.file("t", "text")), std::nullopt);
+}
+
+TEST(ForEachLine, TellsWhetherAProgramRan) {
+  std::vector<std::string> lines;
+  const auto keep = [&](std::string_view line) { lines.emplace_back(line); };
+  EXPECT_EQ(for_each_line({"printf", "one\\n\\nit's"}, keep), 0);
+  EXPECT_EQ(lines, (std::vector<std::string>{"one", "", "it's"}));
+  EXPECT_EQ(for_each_line({"false"}, keep), 1);
+  EXPECT_EQ(for_each_line({"there is no such program"}, keep), -1);
+}
+
+SizeReport example() {
+  SizeReport report;
+  report.flash = 100;
+  report.ram = 20;
+  report.nodes["smooth"] = {60, 16};
+  report.others["other"] = {40, 4};
+  report.stack = {64, {"eagerx_start", "step"}, {"step"}};
+  return report;
+}
+
+TEST(Report, AsText) {
+  EXPECT_EQ(
+      size_text(example()),
+      "bytes                           flash      RAM\n"
+      "smooth                             60       16\n"
+      "other                              40        4\n"
+      "all                               100       20\n\n"
+      "stack: 64 bytes at most, through 1 calls; not counted is what step call through pointers or "
+      "again themselves; interrupts come on top\n");
+}
+
+TEST(Report, AsJson) {
+  SizeReport report = example();
+  report.instructions = Instructions{300, 10, 30, 12.5};
+  const auto json = nlohmann::json::parse(size_json(report));
+  EXPECT_EQ(json["flash"], 100);
+  EXPECT_EQ(json["nodes"]["smooth"]["ram"], 16);
+  EXPECT_EQ(json["stack"]["unbounded"][0], "step");
+  EXPECT_EQ(json["instructions"]["most"], 30);
+  EXPECT_EQ(json["instructions"]["mean"], 12.5);
+}
+
+}  // namespace
+}  // namespace eagerx::gen
