@@ -263,11 +263,8 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
   spec.observations = read_selection(*root.find("observations"), diagnostics);
   spec.connections = read_connections(root.find("connections"), diagnostics);
   spec.agent = read_agent(root.find("agent"), diagnostics);
-<<<<<<< HEAD
   spec.safety = read_safety(root.find("safety"));
-=======
   if (const Node* budget = root.find("budget")) spec.budget = *budget;
->>>>>>> c033ca5 (Ages of data and load of a link from the plan, in info, size and as budgets)
   return spec;
 }
 

@@ -128,11 +128,8 @@ struct GraphSpec {
   std::vector<ComponentSpec> observations;
   std::vector<ConnectionSpec> connections;
   AgentSpec agent;
-<<<<<<< HEAD
   std::optional<SafetySpec> safety;
-=======
   std::optional<Node> budget;
->>>>>>> c033ca5 (Ages of data and load of a link from the plan, in info, size and as budgets)
 };
 
 /// The table of the graph file.
