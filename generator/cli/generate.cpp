@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/report/report.hpp"
@@ -118,7 +119,15 @@ int generate_command(const Options& options) {
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::absolute(folder).lexically_normal().string();
+  const bool standalone = options.standalone || !options.packages.empty();
+  if (standalone) emit_options.header_folder = kHeaderFolder;
+  emit_options.packages = package_folders(run, options.packages);
+  if (standalone)
+    emit_options.packages.insert(emit_options.packages.begin(),
+                                 (fs::path(run.root) / "templates" / "standalone").string());
+  if (run.diagnostics.has_errors()) return finish(run, options);
   auto files = emit(*run.plan, run.network, emit_options, run.diagnostics);
+  if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result || !write_depfile(run, options)) return finish(run, options);

@@ -59,6 +59,12 @@ void add_library(CLI::App& app, Options& options) {
 void add_output(CLI::App& app, Options& options) {
   app.add_option("-o,--output", options.output, "output folder (default: generated/<graph name>)")
       ->type_name("DIR");
+  app.add_flag("--standalone", options.standalone,
+               "put everything into the output that is needed to compile it");
+  app.add_option("--package", options.packages,
+                 "make the output a package too, and standalone: arduino, esp-idf, platformio, "
+                 "zephyr; may be repeated")
+      ->type_name("NAME");
   app.add_option("--depfile", options.depfile,
                  "also write what the output depends on; names FILE without its .d as the target")
       ->type_name("FILE.d");

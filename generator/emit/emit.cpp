@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "generator/emit/names.hpp"
@@ -24,9 +25,9 @@ class Emitter {
         names_(plan) {}
 
   std::optional<std::vector<GeneratedFile>> run() {
-    const std::string folder = plan_.graph->name + "/";
+    const std::string folder = options_.header_folder + plan_.graph->name + "/";
     add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
-    const fs::path here = fs::path(options_.output) / plan_.graph->name;
+    const fs::path here = fs::path(options_.output) / folder;
     View io = io_view(plan_, names_,
                       {options_.builtin_root, here.string()});  // decides which nodes share an Io
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
@@ -39,6 +40,7 @@ class Emitter {
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", policy_view(*network_));
     add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
     for (const Target* target : options_.targets) add_target(*target);
+    for (const auto& package : options_.packages) add_package(package);
     if (failed_) return std::nullopt;
     return std::move(files_);
   }
@@ -49,6 +51,10 @@ class Emitter {
     const std::size_t dot = options_.version.find('.');
     view.set("name", plan_.graph->name);
     // A graph may be called `time` or `read`, as functions of the C library are.
+    std::string upper = plan_.graph->name;
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    view.set("upper_name", upper);
     view.set("namespace", "graphs::" + plan_.graph->name);
     view.set("header", plan_.graph->name + "/graph.hpp");
     view.set("file",
@@ -90,10 +96,29 @@ class Emitter {
     }
     view["targets"] = std::move(targets);
     view.set("first", options_.targets.front()->id.value);
+    view.set("standalone", !options_.header_folder.empty());
     const auto packages = packages_of(*plan_.graph);
     view.set("packages",
              packages.empty() ? View(false) : View(fmt::format("{}", fmt::join(packages, " "))));
     return view;
+  }
+
+  /// Every template of a folder, at the same place in the output; `@name@` in a path is the
+  /// graph's.
+  void add_package(const std::string& folder) {
+    std::vector<fs::path> found;
+    std::error_code error;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
+      if (entry.path().extension() == ".mustache") found.push_back(entry.path());
+    }
+    std::sort(found.begin(), found.end());
+    constexpr std::string_view kName = "@name@";
+    for (const auto& path : found) {
+      std::string output = path.lexically_relative(folder).replace_extension().generic_string();
+      for (auto at = output.find(kName); at != output.npos; at = output.find(kName))
+        output.replace(at, kName.size(), plan_.graph->name);
+      add_rendered(output, path.string(), View(View::type::object));
+    }
   }
 
   void add_target(const Target& target) {

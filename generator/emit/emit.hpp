@@ -22,6 +22,8 @@ struct EmitOptions {
   std::string version;                 // of the generator
   std::string builtin_root;            // headers below it are included as <models/…>
   std::string output;                  // others are included relative to the output folder
+  std::string header_folder;           // of the graph's headers in it: empty, or such as `src/`
+  std::vector<std::string> packages;   // folders of further templates, which keep their paths
 };
 
 /// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a

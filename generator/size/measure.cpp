@@ -145,7 +145,7 @@ class Measurement {
     if (has("/models/")) return owner_of_model(frame);
     if (has("/eagerx/policy") || has("/policy.hpp")) return "policy";
     if (has("/program.hpp")) return "schedule";
-    if (has("/runtime/eagerx/") || has("/graph.hpp")) return "runtime";
+    if (has("/runtime/eagerx/") || has("/src/eagerx/") || has("/graph.hpp")) return "runtime";
     if (has("/targets/")) return "board";
     return {};
   }

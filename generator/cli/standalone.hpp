@@ -1,0 +1,22 @@
+// A generated tree that needs no installed eagerx-gen: the headers and the target's files go with
+// it.
+#pragma once
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/emit/emit.hpp"
+
+namespace eagerx::gen {
+
+/// Folder of the headers in such a tree.
+inline constexpr const char* kHeaderFolder = "src/";
+
+/// Adds what `files` include, directly or not, below `src/`, and the folders of the targets, what
+/// these name, and the toolchain files below `eagerx-gen/`. Headers of other folders than ours are
+/// included from there too. Problems: E0901 a file that cannot be read.
+bool carry_along(Run& run, const std::vector<const Target*>& targets, const std::string& output,
+                 std::vector<GeneratedFile>& files);
+
+/// Folders below templates/packages, by their names; E0502 for a name that there is not.
+std::vector<std::string> package_folders(Run& run, const std::vector<std::string>& names);
+
+}  // namespace eagerx::gen

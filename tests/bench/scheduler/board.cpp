@@ -1,0 +1,108 @@
+// Instructions of a slot besides the callbacks, on an emulated board: with `-icount shift=0` an
+// instruction takes a nanosecond, and SysTick counts in steps of 40 of them. GRAPH is the graph,
+// the other macros say how often its callbacks run in STEPS of its steps.
+#include <cstdint>
+#include <eagerx/window.hpp>
+#include <models/mix/mix.hpp>
+#include <targets/common/bare-metal/semihosting.hpp>
+
+#define EAGERX_TEXT(x) #x
+#define EAGERX_HEADER(x) EAGERX_TEXT(x / graph.hpp)
+#include EAGERX_HEADER(GRAPH)
+
+namespace {
+
+using eagerx::board::semihosting_write;
+using graphs::GRAPH::Graph;
+
+constexpr std::uint32_t kInstructionsATick = 40;  // 25 MHz
+
+volatile std::uint32_t& system_tick(std::uintptr_t offset) {
+  return *reinterpret_cast<volatile std::uint32_t*>(0xE000E010U + offset);
+}
+
+void print(std::uint32_t number) {
+  char text[12];
+  char* at = text + sizeof text;
+  *--at = '\0';
+  do {
+    *--at = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  semihosting_write(at);
+}
+
+/// In hundredths, of each of `times` runs.
+template <class Run>
+[[gnu::noinline]] std::uint32_t hundredths(std::uint32_t times, Run&& run) {
+  constexpr std::uint32_t kMost = 0xffffff;
+  system_tick(4) = kMost;
+  system_tick(8) = 0;
+  system_tick(0) = 5;  // processor clock, no interrupt
+  const std::uint32_t start = system_tick(8);
+  for (std::uint32_t i = 0; i < times; ++i) run(i);
+  const std::uint32_t end = system_tick(8);
+  return static_cast<std::uint32_t>(std::uint64_t{(start - end) & kMost} * kInstructionsATick *
+                                    100 / times);
+}
+
+constexpr std::uint32_t kMostWindow = 8;
+constexpr int kNodes = 12;
+std::uint32_t messages[kNodes + 1][kMostWindow];
+
+template <std::uint32_t Size>
+struct Io {
+  struct Inputs {
+    eagerx::Window<std::uint32_t, eagerx::Rate<1>, kMostWindow, Size, true> a;
+  };
+  struct Outputs {
+    std::uint32_t& mixed;
+  };
+  struct States {};
+};
+template <std::uint32_t Size>
+constinit eagerx::bench::Mix<Io<Size>> nodes[kNodes]{};
+
+template <std::uint32_t Size, int Node = 0>
+void call() {
+  if constexpr (Node < kNodes) {
+    typename Io<Size>::Outputs out{messages[Node + 1][0]};
+    nodes<Size>[Node].callback(eagerx::Tick{0}, {{messages[Node], Size}}, out);
+    asm volatile("" ::: "memory");  // the next one reads it as a message
+    call<Size, Node + 1>();
+  }
+}
+
+/// A callback with a window of Size messages, called in a straight line.
+template <std::uint32_t Size>
+[[gnu::noinline]] std::uint32_t bare() {
+  return hundredths(500, [](std::uint32_t) { call<Size>(); }) / kNodes;
+}
+
+graphs::GRAPH::Program<eagerx::NoTrace> program;
+
+[[gnu::noinline]] void step(std::uint32_t drive) {
+  asm volatile("" ::"r"(program.step({drive}).seen.back()));
+}
+
+}  // namespace
+
+int main() {
+  program.reset({});
+  const std::uint32_t whole = hundredths(2000, step);
+  const std::uint32_t one = bare<1>();
+  const std::uint32_t five = bare<5>();
+  const auto callbacks =
+      static_cast<std::uint32_t>((std::uint64_t{ONES} * one + std::uint64_t{FIVES} * five) / STEPS);
+  semihosting_write(EAGERX_TEXT(GRAPH));
+  for (const std::uint32_t number :
+       {whole, callbacks,
+        static_cast<std::uint32_t>((std::uint64_t{whole} - callbacks) * STEPS / SLOTS)}) {
+    semihosting_write(" ");
+    print(number / 100);
+    semihosting_write(number % 100 < 10 ? ".0" : ".");
+    print(number % 100);
+  }
+  semihosting_write("\n");
+  return 0;
+}

@@ -1,0 +1,27 @@
+// As much of Arduino's core as the example uses, on Linux, with the macros that the AVR core has.
+#pragma once
+
+#include <cstdio>
+
+#define min(a, b) ((a) < (b) ? (a) : (b))
+#define max(a, b) ((a) > (b) ? (a) : (b))
+#define abs(x) ((x) > 0 ? (x) : -(x))
+#define round(x) ((x) >= 0 ? (long)((x) + 0.5) : (long)((x)-0.5))
+#define bit(b) (1UL << (b))
+#define sq(x) ((x) * (x))
+#define radians(deg) ((deg) * 0.017453292519943295)
+#define constrain(amt, low, high) ((amt) < (low) ? (low) : ((amt) > (high) ? (high) : (amt)))
+#define F(string_literal) (string_literal)
+#define PI 3.1415926535897932384626433832795
+#define INPUT 0x0
+#define OUTPUT 0x1
+#define HIGH 0x1
+#define LOW 0x0
+
+struct SerialPort {
+  void begin(unsigned long) {}
+  void print(const char* text) { std::fputs(text, stdout); }
+  void print(char character) { std::fputc(character, stdout); }
+  void println() { std::fputc('\n', stdout); }
+};
+inline SerialPort Serial;

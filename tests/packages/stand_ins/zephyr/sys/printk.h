@@ -1,0 +1,6 @@
+// Zephyr's, on Linux.
+#pragma once
+
+#include <cstdio>
+
+#define printk(...) std::printf(__VA_ARGS__)
