@@ -7,8 +7,7 @@
 #include <targets/common/bare-metal/semihosting.hpp>
 
 #define EAGERX_TEXT(x) #x
-#define EAGERX_HEADER(x) EAGERX_TEXT(x / graph.hpp)
-#include EAGERX_HEADER(GRAPH)
+#include GRAPH_HEADER
 
 namespace {
 
