@@ -6,7 +6,8 @@
 #include <models/mix/mix.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 
-#define EAGERX_TEXT(x) #x
+#define EAGERX_WORD(x) #x
+#define EAGERX_TEXT(x) EAGERX_WORD(x)
 #include GRAPH_HEADER
 
 namespace {
