@@ -13,8 +13,8 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
     due.push_back("k" + rate_suffix(rate.rate_hz));
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
-  for (const char* taken : {"slot_", "due_", "countdown_", "warm_", "started_", "resetting_",
-                            "reset_timeouts_", "refused_delays_"})
+  for (const char* taken : {"slot_", "due_", "kind_", "countdown_", "warm_", "started_",
+                            "resetting_", "reset_timeouts_", "refused_delays_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));

@@ -5,6 +5,7 @@
 
 #include "generator/emit/names.hpp"
 #include "generator/emit/reset_view.hpp"
+#include "generator/emit/schedule_view.hpp"
 #include "generator/emit/types.hpp"
 
 namespace eagerx::gen {
@@ -28,7 +29,7 @@ class ProgramView {
     view.set("environment_rate", rate_type(graph_.environment().rate_hz));
     view.set("environment_tick", names_.counter[environment_rate()] + " - 1");
     add_rates(view);
-    add_schedule(view);
+    add_schedule(plan_, names_, view);
     add_actions(view);
     add_phase(view, "before", plan_.before);
     add_phase(view, "after", plan_.after);
@@ -60,82 +61,6 @@ class ProgramView {
     view["counters"] = std::move(counters);
     view.set("rate_count", fmt::format("{}", plan_.rates.size()));
     view.set("due_type", plan_.rates.size() <= 32 ? "std::uint32_t" : "std::uint64_t");
-  }
-
-  std::string mask_names(std::uint64_t mask) const {
-    std::vector<std::string> bits;
-    for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
-      if ((mask >> r & 1U) != 0) bits.push_back(names_.due[r]);
-    }
-    return fmt::format("{}", fmt::join(bits, " | "));
-  }
-  std::string constant(std::uint64_t mask) const {
-    return fmt::format("eagerx::Constant<{}>{{}}", mask_names(mask));
-  }
-
-  void add_schedule(View& view) const {
-    const Schedule& schedule = plan_.schedule;
-    const bool constants = schedule.form == ScheduleForm::constants;
-    const bool table = schedule.form == ScheduleForm::table;
-    view.set("is_constants", constants);
-    view.set("is_table", table);
-    view.set("is_countdown", schedule.form == ScheduleForm::countdown);
-    view.set("is_runtime", !constants);
-    view.set("schedule",
-             constants
-                 ? (schedule.masks.size() == 1
-                        ? std::string("a step is one slot")
-                        : fmt::format("a step is {} slots, written out", schedule.masks.size()))
-                 : (table ? fmt::format("the {} slots of the hyperperiod are a table of masks",
-                                        schedule.masks.size())
-                          : std::string("the next slot is found by a countdown of every rate")));
-    view.set("all", constants ? constant(schedule.masks.front()) : "");
-    add_runs(view, constants);
-    add_table(view, table);
-    std::vector<std::string> periods;
-    for (const auto& rate : plan_.rates) periods.push_back(fmt::format("{}", rate.period));
-    view.set("periods", "{" + joined(periods) + "}");
-  }
-
-  /// The slots after the environment's own, equal neighbours as one loop.
-  void add_runs(View& view, bool constants) const {
-    View runs = list();
-    const auto& masks = plan_.schedule.masks;
-    for (std::size_t i = 1; constants && i < masks.size();) {
-      std::size_t end = i;
-      while (end < masks.size() && masks[end] == masks[i]) ++end;
-      View run = object();
-      run.set("due", constant(masks[i]));
-      run.set("once", end - i == 1);
-      run.set("loop", end - i > 1);
-      run.set("count", fmt::format("{}", end - i));
-      runs.push_back(run);
-      i = end;
-    }
-    view.set("has_slot", constants && masks.size() > 1);
-    view["runs"] = std::move(runs);
-  }
-
-  void add_table(View& view, bool table) const {
-    const auto& masks = plan_.schedule.masks;
-    const std::size_t bits = plan_.rates.size();
-    view.set("mask_type", bits <= 8
-                              ? "std::uint8_t"
-                              : (bits <= 16 ? "std::uint16_t"
-                                            : (bits <= 32 ? "std::uint32_t" : "std::uint64_t")));
-    view.set("slot_type", masks.size() <= 255 ? "std::uint8_t" : "std::uint16_t");
-    view.set("slots", fmt::format("{}", masks.size()));
-    View lines = list();
-    constexpr std::size_t kInLine = 16;
-    for (std::size_t i = 0; table && i < masks.size(); i += kInLine) {
-      std::string text;
-      for (std::size_t k = i; k < std::min(i + kInLine, masks.size()); ++k)
-        text += fmt::format("{}{},", k == i ? "" : " ", masks[k]);
-      View line = object();
-      line.set("line", text);
-      lines.push_back(line);
-    }
-    view["mask_lines"] = std::move(lines);
   }
 
   /// Rings that hold a channel as the processor of one of its readers converts it.

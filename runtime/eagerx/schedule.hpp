@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 namespace eagerx {
 
@@ -10,29 +11,72 @@ namespace eagerx {
 template <auto Mask>
 using Constant = std::integral_constant<decltype(Mask), Mask>;
 
-/// For hyperperiods too long for a table: how far away the next tick of every rate is, in quanta.
-template <class Mask, std::uint32_t Rates>
+/// For hyperperiods too long for a table: how far away the next tick of every rate is.
+/// `Periods::kQuanta`: the periods in quanta, shortest first, each another. A rate whose period is
+/// a multiple of another's counts the ticks of that one, and only when there is one; the others
+/// count quanta.
+template <class Mask, class Periods>
 class Countdown {
  public:
   constexpr void reset() {
     for (auto& left : left_) left = 0;
   }
   /// The rates that are due next, earliest first.
-  constexpr Mask next(const std::uint64_t (&period)[Rates]) {
-    std::uint64_t step = left_[0];
-    for (std::uint32_t i = 1; i < Rates; ++i) step = left_[i] < step ? left_[i] : step;
-    Mask due = 0;
-    for (std::uint32_t i = 0; i < Rates; ++i) {
-      left_[i] -= step;
-      if (left_[i] != 0) continue;
-      due |= static_cast<Mask>(Mask{1} << i);
-      left_[i] = period[i];
-    }
-    return due;
-  }
+  constexpr Mask next() { return next(std::make_integer_sequence<std::uint32_t, kRates>{}); }
 
  private:
-  std::uint64_t left_[Rates]{};
+  static constexpr std::uint32_t kRates = sizeof(Periods::kQuanta) / sizeof(Periods::kQuanta[0]);
+
+  /// The slowest rate whose ticks rate `i` can count; itself if there is none.
+  static constexpr std::uint32_t counts_ticks_of(std::uint32_t i) {
+    std::uint32_t result = i;
+    for (std::uint32_t other = 0; other < i; ++other) {
+      if (Periods::kQuanta[i] % Periods::kQuanta[other] == 0) result = other;
+    }
+    return result;
+  }
+  static constexpr std::uint64_t count_of(std::uint32_t i) {
+    const std::uint32_t other = counts_ticks_of(i);
+    return other == i ? Periods::kQuanta[i] : Periods::kQuanta[i] / Periods::kQuanta[other];
+  }
+  static constexpr bool fits_32_bits() {
+    for (std::uint32_t i = 0; i < kRates; ++i) {
+      if (count_of(i) > 0xffffffffU) return false;
+    }
+    return true;
+  }
+  using Count = std::conditional_t<fits_32_bits(), std::uint32_t, std::uint64_t>;
+
+  template <std::uint32_t... I>
+  constexpr Mask next(std::integer_sequence<std::uint32_t, I...> /*rates*/) {
+    Count step = left_[0];  // the fastest rate counts quanta
+    (nearest<I>(step), ...);
+    Mask due = 0;
+    (advance<I>(step, due), ...);
+    return due;
+  }
+  template <std::uint32_t I>
+  constexpr void nearest(Count& step) const {
+    if constexpr (I > 0 && counts_ticks_of(I) == I) step = left_[I] < step ? left_[I] : step;
+  }
+  template <std::uint32_t I>
+  constexpr void advance(Count step, Mask& due) {
+    constexpr std::uint32_t kOther = counts_ticks_of(I);
+    constexpr Count kCount = static_cast<Count>(count_of(I));
+    Count left = left_[I];
+    if constexpr (kOther == I) {
+      left -= step;
+    } else if ((due & (Mask{1} << kOther)) == 0) {
+      return;
+    }
+    if (left == 0) {
+      due = static_cast<Mask>(due | Mask{1} << I);
+      left = kCount;
+    }
+    left_[I] = kOther == I ? left : left - 1;
+  }
+
+  Count left_[kRates]{};
 };
 
 }  // namespace eagerx

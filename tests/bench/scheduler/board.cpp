@@ -49,11 +49,13 @@ template <class Run>
 constexpr std::uint32_t kMostWindow = 8;
 constexpr int kNodes = 12;
 std::uint32_t messages[kNodes + 1][kMostWindow];
+eagerx::Seq received = 1000;  // by every node
 
 template <std::uint32_t Size>
 struct Io {
   struct Inputs {
-    eagerx::Window<std::uint32_t, eagerx::Rate<1>, kMostWindow, Size, true> a;
+    // As the programs have them: of one message, or in a ring that is not full yet at first.
+    eagerx::Window<std::uint32_t, eagerx::Rate<1>, Size == 1 ? 1 : kMostWindow, Size, Size == 1> a;
   };
   struct Outputs {
     std::uint32_t& mixed;
@@ -67,7 +69,7 @@ template <std::uint32_t Size, int Node = 0>
 void call() {
   if constexpr (Node < kNodes) {
     typename Io<Size>::Outputs out{messages[Node + 1][0]};
-    nodes<Size>[Node].callback(eagerx::Tick{0}, {{messages[Node], Size}}, out);
+    nodes<Size>[Node].callback(eagerx::Tick{0}, {{messages[Node], received}}, out);
     asm volatile("" ::: "memory");  // the next one reads it as a message
     call<Size, Node + 1>();
   }
