@@ -80,7 +80,7 @@ class Program {
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
   void before(const Mask due) {
-    n30Hz_ += (due & k30Hz) != 0;
+    if ((due & k30Hz) != 0) ++n30Hz_;
     if constexpr (eagerx::waits_for_slots<Trace>) {
       if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
     }
