@@ -63,10 +63,10 @@ std::int64_t Chip::bit_ns() const {
 std::size_t Chip::command(const std::uint8_t* bytes, std::size_t n, Fifo& to_host) {
   constexpr std::int64_t kCommandNs = 80;
   const std::uint8_t opcode = bytes[0];
-  const std::size_t arguments = opcode == 0x80 || opcode == 0x82 || opcode == 0x86 || opcode == 0x9e
-                                    ? 2
-                                : (opcode & 0x80U) == 0 ? std::size_t{(opcode & 2U) != 0 ? 1U : 2U}
-                                                        : 0;
+  const std::size_t arguments =
+      opcode == 0x80 || opcode == 0x82 || opcode == 0x86 || (opcode == 0x9e && has_open_drain_) ? 2
+      : (opcode & 0x80U) == 0 ? std::size_t{(opcode & 2U) != 0 ? 1U : 2U}
+                              : 0;
   if (n < 1 + arguments) return 0;
   at_ns_ += kCommandNs;
   if ((opcode & 0x80U) == 0 && (opcode & 0x30U) != 0) {
@@ -103,8 +103,10 @@ std::size_t Chip::command(const std::uint8_t* bytes, std::size_t n, Fifo& to_hos
     case 0x87:
     case 0x96:
     case 0x97:
-    case 0x9e:
       break;
+    case 0x9e:
+      if (has_open_drain_) break;
+      [[fallthrough]];
     default:
       to_host.put(0xfa);
       to_host.put(opcode);

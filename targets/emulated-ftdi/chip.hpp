@@ -54,6 +54,8 @@ class Chip {
   /// When the last command is through.
   std::int64_t busy_until_ns() const { return at_ns_; }
 
+  /// Of all chips, only the FT232H can drive pins to zero only (0x9e).
+  void set_open_drain(bool there) { has_open_drain_ = there; }
   void set_data_line(DataLine line) { line_ = line; }
   void refuse_next_i2c_byte() { refuse_ = true; }
   std::uint8_t high_pins() const { return high_values_; }
@@ -63,6 +65,7 @@ class Chip {
 
  private:
   static constexpr std::size_t kPending = 8192;
+  bool has_open_drain_ = true;
 
   /// Carries out the command at `bytes` and returns its length, 0 if it is not complete.
   std::size_t command(const std::uint8_t* bytes, std::size_t n, Fifo& to_host);

@@ -26,6 +26,13 @@ std::uint32_t kinds_of(const std::string& names) {
   return kinds;
 }
 
+const Model* model_of(const std::string& name) {
+  for (const Model* const model : {&kFt232h, &kFt2232h, &kFt4232h}) {
+    if (name == model->name) return model;
+  }
+  return nullptr;
+}
+
 Settings settings_from_environment() {
   Settings settings;
   const char* const text = std::getenv("EAGERX_EMULATOR");
@@ -50,6 +57,10 @@ Settings settings_from_environment() {
       settings.absent_s = std::strtod(value.c_str(), nullptr);
     } else if (name == "report") {
       settings.report = value;
+    } else if (name == "chip" && model_of(value) != nullptr) {
+      settings.model = *model_of(value);
+    } else if (name == "wired" && value.size() == 1 && value[0] >= 'A' && value[0] <= 'D') {
+      settings.wired = static_cast<unsigned>(value[0] - 'A');
     } else {
       std::fprintf(stderr, "emulated-ftdi: EAGERX_EMULATOR has no `%s`\n", name.c_str());
       std::exit(2);
@@ -80,11 +91,19 @@ Emulator::Emulator(Settings settings)
   if (settings_.absent_s > 0.0) {
     pull_out(static_cast<std::int64_t>(settings_.absent_s * double{kNsPerSecond}));
   }
+  set_model(settings_.model, settings_.wired);
   chip_.wire(0, encoder_);
   chip_.wire(1, converter_);
   chip_.wire(imu_);
   chip_.wire(pwm_);
   chip_.wire(servo_);
+}
+
+void Emulator::set_model(const Model& model, unsigned wired) {
+  settings_.model = model;
+  settings_.wired = wired;
+  chip_.set_open_drain(model.release == kFt232h.release);
+  chip_.reset();
 }
 
 void Emulator::report() const {
@@ -98,6 +117,7 @@ void Emulator::report() const {
   line("in", usb_.in);
   line("empty", usb_.empty);
   line("batches", usb_.batches);
+  line("elsewhere", usb_.elsewhere);
   line("samples", encoder_.samples());
   line("writes", converter_.writes());
   line("wrong_modes", chip_.wrong_modes());
@@ -141,10 +161,12 @@ std::int64_t Emulator::oversleep_ns() {
   return faults_.oversleep_ns();
 }
 
-int Emulator::control(std::uint64_t opened, std::uint8_t type, std::uint8_t request,
-                      std::uint16_t value, std::uint8_t* data, std::uint16_t n) {
+int Emulator::control(std::uint64_t opened, unsigned interface, std::uint8_t type,
+                      std::uint8_t request, std::uint16_t value, std::uint8_t* data,
+                      std::uint16_t n) {
   time_.pass(kTransferNs);
   if (gone(opened)) return kNoDevice;
+  if (type == 0x40 && interface != settings_.wired) return n;
   if (type == 0x40) {
     if (request == 0x00) {  // reset; 1 and 2 purge
       to_host_.clear();
@@ -152,7 +174,8 @@ int Emulator::control(std::uint64_t opened, std::uint8_t type, std::uint8_t requ
     } else if (request == 0x09) {
       latency_ms_ = static_cast<std::uint8_t>(value);
     } else if (request == 0x0b) {
-      chip_.set_mode(static_cast<std::uint8_t>(value >> 8U));
+      const bool has_mpsse = interface < settings_.model.with_mpsse;
+      chip_.set_mode(has_mpsse ? static_cast<std::uint8_t>(value >> 8U) : std::uint8_t{0});
     }
     return n;
   }
@@ -209,11 +232,12 @@ void Emulator::ends_badly(Fault fault) {
   }
 }
 
-int Emulator::bulk_out(std::uint64_t opened, const std::uint8_t* bytes, int n) {
+int Emulator::bulk_out(std::uint64_t opened, unsigned interface, const std::uint8_t* bytes, int n) {
   constexpr int kShortest = 8;  // longer than what only brings the chip into step
   constexpr std::uint8_t kAnswerAtOnce = 0x87;
-  ++usb_.out;
   time_.pass(kTransferNs + n * kByteNs);
+  if (interface != settings_.wired && !gone(opened)) return ++usb_.elsewhere, n;
+  ++usb_.out;
   if (gone(opened)) return kNoDevice;
   const bool asks = n > 0 && bytes[n - 1] == kAnswerAtOnce;
   usb_.batches += asks ? 1 : 0;
@@ -227,13 +251,20 @@ int Emulator::bulk_out(std::uint64_t opened, const std::uint8_t* bytes, int n) {
   return n;
 }
 
-int Emulator::bulk_in(std::uint64_t opened, std::uint8_t* bytes, int n, int& moved,
-                      unsigned timeout_ms) {
+int Emulator::bulk_in(std::uint64_t opened, unsigned interface, std::uint8_t* bytes, int n,
+                      int& moved, unsigned timeout_ms) {
   constexpr int kPacket = 512;
   constexpr int kStatus = 2;
   moved = 0;
   time_.pass(kTransferNs);
   if (gone(opened)) return kNoDevice;
+  if (interface != settings_.wired) {  // status bytes and nothing more
+    time_.pass(latency_ms_ * kNsPerMs);
+    ++usb_.elsewhere;
+    bytes[moved++] = 0x32;
+    bytes[moved++] = 0x60;
+    return 0;
+  }
   if (pull_out_next_) {
     pull_out(faults_.between(60, 400) * kNsPerMs);
     return kNoDevice;

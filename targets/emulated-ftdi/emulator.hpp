@@ -11,6 +11,18 @@
 
 namespace eagerx::emulated {
 
+/// Which chip the adapter has, as it says over USB (FTDI AN_121 and the data sheets).
+struct Model {
+  const char* name;
+  std::uint16_t product;
+  std::uint16_t release;  // bcdDevice, by which libftdi knows the chip
+  unsigned interfaces;
+  unsigned with_mpsse;  // the first ones; the others have a serial line only
+};
+inline constexpr Model kFt232h{"FT232H", 0x6014, 0x0900, 1, 1};
+inline constexpr Model kFt2232h{"FT2232H", 0x6010, 0x0700, 2, 2};
+inline constexpr Model kFt4232h{"FT4232H", 0x6011, 0x0800, 4, 2};
+
 /// From the environment variable EAGERX_EMULATOR, `name=value` with spaces between; see README.md.
 struct Settings {
   bool emulated_time = true;
@@ -21,14 +33,17 @@ struct Settings {
   double from_s = 0.0;    // no faults before
   double absent_s = 0.0;  // the adapter is plugged in so much later
   std::string report;
+  Model model = kFt232h;
+  unsigned wired = 0;  // the interface that the devices are on; nothing is on the others
 };
 
 /// What went over USB.
 struct UsbCounts {
-  std::uint64_t out = 0;      // bulk transfers to the chip
-  std::uint64_t in = 0;       // bulk transfers from the chip that carried an answer
-  std::uint64_t empty = 0;    // bulk transfers from the chip that did not
-  std::uint64_t batches = 0;  // transfers to the chip that ask for an answer at once
+  std::uint64_t out = 0;        // bulk transfers to the chip
+  std::uint64_t in = 0;         // bulk transfers from the chip that carried an answer
+  std::uint64_t empty = 0;      // bulk transfers from the chip that did not
+  std::uint64_t elsewhere = 0;  // bulk transfers of interfaces that nothing is wired to
+  std::uint64_t batches = 0;    // transfers to the chip that ask for an answer at once
 };
 
 /// Results of bulk and control transfers are libusb's error codes, or what was moved.
@@ -46,6 +61,10 @@ class Emulator {
   Encoder& encoder() { return encoder_; }
   Converter& converter() { return converter_; }
   const UsbCounts& usb() const { return usb_; }
+  const Model& model() const { return settings_.model; }
+  /// Another chip, with the devices on interface `wired` (0 is A). The adapter is to be opened
+  /// after that.
+  void set_model(const Model& model, unsigned wired);
 
   /// How much longer a sleep takes than it should.
   std::int64_t oversleep_ns();
@@ -55,10 +74,11 @@ class Emulator {
   bool is_there();
   /// Opening gives a number that is valid until the adapter is pulled out.
   std::uint64_t open();
-  int control(std::uint64_t opened, std::uint8_t type, std::uint8_t request, std::uint16_t value,
-              std::uint8_t* data, std::uint16_t n);
-  int bulk_out(std::uint64_t opened, const std::uint8_t* bytes, int n);
-  int bulk_in(std::uint64_t opened, std::uint8_t* bytes, int n, int& moved, unsigned timeout_ms);
+  int control(std::uint64_t opened, unsigned interface, std::uint8_t type, std::uint8_t request,
+              std::uint16_t value, std::uint8_t* data, std::uint16_t n);
+  int bulk_out(std::uint64_t opened, unsigned interface, const std::uint8_t* bytes, int n);
+  int bulk_in(std::uint64_t opened, unsigned interface, std::uint8_t* bytes, int n, int& moved,
+              unsigned timeout_ms);
   void pull_out(std::int64_t for_ns);
   /// Writes all counts to Settings::report, if that is not empty.
   void report() const;

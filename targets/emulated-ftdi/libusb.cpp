@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <targets/emulated-ftdi/emulator.hpp>
 
 struct libusb_context {
@@ -23,20 +24,30 @@ using eagerx::emulated::emulator;
 
 libusb_context context{};
 libusb_device device{};
-const std::array<libusb_endpoint_descriptor, 2> endpoints = {{
-    {7, LIBUSB_DT_ENDPOINT, 0x81, LIBUSB_TRANSFER_TYPE_BULK, 512, 0, 0, 0, nullptr, 0},
-    {7, LIBUSB_DT_ENDPOINT, 0x02, LIBUSB_TRANSFER_TYPE_BULK, 512, 0, 0, 0, nullptr, 0},
-}};
-libusb_interface_descriptor interface_descriptor{};
-libusb_interface usb_interface{};
+// Interface i of a chip has the endpoints 0x81 + 2i (to the host) and 0x02 + 2i.
+constexpr unsigned kMostInterfaces = 4;
+constexpr libusb_endpoint_descriptor endpoint(std::uint8_t address) {
+  return {7, LIBUSB_DT_ENDPOINT, address, LIBUSB_TRANSFER_TYPE_BULK, 512, 0, 0, 0, nullptr, 0};
+}
+const libusb_endpoint_descriptor endpoints[kMostInterfaces][2] = {{endpoint(0x81), endpoint(0x02)},
+                                                                  {endpoint(0x83), endpoint(0x04)},
+                                                                  {endpoint(0x85), endpoint(0x06)},
+                                                                  {endpoint(0x87), endpoint(0x08)}};
+std::array<libusb_interface_descriptor, kMostInterfaces> interface_descriptors{};
+std::array<libusb_interface, kMostInterfaces> usb_interfaces{};
 libusb_config_descriptor config_descriptor{};
+
+unsigned interface_of(unsigned char address) {
+  const unsigned number = address & 0x0fU;
+  return (address & LIBUSB_ENDPOINT_IN) != 0 ? (number - 1) / 2 : number / 2 - 1;
+}
 
 int bulk(libusb_device_handle* handle, unsigned char endpoint, unsigned char* data, int length,
          int& moved, unsigned timeout) {
   if ((endpoint & LIBUSB_ENDPOINT_IN) != 0) {
-    return emulator().bulk_in(handle->opened, data, length, moved, timeout);
+    return emulator().bulk_in(handle->opened, interface_of(endpoint), data, length, moved, timeout);
   }
-  const int result = emulator().bulk_out(handle->opened, data, length);
+  const int result = emulator().bulk_out(handle->opened, interface_of(endpoint), data, length);
   moved = result < 0 ? 0 : result;
   return result < 0 ? result : 0;
 }
@@ -88,8 +99,8 @@ int libusb_get_device_descriptor(libusb_device* /*device*/, libusb_device_descri
   to->bcdUSB = 0x0200;
   to->bMaxPacketSize0 = 64;
   to->idVendor = 0x0403;
-  to->idProduct = 0x6014;
-  to->bcdDevice = 0x0900;  // FT232H
+  to->idProduct = emulator().model().product;
+  to->bcdDevice = emulator().model().release;
   to->iManufacturer = 1;
   to->iProduct = 2;
   to->iSerialNumber = 3;
@@ -98,14 +109,17 @@ int libusb_get_device_descriptor(libusb_device* /*device*/, libusb_device_descri
 }
 int libusb_get_config_descriptor(libusb_device* /*device*/, std::uint8_t /*index*/,
                                  libusb_config_descriptor** to) {
-  interface_descriptor.bNumEndpoints = endpoints.size();
-  interface_descriptor.endpoint = endpoints.data();
-  interface_descriptor.bInterfaceClass = LIBUSB_CLASS_VENDOR_SPEC;
-  usb_interface.altsetting = &interface_descriptor;
-  usb_interface.num_altsetting = 1;
-  config_descriptor.bNumInterfaces = 1;
+  for (std::size_t i = 0; i < kMostInterfaces; ++i) {
+    interface_descriptors[i].bInterfaceNumber = static_cast<std::uint8_t>(i);
+    interface_descriptors[i].bNumEndpoints = 2;
+    interface_descriptors[i].endpoint = endpoints[i];
+    interface_descriptors[i].bInterfaceClass = LIBUSB_CLASS_VENDOR_SPEC;
+    usb_interfaces[i].altsetting = &interface_descriptors[i];
+    usb_interfaces[i].num_altsetting = 1;
+  }
+  config_descriptor.bNumInterfaces = static_cast<std::uint8_t>(emulator().model().interfaces);
   config_descriptor.bConfigurationValue = 1;
-  config_descriptor.interface = &usb_interface;
+  config_descriptor.interface = usb_interfaces.data();
   *to = &config_descriptor;
   return 0;
 }
@@ -122,7 +136,8 @@ void libusb_close(libusb_device_handle* handle) {
 
 int libusb_get_string_descriptor_ascii(libusb_device_handle* /*handle*/, std::uint8_t index,
                                        unsigned char* to, int length) {
-  const char* const text = index == 1 ? "FTDI" : index == 2 ? "Emulated FT232H" : "EAGERX01";
+  const std::string product = std::string("Emulated ") + emulator().model().name;
+  const char* const text = index == 1 ? "FTDI" : index == 2 ? product.c_str() : "EAGERX01";
   return std::snprintf(reinterpret_cast<char*>(to), static_cast<std::size_t>(length), "%s", text);
 }
 int libusb_get_configuration(libusb_device_handle* /*handle*/, int* config) {
@@ -132,8 +147,10 @@ int libusb_get_configuration(libusb_device_handle* /*handle*/, int* config) {
 int libusb_set_configuration(libusb_device_handle* /*handle*/, int /*config*/) {
   return 0;
 }
-int libusb_claim_interface(libusb_device_handle* /*handle*/, int /*number*/) {
-  return 0;
+int libusb_claim_interface(libusb_device_handle* /*handle*/, int number) {
+  const bool is_there =
+      number >= 0 && static_cast<unsigned>(number) < emulator().model().interfaces;
+  return is_there ? 0 : LIBUSB_ERROR_NOT_FOUND;
 }
 int libusb_release_interface(libusb_device_handle* /*handle*/, int /*number*/) {
   return 0;
@@ -152,9 +169,11 @@ std::uint8_t libusb_get_device_address(libusb_device* /*device*/) {
 }
 
 int libusb_control_transfer(libusb_device_handle* handle, std::uint8_t type, std::uint8_t request,
-                            std::uint16_t value, std::uint16_t /*index*/, unsigned char* data,
+                            std::uint16_t value, std::uint16_t index, unsigned char* data,
                             std::uint16_t length, unsigned /*timeout*/) {
-  return emulator().control(handle->opened, type, request, value, data, length);
+  // The low byte of the index is the interface, 1 for A; 0 stands for A too.
+  const unsigned interface = (index & 0xffU) == 0 ? 0 : (index & 0xffU) - 1;
+  return emulator().control(handle->opened, interface, type, request, value, data, length);
 }
 int libusb_bulk_transfer(libusb_device_handle* handle, unsigned char endpoint, unsigned char* data,
                          int length, int* moved, unsigned timeout) {

@@ -52,6 +52,72 @@ TEST(FtdiSelection, ByProductDescriptionAndSerial) {
   link.close();
 }
 
+/// Chips with several interfaces: the devices are on one of them, and only that one answers.
+class SeveralInterfaces : public ::testing::Test {
+ protected:
+  void SetUp() override { emulator().time().pass(emulated::kNsPerSecond); }
+  void TearDown() override {
+    link.close();
+    emulator().set_model(emulated::kFt232h, 0);
+  }
+  bool open(int product, char interface) {
+    return link.open({0x0403, product, "", "", interface}, kTimeoutMs, kMaxHz);
+  }
+  BusError sample() {
+    std::uint16_t counts = 0;
+    encoder.request(link, 0);
+    const BusError error = link.run();
+    return error != BusError::none ? error : encoder.angle(counts);
+  }
+  FtdiLink link;
+  MagneticEncoder<As5048A> encoder;
+};
+
+TEST_F(SeveralInterfaces, Ft2232hBothHaveMpsse) {
+  for (const char wired : {'A', 'B'}) {
+    emulator().set_model(emulated::kFt2232h, static_cast<unsigned>(wired - 'A'));
+    EXPECT_FALSE(open(0x6014, wired)) << "that would be a FT232H";
+    const auto before = emulator().usb().elsewhere;
+    ASSERT_TRUE(open(0x6010, wired));
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(sample(), BusError::none);
+    EXPECT_EQ(emulator().usb().elsewhere, before);
+    EXPECT_EQ(emulator().chip().wrong_modes(), 0U);
+    bool level = false;
+    link.read_pin(0, level);
+    EXPECT_EQ(link.run(), BusError::none) << "it has a high byte";
+    EXPECT_FALSE(open(0x6010, wired == 'A' ? 'B' : 'A')) << "nothing is wired to it that answers";
+    EXPECT_GT(emulator().usb().elsewhere, before);
+    EXPECT_FALSE(open(0x6010, 'C')) << "there is none";
+  }
+}
+
+TEST_F(SeveralInterfaces, Ft4232hHasMpsseOnTheFirstTwo) {
+  for (const char wired : {'A', 'B'}) {
+    emulator().set_model(emulated::kFt4232h, static_cast<unsigned>(wired - 'A'));
+    ASSERT_TRUE(open(0x6011, wired));
+    EXPECT_EQ(sample(), BusError::none);
+    bool level = false;
+    link.read_pin(0, level);
+    EXPECT_EQ(link.run(), BusError::unsupported) << "it has no high byte";
+  }
+  for (const char wired : {'C', 'D'}) {
+    emulator().set_model(emulated::kFt4232h, static_cast<unsigned>(wired - 'A'));
+    EXPECT_FALSE(open(0x6011, wired)) << "a serial line only";
+  }
+}
+
+TEST_F(SeveralInterfaces, I2cWithoutOpenDrain) {
+  emulator().set_model(emulated::kFt2232h, 1);
+  ASSERT_TRUE(open(0x6010, 'B'));
+  const std::uint8_t who_am_i = 0x75;
+  std::uint8_t answer = 0;
+  BusError status = BusError::none;
+  link.i2c({0x68, 400'000}, &who_am_i, 1, &answer, 1, status);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(status, BusError::none);
+  EXPECT_EQ(answer, 0x68);
+}
+
 TEST_F(FtdiLinkTest, EncoderAndConverterInOneRoundTrip) {
   const auto before = emulator().usb();
   const auto writes = emulator().converter().writes();
