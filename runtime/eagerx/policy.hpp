@@ -105,16 +105,21 @@ struct KnownAnswers {
   float answer[Out];
 };
 
-/// True if `evaluate(observation, answer)` gives every known answer, to the bit.
+/// True if `evaluate(observation, answer)` gives every known answer to the bit, or, if there is a
+/// tolerance, within that times the answer (times one for small answers).
 template <class Evaluate, std::size_t In, std::size_t Out, std::size_t Rows>
-inline bool answers(Evaluate&& evaluate, const KnownAnswers<In, Out> (&rows)[Rows]) {
+inline bool answers(Evaluate&& evaluate, const KnownAnswers<In, Out> (&rows)[Rows],
+                    float tolerance = 0.0F) {
   bool same = true;
   for (const KnownAnswers<In, Out>& row : rows) {
     float answer[Out];
     evaluate(row.observation, answer);
     for (std::size_t k = 0; k < Out; ++k) {
-      same = same &&
-             std::bit_cast<std::uint32_t>(answer[k]) == std::bit_cast<std::uint32_t>(row.answer[k]);
+      const float known = row.answer[k];
+      const bool equal =
+          std::bit_cast<std::uint32_t>(answer[k]) == std::bit_cast<std::uint32_t>(known);
+      const float most = tolerance * max(abs(known), 1.0F);
+      same = same && (equal || (tolerance > 0.0F && abs(answer[k] - known) <= most));
     }
   }
   return same;

@@ -119,12 +119,16 @@ void measure(const char* name) {
   }));
   semihosting_write(" ");
   print(std::bit_cast<std::uint32_t>(y[0]));
+  static constexpr typename Network::Int8 kInt8 = Network::make_int8();
+  float eighth[1] = {};
+  semihosting_write(" ");
+  print(instructions([&] { Network::run_int8(kInt8, x, eighth); }));
+  semihosting_write(" ");
+  print(std::bit_cast<std::uint32_t>(eighth[0]));
   semihosting_write("\n");
 }
 
 }  // namespace
-
-extern "C" void SysTick_Handler() {}  // in the table of vectors; the counter runs without interrupts
 
 int main() {
   if (!check_all()) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/policy.hpp>
+#include <eagerx/policy/fast.hpp>
+#include <eagerx/policy/int8.hpp>
 
 namespace bench {
 
@@ -29,6 +31,20 @@ constexpr eagerx::DenseWeights<In, Out> drawn(Draw& draw) {
   return layer;
 }
 
+/// The same with weights of eight bits.
+template <std::size_t In, std::size_t Out>
+constexpr eagerx::Int8Weights<In, Out> drawn_int8(Draw& draw) {
+  eagerx::Int8Weights<In, Out> layer{};
+  for (std::size_t out = 0; out < Out; ++out) {
+    layer.b[out] = draw.next();
+    layer.scale[out] = 0x1p-9F;
+    for (std::size_t in = 0; in < In; ++in) {
+      layer.w[layer.index(out, in)] = static_cast<std::int8_t>(draw.next() * 508.0F);
+    }
+  }
+  return layer;
+}
+
 /// 3 -> A -> B -> 1 with activation F.
 template <std::size_t A, std::size_t B, eagerx::Activation F>
 struct Mlp {
@@ -43,6 +59,31 @@ struct Mlp {
   }
 
   [[gnu::noipa]] static void run(const Weights& weights, const float (&x)[3], float (&y)[1]) {
+    float hidden1[A];
+    float hidden2[B];
+    eagerx::dense<F>(weights.first, x, hidden1);
+    eagerx::dense<F>(weights.second, hidden1, hidden2);
+    eagerx::dense<eagerx::Activation::tanh>(weights.third, hidden2, y);
+  }
+
+  [[gnu::noipa]] static void run_fast(const Weights& weights, const float (&x)[3], float (&y)[1]) {
+    float hidden1[A];
+    float hidden2[B];
+    eagerx::fast_dense<F>(weights.first, x, hidden1);
+    eagerx::fast_dense<F>(weights.second, hidden1, hidden2);
+    eagerx::fast_dense<eagerx::Activation::tanh>(weights.third, hidden2, y);
+  }
+
+  struct Int8 {
+    eagerx::Int8Weights<3, A> first;
+    eagerx::Int8Weights<A, B> second;
+    eagerx::Int8Weights<B, 1> third;
+  };
+  static constexpr Int8 make_int8() {
+    Draw draw;
+    return {drawn_int8<3, A>(draw), drawn_int8<A, B>(draw), drawn_int8<B, 1>(draw)};
+  }
+  [[gnu::noipa]] static void run_int8(const Int8& weights, const float (&x)[3], float (&y)[1]) {
     float hidden1[A];
     float hidden2[B];
     eagerx::dense<F>(weights.first, x, hidden1);
