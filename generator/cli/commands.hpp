@@ -20,15 +20,15 @@ struct Options {
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
-  std::vector<std::string> packages;  // kinds of packages that the output is to be as well
-  bool standalone = false;            // the output has all headers it needs
+  std::vector<std::string> packages;           // kinds of packages that the output is to be as well
+  bool standalone = false;                     // the output has all headers it needs
   std::string image, build, baseline, run_on;  // size
   bool json_output = false;
   std::string program, log, second_log, given;  // replay
-  std::string entity;                 // info
-  std::string policy, golden;         // policy
-  std::string normalize, activation;  // policy
-  bool json = false;                  // --diagnostics=json
+  std::string entity;                           // info
+  std::string policy, golden;                   // policy
+  std::string normalize, activation;            // policy
+  bool json = false;                            // --diagnostics=json
   bool quiet = false;
 };
 

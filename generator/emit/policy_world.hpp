@@ -7,7 +7,8 @@
 namespace eagerx::gen {
 
 /// E0704: what becomes of the outputs; E0705: bounds of actions; E0706: names and sizes of
-/// observations; E0707: rate; E0708: shape of an image. Each shows both sides. A warning where names cannot be compared.
+/// observations; E0707: rate; E0708: shape of an image. Each shows both sides. A warning where
+/// names cannot be compared.
 void check_policy_world(const Graph& graph, const Network& network, Diagnostics& diagnostics);
 
 /// Outputs of the environment in the order of the policy's: by name.

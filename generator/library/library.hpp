@@ -109,7 +109,8 @@ struct Entity {
   [[nodiscard]] const PortManifest* actuator(std::string_view name) const;
   [[nodiscard]] const PortManifest* state(std::string_view name) const;
   [[nodiscard]] const PortManifest* target(std::string_view name) const;
-  /// Whether this engine node or state works on `engine`, or on one whose implementations that runs.
+  /// Whether this engine node or state works on `engine`, or on one whose implementations that
+  /// runs.
   [[nodiscard]] bool works_on(const Entity& engine) const;
   /// How this object is made on `engine`: for the engine itself, else for one that it runs; nullptr
   /// if it is not.

@@ -18,7 +18,8 @@ namespace eagerx::models {
 /// link, a sensor without a value for `missed` instants, an action that is not finite or out of
 /// limits that make safe. The safe action stays until `recover` instants in a row were right (0:
 /// until the next episode). An engine that is more than a period late does not catch up: the
-/// instants after it move. `Platform::prepare()` is called once before, then `Platform::open(link)`.
+/// instants after it move. `Platform::prepare()` is called once before, then
+/// `Platform::open(link)`.
 template <class Io, class Link, class Platform>
 class HardwareEngine {
  public:
