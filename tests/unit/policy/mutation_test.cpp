@@ -9,6 +9,8 @@
 #include <random>
 #include <string>
 
+#include "generator/policy/cost.hpp"
+#include "generator/policy/evaluate.hpp"
 #include "generator/policy/formats.hpp"
 
 namespace eagerx::gen {
@@ -63,12 +65,24 @@ void check(const std::string& bytes) {
   }
   ASSERT_FALSE(network->layers.empty());
   std::uint32_t inputs = network->inputs();
+  std::size_t work = 0;
   for (const DenseLayer& layer : network->layers) {
     EXPECT_EQ(layer.inputs, inputs);
-    EXPECT_EQ(layer.weights.size(), std::size_t{layer.inputs} * layer.outputs);
-    EXPECT_EQ(layer.bias.size(), layer.outputs);
+    work += cost_of(layer).multiply_adds + layer.outputs;
+    if (layer.is_dense()) {
+      EXPECT_EQ(layer.weights.size(), std::size_t{layer.inputs} * layer.outputs);
+      EXPECT_EQ(layer.bias.size(), layer.outputs);
+    }
     for (const float weight : layer.weights) ASSERT_TRUE(std::isfinite(weight));
     inputs = layer.outputs;
+  }
+  // What was read can be evaluated: layers read what is there.
+  constexpr std::size_t kMostWork = 100'000;
+  if (work > kMostWork) return;
+  Memory<float> memory;
+  for (int i = 0; i < 2; ++i) {
+    const std::vector<float> observation(network->inputs(), 0.5F);
+    EXPECT_EQ(evaluate(*network, observation, &memory).size(), network->outputs());
   }
 }
 
@@ -92,6 +106,16 @@ TEST(Mutation, DamagedFilesOfOtherFormats) {
     const std::string good = file_bytes(name);
     ASSERT_GT(good.size(), 10000U);
     for (int i = 0; i < 500; ++i) check(damaged(good, random));
+  }
+}
+
+TEST(Mutation, DamagedFilesOfOtherArchitectures) {
+  std::mt19937 random(4);
+  for (const char* name : {"gru.onnx", "lstm.onnx", "frames.onnx", "image.onnx", "scaled.onnx",
+                           "recurrent_ppo.zip", "gru_state_dict.npz"}) {
+    const std::string good = file_bytes((std::string("architectures/") + name).c_str());
+    ASSERT_GT(good.size(), 1000U);
+    for (int i = 0; i < 700; ++i) check(damaged(good, random));
   }
 }
 
