@@ -109,9 +109,9 @@ class Program {
         __builtin_unreachable();
     }
     for (;;) {
-      kind_ = next();
-      switch (kind_) {
+      switch (next()) {
         case 0:
+          kind_ = 0;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
           return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
         case 1:
@@ -127,6 +127,7 @@ class Program {
           slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
         case 5:
+          kind_ = 5;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
           return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
         default:
@@ -332,10 +333,10 @@ class Program {
   };
   std::uint8_t next() {
     const std::uint8_t due = kDueAt[slot_];
-    slot_ = slot_ + 1 == 12 ? 0 : static_cast<std::uint8_t>(slot_ + 1);
+    slot_ = slot_ + 1 == 12 ? 0 : slot_ + 1;
     return due;
   }
-  std::uint8_t slot_ = 0;
+  std::uint32_t slot_ = 0;
   std::uint8_t kind_ = 0;
 
   // Ticks so far, one counter a rate.
