@@ -17,6 +17,7 @@ struct Options {
   std::string output;                               // empty: generated/<name of the graph>
   std::vector<std::string> targets;                 // empty: linux-sim
   std::string engine, real;                         // empty: the graph's
+  std::vector<std::string> split;                   // NAMES=BOARD; empty: the graph's placement
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;

@@ -17,6 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Whether the graph, or the part of it that stays on Linux, can run there.
+void check_target(Run& run, const Target& target) {
+  const bool split = run.graph->placement.has_value();
+  check_system(*run.graph, split ? Part::host : Part::whole, target, run.library, run.diagnostics);
+  if (!split) return;
+  const Placement& placement = *run.graph->placement;
+  if (target.system != "linux") {
+    run.diagnostics
+        .error("E0335", placement.span,
+               fmt::format("the part that is not on `{}` needs Linux, but target `{}` has none",
+                           placement.board->id.value, target.id.value))
+        .help = "leave out `--target`, or name a target of Linux";
+  }
+}
+
 std::vector<const Target*> find_targets(Run& run, const Options& options) {
   std::vector<const Target*> result;
   const std::vector<std::string> wanted =
@@ -27,13 +42,17 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
     const auto found = run.library.targets.find(id);
     if (found != run.library.targets.end()) {
       result.push_back(&found->second);
-      check_system(*run.graph, found->second, run.library, run.diagnostics);
+      check_target(run, found->second);
       continue;
     }
     auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));
     const std::string near = nearest(id, known);
     problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
                                 : fmt::format("did you mean `{}`?", near);
+  }
+  if (run.graph->placement) {
+    check_system(*run.graph, Part::board, *run.graph->placement->board, run.library,
+                 run.diagnostics);
   }
   return result;
 }
@@ -63,6 +82,7 @@ std::string depfile_text(const Run& run, const Options& options) {
   }
   for (const auto& [id, item] : run.library.targets) {
     for (const auto& [file, output] : item.templates) inputs.push_back(file);
+    for (const auto& [file, output] : item.partner) inputs.push_back(file);
   }
   std::sort(inputs.begin() + 1, inputs.end());
   std::string text = escaped(target) + ":";
@@ -88,6 +108,47 @@ void print_next_steps(const Run& run, const std::string& folder, const WriteResu
       "build and run it:\n  cmake -S {0} -B {0}/build && cmake --build {0}/build && {0}/build/{1} "
       "--help\n",
       folder, run.graph->name);
+}
+
+/// The two programs of a split graph, in the folders `host` and `board`.
+std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions& options) {
+  std::vector<GeneratedFile> files;
+  const auto add = [&](Part part, const std::string& folder, std::uint64_t hash) {
+    EmitOptions of_part = options;
+    of_part.part = part;
+    of_part.graph_hash = hash;
+    of_part.output = options.output + "/" + folder;
+    if (part == Part::board) of_part.targets = {run.graph->placement->board};
+    auto made = emit(*run.plan, run.network, of_part, run.diagnostics);
+    for (auto& file : made.value_or(std::vector<GeneratedFile>()))
+      files.push_back({folder + "/" + file.path, std::move(file.text)});
+    return made.has_value();
+  };
+  // What the hash is made of comes first, with 0 in its place.
+  if (!add(Part::host, "host", 0) || !add(Part::board, "board", 0)) return std::nullopt;
+  const std::uint64_t hash = hash_of(files);
+  files.clear();
+  add(Part::host, "host", hash);
+  add(Part::board, "board", hash);
+  return files;
+}
+
+void print_split(const Run& run, const std::string& folder) {
+  const Split& split = *run.plan->split;
+  const Target& board = *run.graph->placement->board;
+  fmt::print("the part on {0}: {1}/board, to build with {2}\nthe rest: {1}/host\n", board.id.value,
+             folder, board.toolchain.empty() ? "this machine's compiler" : board.toolchain);
+  if (split.exchanges == 0.0) return;
+  // As the frames are: eagerx/link/frame.hpp.
+  constexpr double kFrame = 12.0;
+  constexpr double kBitsOfAByte = 10.0;
+  constexpr double kBaud = 115200.0;
+  const double bytes = split.board_bytes + split.host_bytes + 2 * kFrame * split.exchanges;
+  fmt::print(
+      "link: {:.4g} exchanges a step, {:.4g} bytes of messages to the board and {:.4g} back; "
+      "{:.3g} of {:.3g} ms at 115200 baud\n",
+      split.exchanges, split.board_bytes, split.host_bytes, 1e3 * kBitsOfAByte * bytes / kBaud,
+      1e3 / run.graph->environment().rate_hz.to_double());
 }
 
 /// "1 node", "2 nodes"
@@ -125,13 +186,22 @@ int generate_command(const Options& options) {
   if (standalone)
     emit_options.packages.insert(emit_options.packages.begin(),
                                  (fs::path(run.root) / "templates" / "standalone").string());
+  const bool split = run.graph->placement.has_value();
+  if (split && standalone) {
+    run.diagnostics
+        .error("E0336", run.graph->placement->span,
+               "a graph of which a part is on a board has no standalone tree")
+        .help = "leave out `--standalone` and `--package`";
+  }
   if (run.diagnostics.has_errors()) return finish(run, options);
-  auto files = emit(*run.plan, run.network, emit_options, run.diagnostics);
+  auto files = split ? emit_parts(run, emit_options)
+                     : emit(*run.plan, run.network, emit_options, run.diagnostics);
   if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result || !write_depfile(run, options)) return finish(run, options);
-  if (!options.quiet) print_next_steps(run, folder, *result);
+  if (!options.quiet && split) print_split(run, folder);
+  if (!options.quiet) print_next_steps(run, split ? folder + "/host" : folder, *result);
   return finish(run, options);
 }
 

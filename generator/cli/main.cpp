@@ -27,6 +27,18 @@ void add_selection(CLI::App& app, Options& options) {
   app.add_option("--target", options.targets,
                  "target to make a program for, may be repeated (default: linux-sim)")
       ->type_name("NAME");
+  app.add_option("--split", options.split,
+                 "make two programs: nodes, `agent` or `controller` (both) on a board, the rest on "
+                 "Linux, in place of the graph's `placement`")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            const std::size_t equals = text.find('=');
+            const bool complete =
+                equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+            return complete ? std::string() : text + " is not NAME[,NAME...]=BOARD";
+          },
+          ""))
+      ->type_name("NAME[,NAME...]=BOARD");
 }
 
 void add_rate(CLI::App& app, const char* name, const char* about,

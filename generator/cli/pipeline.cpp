@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -107,6 +108,25 @@ std::optional<ImportedGraph> import_file(Run& run, const Node& tree, const Optio
                       {options.engine, options.engine_rate_hz, options.rate_hz}, run.diagnostics);
 }
 
+namespace {
+
+/// `--split a,b=BOARD`, which has no place in a file.
+std::vector<PlacementSpec> placement_of(const Options& options) {
+  std::vector<PlacementSpec> result;
+  for (const auto& item : options.split) {
+    const std::size_t equals = item.rfind('=');
+    const std::string names = item.substr(0, equals);
+    for (std::size_t begin = 0; begin <= names.size();) {
+      const std::size_t end = std::min(names.find(',', begin), names.size());
+      result.push_back({{names.substr(begin, end - begin), {}}, {item.substr(equals + 1), {}}});
+      begin = end + 1;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
 bool make(Run& run, const Options& options) {
   const Node tree = read_graph_file(run, options.graph);
   if (run.diagnostics.has_errors()) return false;
@@ -118,7 +138,8 @@ bool make(Run& run, const Options& options) {
     return false;
   }
   read_network(run);
-  run.graph = resolve(*run.spec, run.library, {options.engine, options.real}, run.diagnostics);
+  run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},
+                      run.diagnostics);
   if (!run.graph) return false;
   run.plan = make_plan(*run.graph, run.diagnostics);
   if (run.network) check_policy(*run.graph, *run.network, run.diagnostics);

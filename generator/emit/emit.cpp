@@ -18,11 +18,11 @@ class Emitter {
  public:
   Emitter(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options,
           Diagnostics& diagnostics)
-      : plan_(plan),
-        network_(network),
-        options_(options),
-        diagnostics_(diagnostics),
-        names_(plan) {}
+      : plan_(plan), options_(options), diagnostics_(diagnostics), names_(plan, options.part) {
+    // Where the agent is, and on the host, which has everything of the graph's own sources.
+    const bool decides = options.part != Part::board || names_.runs(Graph::kEnvironment);
+    if (decides) network_ = network;
+  }
 
   std::optional<std::vector<GeneratedFile>> run() {
     const std::string folder = options_.header_folder + plan_.graph->name + "/";
@@ -36,7 +36,7 @@ class Emitter {
     program.set("has_memory", network_ && network_->has_memory());
     program.set("begin", partial("cpp/begin.mustache"));
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
-    add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view(plan_, names_, network_));
+    add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", policy_view(*network_));
     add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
     for (const Target* target : options_.targets) add_target(*target);
@@ -85,6 +85,12 @@ class Emitter {
     return View(kainjow::mustache::partial([shared = text.value_or("")] { return shared; }));
   }
 
+  View graph_view() const {
+    View view = gen::graph_view(plan_, names_, network_);
+    view.set("graph_hash", fmt::format("0x{:016x}", options_.graph_hash));
+    return view;
+  }
+
   View cmake_view() const {
     View view(View::type::object);
     View targets(View::type::list);
@@ -97,7 +103,7 @@ class Emitter {
     view["targets"] = std::move(targets);
     view.set("first", options_.targets.front()->id.value);
     view.set("standalone", !options_.header_folder.empty());
-    const auto packages = packages_of(*plan_.graph);
+    const auto packages = packages_of(*plan_.graph, options_.part);
     view.set("packages",
              packages.empty() ? View(false) : View(fmt::format("{}", fmt::join(packages, " "))));
     return view;
@@ -122,7 +128,8 @@ class Emitter {
   }
 
   void add_target(const Target& target) {
-    for (const auto& [file, output] : target.templates) {
+    for (const auto& [file, output] :
+         options_.part == Part::board ? target.partner : target.templates) {
       View view(View::type::object);
       view.set("target", target.id.value);
       add_rendered(target.id.value + "/" + output, file, std::move(view));
@@ -130,7 +137,7 @@ class Emitter {
   }
 
   const Plan& plan_;
-  const std::optional<Network>& network_;
+  std::optional<Network> network_;
   const EmitOptions& options_;
   Diagnostics& diagnostics_;
   ProgramNames names_;
@@ -139,6 +146,16 @@ class Emitter {
 };
 
 }  // namespace
+
+std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
+  // FNV-1a, 64 bits.
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const auto& file : files) {
+    for (const char c : file.path + file.text)
+      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  }
+  return hash;
+}
 
 std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
                                                const std::optional<Network>& network,

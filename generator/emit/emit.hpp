@@ -7,6 +7,7 @@
 
 #include "generator/plan/plan.hpp"
 #include "generator/policy/network.hpp"
+#include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
 
@@ -24,7 +25,12 @@ struct EmitOptions {
   std::string output;                  // others are included relative to the output folder
   std::string header_folder;           // of the graph's headers in it: empty, or such as `src/`
   std::vector<std::string> packages;   // folders of further templates, which keep their paths
+  Part part = Part::whole;             // of a split graph: which of its two programs
+  std::uint64_t graph_hash = 0;        // of a split graph: what its programs tell each other
 };
+
+/// A hash of all texts, for EmitOptions::graph_hash.
+std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
 /// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a
 /// template that cannot be read or is wrong.

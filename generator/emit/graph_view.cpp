@@ -33,6 +33,7 @@ class GraphView {
     add_random_action(view);
     add_policy(view);
     add_safety(view);
+    add_split(view);
     return view;
   }
 
@@ -97,11 +98,13 @@ class GraphView {
     View actions = list(), observations = list();
     for (const auto& action : graph_.environment().outputs)
       actions.push_back(space_view(action.name, action.space, action.span, "Action"));
-    for (const auto& input : graph_.environment().inputs)
-      observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
+    if (names_.receives(Graph::kEnvironment)) {
+      for (const auto& input : graph_.environment().inputs)
+        observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
+    }
     view["actions"] = std::move(actions);
+    view.set("no_observations", !observations.is_non_empty_list());
     view["observations"] = std::move(observations);
-    view.set("no_observations", graph_.environment().inputs.empty());
   }
 
   /// The lines that set one state from `random`.
@@ -150,6 +153,29 @@ class GraphView {
     return space.shape.empty() ? "{" + text + "}" : text;
   }
 
+  /// Whether a reset node brings this state about: then both programs ask for it.
+  bool is_target(std::size_t owner, std::size_t state, bool object) const {
+    for (const auto& node : graph_.nodes) {
+      for (const auto& target : node.targets) {
+        if (target.state == state && target.object.has_value() == object &&
+            (object ? *target.object : target.node) == owner)
+          return true;
+      }
+    }
+    return false;
+  }
+
+  void add_split(View& view) const {
+    view.set("is_split", names_.is_split());
+    view.set("is_whole", !names_.is_split());
+    view.set("decides_there", names_.is_split() && graph_.placement->on_board[Graph::kEnvironment]
+                                  ? "true"
+                                  : "false");
+    view.set("board", names_.is_split() ? graph_.placement->board->id.value : "");
+    view.set("to_board", fmt::format("{}", plan_.split ? plan_.split->board_payload : 0));
+    view.set("to_host", fmt::format("{}", plan_.split ? plan_.split->host_payload : 0));
+  }
+
   void add_draws(View& view) {
     View ranges = list(), randoms = list();
     bool draws = false;
@@ -178,16 +204,18 @@ class GraphView {
     };
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s)
-        add(graph_.objects[i].name, graph_.objects[i].states[s], names_.object_state[i][s]);
+        if (names_.has_engine() || is_target(i, s, true))
+          add(graph_.objects[i].name, graph_.objects[i].states[s], names_.object_state[i][s]);
     }
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
-        add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
+        if (names_.runs(n) || is_target(n, s, false))
+          add(graph_.nodes[n].name, graph_.nodes[n].states[s], names_.node_state[n][s]);
     }
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Input& input = graph_.nodes[n].inputs[i];
-        if (!input.random_delay) continue;
+        if (!input.random_delay || !names_.receives(n)) continue;
         State delay;
         delay.name = input.name + "/delay";
         delay.space = {Dtype::float64, {}, {0.0}, {input.max_delay_s->to_double()}};

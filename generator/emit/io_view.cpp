@@ -151,7 +151,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
 
 View simulators_view(const Plan& plan, const ProgramNames& names) {
   View views = list();
-  for (std::size_t i = 0; i < plan.graph->objects.size(); ++i) {
+  for (std::size_t i = 0; names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     View view = object();
     view.set("object", item.name);
@@ -169,7 +169,7 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
 
 View engine_states_view(const Plan& plan, const ProgramNames& names) {
   View views = list();
-  for (std::size_t i = 0; i < plan.graph->objects.size(); ++i) {
+  for (std::size_t i = 0; names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s) {
       const State& state = item.states[s];
@@ -208,7 +208,7 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
                        const std::string& where) {
     if (processor) views.push_back(processor_view(*processor, type, where, names));
   };
-  for (std::size_t i = 0; i < plan.graph->objects.size(); ++i) {
+  for (std::size_t i = 0; names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s)
       add(item.states[s].processor, names.object_state_processor[i][s],
@@ -216,15 +216,15 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
   }
   for (std::size_t n = 0; n < plan.graph->nodes.size(); ++n) {
     const GraphNode& node = plan.graph->nodes[n];
-    for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+    for (std::size_t i = 0; names.receives(n) && i < node.inputs.size(); ++i) {
       const std::string owner = node.role == NodeRole::environment ? "observations" : node.name;
       add(node.inputs[i].processor, names.input_processor[n][i], owner + "." + node.inputs[i].name);
     }
-    for (std::size_t o = 0; o < node.outputs.size(); ++o) {
+    for (std::size_t o = 0; names.runs(n) && o < node.outputs.size(); ++o) {
       add(node.outputs[o].processor, names.output_processor[n][o],
           node.name + "." + node.outputs[o].name);
     }
-    for (std::size_t s = 0; s < node.states.size(); ++s)
+    for (std::size_t s = 0; names.runs(n) && s < node.states.size(); ++s)
       add(node.states[s].processor, names.node_state_processor[n][s],
           node.name + ".states." + node.states[s].name);
     for (std::size_t t = 0; t < node.targets.size(); ++t)
@@ -268,16 +268,21 @@ class Includes {
   std::set<std::string> headers_;
 };
 
-View includes_view(const Plan& plan, const IncludePaths& paths) {
+View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths) {
   const Graph& graph = *plan.graph;
   Includes includes(paths);
-  for (const auto& node : graph.nodes) {
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const GraphNode& node = graph.nodes[n];
+    if (names.receives(n)) {
+      for (const auto& input : node.inputs) includes.add(input.processor);
+    }
+    for (const auto& target : node.targets) includes.add(target.processor);
+    if (!names.runs(n)) continue;
     if (node.entity != nullptr) includes.add(*node.entity, node.entity->cpp);
-    for (const auto& input : node.inputs) includes.add(input.processor);
     for (const auto& output : node.outputs) includes.add(output.processor);
     for (const auto& state : node.states) includes.add(state.processor);
-    for (const auto& target : node.targets) includes.add(target.processor);
   }
+  if (!names.has_engine()) return includes.view();
   includes.add(*graph.engine().entity, graph.engine().entity->simulator);
   for (const auto& item : graph.objects) {
     includes.add(item.implementation->include_root, item.implementation->model);
@@ -308,7 +313,8 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   for (const auto& action : graph.environment().outputs)
     actions.push_back(
         port_view(message_type(action.space), action.name, action.space, names.place(action.span)));
-  for (std::size_t i = 0; i < graph.environment().inputs.size(); ++i) {
+  const bool observes = names.receives(Graph::kEnvironment);
+  for (std::size_t i = 0; observes && i < graph.environment().inputs.size(); ++i) {
     const Input& input = graph.environment().inputs[i];
     observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i), input.name,
                                      input.space, names.place(input.span)));
@@ -341,8 +347,8 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
     }
   }
   view["actions"] = std::move(actions);
+  view.set("no_observations", !observations.is_non_empty_list());
   view["observations"] = std::move(observations);
-  view.set("no_observations", graph.environment().inputs.empty());
   view.set("no_states", !states.is_non_empty_list());
   view["states"] = std::move(states);
   return view;
@@ -353,7 +359,7 @@ View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
   view.set("simulators", simulators_view(plan, names));
   view.set("engine_states", engine_states_view(plan, names));
   view.set("processors", processors_view(plan, names));
-  view.set("includes", includes_view(plan, paths));
+  view.set("includes", includes_view(plan, names, paths));
   view.set("real", plan.graph->double_precision ? "double" : "float");
 
   View channels = list();
@@ -369,6 +375,8 @@ View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
   std::map<std::size_t, std::size_t> shared;    // that node → how many others use it
   std::vector<std::size_t> own;
   for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
+    // Both programs know when reset nodes have done their work.
+    if (!names.runs(n) && plan.graph->nodes[n].targets.empty()) continue;
     const auto [place, added] = first_of.try_emplace(structure_of(plan, n, names), n);
     if (added) {
       own.push_back(n);

@@ -4,7 +4,8 @@
 
 namespace eagerx::gen {
 
-ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name) {
+ProgramNames::ProgramNames(const Plan& plan, Part part)
+    : plan_(plan), part_(part), file_name_(plan.graph->file_name) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
   // Each of these has a struct of its own that says what it is compiled for.
@@ -86,6 +87,21 @@ ProgramNames::ProgramNames(const Plan& plan) : file_name_(plan.graph->file_name)
   Names channels;
   for (const auto& item : plan.channels)
     channel[item.node][item.output] = channels.unique(snake(item.name));
+}
+
+bool ProgramNames::crosses(std::size_t node, std::size_t output) const {
+  if (!is_split()) return false;
+  for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
+    if (plan_.channels[c].node == node && plan_.channels[c].output == output)
+      return plan_.split->to_board[c] || plan_.split->to_host[c];
+  }
+  return false;
+}
+
+bool ProgramNames::has_ring(std::size_t ring) const {
+  const Ring& item = plan_.rings[ring];
+  if (item.reader_node) return receives(*item.reader_node);
+  return part_ != Part::board || runs(item.node) || crosses(item.node, item.output);
 }
 
 std::string ProgramNames::place(Span span) const {

@@ -8,11 +8,12 @@
 #include "generator/emit/render.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/policy/network.hpp"
+#include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
 
 struct ProgramNames {
-  explicit ProgramNames(const Plan& plan);
+  ProgramNames(const Plan& plan, Part part);
 
   std::vector<std::string> io;           // of nodes: "SmoothIo"; nodes of equal structure share one
   std::vector<std::string> node_member;  // "smooth_"
@@ -33,7 +34,21 @@ struct ProgramNames {
   /// "graph.yaml:14:5"
   [[nodiscard]] std::string place(Span span) const;
 
+  /// What there is in this program of a split graph; of a whole one everything.
+  [[nodiscard]] bool is_split() const { return part_ != Part::whole; }
+  [[nodiscard]] bool is_board() const { return part_ == Part::board; }
+  [[nodiscard]] bool runs(std::size_t node) const { return runs_here(*plan_.graph, part_, node); }
+  [[nodiscard]] bool receives(std::size_t node) const {
+    return receives_here(*plan_.graph, part_, node);
+  }
+  [[nodiscard]] bool has_engine() const { return runs(Graph::kEngine); }
+  [[nodiscard]] bool has_ring(std::size_t ring) const;
+  /// Whether the other program gets, or sends, this output.
+  [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
+
  private:
+  const Plan& plan_;
+  Part part_;
   std::string file_name_;
 };
 

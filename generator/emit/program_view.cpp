@@ -33,10 +33,16 @@ class ProgramView {
     add_actions(view);
     add_phase(view, "before", plan_.before);
     add_phase(view, "after", plan_.after);
-    view.set("after_unused", plan_.after.empty());
-    view.set("after_used", !plan_.after.empty());
+    const bool runs_after = view.get("after_calls")->is_non_empty_list() ||
+                            view.get("after_groups")->is_non_empty_list();
+    view.set("after_unused", !runs_after);
+    view.set("after_used", runs_after);
+    view.set("what", names_.is_board()   ? "What runs on the board of the graph"
+                     : names_.is_split() ? "What runs on Linux of the graph"
+                                         : "The whole graph");
     add_observation(view);
     add_memory(view);
+    add_split(view);
     return view;
   }
 
@@ -63,13 +69,25 @@ class ProgramView {
     view.set("due_type", plan_.rates.size() <= 32 ? "std::uint32_t" : "std::uint64_t");
   }
 
+  void add_split(View& view) const {
+    const bool decides = names_.runs(Graph::kEnvironment);
+    view.set("is_split", names_.is_split());
+    view.set("commands", names_.is_split() && !names_.is_board());
+    view.set("link_parameter", names_.is_split() ? ", class Link = eagerx::link::NoLink" : "");
+    // What the other program decides is given back.
+    view.set("step_parameter", decides             ? "const Action& action"
+                               : names_.is_board() ? "const Action& /*action*/"
+                                                   : "Action& action");
+    view.set("gives_action_back", !decides && !names_.is_board());
+  }
+
   /// Rings that hold a channel as the processor of one of its readers converts it.
   View conversions(std::size_t n, std::size_t output, const std::string& source) const {
     View views = list();
     for (std::size_t r = plan_.channels.size(); r < plan_.rings.size();
          ++r) {  // behind the channels' own
       const Ring& ring = plan_.rings[r];
-      if (ring.node != n || ring.output != output) continue;
+      if (ring.node != n || ring.output != output || !names_.has_ring(r)) continue;
       View view = object();
       view.set("target", ring_place(plan_, names_, r, seq_of(n)));
       view.set("processor", names_.input_processor[*ring.reader_node][*ring.reader_input]);
@@ -85,15 +103,22 @@ class ProgramView {
 
   void add_actions(View& view) const {
     View actions = list();
+    const bool here = names_.runs(Graph::kEnvironment);
     for (std::size_t a = 0; a < graph_.environment().outputs.size(); ++a) {
       const Output& output = graph_.environment().outputs[a];
+      if (!names_.has_ring(plan_.nodes[Graph::kEnvironment].rings[a])) continue;
       View action = object();
       action.set("field", output.name);
       action.set("place", names_.place(output.span));
       const std::string ring = ring_place(plan_, names_, plan_.nodes[Graph::kEnvironment].rings[a],
                                           seq_of(Graph::kEnvironment));
       action.set("ring", ring);
-      action.set("conversions", conversions(Graph::kEnvironment, a, "action." + output.name));
+      action.set("is_here", here);
+      action.set("is_there", !here);
+      action.set("sends", here && names_.crosses(Graph::kEnvironment, a));
+      const std::string value = here ? "action." + output.name : ring;
+      action.set("value", value);
+      action.set("conversions", conversions(Graph::kEnvironment, a, value));
       action.set("channel", channel(Graph::kEnvironment, a));
       action.set("seq", seq_of(Graph::kEnvironment));
       actions.push_back(action);
@@ -131,11 +156,20 @@ class ProgramView {
       group.set("due", names_.due[rate]);
       View blocks = list();
       for (; i < nodes.size() && plan_.nodes[nodes[i]].rate == rate; ++i)
-        blocks.push_back(block(nodes[i]));
+        if (is_there(nodes[i])) blocks.push_back(block(nodes[i]));
+      if (!blocks.is_non_empty_list()) continue;
       group["blocks"] = std::move(blocks);
       views.push_back(group);
     }
     return views;
+  }
+
+  /// Whether a node has something to do in this program: its callback, or to be received.
+  bool is_there(std::size_t n) const {
+    if (names_.runs(n) || !graph_.nodes[n].targets.empty()) return true;
+    for (std::size_t o = 0; o < graph_.nodes[n].outputs.size(); ++o)
+      if (names_.crosses(n, o)) return true;
+    return false;
   }
 
   View block(std::size_t n) const {
@@ -143,7 +177,8 @@ class ProgramView {
     View view = object();
     const bool engine = node.role == NodeRole::engine;
     view.set("is_engine", engine);
-    view.set("is_node", !engine);
+    view.set("is_node", !engine && names_.runs(n));
+    view.set("is_remote", !names_.runs(n));
     view.set("node", node.name);
     view.set("label", string_literal(node.name));
     view.set("entity", node.entity->id.value);
@@ -154,8 +189,43 @@ class ProgramView {
     view.set("io", names_.io[n]);
     view.set("only_in_episodes", graph_.has_reset_nodes() && node.waits_during_reset);
     view.set("always", !graph_.has_reset_nodes() || !node.waits_during_reset);
-    engine ? add_engine(view, n) : add_node(view, n);
+    add_done(view, n);
+    if (engine) {
+      add_engine(view, n);
+    } else if (names_.runs(n)) {
+      add_node(view, n);
+    } else {
+      add_remote(view, n);
+    }
     return view;
+  }
+
+  /// Both programs know which targets a reset node has reached.
+  void add_done(View& view, std::size_t n) const {
+    View reached = list();
+    for (const auto& target : graph_.nodes[n].targets) {
+      View item = object();
+      item.set("flag", names_.done_member[n] + "." + target.name);
+      reached.push_back(item);
+    }
+    view.set("sends_done", names_.is_split() ? reached : list());
+    view["reached"] = std::move(reached);
+  }
+
+  /// What the other program sends of a node that runs there.
+  void add_remote(View& view, std::size_t n) const {
+    View received = list();
+    for (std::size_t o = 0; o < graph_.nodes[n].outputs.size(); ++o) {
+      if (!names_.crosses(n, o)) continue;
+      const std::string ring = ring_place(plan_, names_, plan_.nodes[n].rings[o], seq_of(n));
+      View message = object();
+      message.set("ring", ring);
+      message.set("channel", channel(n, o));
+      message.set("seq", seq_of(n));
+      message.set("conversions", conversions(n, o, ring));
+      received.push_back(message);
+    }
+    view["received"] = std::move(received);
   }
 
   void add_engine(View& view, std::size_t n) const {
@@ -199,6 +269,7 @@ class ProgramView {
       message.set("channel", channel(n, o));
       message.set("seq", seq_of(n));
       message.set("conversions", conversions(n, o, ring));
+      message.set("sends", names_.crosses(n, o));
       message.set("converted", output.processor.has_value());
       message.set("processor", names_.output_processor[n][o]);
       message.set("local", local);
@@ -243,7 +314,8 @@ class ProgramView {
 
   void add_observation(View& view) const {
     std::vector<std::string> windows;
-    for (std::size_t i = 0; i < graph_.environment().inputs.size(); ++i)
+    const bool observes = names_.receives(Graph::kEnvironment);
+    for (std::size_t i = 0; observes && i < graph_.environment().inputs.size(); ++i)
       windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
     view.set("observation", braced(windows, 4, 33));  // const Observation observation
   }
@@ -252,6 +324,7 @@ class ProgramView {
     View rings = list(), members = list(), counters = list();
     for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
       const Ring& ring = plan_.rings[r];
+      if (!names_.has_ring(r)) continue;
       View item = object();
       item.set("type", message_type(ring.space));
       item.set("member", names_.ring_member[r]);
@@ -266,9 +339,10 @@ class ProgramView {
       item.set("member", member);
       members.push_back(item);
     };
-    for (std::size_t i = 0; i < graph_.objects.size(); ++i)
+    for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i)
       add(names_.simulator_type[i], names_.simulator_member[i]);
     for (const std::size_t n : nodes_in_order(plan_)) {
+      if (!names_.runs(n)) continue;
       const Entity& entity = *graph_.nodes[n].entity;
       add(fmt::format("{}<{}>", entity.cpp.name, names_.io[n]), names_.node_member[n]);
       if (entity.counts.empty()) continue;
@@ -277,6 +351,7 @@ class ProgramView {
       item.set("member", names_.node_member[n]);
       counters.push_back(item);
     }
+    view.set("has_counts", names_.has_engine() || counters.is_non_empty_list());
     view["node_counts"] = std::move(counters);
     view["rings"] = std::move(rings);
     view["members"] = std::move(members);

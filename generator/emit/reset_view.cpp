@@ -24,7 +24,9 @@ class ResetView {
     view_.set("start_arguments", joined(started));
     view_.set("uses_states", uses_states_);
     view_.set("ignores_states", !uses_states_);
-    const bool keeps = !graph_.objects.empty() || has_delays_ || graph_.has_reset_nodes();
+    view_.set("has_engine", names_.has_engine());
+    const bool keeps =
+        (names_.has_engine() && !graph_.objects.empty()) || has_delays_ || graph_.has_reset_nodes();
     view_.set("has_start", keeps);
   }
 
@@ -53,7 +55,7 @@ class ResetView {
 
   void add_engine_states() {
     View engine_states = list();
-    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
+    for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i) {
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
         const std::string field = "states." + names_.object_state[i][s];
         View state = object();
@@ -72,6 +74,7 @@ class ResetView {
   void add_nodes() {
     View resets = list();
     for (const std::size_t n : nodes_in_order(plan_)) {
+      if (!names_.runs(n)) continue;
       const GraphNode& node = graph_.nodes[n];
       std::vector<std::string> states, delays;
       for (std::size_t s = 0; s < node.states.size(); ++s) states.push_back(state_argument(n, s));
@@ -120,7 +123,7 @@ class ResetView {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
-        if (!reception.changing) continue;
+        if (!reception.changing || !names_.receives(n)) continue;
         const Input& input = graph_.nodes[n].inputs[i];
         View delay = object();
         delay.set("member", names_.delay_member[n][i]);
@@ -146,6 +149,7 @@ class ResetView {
   void add_cursors() {
     View cursors = list();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      if (!names_.receives(n)) continue;
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
         const std::string& where = graph_.nodes[n].inputs[i].written;

@@ -33,6 +33,7 @@ class ScheduleView {
                                         dispatch ? "which of them are alike" : "masks")
                           : std::string("the next slot is found by a countdown of every rate")));
     view.set("all", constants || dispatch ? constant(schedule.masks.front()) : "");
+    view.set("observed", constants || dispatch ? constant(schedule.masks.front()) : "due_");
     add_runs(view, constants, dispatch);
     add_table(view, table, dispatch);
     add_kinds(view, dispatch);

@@ -123,6 +123,8 @@ struct Target {
   std::string summary, description;
   std::vector<std::pair<std::string, std::string>>
       templates;  // template file (full path) → output name
+  std::vector<std::pair<std::string, std::string>>
+      partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
   std::string system;  // its operating system; empty: none
   std::string family;  // the family of boards it is of; empty: none

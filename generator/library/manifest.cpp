@@ -285,12 +285,14 @@ std::optional<Target> read_target_manifest(const Node& root, const std::string& 
   target.id = {root.find("id")->text, root.find("id")->span};
   target.summary = text_at(root, "summary");
   target.description = text_at(root, "description");
-  if (const Node* templates = root.find("templates")) {
-    for (const auto& entry : templates->entries) {
-      target.templates.emplace_back((fs::path(path).parent_path() / entry.key).string(),
-                                    entry.value.text);
-    }
-  }
+  const auto read_templates = [&](const char* key, auto& into) {
+    const Node* templates = root.find(key);
+    if (templates == nullptr) return;
+    for (const auto& entry : templates->entries)
+      into.emplace_back((fs::path(path).parent_path() / entry.key).string(), entry.value.text);
+  };
+  read_templates("templates", target.templates);
+  read_templates("partner", target.partner);
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");

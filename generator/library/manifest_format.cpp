@@ -173,6 +173,9 @@ FormatPtr target_format() {
           Fields{{"templates",
                   format::file_map("a mapping from template files to the files they become"), false,
                   "files made for each graph"},
+                 {"partner",
+                  format::file_map("a mapping from template files to the files they become"), false,
+                  "files made for the board's half of a split graph"},
                  {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
                  {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
                  // For people and for CMake; a board in the making has blanks here.

@@ -9,6 +9,7 @@
 #include "generator/plan/order.hpp"
 #include "generator/plan/receptions.hpp"
 #include "generator/plan/schedule.hpp"
+#include "generator/plan/split.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -37,6 +38,7 @@ class Planner {
     plan_.schedule = make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate,
                                    graph_.nodes.size(), graph_.has_reset_nodes());
     if (diagnostics_.error_count() != errors_before) return std::nullopt;
+    if (graph_.placement) plan_.split = make_split(plan_);
     return std::move(plan_);
   }
 

@@ -75,6 +75,16 @@ struct Schedule {
   std::optional<std::uint64_t> slots;  // of the hyperperiod, if it can be counted
 };
 
+/// What the two programs of a split graph send each other.
+struct Split {
+  std::vector<bool> to_board, to_host;  // by channel
+  std::size_t board_payload = 0;        // most bytes of a frame to the board, and back; what is
+  std::size_t host_payload = 0;         // longer takes several frames
+  double exchanges = 0.0;               // a step: a frame there and one back
+  double board_bytes = 0.0;             // a step, to the board, without frames
+  double host_bytes = 0.0;
+};
+
 struct Plan {
   const Graph* graph = nullptr;
   std::vector<RateClass> rates;  // fastest first; bit i of a mask is rates[i]
@@ -84,9 +94,10 @@ struct Plan {
   std::vector<Ring> rings;
   std::vector<Channel> channels;
   Schedule schedule;
+  std::optional<Split> split;  // of a graph with a placement
 };
 
-/// What a message takes in memory.
+/// Bytes of a message in memory and on a link.
 std::uint64_t bytes_of(const Space& space);
 
 /// Plans a resolved graph. Problems, E04xx: E0401 an input that would stay empty for ever, E0402 a

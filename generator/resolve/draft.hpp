@@ -143,6 +143,8 @@ void resolve_spaces(Draft& draft);   // spaces and processors; fills the graph's
 void resolve_safety(Draft& draft);   // safe actions, in the spaces of the actions
 void resolve_states(Draft& draft);   // how states are drawn
 void resolve_targets(Draft& draft);  // which states the reset nodes bring about
+/// What runs on a board (E0332 what cannot, E0333 two boards, E0334 boards that are no partners).
+void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement);
 
 /// What `$(safety KEY)` means in manifests.
 References safety_references(const GraphSpec& spec);

@@ -171,6 +171,13 @@ struct Safety {
   Span span;
 };
 
+/// What runs on a board, linked with the rest, which runs on Linux.
+struct Placement {
+  const Target* board = nullptr;
+  std::vector<bool> on_board;  // by node; the environment's is where the agent decides
+  Span span;
+};
+
 struct Graph {
   std::string name;
   std::string path, file_name;  // of the graph file; file_name without folders
@@ -180,6 +187,7 @@ struct Graph {
   std::vector<Object> objects;
   Agent agent;
   Safety safety;
+  std::optional<Placement> placement;  // without: one program
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
   Span span;
@@ -196,8 +204,9 @@ struct Graph {
 
 /// What the command line may say besides the graph.
 struct ResolveOptions {
-  std::string engine;  // empty: the graph's
-  std::string real;    // empty: the graph's
+  std::string engine;                    // empty: the graph's
+  std::string real;                      // empty: the graph's
+  std::vector<PlacementSpec> placement;  // empty: the graph's
 };
 
 /// Binds every name. All problems are reported, E03xx; nullopt if there was any.

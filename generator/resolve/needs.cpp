@@ -10,18 +10,23 @@ namespace {
 
 /// f(entity, where the graph brings it in) for every entity with a C++ class, the engine first.
 template <class F>
-void for_each_entity(const Graph& graph, F&& f) {
+void for_each_entity(const Graph& graph, Part part, F&& f) {
   const auto processor = [&](const std::optional<Processor>& item) {
     if (item) f(*item->entity, item->span);
   };
-  f(*graph.engine().entity, graph.engine().span);
-  for (const auto& node : graph.nodes) {
+  if (part != Part::board) f(*graph.engine().entity, graph.engine().span);
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const GraphNode& node = graph.nodes[n];
+    if (receives_here(graph, part, n)) {
+      for (const auto& input : node.inputs) processor(input.processor);
+    }
+    for (const auto& target : node.targets) processor(target.processor);
+    if (!runs_here(graph, part, n)) continue;
     if (node.entity != nullptr && node.role != NodeRole::engine) f(*node.entity, node.span);
-    for (const auto& input : node.inputs) processor(input.processor);
     for (const auto& output : node.outputs) processor(output.processor);
     for (const auto& state : node.states) processor(state.processor);
-    for (const auto& target : node.targets) processor(target.processor);
   }
+  if (part == Part::board) return;
   for (const auto& object : graph.objects) {
     for (const auto& state : object.states) {
       if (state.engine_state != nullptr) f(*state.engine_state, object.span);
@@ -58,21 +63,29 @@ std::string missing(const Entity& entity, const Target& target) {
 
 }  // namespace
 
-std::vector<std::string> packages_of(const Graph& graph) {
+bool runs_here(const Graph& graph, Part part, std::size_t node) {
+  return part == Part::whole || graph.placement->on_board[node] == (part == Part::board);
+}
+
+bool receives_here(const Graph& graph, Part part, std::size_t node) {
+  return runs_here(graph, part, node) || (node == Graph::kEnvironment && part == Part::host);
+}
+
+std::vector<std::string> packages_of(const Graph& graph, Part part) {
   std::set<std::string> packages;
-  for_each_entity(graph, [&](const Entity& entity, Span /*span*/) {
+  for_each_entity(graph, part, [&](const Entity& entity, Span /*span*/) {
     packages.insert(entity.packages.begin(), entity.packages.end());
   });
   return {packages.begin(), packages.end()};
 }
 
-void check_system(const Graph& graph, const Target& target, const Library& library,
+void check_system(const Graph& graph, Part part, const Target& target, const Library& library,
                   Diagnostics& diagnostics) {
   std::set<std::string> reported;
   // What belongs to an engine that cannot run here need not be named too.
-  const bool engine_runs = missing(*graph.engine().entity, target).empty();
-  bool is_engine = true;
-  for_each_entity(graph, [&](const Entity& entity, Span span) {
+  const bool engine_runs = part == Part::board || missing(*graph.engine().entity, target).empty();
+  bool is_engine = part != Part::board;
+  for_each_entity(graph, part, [&](const Entity& entity, Span span) {
     const bool follows = !is_engine && !engine_runs && !entity.engines.empty();
     is_engine = false;
     const std::string what = missing(entity, target);

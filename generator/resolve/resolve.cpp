@@ -108,6 +108,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_targets(draft);
   resolve_agent(draft);
   check_cycles(draft);
+  place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_safety(draft);
   if (spec.reset_timeout_s) draft.graph.reset_timeout_s = spec.reset_timeout_s->value;

@@ -281,6 +281,10 @@ const Format& graph_format() {
        {"connections", connections_format(), true, "who sends to whom"},
        {"agent", agent_format(), false, "what decides (default: zero)"},
        {"safety", safety_format(), false, "what is safe, and when it takes the agent's place"},
+       {"placement",
+        format::map("names of nodes, `agent` or `controller`", format::text("a board")), false,
+        "what runs on a board, linked with the rest on Linux: nodes, `agent`, or `controller`, "
+        "which is the agent and all nodes"},
        {"budget", budget_format(), false,
         "what the program may take; what concerns an image is checked by `eagerx-gen size`"}});
   return *kFormat;

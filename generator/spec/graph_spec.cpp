@@ -265,6 +265,10 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
   spec.agent = read_agent(root.find("agent"), diagnostics);
   spec.safety = read_safety(root.find("safety"));
   if (const Node* budget = root.find("budget")) spec.budget = *budget;
+  if (const Node* placement = root.find("placement")) {
+    for (const auto& entry : placement->entries)
+      spec.placement.push_back({{entry.key, entry.key_span}, text_of(entry.value)});
+  }
   return spec;
 }
 

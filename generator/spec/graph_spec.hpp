@@ -112,6 +112,12 @@ struct SafetySpec {
   std::vector<Setting> settings;   // the others, by key
 };
 
+/// What runs on which board.
+struct PlacementSpec {
+  Spanned<std::string> name;  // of a node, `agent` or `controller`
+  Spanned<std::string> board;
+};
+
 struct GraphSpec {
   FileId file = FileId::none;
   std::string path;
@@ -130,6 +136,7 @@ struct GraphSpec {
   AgentSpec agent;
   std::optional<SafetySpec> safety;
   std::optional<Node> budget;
+  std::vector<PlacementSpec> placement;
 };
 
 /// The table of the graph file.

@@ -1,11 +1,13 @@
 # eagerx_add_graph(TARGET <name> GRAPH <file> [ENGINE <name>] [BOARD <target>] [PATHS <folder>...]
-#                  [OUTPUT <folder>])
+#                  [SPLIT <names>=<board>] [OUTPUT <folder>])
 #
 # Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
 # weight file changes.
 #   ENGINE  the engine instead of the one the graph names
 #   BOARD   a folder of targets/, linux-sim without it. When the board needs another compiler than this build
 #           has, <name> is built in a build tree of its own with the board's toolchain file.
+#   SPLIT   nodes, `agent` or `controller` on that board, as `eagerx-gen --split`: <name> is the program of the rest,
+#           for BOARD, and <name>.board the board's image
 #   PATHS   your own folders of entities and targets, searched first
 #   OUTPUT  where the generated sources go, <build>/<name>.eagerx without it
 # For boards there is also <name>.size: `eagerx-gen size` of the image, which fails when the `budget:` of the graph is
@@ -14,10 +16,10 @@
 include_guard(GLOBAL)
 
 function(eagerx_add_graph)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;GRAPH;ENGINE;BOARD;OUTPUT" "PATHS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;GRAPH;ENGINE;BOARD;SPLIT;OUTPUT" "PATHS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
-                        "takes TARGET GRAPH [ENGINE] [BOARD] [PATHS...] [OUTPUT]")
+                        "takes TARGET GRAPH [ENGINE] [BOARD] [SPLIT] [PATHS...] [OUTPUT]")
   endif()
   if(NOT arg_TARGET OR NOT arg_GRAPH)
     message(FATAL_ERROR "eagerx_add_graph: TARGET and GRAPH are needed")
@@ -43,18 +45,38 @@ function(eagerx_add_graph)
   endforeach()
 
   _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
-  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${arg_BOARD} "${arg_ENGINE}" "${paths}")
+  set(sources ${arg_OUTPUT})
+  if(arg_SPLIT)
+    if(NOT arg_SPLIT MATCHES "^[^=]+=([^=]+)$")
+      message(FATAL_ERROR "eagerx_add_graph: SPLIT is `${arg_SPLIT}`; it is NAME[,NAME...]=BOARD")
+    endif()
+    set(part ${CMAKE_MATCH_1})
+    _eagerx_find_board(part_folder part_toolchain ${part} "${paths}")
+    set(sources ${arg_OUTPUT}/host)
+  endif()
+  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${arg_ENGINE}" "${arg_SPLIT}"
+                   "${paths}")
+  _eagerx_build(${arg_TARGET} ${stamp} ${sources} ${arg_BOARD} ${board_folder} "${toolchain}" ${arg_GRAPH}
+                "${arg_ENGINE}" "${paths}")
+  if(arg_SPLIT)
+    _eagerx_build(${arg_TARGET}.board ${stamp} ${arg_OUTPUT}/board ${part} ${part_folder} "${part_toolchain}" ${arg_GRAPH}
+                  "${arg_ENGINE}" "${paths}")
+  endif()
+endfunction()
+
+# A program from generated sources, with the compiler that the board needs.
+function(_eagerx_build target stamp sources board board_folder toolchain graph engine paths)
   if(toolchain AND NOT CMAKE_CROSSCOMPILING)
-    _eagerx_build_with_toolchain(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder} ${toolchain} ${arg_GRAPH}
-                                 "${arg_ENGINE}" "${paths}")
+    _eagerx_build_with_toolchain(${target} ${stamp} ${sources} ${board} ${board_folder} ${toolchain} ${graph} "${engine}"
+                                 "${paths}")
   else()
-    _eagerx_build_here(${arg_TARGET} ${stamp} ${arg_OUTPUT} ${arg_BOARD} ${board_folder})
+    _eagerx_build_here(${target} ${stamp} ${sources} ${board} ${board_folder})
     foreach(path IN LISTS paths)
       cmake_path(GET path PARENT_PATH parent) # headers are included as <folder/…>
-      target_include_directories(${arg_TARGET} PRIVATE ${parent})
+      target_include_directories(${target} PRIVATE ${parent})
     endforeach()
   endif()
-  set_target_properties(${arg_TARGET} PROPERTIES EAGERX_SOURCES ${arg_OUTPUT})
+  set_target_properties(${target} PROPERTIES EAGERX_SOURCES ${sources})
 endfunction()
 
 # Folder of a board, and its toolchain file if it has one.
@@ -92,20 +114,23 @@ endfunction()
 
 # The rule that runs the generator. Sources are written only when they change; the stamp always is. So the
 # stamp is the output, and whatever is compiled depends on it.
-function(_eagerx_generate stamp_variable target graph output board engine paths)
+function(_eagerx_generate stamp_variable target graph output sources board engine split paths)
   set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp)
   set(options --target ${board} --depfile ${stamp}.d)
   if(engine)
     list(APPEND options --engine ${engine})
+  endif()
+  if(split)
+    list(APPEND options --split ${split})
   endif()
   foreach(path IN LISTS paths)
     list(APPEND options --path ${path})
   endforeach()
   add_custom_command(
     OUTPUT ${stamp}
-    BYPRODUCTS ${output}/CMakeLists.txt ${output}/${board}/main.cpp
+    BYPRODUCTS ${sources}/CMakeLists.txt ${sources}/${board}/main.cpp
     COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} ${options}
-    COMMAND ${CMAKE_COMMAND} -DFOLDER=${output} -DSTAMP=${stamp} -P ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake
+    COMMAND ${CMAKE_COMMAND} -DFOLDER=${sources} -DSTAMP=${stamp} -P ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${graph} eagerx::eagerx-gen $<TARGET_FILE:eagerx::eagerx-gen>
     DEPFILE ${stamp}.d
@@ -132,15 +157,16 @@ endfunction()
 function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain graph engine paths)
   set(build ${CMAKE_CURRENT_BINARY_DIR}/${target}.build)
   set(image ${build}/${target}.elf)
+  set(configured ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.configured)
   cmake_path(GET board_folder PARENT_PATH targets_folder)
   add_custom_command(
-    OUTPUT ${stamp}.configured
+    OUTPUT ${configured}
     COMMAND
       ${CMAKE_COMMAND} -S ${output} -B ${build} -G ${CMAKE_GENERATOR} --toolchain ${toolchain}
       -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
       -DEAGERX_TARGET=${board} -DEAGERX_TARGETS_PATH=${targets_folder} -DEAGERX_IMAGE_NAME=${target}.elf
       -Deagerx_gen_DIR=${EAGERX_PACKAGE_DIR}
-    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}.configured
+    COMMAND ${CMAKE_COMMAND} -E touch ${configured}
     DEPENDS ${stamp} ${toolchain}
     COMMENT "Configuring ${target} for ${board}"
     VERBATIM)
@@ -148,7 +174,7 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
   add_custom_target(
     ${target} ALL
     COMMAND ${CMAKE_COMMAND} --build ${build}
-    DEPENDS ${stamp}.configured
+    DEPENDS ${configured}
     BYPRODUCTS ${image}
     COMMENT "Building ${target} for ${board}"
     VERBATIM)
@@ -164,7 +190,7 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
   add_custom_target(
     ${target}.size
     COMMAND eagerx::eagerx-gen size ${image} --build ${build} --graph ${graph} ${options}
-    DEPENDS ${stamp}.configured
+    DEPENDS ${configured}
     COMMENT "Measuring ${target}"
     VERBATIM)
   add_dependencies(${target}.size ${target})

@@ -75,22 +75,36 @@ typename Graph::Action act(Agent agent, EpisodeKey key, Seq step,
   return Graph::zero();
 }
 
+/// False if the other program of a split graph is gone; a whole one has none.
+template <class Program>
+bool is_linked(const Program& program) {
+  if constexpr (requires { program.link->ok(); }) {
+    return program.link->ok();
+  } else {
+    return true;
+  }
+}
+
 /// Runs `plan`. `agent(key, step, observation)` gives an action. `watch` sees what happens:
 /// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
 /// `step` from 1, and ends the run before a step or an episode by returning false from
-/// `watch.go_on()`.
+/// `watch.go_on()`. A watch with `begin(key)` is told of an episode before its reset. The run of a
+/// program with a link to another one ends when the link does; nothing of that step is shown.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
     if (!watch.go_on()) return;
     const EpisodeKey key{plan.seed, plan.environment, episode};
+    if constexpr (requires { watch.begin(key); }) watch.begin(key);
     program.trace.episode(episode);
     typename Graph::Observation observation = program.reset(Graph::draw(key));
+    if (!is_linked(program)) return;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
       if (!watch.go_on()) return;
-      const typename Graph::Action action = agent(key, step, observation);
+      typename Graph::Action action = agent(key, step, observation);
       observation = program.step(action);
+      if (!is_linked(program)) return;
       watch.step(episode, step + 1, action, observation);
     }
   }

@@ -18,6 +18,7 @@
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/progress.hpp>
+#include <targets/linux-sim/split.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <targets/linux-sim/text_file.hpp>
 #include <targets/linux-sim/trace_file.hpp>
@@ -41,12 +42,19 @@ class Watch {
   using Observation = typename Graph::Observation;
   using Table = target::CsvTable<Graph, TextFile>;
 
-  Watch(const Options& options, TextFile& csv, TextFile& trace)
+  using Link = typename LinkOf<Graph>::Type;
+
+  Watch(const Options& options, TextFile& csv, TextFile& trace, Link& link)
       : csv_(csv),
         trace_(trace),
+        link_(link),
+        agent_(options.agent),
         pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
         progress_(options.plan.episodes * options.plan.steps, !options.quiet) {}
 
+  void begin(EpisodeKey key) {
+    if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
+  }
   bool go_on() const { return !interrupted() && !csv_.failed() && !trace_.failed(); }
 
   void reset(std::uint32_t episode, const Observation& observation) {
@@ -89,6 +97,8 @@ class Watch {
  private:
   TextFile& csv_;
   TextFile& trace_;
+  Link& link_;
+  target::Agent agent_;
   Pacer pacer_;
   Progress progress_;
   std::uint64_t episodes_ = 0;
@@ -129,6 +139,11 @@ template <class Graph, class Program>
 void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
                  Watch<Graph>& watch, target::Guard<Graph>& guard) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
+    if constexpr (LinkOf<Graph>::kBoardDecides) {
+      // The board has agent and guard, and the program gives back what they did.
+      program.link->set_late(watch.late_in_a_row());
+      return Graph::zero();
+    }
     if (step == 0) guard.reset();
     const auto action = action_of<Graph>(options, table, key, step, observation, program);
     return guard.check(observation, action, watch.late_in_a_row());
@@ -136,7 +151,11 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
   program.warm_up();  // a library may need memory for it, and none afterwards
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
-  if (Graph::kSafety.declared && interrupted() && watch.has_begun()) program.step(guard.stop());
+  if (Graph::kSafety.declared && interrupted() && watch.has_begun() && target::is_linked(program)) {
+    typename Graph::Action action = guard.stop();
+    if constexpr (LinkOf<Graph>::kBoardDecides) program.link->make_safe();
+    program.step(action);
+  }
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
   program.stop();
 }
@@ -173,16 +192,23 @@ void replay_episodes(const Options& options, const trace_log::Log& log,
   }
 }
 
+/// How many steps are done when something ends a run.
+inline std::string place_of(const Summary& summary) {
+  return "note: the run ended after step " + std::to_string(summary.steps) + " of episode " +
+         std::to_string(summary.episodes) + ", counted from 1; files are complete up to there";
+}
+
 /// Runs with everything checked and read; writes files and summary.
 template <class Graph>
-int run_with(const Options& options, const ActionTable<Graph>& table) {
+int run_with(const Options& options, const ActionTable<Graph>& table,
+             typename LinkOf<Graph>::Type& link) {
   using Recorder = TraceRecorder<Graph>;
   TextFile csv;
   TextFile trace;
   if (!open_output(csv, options.csv) || !open_output(trace, options.trace)) return kBadFile;
   const std::string_view agent = target::name_of(options.agent);
 
-  Watch<Graph> watch(options, csv, trace);
+  Watch<Graph> watch(options, csv, trace, link);
   target::Guard<Graph> guard;
   std::uint64_t hash = 0;
   Summary summary;
@@ -195,30 +221,44 @@ int run_with(const Options& options, const ActionTable<Graph>& table) {
   };
   const auto note_faults = [&](const auto& program) {
     target::for_each_fault(program, note);
-    guard.for_each_count(note);
+    // Where the board decides, its guard counts.
+    if (!LinkOf<Graph>::kBoardDecides) guard.for_each_count(note);
   };
   if (options.hash || trace.is_open()) {
-    auto& program = target::program_of_run<typename Graph::template Program<Recorder>>;
+    auto& program = target::program_of_run<typename ProgramOf<Graph, Recorder>::Type>;
+    if constexpr (is_split<Graph>) program.link = &link;
     if (trace.is_open()) {
       Recorder::Text::head(trace, options.plan.seed, options.plan.environment, agent,
                            options.trace_time);
       program.trace.write_to(&trace, options.trace_time);
     }
     run_program(options, table, program, watch, guard);
-    program.trace.write_end();
+    if (target::is_linked(program)) program.trace.write_end();
     hash = program.trace.hash();
     note_faults(program);
   } else {
-    auto& program = target::program_of_run<typename Graph::template Program<NoTrace>>;
+    auto& program = target::program_of_run<typename ProgramOf<Graph, NoTrace>::Type>;
+    if constexpr (is_split<Graph>) program.link = &link;
     run_program(options, table, program, watch, guard);
     note_faults(program);
   }
 
   watch.finish(summary);
+  std::string broken;
+  if constexpr (is_split<Graph>) {
+    link::Report report;
+    if (link.ok())
+      link.finish(report, [&](const char* name, std::uint64_t count) {
+        note((std::string(name) + " on the board").c_str(), count);
+      });
+    if (!link.ok()) broken = problem_of<Graph>(link);
+    describe_link(summary, Graph::Link::kBoard, link.statistics(), report);
+  }
   const bool csv_closed = close_output(csv, options.csv);
   const bool trace_closed = close_output(trace, options.trace);
   std::FILE* const out = options.csv == "-" || options.trace == "-" ? stderr : stdout;
   if (!options.quiet) std::fputs(summary_text(summary).c_str(), out);
+  if (!broken.empty()) return std::fflush(out), fail(broken + "\n" + place_of(summary), kBadFile);
   if (options.hash) std::fputs(hash_line(hash).c_str(), out);
   const bool printed = std::fflush(out) == 0;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
@@ -244,7 +284,9 @@ int replay_log(const Options& options, const ActionTable<Graph>& table) {
 
 template <class Graph>
 int show_help(const char* program_name, const Options& defaults) {
-  auto& program = target::program_of_run<typename Graph::template Program<NoTrace>>;
+  auto& program = target::program_of_run<typename ProgramOf<Graph, NoTrace, link::NoLink>::Type>;
+  link::NoLink none;
+  if constexpr (is_split<Graph>) program.link = &none;
   std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\nSimulates the graph `" +
                      Graph::kName + "` on " + Graph::kEngine + " at " +
                      number_text(Graph::Rate::hz) + " Hz.\n\n";
@@ -274,6 +316,7 @@ int run(int argc, char** argv) {
   Options defaults;
   defaults.agent = target::default_agent<Graph>();
   defaults.action_file = Graph::kAgentCsv;
+  defaults.split = is_split<Graph>;
   const auto parsed = parse_options(argc - 1, argv + 1, defaults);
   if (const auto* wrong = std::get_if<UsageError>(&parsed)) {
     return fail("error: " + wrong->problem + "\nhelp: " + wrong->help, kBadUsage);
@@ -299,9 +342,34 @@ int run(int argc, char** argv) {
     const ActionProblem problem = table.load(options.action_file, options.plan.steps);
     if (problem.exit_code != 0) return fail(problem.text, problem.exit_code);
   }
-  if (!options.replay.empty()) return replay_log<Graph>(options, table);
+  if (!options.replay.empty()) {
+    if constexpr (is_split<Graph>) {
+      return fail("error: a part of this graph runs on " + std::string(Graph::Link::kBoard) +
+                      "\nhelp: repeat a log with the program that is not split, which has the same "
+                      "messages",
+                  kBadUsage);
+    } else {
+      return replay_log<Graph>(options, table);
+    }
+  }
+  if (!board_knows<Graph>(options.agent)) {
+    return fail("error: the agent is on the board, which knows `zero` and `" +
+                    std::string(Graph::kHasPolicy ? "policy" : "random") + "`",
+                kBadUsage);
+  }
   catch_interrupts();
-  return run_with<Graph>(options, table);
+  typename LinkOf<Graph>::Type link{};
+  if constexpr (is_split<Graph>) {
+    if (options.link.empty()) {
+      return fail("error: a part of this graph runs on " + std::string(Graph::Link::kBoard) +
+                      "\nhelp: say where that is, `--link` with a serial line, HOST:PORT or "
+                      "unix:PATH",
+                  kBadUsage);
+    }
+    const std::string problem = connect<Graph>(link, options);
+    if (!problem.empty()) return fail(problem, kBadFile);
+  }
+  return run_with<Graph>(options, table, link);
 }
 
 }  // namespace eagerx::linux_sim

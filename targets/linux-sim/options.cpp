@@ -70,6 +70,17 @@ bool set_real_time_factor(Options& options, std::string_view value) {
   return parse_number(value, 0.0, options.real_time_factor) &&
          std::isfinite(options.real_time_factor);
 }
+bool set_link(Options& options, std::string_view value) {
+  options.link = value;
+  return !value.empty();
+}
+bool set_baud(Options& options, std::string_view value) {
+  return parse_number(value, std::uint32_t{1}, options.baud);
+}
+bool set_link_timeout(Options& options, std::string_view value) {
+  constexpr double kLongest = 1e6;
+  return parse_number(value, 0.0, options.link_timeout_s) && options.link_timeout_s <= kLongest;
+}
 bool set_hash(Options& options, std::string_view) {
   return options.hash = true;
 }
@@ -93,6 +104,7 @@ struct Option {
   std::string_view wants;  // what its value must be, for errors
   std::string_view about;
   bool (*set)(Options&, std::string_view);
+  bool split = false;  // only for programs of which a part runs elsewhere
 };
 
 constexpr std::array kOptions{
@@ -120,6 +132,12 @@ constexpr std::array kOptions{
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "a number of at least 0",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
+    Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
+           "where the board is: a serial line, HOST:PORT or unix:PATH", set_link, true},
+    Option{"--baud", "N", "a whole number from 1 to 4294967295", "speed of a serial line", set_baud,
+           true},
+    Option{"--link-timeout", "S", "a number from 0 to 1000000",
+           "seconds without an answer of the board that end the run", set_link_timeout, true},
     Option{"--self-test", "", "", "only check the policy's answers that are known", set_self_test},
     Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
     Option{"--help", "", "", "show this text", set_help},
@@ -164,8 +182,9 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
     const std::string_view argument = arguments[i];
     const std::size_t equals = argument.find('=');
     const std::string_view name = argument.substr(0, equals);
-    const auto* option = std::find_if(kOptions.begin(), kOptions.end(),
-                                      [&](const Option& each) { return each.name == name; });
+    const auto* option = std::find_if(kOptions.begin(), kOptions.end(), [&](const Option& each) {
+      return each.name == name && (options.split || !each.split);
+    });
     if (option == kOptions.end()) {
       if (name.starts_with("-")) {
         return UsageError{"unknown option " + quoted(name), nearest_option(name)};
@@ -199,6 +218,7 @@ std::string options_help(const Options& defaults) {
   constexpr std::size_t kColumn = 24;
   std::string text;
   for (const Option& option : kOptions) {
+    if (option.split && !defaults.split) continue;
     std::string line = "  " + std::string(option.name);
     if (!option.value.empty()) line += " " + std::string(option.value);
     line.resize(std::max(line.size() + 1, kColumn), ' ');
@@ -213,6 +233,8 @@ std::string options_help(const Options& defaults) {
       if (defaults.agent == Agent::csv) line += " " + defaults.action_file;
       line += ")";
     }
+    if (option.name == "--baud") line += " (" + std::to_string(defaults.baud) + ")";
+    if (option.name == "--link-timeout") line += " (5)";
     text += line + "\n";
   }
   return text + R"(

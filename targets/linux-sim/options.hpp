@@ -1,6 +1,7 @@
 // The command line of a linux-sim program.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <targets/common/run.hpp>
@@ -16,6 +17,8 @@ inline constexpr int kDiverged = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kBadFile = 3;
 
+inline constexpr std::uint32_t kDefaultBaud = 115'200;
+
 struct Options {
   target::RunPlan plan;
   target::Agent agent = target::Agent::zero;
@@ -27,6 +30,10 @@ struct Options {
   std::string replay;  // a log; empty: none
   std::string replay_given = "actions,sensors";
   double real_time_factor = 0.0;
+  bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
+  std::string link;
+  std::uint32_t baud = kDefaultBaud;
+  double link_timeout_s = 5.0;
   bool hash = false;
   bool quiet = false;
   bool help = false;

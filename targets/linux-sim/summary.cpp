@@ -8,7 +8,12 @@ namespace {
 
 constexpr double kMsPerSecond = 1e3;
 
-/// With `digits` digits after the point, in any locale.
+void add(std::string& text, std::string_view name, std::string_view value) {
+  text.append(name).append(" ").append(value).append("\n");
+}
+
+}  // namespace
+
 std::string fixed(double value, int digits) {
   constexpr std::size_t kLongestFixedDouble = 350;
   std::array<char, kLongestFixedDouble> text{};
@@ -16,12 +21,6 @@ std::string fixed(double value, int digits) {
                                     std::chars_format::fixed, digits);
   return {text.data(), result.ptr};
 }
-
-void add(std::string& text, std::string_view name, std::string_view value) {
-  text.append(name).append(" ").append(value).append("\n");
-}
-
-}  // namespace
 
 std::string summary_text(const Summary& summary) {
   const double elapsed_s = summary.elapsed_s > 0.0 ? summary.elapsed_s : 1e-9;
@@ -46,6 +45,7 @@ std::string summary_text(const Summary& summary) {
   for (const auto& [name, count] : summary.faults) {
     if (count > 0) add(text, name, std::to_string(count));
   }
+  for (const auto& [name, value] : summary.more) add(text, name, value);
   if (summary.interrupted) text += "interrupted\n";
   return text;
 }

@@ -21,8 +21,12 @@ struct Summary {
   std::uint64_t overruns = 0;
   double worst_overrun_s = 0.0;
   std::vector<std::pair<std::string, std::uint64_t>> faults;  // that the program has counted
+  std::vector<std::pair<std::string, std::string>> more;      // lines at the end
   bool interrupted = false;
 };
+
+/// With `digits` digits after the point, in any locale.
+std::string fixed(double value, int digits);
 
 std::string summary_text(const Summary& summary);
 

@@ -5,11 +5,17 @@ namespace eagerx::board {
 
 constinit Console console{};
 
+void Console::put(char character) {
+  buffer_[used_++] = character;
+  if (character == '\n' || used_ == kBufferBytes - 1) flush();  // one place for the final 0
+}
+
 void Console::text(std::string_view text) {
-  for (const char character : text) {
-    buffer_[used_++] = character;
-    if (character == '\n' || used_ == kBufferBytes - 1) flush();  // one place for the final 0
-  }
+  for (const char character : text) put(character);
+}
+
+void Console::text(const char* text) {
+  while (*text != '\0') put(*text++);
 }
 
 void Console::flush() {

@@ -29,6 +29,8 @@ class Console {
  public:
   void send_to(Output output) { output_ = output; }
   void text(std::string_view text);
+  /// Up to its end; of the library's strlen alone there would be 200 bytes.
+  void text(const char* text);
   void flush();
 
   /// Decimal integers, and floating-point numbers as the shortest decimal that reads back to the
@@ -55,6 +57,8 @@ class Console {
   }
 
  private:
+  [[gnu::noinline]] void put(char character);
+
   static constexpr std::size_t kBufferBytes = 128;
 
   char buffer_[kBufferBytes];

@@ -1,0 +1,105 @@
+// What runs on a board.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "generator/resolve/draft.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+class Placer {
+ public:
+  explicit Placer(Draft& draft) : draft_(draft) {
+    placement_.on_board.assign(draft.nodes.size(), false);
+  }
+
+  void run(const std::vector<PlacementSpec>& items) {
+    for (const auto& item : items) {
+      find_board(item);
+      place(item);
+    }
+    if (placement_.on_board[Graph::kEnvironment] &&
+        draft_.graph.agent.kind == AgentSpec::Kind::csv) {
+      draft_.diagnostics
+          .error("E0332", placement_.span, "the agent reads a file, which a board cannot")
+          .help = "place nodes, without `agent` and `controller`";
+    }
+    draft_.graph.placement = std::move(placement_);
+  }
+
+ private:
+  void find_board(const PlacementSpec& item) {
+    const auto& targets = draft_.library.targets;
+    std::vector<std::string> partners;
+    for (const auto& [id, target] : targets) {
+      if (!target.partner.empty()) partners.push_back(id);
+    }
+    const auto found = targets.find(item.board.value);
+    if (found == targets.end()) {
+      draft_.diagnostics
+          .error("E0316", item.board.span, fmt::format("unknown target `{}`", item.board.value))
+          .help = suggestion(item.board.value, partners, "no target can be a partner");
+      return;
+    }
+    if (found->second.partner.empty()) {
+      draft_.diagnostics
+          .error("E0334", item.board.span,
+                 fmt::format("target `{}` cannot run a part of a graph", item.board.value))
+          .help = fmt::format("its manifest has no `partner`; {} have", fmt::join(partners, ", "));
+      return;
+    }
+    if (placement_.board == nullptr) {
+      placement_.board = &found->second;
+      placement_.span = item.name.span;
+    } else if (placement_.board != &found->second) {
+      draft_.diagnostics.error("E0333", item.board.span,
+                               fmt::format("parts on two boards, `{}` and `{}`: there can be one",
+                                           placement_.board->id.value, item.board.value));
+    }
+  }
+
+  void place(const PlacementSpec& item) {
+    const std::string& name = item.name.value;
+    const auto& nodes = draft_.nodes;
+    std::vector<std::string> known = {"controller", "agent"};
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      if (nodes[n].node.role != NodeRole::node) continue;
+      known.push_back(nodes[n].node.name);
+      // A node that is called so comes before the word.
+      if (nodes[n].node.name != name) continue;
+      placement_.on_board[n] = true;
+      return;
+    }
+    if (name == "agent" || name == "controller") {
+      placement_.on_board[Graph::kEnvironment] = true;
+      for (std::size_t n = 0; name == "controller" && n < nodes.size(); ++n)
+        if (nodes[n].node.role == NodeRole::node) placement_.on_board[n] = true;
+      return;
+    }
+    const bool simulated =
+        name == "engine" ||
+        std::any_of(draft_.objects.begin(), draft_.objects.end(),
+                    [&](const DraftObject& object) { return object.name == name; });
+    if (simulated) {
+      draft_.diagnostics
+          .error("E0332", item.name.span,
+                 fmt::format("`{}` cannot be placed on a board", name))
+          .help = "the engine and its objects stay on Linux: place nodes, `agent` or `controller`";
+      return;
+    }
+    draft_.diagnostics.error("E0307", item.name.span, fmt::format("there is no node `{}`", name))
+        .help = suggestion(name, known, "");
+  }
+
+  Draft& draft_;
+  Placement placement_;
+};
+
+}  // namespace
+
+void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement) {
+  if (!placement.empty()) Placer(draft).run(placement);
+}
+
+}  // namespace eagerx::gen

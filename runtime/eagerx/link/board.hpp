@@ -1,0 +1,140 @@
+// The board's end of the link. It never speaks unasked: it answers each request of the host once
+// it needs more messages than it has, and answers a duplicate with its last answer.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/link/frame.hpp>
+#include <eagerx/link/stream.hpp>
+
+namespace eagerx::link {
+
+/// `Port` has put(byte), flush(), and get(), which returns a byte, kNothing or kClosed.
+inline constexpr int kNothing = -1;
+inline constexpr int kClosed = -2;
+
+/// `ToBoard`, `ToHost`: most bytes of a frame's payload; longer messages take several frames. All
+/// zero at the start.
+template <class Port, std::size_t ToBoard, std::size_t ToHost>
+class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
+  static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes);
+
+ public:
+  Port port;
+
+  /// `status` is told to the host and, if it is not 0, no session begins.
+  void identify(Identity identity, std::uint8_t status) {
+    identity_ = identity;
+    status_ = status;
+  }
+  /// Returns when a session has begun, at once if one just did; false if the line is closed.
+  bool wait_for_host() {
+    while (!greeted_) {
+      if (!wait_for_request()) {
+        if (closed_) return false;
+      }
+    }
+    greeted_ = false;
+    open_ = true;
+    return true;
+  }
+  /// Whether the session goes on. A host that starts anew ends it.
+  bool ok() const { return open_; }
+  std::uint32_t damaged() const { return damaged_ + in_.damaged(); }
+
+  [[gnu::noinline]] void put_bytes(const std::uint8_t* bytes, std::size_t size) {
+    while (size > 0 && open_) {
+      const std::size_t taken = out_.append(bytes, size);
+      bytes += taken;
+      size -= taken;
+      if (size > 0) next_request();
+    }
+  }
+  [[gnu::noinline]] bool get_bytes(std::uint8_t* bytes, std::size_t size) {
+    while (size > 0 && open_) {
+      if (read_ == received_) {
+        next_request();
+        continue;
+      }
+      *bytes++ = in_.payload()[read_++];
+      --size;
+    }
+    return open_;
+  }
+
+ private:
+  /// Answers the request that is being worked on and waits for the next one.
+  [[gnu::noinline]] void next_request() {
+    // Two programs of one graph never answer before everything is read.
+    if (read_ != received_) open_ = false;
+    if (open_ && number_ > 0) send(Kind::answer, number_);
+    if (!open_ || !wait_for_request()) open_ = false;
+    out_.clear();
+  }
+
+  /// True if there is a new request of this session; false if there is a new session or no line.
+  [[gnu::noinline]] bool wait_for_request() {
+    for (;;) {
+      const int byte = port.get();
+      if (byte == kClosed) return closed_ = true, false;
+      if (byte == kNothing || !in_.take(static_cast<std::uint8_t>(byte))) continue;
+      if (in_.kind() == Kind::hello) {
+        if (greet()) return false;
+      } else if (in_.kind() == Kind::request && in_.intact(crc_start_) && (open_ || greeted_)) {
+        if (in_.number() == number_ + 1) break;
+        if (in_.number() == number_ && number_ > 0) send_again();
+      } else {
+        ++damaged_;
+      }
+    }
+    ++number_;
+    read_ = 0;
+    received_ = in_.size();
+    return true;
+  }
+
+  /// True if a new session begins.
+  [[gnu::noinline]] bool greet() {
+    if (!in_.intact(0) || in_.size() != Greeting::kBytes) return ++damaged_, false;
+    const Greeting hello = Greeting::read(in_.payload());
+    const bool same = (open_ || greeted_) && hello.session == session_;
+    if (same && number_ > 0) return false;  // a late duplicate
+    const Greeting welcome{kProtocol, status_, identity_.runtime, identity_.graph, hello.session};
+    std::uint8_t bytes[Greeting::kBytes];
+    welcome.write(bytes);
+    out_.clear();
+    out_.append(bytes, sizeof bytes);
+    send(Kind::welcome, 0);
+    out_.clear();
+    if (same) return false;
+    session_ = hello.session;
+    crc_start_ = welcome.crc_start();
+    number_ = 0;
+    read_ = received_ = 0;
+    open_ = false;
+    greeted_ = hello.crc_start() == welcome.crc_start() && status_ == 0;
+    return greeted_;
+  }
+
+  [[gnu::noinline]] void send(Kind kind, std::uint32_t number) {
+    out_.seal(kind, number, kind == Kind::welcome ? 0 : crc_start_);
+    send_again();
+  }
+  [[gnu::noinline]] void send_again() {
+    out_.send([this](std::uint8_t byte) { port.put(byte); });
+    port.flush();
+  }
+
+  InFrame<ToBoard> in_;
+  OutFrame<ToHost> out_;
+  Identity identity_;
+  std::size_t read_, received_;  // of the request's payload
+  std::uint32_t number_;         // of the request
+  std::uint32_t session_;
+  std::uint32_t crc_start_;
+  std::uint32_t damaged_;
+  std::uint8_t status_;
+  bool open_, greeted_, closed_;
+};
+
+}  // namespace eagerx::link

@@ -1,0 +1,151 @@
+// Frames between the two programs of a split graph. A frame on the line is
+//
+//   0, COBS(kind u8, number u32, payload, CRC-32C u32), 0
+//
+// with little-endian numbers. The zero in front ends whatever noise came before. The CRC of a
+// session's frames starts from the session's own value, so frames of another session, graph or
+// version fail it.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <eagerx/link/cobs.hpp>
+#include <eagerx/link/crc32c.hpp>
+#include <type_traits>
+
+namespace eagerx::link {
+
+static_assert(std::endian::native == std::endian::little,
+              "messages are sent as they lie in memory");
+
+/// Version of everything below; a hello with another one is refused.
+inline constexpr std::uint8_t kProtocol = 1;
+
+enum class Kind : std::uint8_t { hello = 1, welcome = 2, request = 3, answer = 4 };
+
+inline constexpr std::size_t kHeaderBytes = 5;
+inline constexpr std::size_t kCrcBytes = 4;
+/// Bytes on the line of a frame with a payload of up to 245 bytes, besides the payload.
+inline constexpr std::size_t kFrameBytes = kHeaderBytes + kCrcBytes + 3;
+
+template <class T>
+T read_as(const std::uint8_t* bytes) {
+  T value;
+  std::memcpy(&value, bytes, sizeof value);
+  return value;
+}
+template <class T>
+void write_as(std::uint8_t* bytes, T value) {
+  std::memcpy(bytes, &value, sizeof value);
+}
+
+/// What both programs must agree on.
+struct Identity {
+  std::uint64_t graph;    // hash of the generated sources of both
+  std::uint16_t runtime;  // version, major * 256 + minor
+};
+
+/// Payload of hello and welcome.
+struct Greeting {
+  static constexpr std::size_t kBytes = 16;
+
+  std::uint8_t protocol = kProtocol;
+  std::uint8_t status = 0;  // of the board: 0, or why it does not run
+  std::uint16_t runtime = 0;
+  std::uint64_t graph = 0;
+  std::uint32_t session = 0;
+
+  static Greeting read(const std::uint8_t* bytes) {
+    return {bytes[0], bytes[1], read_as<std::uint16_t>(bytes + 2),
+            read_as<std::uint64_t>(bytes + 4), read_as<std::uint32_t>(bytes + 12)};
+  }
+  void write(std::uint8_t* bytes) const {
+    bytes[0] = protocol;
+    bytes[1] = status;
+    write_as(bytes + 2, runtime);
+    write_as(bytes + 4, graph);
+    write_as(bytes + 12, session);
+  }
+  /// What the CRC of the session's other frames starts from.
+  [[gnu::noinline]] std::uint32_t crc_start() const {
+    std::uint8_t bytes[kBytes];
+    write(bytes);
+    bytes[1] = 0;
+    return crc32c(bytes, kBytes);
+  }
+};
+
+/// A frame on its way out. All zero at the start.
+template <std::size_t Payload>
+class OutFrame {
+ public:
+  void clear() { size_ = 0; }
+  bool empty() const { return size_ == 0; }
+  std::size_t size() const { return size_; }
+  /// As many of `size` bytes as there is room for; returns how many.
+  [[gnu::noinline]] std::size_t append(const std::uint8_t* bytes, std::size_t size) {
+    const std::size_t count = size < Payload - size_ ? size : Payload - size_;
+    std::memcpy(bytes_ + kHeaderBytes + size_, bytes, count);
+    size_ += count;
+    return count;
+  }
+  void seal(Kind kind, std::uint32_t number, std::uint32_t crc_start) {
+    bytes_[0] = static_cast<std::uint8_t>(kind);
+    write_as(bytes_ + 1, number);
+    write_as(bytes_ + kHeaderBytes + size_, crc32c(bytes_, kHeaderBytes + size_, crc_start));
+  }
+  /// put(byte) for everything that goes on the line; the frame stays and can be sent again.
+  template <class Put>
+  void send(Put&& put) const {
+    put(std::uint8_t{0});
+    cobs_encode(bytes_, kHeaderBytes + size_ + kCrcBytes, put);
+    put(std::uint8_t{0});
+  }
+
+ private:
+  std::uint8_t bytes_[kHeaderBytes + Payload + kCrcBytes];
+  std::size_t size_;
+};
+
+/// Collects bytes from the line until they are a frame. All zero at the start.
+template <std::size_t Payload>
+class InFrame {
+ public:
+  /// True if `byte` ends something that can be a frame; its CRC is for the caller to check, who
+  /// knows the session. The frame is there until the next byte.
+  bool take(std::uint8_t byte) {
+    if (byte != 0) {
+      // One byte too many marks a frame that is too long.
+      if (used_ < sizeof bytes_) bytes_[used_++] = byte;
+      return false;
+    }
+    const std::size_t encoded = used_;
+    used_ = 0;
+    if (encoded == 0) return false;
+    const std::size_t size = encoded < sizeof bytes_ ? cobs_decode(bytes_, encoded) : encoded;
+    if (size == encoded || size < kHeaderBytes + kCrcBytes) return ++damaged_, false;
+    size_ = size - kHeaderBytes - kCrcBytes;
+    return true;
+  }
+
+  Kind kind() const { return static_cast<Kind>(bytes_[0]); }
+  std::uint32_t number() const { return read_as<std::uint32_t>(bytes_ + 1); }
+  const std::uint8_t* payload() const { return bytes_ + kHeaderBytes; }
+  std::size_t size() const { return size_; }
+  bool intact(std::uint32_t crc_start) const {
+    return read_as<std::uint32_t>(bytes_ + kHeaderBytes + size_) ==
+           crc32c(bytes_, kHeaderBytes + size_, crc_start);
+  }
+  /// Frames that were damaged beyond a CRC.
+  std::uint32_t damaged() const { return damaged_; }
+
+ private:
+  std::uint8_t bytes_[cobs_bound(kHeaderBytes + Payload + kCrcBytes) + 1];
+  std::size_t used_;
+  std::size_t size_;
+  std::uint32_t damaged_;
+};
+
+}  // namespace eagerx::link

@@ -1,0 +1,229 @@
+// The host's end of the link. It drives: a request goes out when it needs messages of the board (or
+// its frame is full), and is sent again until the answer with its number is there. So a line that
+// drops, duplicates, delays, reorders or corrupts frames changes how long a run takes and nothing
+// else, or the run stops with a reason.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/link/board.hpp>
+#include <eagerx/link/frame.hpp>
+#include <eagerx/link/stream.hpp>
+
+namespace eagerx::link {
+
+/// Why a connection is over.
+enum class Problem : std::uint8_t {
+  none,
+  no_answer,       // within the time limit
+  closed,          // the line
+  other_protocol,  // of the link: another eagerx-gen
+  other_runtime,   // version
+  other_graph,     // or the same, generated at another time from other sources
+  refused,         // the board's status says why
+  out_of_step,     // an answer without the messages that are due
+};
+
+struct Statistics {
+  std::uint64_t exchanges = 0;  // requests that were answered
+  std::uint64_t repeated = 0;   // requests that were sent again
+  std::uint64_t ignored = 0;    // frames that were damaged, late or twice there
+  std::uint64_t bytes_out = 0, bytes_in = 0;
+  std::uint64_t slowest_ns = 0;  // from a request to its answer
+};
+
+/// `Port` has put(byte), flush() and get(until_ns), which returns a byte, kNothing when the time
+/// is over or kClosed; and now_ns(), a clock that never goes back.
+template <class Port, std::size_t ToBoard, std::size_t ToHost>
+class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
+  static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes);
+  static constexpr std::uint64_t kFirstRepeatNs = 200'000'000;
+  static constexpr std::uint64_t kLeastRepeatNs = 20'000'000;
+  static constexpr std::uint64_t kMostRepeatNs = 500'000'000;
+
+ public:
+  Port port;
+
+  void set_time_limit(std::uint64_t ns) { limit_ns_ = ns; }
+  /// Begins a session; `session` is a number that no earlier one had. False: see problem().
+  bool open(Identity identity, std::uint32_t session) {
+    Greeting hello;
+    hello.runtime = identity.runtime;
+    hello.graph = identity.graph;
+    hello.session = session;
+    std::uint8_t bytes[Greeting::kBytes];
+    hello.write(bytes);
+    out_.clear();
+    out_.append(bytes, sizeof bytes);
+    number_ = 0;
+    read_ = received_ = 0;
+    repeat_ns_ = kFirstRepeatNs;
+    session_ = session;
+    problem_ = Problem::none;
+    if (!exchange(Kind::hello, Kind::welcome, 0)) return false;
+    other_ = Greeting::read(in_.payload());
+    received_ = 0;
+    crc_start_ = hello.crc_start();
+    problem_ = other_.protocol != kProtocol         ? Problem::other_protocol
+               : other_.runtime != identity.runtime ? Problem::other_runtime
+               : other_.graph != identity.graph     ? Problem::other_graph
+               : other_.status != 0                 ? Problem::refused
+                                                    : Problem::none;
+    open_ = ok();
+    return open_;
+  }
+  bool ok() const { return problem_ == Problem::none; }
+  Problem problem() const { return problem_; }
+  /// What the board said of itself, after open().
+  const Greeting& board() const { return other_; }
+  const Statistics& statistics() const { return statistics_; }
+
+  /// What the next begin_step() says.
+  void set_late(std::uint64_t in_a_row) {
+    constexpr std::uint64_t kMost = 255;
+    late_ = static_cast<std::uint8_t>(in_a_row < kMost ? in_a_row : kMost);
+  }
+  void make_safe() { step_ = Command::safe_step; }
+  void begin_step() {
+    command(step_);
+    this->put(late_);
+  }
+  void begin_episode(const Episode& episode) {
+    command(Command::reset);
+    episode.put(*this);
+  }
+  /// Ends a run: everything is sent, and the board reports; f(name, count) for each of its counts.
+  template <class F>
+  bool finish(Report& report, F&& f) {
+    command(Command::finish);
+    return report.get(*this) && get_counts(*this, f);
+  }
+
+  void put_bytes(const std::uint8_t* bytes, std::size_t size) {
+    while (size > 0 && ok()) {
+      const std::size_t taken = out_.append(bytes, size);
+      bytes += taken;
+      size -= taken;
+      if (size > 0) request();
+    }
+  }
+  bool get_bytes(std::uint8_t* bytes, std::size_t size) {
+    while (size > 0 && ok()) {
+      if (read_ == received_) {
+        request();
+        if (ok() && received_ == 0) problem_ = Problem::out_of_step;
+        continue;
+      }
+      *bytes++ = in_.payload()[read_++];
+      --size;
+    }
+    return ok();
+  }
+
+ private:
+  void command(Command what) { this->put(static_cast<std::uint8_t>(what)); }
+
+  void request() {
+    // Two programs of one graph never ask before everything is read.
+    if (!open_) problem_ = Problem::closed;
+    if (ok() && read_ != received_) problem_ = Problem::out_of_step;
+    if (!ok()) return;
+    ++number_;
+    if (exchange(Kind::request, Kind::answer, crc_start_)) ++statistics_.exchanges;
+  }
+
+  /// Sends until the right frame comes back; it is then in in_.
+  bool exchange(Kind kind, Kind wanted, std::uint32_t crc_start) {
+    out_.seal(kind, number_, crc_start);
+    const std::uint64_t begun = port.now_ns();
+    const std::uint64_t end = begun + limit_ns_;
+    std::uint64_t patience = repeat_ns_;
+    for (bool again = false;; again = true) {
+      std::uint64_t now = port.now_ns();
+      if (now >= end) return problem_ = Problem::no_answer, false;
+      send(again);
+      const std::uint64_t until = now + patience < end ? now + patience : end;
+      if (wait_for(wanted, crc_start, until)) {
+        now = port.now_ns();
+        note_time(now - begun, again);
+        break;
+      }
+      if (!ok()) return false;
+      patience = patience < kMostRepeatNs / 2 ? patience * 2 : kMostRepeatNs;
+    }
+    out_.clear();
+    read_ = 0;
+    received_ = in_.size();
+    return true;
+  }
+
+  bool wait_for(Kind wanted, std::uint32_t crc_start, std::uint64_t until_ns) {
+    for (;;) {
+      const int byte = port.get(until_ns);
+      if (byte == kNothing) return false;
+      if (byte == kClosed) return problem_ = Problem::closed, false;
+      ++statistics_.bytes_in;
+      const std::uint32_t damaged = in_.damaged();
+      if (!in_.take(static_cast<std::uint8_t>(byte))) {
+        statistics_.ignored += in_.damaged() - damaged;
+      } else if (in_.kind() == wanted && in_.number() == number_ && in_.intact(crc_start) &&
+                 (wanted != Kind::welcome || is_our_welcome())) {
+        return true;
+      } else {
+        ++statistics_.ignored;
+      }
+    }
+  }
+  bool is_our_welcome() const {
+    return in_.size() == Greeting::kBytes && Greeting::read(in_.payload()).session == session_;
+  }
+
+  void send(bool again) {
+    statistics_.repeated += again ? 1 : 0;
+    out_.send([this](std::uint8_t byte) {
+      ++statistics_.bytes_out;
+      port.put(byte);
+    });
+    port.flush();
+  }
+
+  /// The time before a request is sent again follows the time that answers take.
+  void note_time(std::uint64_t ns, bool repeated) {
+    if (ns > statistics_.slowest_ns) statistics_.slowest_ns = ns;
+    if (repeated) return;
+    typical_ns_ = typical_ns_ == 0 ? ns : typical_ns_ - typical_ns_ / 8 + ns / 8;
+    const std::uint64_t patience = 4 * typical_ns_ + kLeastRepeatNs;
+    repeat_ns_ = patience < kMostRepeatNs ? patience : kMostRepeatNs;
+  }
+
+  InFrame<ToHost> in_;
+  OutFrame<ToBoard> out_;
+  Statistics statistics_;
+  Greeting other_;
+  std::size_t read_ = 0, received_ = 0;
+  std::uint64_t limit_ns_ = 5'000'000'000;
+  std::uint64_t repeat_ns_ = kFirstRepeatNs;
+  std::uint64_t typical_ns_ = 0;
+  std::uint32_t number_ = 0;
+  std::uint32_t session_ = 0;
+  std::uint32_t crc_start_ = 0;
+  Problem problem_ = Problem::closed;
+  Command step_ = Command::step;
+  std::uint8_t late_ = 0;
+  bool open_ = false;
+};
+
+/// A link that is not there, for programs that only say what they are.
+struct NoLink {
+  static constexpr bool ok() { return false; }
+  static void begin_step() {}
+  static void begin_episode(const Episode& /*episode*/) {}
+  template <class Message>
+  static void put(const Message& /*message*/) {}
+  template <class Message>
+  static bool get(Message& /*message*/) {
+    return false;
+  }
+};
+
+}  // namespace eagerx::link

@@ -1,0 +1,122 @@
+// Messages and commands as bytes, on top of what carries bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <eagerx/message.hpp>
+#include <eagerx/random.hpp>
+#include <type_traits>
+
+namespace eagerx::link {
+
+/// What the host tells the board to do next; one byte among the messages.
+enum class Command : std::uint8_t {
+  step = 1,  // with a byte: instants in a row that the host was late, at most 255
+  reset = 2,
+  finish = 3,
+  safe_step = 4,  // as `step`, with the safe action in place of the agent's
+};
+
+/// What comes with a reset: both programs draw the same states from the key.
+struct Episode {
+  EpisodeKey key{};
+  std::uint8_t agent = 0;  // where the board decides: which of its agents
+
+  template <class Link>
+  void put(Link& link) const {
+    link.put(key.seed);
+    link.put(key.environment);
+    link.put(key.episode);
+    link.put(agent);
+  }
+  template <class Link>
+  bool get(Link& link) {
+    return link.get(key.seed) && link.get(key.environment) && link.get(key.episode) &&
+           link.get(agent);
+  }
+};
+/// A command with its episode, the longest.
+inline constexpr std::size_t kCommandBytes = 18;
+
+/// What the board says at the end of a run; a list of counts by name follows, with an empty name at
+/// its end.
+struct Report {
+  std::uint32_t stack_bytes = 0;  // the deepest use; 0: not measured
+  std::uint32_t damaged = 0;      // frames that it dropped
+
+  template <class Link>
+  void put(Link& link) const {
+    link.put(stack_bytes);
+    link.put(damaged);
+  }
+  template <class Link>
+  bool get(Link& link) {
+    return link.get(stack_bytes) && link.get(damaged);
+  }
+};
+
+/// One entry of that list: at most 255 characters of the name, without its 0.
+template <class Link>
+[[gnu::noinline]] void put_count(Link& link, const char* name, std::uint64_t count) {
+  constexpr std::uint8_t kLongest = 255;
+  std::uint8_t length = 0;
+  while (length < kLongest && name[length] != '\0') ++length;
+  link.put(length);
+  link.put_bytes(reinterpret_cast<const std::uint8_t*>(name), length);
+  link.put(count);
+}
+template <class Link>
+void end_counts(Link& link) {
+  link.put(std::uint8_t{0});
+}
+/// f(name, count) for each entry; false if the connection is over, or there are too many.
+template <class Link, class F>
+bool get_counts(Link& link, F&& f) {
+  constexpr int kMost = 10'000;
+  constexpr std::size_t kLongest = 255;
+  for (int i = 0; i < kMost; ++i) {
+    std::uint8_t length = 0;
+    if (!link.get(length)) return false;
+    if (length == 0) return true;
+    char name[kLongest + 1];
+    std::uint64_t count = 0;
+    if (!link.get_bytes(reinterpret_cast<std::uint8_t*>(name), length) || !link.get(count))
+      return false;
+    name[length] = '\0';
+    // What a terminal might obey has no place in a name.
+    for (std::size_t k = 0; k < length; ++k)
+      name[k] = name[k] >= ' ' && name[k] <= '~' ? name[k] : '?';
+    f(static_cast<const char*>(name), count);
+  }
+  return false;
+}
+
+/// Adds messages to a class `Link` with put_bytes(bytes, size) and get_bytes(bytes, size), which
+/// returns false when the connection is over.
+template <class Link>
+class Stream {
+ public:
+  /// Sends numbers as they lie in memory, a bool as 0 or 1.
+  template <class Message>
+  void put(const Message& message) {
+    self().put_bytes(reinterpret_cast<const std::uint8_t*>(&message), sizeof message);
+  }
+  /// False if the connection is over; the message is then as it was, or a part of it is new.
+  template <class Message>
+  bool get(Message& message) {
+    static_assert(std::is_trivially_copyable_v<Message>);
+    auto* const bytes = reinterpret_cast<std::uint8_t*>(&message);
+    if (!self().get_bytes(bytes, sizeof message)) return false;
+    if constexpr (std::is_same_v<ScalarOf<Message>, bool>) {
+      // Any other byte would be no bool at all.
+      for (std::size_t i = 0; i < sizeof message; ++i) bytes[i] = bytes[i] != 0 ? 1 : 0;
+    }
+    return true;
+  }
+
+ private:
+  Link& self() { return static_cast<Link&>(*this); }
+};
+
+}  // namespace eagerx::link

@@ -1,0 +1,34 @@
+// The main program of a board that runs a part of a graph, linked through its serial port with the
+// rest on Linux.
+#pragma once
+
+#include <cstdint>
+#include <targets/common/bare-metal/console.hpp>
+#include <targets/common/bare-metal/stack.hpp>
+#include <targets/common/partner.hpp>
+
+namespace eagerx::board {
+
+struct SerialPort {
+  static void put(std::uint8_t byte) { uart_write(static_cast<char>(byte)); }
+  static void flush() {}
+  static int get() {
+    char character = 0;
+    if (!uart_read(character)) return link::kNothing;
+    return static_cast<std::uint8_t>(character);
+  }
+};
+
+template <class Graph>
+constinit target::BoardLinkOf<Graph, SerialPort> link_of_run{};
+
+/// The main function; it does not return.
+template <class Graph>
+int serve() {
+  target::serve<Graph, SerialPort>(
+      target::program_of_run<target::BoardProgramOf<Graph, SerialPort>>, link_of_run<Graph>,
+      [] { return static_cast<std::uint32_t>(stack_used_bytes()); });
+  return kDone;
+}
+
+}  // namespace eagerx::board

@@ -1,0 +1,105 @@
+// The board's half of a split graph: does what the host says over the link, until that ends.
+#pragma once
+
+#include <cstdint>
+#include <eagerx/link/board.hpp>
+#include <eagerx/trace.hpp>
+#include <eagerx/version.hpp>
+#include <new>
+#include <targets/common/guard.hpp>
+#include <targets/common/run.hpp>
+
+namespace eagerx::target {
+
+/// What the board tells the host instead of working.
+inline constexpr std::uint8_t kPolicyDiffers = 1;
+
+inline constexpr std::uint16_t kRuntimeVersion =
+    static_cast<std::uint16_t>(kVersionMajor * 256 + kVersionMinor);
+
+template <class Graph, class Port>
+using BoardLinkOf = link::BoardLink<Port, Graph::Link::kToBoard, Graph::Link::kToHost>;
+template <class Graph, class Port>
+using BoardProgramOf = typename Graph::template Program<NoTrace, BoardLinkOf<Graph, Port>>;
+
+/// Whether a board knows the agent `random`: one with a policy does without its 600 bytes.
+template <class Graph>
+inline constexpr bool board_knows_random = !Graph::kHasPolicy;
+
+template <class Graph, class Program>
+typename Graph::Action decide(Agent agent, EpisodeKey key, Seq step,
+                              const typename Graph::Observation& observation, Program& program) {
+  if constexpr (!board_knows_random<Graph>) {
+    if (agent != Agent::policy) return Graph::zero();
+  }
+  return act<Graph>(board_knows_random<Graph> ? agent : Agent::policy, key, step, observation,
+                    program);
+}
+
+/// One episode after its reset. Returns when something else than a step is to be done: true, with
+/// `command`, or false when the session is over.
+template <class Graph, class Program, class Link>
+bool run_steps(Program& program, Link& link, Guard<Graph>& guard, const link::Episode& episode,
+               std::uint8_t& command) {
+  typename Graph::Observation observation = program.reset(Graph::draw(episode.key));
+  guard.reset();
+  for (Seq step = 0; link.get(command); ++step) {
+    const bool safe = command == static_cast<std::uint8_t>(link::Command::safe_step);
+    if (!safe && command != static_cast<std::uint8_t>(link::Command::step)) return true;
+    std::uint8_t late = 0;
+    if (!link.get(late)) return false;
+    typename Graph::Action action{};
+    if constexpr (Graph::Link::kBoardDecides) {
+      const auto agent = static_cast<Agent>(episode.agent);
+      action =
+          safe ? guard.stop()
+               : guard.check(observation,
+                             decide<Graph>(agent, episode.key, step, observation, program), late);
+    }
+    observation = program.step(action);
+  }
+  return false;
+}
+
+/// What a session counts on the board: everything that is not 0.
+template <class Graph, class Program, class Link>
+void report(const Program& program, Link& link, const Guard<Graph>& guard,
+            std::uint32_t stack_bytes) {
+  link::Report{stack_bytes, link.damaged()}.put(link);
+  const auto put = [&](const char* name, std::uint64_t count) {
+    if (count > 0) link::put_count(link, name, count);
+  };
+  for_each_fault(program, put);
+  if constexpr (Graph::Link::kBoardDecides && Graph::kSafety.declared) guard.for_each_count(put);
+  link::end_counts(link);
+}
+
+/// Serves one host after the other, each with a program as new. `stack_bytes()` is the deepest use
+/// of the stack so far, 0 where nobody measures it. Returns when the line is closed.
+template <class Graph, class Port, class StackBytes>
+void serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
+           StackBytes&& stack_bytes) {
+  using Program = BoardProgramOf<Graph, Port>;
+  link.identify({Graph::Link::kGraph, kRuntimeVersion}, Graph::self_test() ? 0 : kPolicyDiffers);
+  while (link.wait_for_host()) {
+    program.~Program();
+    ::new (static_cast<void*>(&program)) Program{};
+    program.link = &link;
+    Guard<Graph> guard;
+    std::uint8_t command = 0;
+    bool goes_on = link.get(command);
+    while (goes_on) {
+      if (command == static_cast<std::uint8_t>(link::Command::reset)) {
+        link::Episode episode;
+        goes_on = episode.get(link) && run_steps<Graph>(program, link, guard, episode, command);
+      } else if (command == static_cast<std::uint8_t>(link::Command::finish)) {
+        report<Graph>(program, link, guard, stack_bytes());
+        goes_on = link.get(command);
+      } else {
+        break;  // no host of this graph says so
+      }
+    }
+  }
+}
+
+}  // namespace eagerx::target

@@ -1,0 +1,55 @@
+// A line of bytes to the other program of a split graph: a serial line, or a socket.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/link/board.hpp>
+#include <string>
+
+namespace eagerx::linux_sim {
+
+/// Reads and writes without allocating. A closed line stays closed.
+class LinkPort {
+ public:
+  LinkPort() = default;
+  LinkPort(const LinkPort&) = delete;
+  LinkPort& operator=(const LinkPort&) = delete;
+  ~LinkPort() { close(); }
+
+  /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. False: error() says why.
+  bool open(const std::string& address, std::uint32_t baud);
+  /// The other side of a socket: waits for one connection. `HOST:PORT` with an empty HOST listens
+  /// on this machine only.
+  bool listen(const std::string& address);
+  void close();
+  /// Empty as long as the line is whole.
+  const std::string& error() const { return error_; }
+
+  void put(std::uint8_t byte);
+  void flush();
+  /// The next byte; link::kNothing when it is `until_ns` on the clock, link::kClosed.
+  int get(std::uint64_t until_ns);
+  /// The next byte, or link::kClosed.
+  int get() { return get(UINT64_MAX); }
+  /// CLOCK_MONOTONIC.
+  static std::uint64_t now_ns();
+
+ private:
+  bool open_socket(int family, const void* address, std::size_t size);
+  bool open_tcp(const std::string& address, bool listens);
+  bool open_unix(const std::string& path, bool listens);
+  bool open_serial(const std::string& path, std::uint32_t baud);
+  bool accept_on(int listener);
+  bool wait(short events, std::uint64_t until_ns);
+  void fill();
+  bool fail(const std::string& what);
+
+  static constexpr std::size_t kBufferBytes = 4096;
+  int file_ = -1;
+  std::string error_;
+  std::array<std::uint8_t, kBufferBytes> in_{}, out_{};
+  std::size_t in_begin_ = 0, in_end_ = 0, out_size_ = 0;
+};
+
+}  // namespace eagerx::linux_sim

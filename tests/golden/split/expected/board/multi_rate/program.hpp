@@ -1,0 +1,192 @@
+// Graph `multi_rate` on OdeEngine: its memory, its schedule, one step.
+// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+//
+// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
+// which at least one rate is due; the 12 slots of the hyperperiod are a table of masks.
+#pragma once
+
+#include <cstdint>
+
+#include <eagerx/cursor.hpp>
+#include <eagerx/delay.hpp>
+#include <eagerx/engine.hpp>
+#include <eagerx/link/host.hpp>
+#include <eagerx/schedule.hpp>
+#include <eagerx/trace.hpp>
+
+#include "multi_rate/io.hpp"
+
+namespace graphs::multi_rate {
+
+/// The whole graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
+template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
+class Program {
+ public:
+  [[no_unique_address]] Trace trace;
+  Link* link = nullptr;  // to the other program of this graph; set before the first reset
+
+  /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
+  Observation reset(const States& /*states*/) {
+    n60Hz_ = 0;
+    n30Hz_ = 0;
+    n20Hz_ = 0;
+    n15Hz_ = 0;
+    n10Hz_ = 0;
+    slot_ = 0;
+    fast_.reset({});
+    observation_speeds_cursor_.reset(2);
+    observation_recent_new_.reset();
+    observation_other_cursor_.reset(2);
+    due_ = next();
+    before(due_);
+    return observe(due_);
+  }
+
+  /// Applies an action and runs to the next tick of the environment.
+  Observation step(const Action& action) {
+    // actions.voltage, graph.yaml:46:3
+    action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.voltage;
+    trace(channel::environment_voltage, n10Hz_ - 1, action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    link->put(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    // actions.push, graph.yaml:47:3
+    action_push_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.push;
+    trace(channel::environment_push, n10Hz_ - 1, action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    link->put(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    after(due_);
+    for (;;) {
+      due_ = next();
+      before(due_);
+      if ((due_ & k10Hz) != 0) return observe(due_);
+      after(due_);
+    }
+  }
+
+ private:
+  using Due = std::uint32_t;
+  static constexpr Due k60Hz = Due{1} << 0U;
+  static constexpr Due k30Hz = Due{1} << 1U;
+  static constexpr Due k20Hz = Due{1} << 2U;
+  static constexpr Due k15Hz = Due{1} << 3U;
+  static constexpr Due k10Hz = Due{1} << 4U;
+
+  // Up to the environment: everything that does not need the action of the same instant.
+  template <class Mask>
+  void before(const Mask due) {
+    n60Hz_ += (due & k60Hz) != 0;
+    n30Hz_ += (due & k30Hz) != 0;
+    n20Hz_ += (due & k20Hz) != 0;
+    n15Hz_ += (due & k15Hz) != 0;
+    n10Hz_ += (due & k10Hz) != 0;
+    if constexpr (eagerx::waits_for_slots<Trace>) {
+      if ((due & k60Hz) != 0) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if ((due & k20Hz) != 0) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if ((due & k15Hz) != 0) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if ((due & k10Hz) != 0) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+    }
+    if (!link->ok()) return;
+    if ((due & k30Hz) != 0) {
+      // fast: ButterworthFilter, graph.yaml:36:3
+      {
+        const FastIo::Inputs in{{action_push_, n10Hz_ - ((due & k10Hz) != 0)}};
+        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)];
+        eagerx::Array<float, 1> raw_filtered{};
+        FastIo::Outputs out{raw_filtered};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
+        fast_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
+        new_filtered = FastFilteredProcessor::convert(raw_filtered);
+        trace(channel::fast_filtered, n30Hz_ - 1, new_filtered);
+        link->put(new_filtered);
+      }
+    }
+    if ((due & k20Hz) != 0) {
+      // left/theta: FloatOutput, graph.yaml:11:3
+      {
+        if (!link->get(left_theta_observation_[0])) return;
+        trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
+      }
+    }
+    if ((due & k30Hz) != 0) {
+      // left/theta_dot: FloatOutput, graph.yaml:11:3
+      {
+        if (!link->get(left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)])) return;
+        trace(channel::left_theta_dot_observation, n30Hz_ - 1, left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)]);
+      }
+    }
+    if ((due & k15Hz) != 0) {
+      // right/theta: FloatOutput, graph.yaml:23:3
+      {
+        if (!link->get(right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)])) return;
+        trace(channel::right_theta_observation, n15Hz_ - 1, right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)]);
+      }
+    }
+    if ((due & k10Hz) != 0) {
+      // left/u_applied: ActionApplied, graph.yaml:11:3
+      {
+        if (!link->get(left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)])) return;
+        trace(channel::left_u_applied_action_applied, n10Hz_ - 1, left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]);
+      }
+    }
+  }
+
+  // From the environment on: everything that needs its action.
+  template <class Mask>
+  void after(const Mask due) {
+    if (!link->ok()) return;
+  }
+
+  // What the environment sees.
+  template <class Mask>
+  Observation observe([[maybe_unused]] const Mask due) {
+    const Observation observation{
+        {observation_angle_, n20Hz_},
+        {left_theta_dot_observation_, observation_speeds_cursor_.take()},
+        {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))},
+        {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)},
+        {right_theta_observation_, observation_other_cursor_.take()}};
+    if constexpr (eagerx::traces_inputs<Trace>)
+      trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    return observation;
+  }
+
+  // The rates that are due, slot by slot.
+  static constexpr std::uint8_t kDueAt[12] = {
+      31, 1, 3, 5, 11, 1, 23, 1, 11, 5, 3, 1,
+  };
+  Due next() {
+    const Due due = kDueAt[slot_];
+    slot_ = slot_ + 1 == 12 ? 0 : static_cast<std::uint8_t>(slot_ + 1);
+    return due;
+  }
+  std::uint8_t slot_ = 0;
+  Due due_ = 0;
+
+  // Ticks so far, one counter a rate.
+  eagerx::Seq n60Hz_ = 0;
+  eagerx::Seq n30Hz_ = 0;
+  eagerx::Seq n20Hz_ = 0;
+  eagerx::Seq n15Hz_ = 0;
+  eagerx::Seq n10Hz_ = 0;
+
+  // Messages received, where that is not simply what was sent.
+  eagerx::DelayCursor<3, 1> observation_speeds_cursor_{};  // observations.speeds
+  eagerx::NewMessages observation_recent_new_{};  // observations.recent
+  eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // observations.other
+
+  // Messages: as many of each as its readers need.
+  eagerx::Array<float, 1> action_voltage_[4]{};  // slow.signal needs 3
+  eagerx::Array<float, 1> action_push_[4]{};  // fast.signal needs 3
+  eagerx::Array<float, 1> fast_filtered_[4]{};  // observations.recent needs 4
+  float left_theta_observation_[1]{};
+  float left_theta_dot_observation_[8]{};  // observations.speeds needs 6
+  eagerx::Array<float, 1> left_u_applied_action_applied_[2]{};  // observations.applied needs 2
+  float right_theta_observation_[2]{};  // observations.other needs 2
+  eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
+
+  // Simulators, engine and nodes.
+  eagerx::models::ButterworthFilter<FastIo> fast_{};
+};
+
+}  // namespace graphs::multi_rate

@@ -1,0 +1,358 @@
+// Graph `multi_rate` on OdeEngine: its memory, its schedule, one step.
+// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+//
+// Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
+// which at least one rate is due; the 12 slots of the hyperperiod are a table of masks.
+#pragma once
+
+#include <cstdint>
+
+#include <eagerx/cursor.hpp>
+#include <eagerx/delay.hpp>
+#include <eagerx/engine.hpp>
+#include <eagerx/link/host.hpp>
+#include <eagerx/schedule.hpp>
+#include <eagerx/trace.hpp>
+
+#include "multi_rate/io.hpp"
+
+namespace graphs::multi_rate {
+
+/// The whole graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
+template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
+class Program {
+ public:
+  [[no_unique_address]] Trace trace;
+  Link* link = nullptr;  // to the other program of this graph; set before the first reset
+
+  /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
+  /// reset does it if nobody has.
+  void warm_up() {
+    if (warm_) return;
+    warm_ = true;
+    if (eagerx::runs_engine(trace)) eagerx::start(engine_, left_simulator_, right_simulator_);
+  }
+  /// At the end of a run: an engine of real hardware lets it come to rest.
+  void stop() {
+    if (eagerx::runs_engine(trace)) eagerx::stop(engine_, left_simulator_, right_simulator_);
+  }
+  /// Whether the engine acts on the world itself.
+  bool is_real() const { return eagerx::is_real(engine_, left_simulator_, right_simulator_); }
+  /// f(name, count) for what engine and objects count besides messages.
+  template <class F>
+  void for_each_count(F&& f) const {
+    eagerx::for_each_count(f, engine_, left_simulator_, right_simulator_);
+  }
+
+  /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
+  Observation reset(const States& states) {
+    n60Hz_ = 0;
+    n30Hz_ = 0;
+    n20Hz_ = 0;
+    n15Hz_ = 0;
+    n10Hz_ = 0;
+    slot_ = 0;
+    if (!started_) {
+      warm_up();
+      started_ = true;
+    }
+    if (states.left_model_state && eagerx::runs_engine(trace))
+      LeftModelState::reset(*states.left_model_state, left_simulator_);
+    if (states.left_mass && eagerx::runs_engine(trace))
+      LeftMass::reset(*states.left_mass, left_simulator_);
+    if (states.left_length && eagerx::runs_engine(trace))
+      LeftLength::reset(*states.left_length, left_simulator_);
+    if (states.right_model_state && eagerx::runs_engine(trace))
+      RightModelState::reset(*states.right_model_state, right_simulator_);
+    if (states.right_max_speed && eagerx::runs_engine(trace))
+      RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
+    if (states.right_length && eagerx::runs_engine(trace))
+      RightLength::reset(*states.right_length, right_simulator_);
+    if (eagerx::runs_engine(trace)) eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
+    right_u_applied_.reset({}, right_simulator_);
+    left_x_.reset({}, left_simulator_);
+    left_theta_.reset({}, left_simulator_);
+    right_u_.reset({}, right_simulator_);
+    left_theta_dot_.reset({}, left_simulator_);
+    right_x_.reset({}, right_simulator_);
+    right_theta_.reset({}, right_simulator_);
+    left_u_applied_.reset({}, left_simulator_);
+    slow_.reset({});
+    left_u_.reset({}, left_simulator_);
+    observation_speeds_cursor_.reset(2);
+    observation_recent_new_.reset();
+    observation_other_cursor_.reset(2);
+    slow_signal_cursor_.reset(3);
+    right_u_applied_action_applied_cursor_.reset(0);
+    due_ = next();
+    before(due_);
+    return observe(due_);
+  }
+
+  /// Applies an action and runs to the next tick of the environment.
+  Observation step(Action& action) {
+    link->begin_step();
+    // actions.voltage, graph.yaml:46:3
+    if (!link->get(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(due_);
+    action.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
+    trace(channel::environment_voltage, n10Hz_ - 1, action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    // actions.push, graph.yaml:47:3
+    if (!link->get(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(due_);
+    action.push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
+    trace(channel::environment_push, n10Hz_ - 1, action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    after(due_);
+    for (;;) {
+      due_ = next();
+      before(due_);
+      if ((due_ & k10Hz) != 0) return observe(due_);
+      after(due_);
+    }
+  }
+
+ private:
+  using Due = std::uint32_t;
+  static constexpr Due k60Hz = Due{1} << 0U;
+  static constexpr Due k30Hz = Due{1} << 1U;
+  static constexpr Due k20Hz = Due{1} << 2U;
+  static constexpr Due k15Hz = Due{1} << 3U;
+  static constexpr Due k10Hz = Due{1} << 4U;
+
+  // Up to the environment: everything that does not need the action of the same instant.
+  template <class Mask>
+  void before(const Mask due) {
+    n60Hz_ += (due & k60Hz) != 0;
+    n30Hz_ += (due & k30Hz) != 0;
+    n20Hz_ += (due & k20Hz) != 0;
+    n15Hz_ += (due & k15Hz) != 0;
+    n10Hz_ += (due & k10Hz) != 0;
+    if constexpr (eagerx::waits_for_slots<Trace>) {
+      if ((due & k60Hz) != 0) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if ((due & k20Hz) != 0) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if ((due & k15Hz) != 0) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if ((due & k10Hz) != 0) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+    }
+    if (!link->ok()) return;
+    if ((due & k60Hz) != 0) {
+      // engine: OdeEngine, graph.yaml:8:1
+      {
+        if (n60Hz_ > 1 && eagerx::runs_engine(trace)) engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
+        engine_tick_[0] = static_cast<std::int64_t>(n60Hz_ - 1);
+        trace(channel::engine_tick, n60Hz_ - 1, engine_tick_[0]);
+        if constexpr (eagerx::traces_simulators<Trace>)
+          trace.simulator("left", n60Hz_ - 1, left_simulator_);
+        if constexpr (eagerx::traces_simulators<Trace>)
+          trace.simulator("right", n60Hz_ - 1, right_simulator_);
+      }
+    }
+    if ((due & k30Hz) != 0) {
+      // fast: ButterworthFilter, graph.yaml:36:3
+      {
+        if (!link->get(fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)])) return;
+        trace(channel::fast_filtered, n30Hz_ - 1, fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
+        right_u_action_[0] = RightUActionProcessor::convert(fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
+      }
+      // right/u_applied: ActionApplied, graph.yaml:23:3
+      {
+        const RightUAppliedIo::Inputs in{
+            {engine_tick_, n60Hz_},
+            {right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
+        RightUAppliedIo::Outputs out{right_u_applied_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n30Hz_ - 1, in);
+        right_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, right_simulator_);
+        trace(channel::right_u_applied_action_applied, n30Hz_ - 1, right_u_applied_action_applied_[0]);
+      }
+    }
+    if ((due & k20Hz) != 0) {
+      // left/x: OdeOutput, graph.yaml:11:3
+      {
+        const LeftXIo::Inputs in{{engine_tick_, n60Hz_}};
+        LeftXIo::Outputs out{left_x_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/x", LeftXIo::Rate{}, n20Hz_ - 1, in);
+        left_x_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
+        trace(channel::left_x_observation, n20Hz_ - 1, left_x_observation_[0]);
+      }
+      // left/theta: FloatOutput, graph.yaml:11:3
+      {
+        const LeftThetaIo::Inputs in{{left_x_observation_, n20Hz_}};
+        LeftThetaIo::Outputs out{left_theta_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/theta", LeftThetaIo::Rate{}, n20Hz_ - 1, in);
+        left_theta_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
+        trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
+        link->put(left_theta_observation_[0]);
+      }
+      // right/u: OdeInput, graph.yaml:23:3
+      {
+        const RightUIo::Inputs in{{engine_tick_, n60Hz_}, {right_u_action_, n30Hz_}};
+        RightUIo::Outputs out{right_u_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/u", RightUIo::Rate{}, n20Hz_ - 1, in);
+        right_u_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, right_simulator_);
+        trace(channel::right_u_action_applied, n20Hz_ - 1, right_u_action_applied_[0]);
+      }
+    }
+    if ((due & k30Hz) != 0) {
+      // left/theta_dot: FloatOutput, graph.yaml:11:3
+      {
+        const LeftThetaDotIo::Inputs in{{left_x_observation_, n20Hz_}};
+        auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)];
+        float raw_observation{};
+        LeftThetaDotIo::Outputs out{raw_observation};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n30Hz_ - 1, in);
+        left_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
+        new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
+        trace(channel::left_theta_dot_observation, n30Hz_ - 1, new_observation);
+        link->put(new_observation);
+      }
+    }
+    if ((due & k15Hz) != 0) {
+      // right/x: OdeOutput, graph.yaml:23:3
+      {
+        const RightXIo::Inputs in{{engine_tick_, n60Hz_}};
+        RightXIo::Outputs out{right_x_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/x", RightXIo::Rate{}, n15Hz_ - 1, in);
+        right_x_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
+        trace(channel::right_x_observation, n15Hz_ - 1, right_x_observation_[0]);
+      }
+      // right/theta: FloatOutput, graph.yaml:23:3
+      {
+        const RightThetaIo::Inputs in{{right_x_observation_, n15Hz_}};
+        auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)];
+        RightThetaIo::Outputs out{new_observation};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("right/theta", RightThetaIo::Rate{}, n15Hz_ - 1, in);
+        right_theta_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
+        trace(channel::right_theta_observation, n15Hz_ - 1, new_observation);
+        link->put(new_observation);
+      }
+    }
+    if ((due & k10Hz) != 0) {
+      // left/u_applied: ActionApplied, graph.yaml:11:3
+      {
+        const LeftUAppliedIo::Inputs in{
+            {engine_tick_, n60Hz_},
+            {left_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
+        auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)];
+        LeftUAppliedIo::Outputs out{new_action_applied};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n10Hz_ - 1, in);
+        left_u_applied_.callback(eagerx::Tick{n10Hz_ - 1}, in, out, left_simulator_);
+        trace(channel::left_u_applied_action_applied, n10Hz_ - 1, new_action_applied);
+        link->put(new_action_applied);
+      }
+    }
+  }
+
+  // From the environment on: everything that needs its action.
+  template <class Mask>
+  void after(const Mask due) {
+    if (!link->ok()) return;
+    if ((due & k20Hz) != 0) {
+      // slow: ButterworthFilter, graph.yaml:35:3
+      {
+        const SlowIo::Inputs in{{action_voltage_, slow_signal_cursor_.take()}};
+        auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n20Hz_ - 1)];
+        SlowIo::Outputs out{new_filtered};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("slow", SlowIo::Rate{}, n20Hz_ - 1, in);
+        slow_.callback(eagerx::Tick{n20Hz_ - 1}, in, out);
+        trace(channel::slow_filtered, n20Hz_ - 1, new_filtered);
+      }
+    }
+    if ((due & k30Hz) != 0) {
+      // left/u: OdeInput, graph.yaml:11:3
+      {
+        const LeftUIo::Inputs in{{engine_tick_, n60Hz_}, {slow_filtered_, n20Hz_}};
+        LeftUIo::Outputs out{left_u_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("left/u", LeftUIo::Rate{}, n30Hz_ - 1, in);
+        left_u_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
+        trace(channel::left_u_action_applied, n30Hz_ - 1, left_u_action_applied_[0]);
+      }
+    }
+  }
+
+  // What the environment sees.
+  template <class Mask>
+  Observation observe([[maybe_unused]] const Mask due) {
+    const Observation observation{
+        {observation_angle_, n20Hz_},
+        {left_theta_dot_observation_, observation_speeds_cursor_.take()},
+        {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))},
+        {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)},
+        {right_theta_observation_, observation_other_cursor_.take()}};
+    if constexpr (eagerx::traces_inputs<Trace>)
+      trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    return observation;
+  }
+
+  // The rates that are due, slot by slot.
+  static constexpr std::uint8_t kDueAt[12] = {
+      31, 1, 3, 5, 11, 1, 23, 1, 11, 5, 3, 1,
+  };
+  Due next() {
+    const Due due = kDueAt[slot_];
+    slot_ = slot_ + 1 == 12 ? 0 : static_cast<std::uint8_t>(slot_ + 1);
+    return due;
+  }
+  std::uint8_t slot_ = 0;
+  Due due_ = 0;
+
+  // Ticks so far, one counter a rate.
+  eagerx::Seq n60Hz_ = 0;
+  eagerx::Seq n30Hz_ = 0;
+  eagerx::Seq n20Hz_ = 0;
+  eagerx::Seq n15Hz_ = 0;
+  eagerx::Seq n10Hz_ = 0;
+
+  // Messages received, where that is not simply what was sent.
+  eagerx::DelayCursor<3, 1> observation_speeds_cursor_{};  // observations.speeds
+  eagerx::NewMessages observation_recent_new_{};  // observations.recent
+  eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // observations.other
+  eagerx::DelayCursor<1, 2> slow_signal_cursor_{};  // slow.signal
+  eagerx::SkipCursor<2, 3, 1> right_u_applied_action_applied_cursor_{};  // right/u_applied.action_applied
+
+  // Messages: as many of each as its readers need.
+  eagerx::Array<float, 1> action_voltage_[4]{};  // slow.signal needs 3
+  eagerx::Array<float, 1> action_push_[4]{};  // fast.signal needs 3
+  std::int64_t engine_tick_[1]{};
+  eagerx::Array<float, 1> slow_filtered_[2]{};  // left.u needs 2
+  eagerx::Array<float, 1> fast_filtered_[4]{};  // observations.recent needs 4
+  eagerx::Array<float, 2> left_x_observation_[1]{};
+  float left_theta_observation_[1]{};
+  float left_theta_dot_observation_[8]{};  // observations.speeds needs 6
+  eagerx::Array<float, 1> left_u_action_applied_[1]{};
+  eagerx::Array<float, 1> left_u_applied_action_applied_[2]{};  // observations.applied needs 2
+  eagerx::Array<float, 2> right_x_observation_[1]{};
+  float right_theta_observation_[2]{};  // observations.other needs 2
+  eagerx::Array<float, 1> right_u_action_applied_[1]{};
+  eagerx::Array<float, 1> right_u_applied_action_applied_[1]{};
+  eagerx::Array<float, 2> observation_angle_[2]{};  // observations.angle needs 2
+  eagerx::Array<float, 1> right_u_action_[1]{};
+
+  bool warm_ = false;  // whether the engine was started
+  bool started_ = false;  // whether there was a reset at all
+
+  // Simulators, engine and nodes.
+  LeftSimulator left_simulator_{};
+  RightSimulator right_simulator_{};
+  eagerx::models::OdeEngine<EngineIo> engine_{};
+  eagerx::models::ActionApplied<RightUAppliedIo> right_u_applied_{};
+  eagerx::models::OdeOutput<LeftXIo> left_x_{};
+  eagerx::models::FloatOutput<LeftThetaIo> left_theta_{};
+  eagerx::models::OdeInput<RightUIo> right_u_{};
+  eagerx::models::FloatOutput<LeftThetaDotIo> left_theta_dot_{};
+  eagerx::models::OdeOutput<RightXIo> right_x_{};
+  eagerx::models::FloatOutput<RightThetaIo> right_theta_{};
+  eagerx::models::ActionApplied<LeftUAppliedIo> left_u_applied_{};
+  eagerx::models::ButterworthFilter<SlowIo> slow_{};
+  eagerx::models::OdeInput<LeftUIo> left_u_{};
+};
+
+}  // namespace graphs::multi_rate

@@ -1,0 +1,424 @@
+// eagerx/link: frames survive a line that does not; what does not come through ends a run with its
+// reason and never as a number.
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <eagerx/link/board.hpp>
+#include <eagerx/link/host.hpp>
+#include <memory>
+#include <mutex>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace eagerx::link {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+Bytes encoded(const Bytes& bytes) {
+  Bytes result;
+  cobs_encode(bytes.data(), bytes.size(), [&](std::uint8_t byte) { result.push_back(byte); });
+  return result;
+}
+
+TEST(Crc32c, IsTheOneOfIscsi) {
+  const Bytes digits = {'1', '2', '3', '4', '5', '6', '7', '8', '9'};
+  EXPECT_EQ(crc32c(digits.data(), digits.size()), 0xe3069283U);
+  EXPECT_EQ(crc32c(Bytes(32, 0).data(), 32), 0x8a9136aaU);  // RFC 3720, B.4
+  EXPECT_EQ(crc32c(Bytes(32, 0xff).data(), 32), 0x62a8ab43U);
+  EXPECT_EQ(crc32c(digits.data() + 4, 5, crc32c(digits.data(), 4)), 0xe3069283U);
+}
+
+TEST(Cobs, ExamplesOfThePaper) {
+  EXPECT_EQ(encoded({}), (Bytes{1}));
+  EXPECT_EQ(encoded({0}), (Bytes{1, 1}));
+  EXPECT_EQ(encoded({0x11, 0x22, 0, 0x33}), (Bytes{3, 0x11, 0x22, 2, 0x33}));
+  EXPECT_EQ(encoded(Bytes(254, 1)).size(), 255U);
+  EXPECT_EQ(encoded(Bytes(255, 1)).size(), 257U);
+}
+
+TEST(Cobs, DecodesWhatItEncodes) {
+  std::mt19937 random(1);
+  for (std::size_t size = 0; size < 800; ++size) {
+    Bytes bytes(size);
+    // Few zeros, so that runs are long.
+    for (auto& byte : bytes) byte = random() % 300 == 0 ? 0 : static_cast<std::uint8_t>(random());
+    Bytes line = encoded(bytes);
+    EXPECT_LE(line.size(), cobs_bound(size));
+    for (const std::uint8_t byte : line) ASSERT_NE(byte, 0);
+    line.resize(cobs_decode(line.data(), line.size()));
+    ASSERT_EQ(line, bytes);
+  }
+}
+
+TEST(Cobs, RefusesARunBeyondTheEnd) {
+  Bytes line = {5, 1, 2};
+  EXPECT_EQ(cobs_decode(line.data(), line.size()), line.size());
+}
+
+using Out = OutFrame<32>;
+using In = InFrame<32>;
+
+Bytes line_of(const Bytes& payload, std::uint32_t number = 7) {
+  auto frame = std::make_unique<Out>();
+  EXPECT_EQ(frame->append(payload.data(), payload.size()), payload.size());
+  frame->seal(Kind::request, number, 1);
+  Bytes line;
+  frame->send([&](std::uint8_t byte) { line.push_back(byte); });
+  return line;
+}
+int frames_in(In& in, const Bytes& line) {
+  int frames = 0;
+  for (const std::uint8_t byte : line) frames += in.take(byte) && in.intact(1) ? 1 : 0;
+  return frames;
+}
+
+TEST(Frame, ComesThroughNoise) {
+  auto in = std::make_unique<In>();
+  const Bytes payload = {1, 0, 2, 0, 0, 255};
+  Bytes line = {9, 8, 7, 200};
+  const Bytes frame = line_of(payload);
+  line.insert(line.end(), frame.begin(), frame.end());
+  EXPECT_EQ(frames_in(*in, line), 1);
+  EXPECT_EQ(in->number(), 7U);
+  EXPECT_EQ(Bytes(in->payload(), in->payload() + in->size()), payload);
+  EXPECT_EQ(frame.size(), payload.size() + kFrameBytes);
+}
+
+TEST(Frame, NoSingleOrDoubleBitErrorPasses) {
+  const Bytes line = line_of({1, 2, 3, 4, 5, 6, 7, 8});
+  const std::size_t bits = line.size() * 8;
+  auto in = std::make_unique<In>();
+  for (std::size_t a = 0; a < bits; ++a) {
+    for (std::size_t b = a; b < bits; ++b) {
+      Bytes damaged = line;
+      damaged[a / 8] ^= static_cast<std::uint8_t>(1U << a % 8);
+      if (a != b) damaged[b / 8] ^= static_cast<std::uint8_t>(1U << b % 8);
+      damaged.push_back(0);
+      // The zeros around a frame may be damaged without harm to it.
+      const bool inside = !std::equal(line.begin() + 1, line.end() - 1, damaged.begin() + 1);
+      const int found = frames_in(*in, damaged);
+      ASSERT_TRUE(!inside || found == 0) << a << " " << b;
+    }
+  }
+}
+
+TEST(Frame, LongerThanItsBufferIsDropped) {
+  auto in = std::make_unique<In>();
+  Bytes line(500, 3);
+  line.push_back(0);
+  EXPECT_EQ(frames_in(*in, line), 0);
+  EXPECT_EQ(in->damaged(), 1U);
+  EXPECT_EQ(frames_in(*in, line_of(Bytes(32, 9))), 1);
+}
+
+// --- both ends, on a line in memory with a clock of its own ---
+
+/// How bad the line is, in percent of frames.
+struct Faults {
+  unsigned drop = 0, duplicate = 0, corrupt = 0, reorder = 0, delay = 0;
+};
+
+/// One direction. Frames are told apart by the zeros, as a proxy would.
+class Wire {
+ public:
+  Faults faults;
+  std::mt19937 random{1};
+
+  void put(std::uint8_t byte) { frame_.push_back(byte); }
+  void flush() {
+    Bytes frame;
+    frame.swap(frame_);
+    if (hit(faults.drop)) return;
+    if (hit(faults.corrupt)) {
+      frame[random() % frame.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
+    }
+    if (hit(faults.delay)) {
+      late_.push_back(frame);
+      return;
+    }
+    if (hit(faults.reorder) && !line_.empty()) {
+      line_.insert(line_.begin(), frame.begin(), frame.end());
+    } else {
+      line_.insert(line_.end(), frame.begin(), frame.end());
+    }
+    if (hit(faults.duplicate)) line_.insert(line_.end(), frame.begin(), frame.end());
+    if (!late_.empty() && hit(50)) {
+      line_.insert(line_.end(), late_.front().begin(), late_.front().end());
+      late_.pop_front();
+    }
+  }
+  int get() {
+    if (line_.empty()) return kNothing;
+    const int byte = line_.front();
+    line_.pop_front();
+    return byte;
+  }
+  bool empty() const { return line_.empty(); }
+
+ private:
+  bool hit(unsigned percent) { return random() % 100 < percent; }
+  Bytes frame_;
+  std::deque<std::uint8_t> line_;
+  std::deque<Bytes> late_;
+};
+
+constexpr std::size_t kToBoard = 24;
+constexpr std::size_t kToHost = 16;
+
+/// Host and board take turns on two threads, one at a time: the board runs while the host waits.
+struct Turns {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool board = true;  // until its thread has come to its first turn
+  bool over = false;
+
+  /// The host lets the board run until it has nothing left to read.
+  void run_board() {
+    std::unique_lock lock(mutex);
+    board = true;
+    changed.notify_all();
+    changed.wait(lock, [this] { return !board || over; });
+  }
+  void wait_for_board() {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return !board; });
+  }
+  /// False: the test is over.
+  bool wait_for_turn() {
+    std::unique_lock lock(mutex);
+    board = false;
+    changed.notify_all();
+    changed.wait(lock, [this] { return board || over; });
+    return !over;
+  }
+  void end() {
+    const std::lock_guard lock(mutex);
+    over = true;
+    changed.notify_all();
+  }
+};
+
+struct BoardPort {
+  Wire* in = nullptr;
+  Wire* out = nullptr;
+  Turns* turns = nullptr;
+
+  void put(std::uint8_t byte) const { out->put(byte); }
+  void flush() const { out->flush(); }
+  int get() const {
+    while (in->empty()) {
+      if (!turns->wait_for_turn()) return kClosed;
+    }
+    return in->get();
+  }
+};
+
+struct HostPort {
+  Wire* in = nullptr;
+  Wire* out = nullptr;
+  Turns* turns = nullptr;
+  std::uint64_t now = 0;
+  bool unplugged = false;
+
+  void put(std::uint8_t byte) const { out->put(byte); }
+  void flush() const { out->flush(); }
+  std::uint64_t now_ns() const { return now; }
+  int get(std::uint64_t until_ns) {
+    if (unplugged) return kClosed;
+    if (in->empty() && !out->empty()) turns->run_board();
+    if (!in->empty()) return in->get();
+    now = until_ns;
+    return kNothing;
+  }
+};
+
+using HostEnd = HostLink<HostPort, kToBoard, kToHost>;
+using BoardEnd = BoardLink<BoardPort, kToBoard, kToHost>;
+constexpr Identity kIdentity{0x1234, 1};
+
+class Line : public ::testing::Test {
+ protected:
+  void start(Identity identity = kIdentity, std::uint8_t status = 0) {
+    board_->port.in = &to_board_;
+    board_->port.out = &to_host_;
+    board_->port.turns = &turns_;
+    board_->identify(identity, status);
+    host_->port.in = &to_host_;
+    host_->port.out = &to_board_;
+    host_->port.turns = &turns_;
+    thread_ = std::thread([this] {
+      if (turns_.wait_for_turn()) run_board();
+    });
+    turns_.wait_for_board();
+  }
+  void TearDown() override {
+    turns_.end();
+    if (thread_.joinable()) thread_.join();
+  }
+  void set_faults(const Faults& faults, unsigned seed) {
+    to_board_.faults = to_host_.faults = faults;
+    to_board_.random.seed(seed);
+    to_host_.random.seed(seed + 1000);
+  }
+
+  /// What a board does: commands, then messages.
+  void run_board() {
+    while (board_->wait_for_host()) {
+      ++sessions_;
+      std::uint32_t sum = 0;
+      std::uint8_t command = 0;
+      while (board_->get(command)) {
+        if (command == static_cast<std::uint8_t>(Command::step)) {
+          std::uint8_t late = 0;
+          if (!board_->get(late)) break;
+          Array<std::uint32_t, 20> values{};  // longer than a frame
+          bool flag = false;
+          if (!board_->get(values) || !board_->get(flag)) break;
+          for (const std::uint32_t value : values) sum += value;
+          board_->put(sum);
+          board_->put(flag);
+          board_->put(values);
+        } else if (command == static_cast<std::uint8_t>(Command::reset)) {
+          Episode episode;
+          if (!episode.get(*board_)) break;
+          sum = episode.key.episode;
+        } else {
+          Report{100, board_->damaged()}.put(*board_);
+          put_count(*board_, "resets", 7);
+          put_count(*board_, "a longer name than a frame has room for", 1ULL << 40U);
+          end_counts(*board_);
+        }
+      }
+    }
+  }
+  /// Steps until one fails; how many went well, and all of these were right.
+  int run_host(int steps) {
+    std::uint32_t sum = 5;
+    host_->begin_episode({{1, 2, 5}, 0});
+    for (int step = 0; step < steps; ++step) {
+      Array<std::uint32_t, 20> values{};
+      for (std::uint32_t i = 0; i < 20; ++i) {
+        values[i] = i * static_cast<std::uint32_t>(step);
+        sum += values[i];
+      }
+      const bool flag = step % 3 == 0;
+      host_->begin_step();
+      host_->put(values);
+      host_->put(flag);
+      std::uint32_t found = 0;
+      bool flag_found = false;
+      Array<std::uint32_t, 20> echo{};
+      if (!host_->get(found) || !host_->get(flag_found) || !host_->get(echo)) return step;
+      EXPECT_EQ(found, sum);
+      EXPECT_EQ(flag_found, flag);
+      EXPECT_EQ(echo, values);
+    }
+    return steps;
+  }
+
+  Wire to_board_, to_host_;
+  Turns turns_;
+  std::unique_ptr<HostEnd> host_ = std::make_unique<HostEnd>();
+  std::unique_ptr<BoardEnd> board_ = std::make_unique<BoardEnd>();
+  std::thread thread_;
+  int sessions_ = 0;
+};
+
+TEST_F(Line, CarriesMessagesLongerThanItsFrames) {
+  start();
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  EXPECT_EQ(run_host(50), 50);
+  Report report;
+  std::vector<std::pair<std::string, std::uint64_t>> counts;
+  ASSERT_TRUE(host_->finish(
+      report, [&](const char* name, std::uint64_t count) { counts.emplace_back(name, count); }));
+  EXPECT_EQ(report.stack_bytes, 100U);
+  ASSERT_EQ(counts.size(), 2U);
+  EXPECT_EQ(counts[0].first, "resets");
+  EXPECT_EQ(counts[0].second, 7U);
+  EXPECT_EQ(counts[1].first, "a longer name than a frame has room for");
+  EXPECT_EQ(counts[1].second, 1ULL << 40U);
+  EXPECT_EQ(host_->statistics().repeated, 0U);
+  EXPECT_EQ(host_->statistics().ignored, 0U);
+}
+
+TEST_F(Line, RepeatsUntilItIsRight) {
+  start();
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    set_faults({20, 20, 20, 20, 20}, seed);
+    host_->set_time_limit(600'000'000'000);
+    ASSERT_TRUE(host_->open(kIdentity, seed)) << seed;
+    EXPECT_EQ(run_host(50), 50) << seed;
+    Report report;
+    EXPECT_TRUE(host_->finish(report, [](const char*, std::uint64_t) {}));
+  }
+  EXPECT_EQ(sessions_, 20);
+  EXPECT_GT(host_->statistics().repeated, 1000U);
+  EXPECT_GT(host_->statistics().ignored, 1000U);
+}
+
+TEST_F(Line, GivesUpWhenNothingComes) {
+  start();
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  EXPECT_EQ(run_host(3), 3);
+  set_faults({100, 0, 0, 0, 0}, 1);
+  const std::uint64_t before = host_->port.now;
+  EXPECT_EQ(run_host(3), 0);
+  EXPECT_EQ(host_->problem(), Problem::no_answer);
+  EXPECT_EQ(host_->port.now - before, 5'000'000'000U);
+}
+
+TEST_F(Line, SaysWhenItIsClosed) {
+  start();
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  EXPECT_EQ(run_host(3), 3);
+  host_->port.unplugged = true;
+  EXPECT_EQ(run_host(3), 0);
+  EXPECT_EQ(host_->problem(), Problem::closed);
+}
+
+TEST_F(Line, ANewHostStartsTheBoardAnew) {
+  start();
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  EXPECT_EQ(run_host(3), 3);
+  host_->begin_step();  // and in the middle of a step it is gone
+  ASSERT_TRUE(host_->open(kIdentity, 2));
+  EXPECT_EQ(run_host(3), 3);
+  EXPECT_EQ(sessions_, 2);
+}
+
+TEST_F(Line, RefusesAnotherGraph) {
+  start({0x1235, 1});
+  EXPECT_FALSE(host_->open(kIdentity, 1));
+  EXPECT_EQ(host_->problem(), Problem::other_graph);
+  EXPECT_EQ(host_->board().graph, 0x1235U);
+  EXPECT_EQ(sessions_, 0);
+}
+
+TEST_F(Line, RefusesAnotherRuntime) {
+  start({0x1234, 2});
+  EXPECT_FALSE(host_->open(kIdentity, 1));
+  EXPECT_EQ(host_->problem(), Problem::other_runtime);
+}
+
+TEST_F(Line, RefusesABoardThatDoesNotWork) {
+  start(kIdentity, 1);
+  EXPECT_FALSE(host_->open(kIdentity, 1));
+  EXPECT_EQ(host_->problem(), Problem::refused);
+  EXPECT_EQ(sessions_, 0);
+}
+
+TEST_F(Line, ALinkThatIsOverStaysSo) {
+  start();
+  EXPECT_EQ(run_host(3), 0);  // never opened
+  EXPECT_EQ(host_->problem(), Problem::closed);
+}
+
+}  // namespace
+}  // namespace eagerx::link
