@@ -39,22 +39,21 @@ typename Graph::Action decide(Agent agent, EpisodeKey key, Seq step,
 /// One episode after its reset. Returns when something else than a step is to be done: true, with
 /// `command`, or false when the session is over.
 template <class Graph, class Program, class Link>
-bool run_steps(Program& program, Link& link, Guard<Graph>& guard, const link::Episode& episode,
-               std::uint8_t& command) {
+bool run_steps(Program& program, Link& link, [[maybe_unused]] Guard<Graph>& guard,
+               const link::Episode& episode, std::uint8_t& command) {
+  constexpr bool kGuards = Graph::Link::kBoardDecides && Graph::kSafety.declared;
   typename Graph::Observation observation = program.reset(Graph::draw(episode.key));
-  guard.reset();
+  if constexpr (kGuards) guard.reset();
   for (Seq step = 0; link.get(command); ++step) {
-    const bool safe = command == static_cast<std::uint8_t>(link::Command::safe_step);
+    const bool safe = kGuards && command == static_cast<std::uint8_t>(link::Command::safe_step);
     if (!safe && command != static_cast<std::uint8_t>(link::Command::step)) return true;
     std::uint8_t late = 0;
     if (!link.get(late)) return false;
     typename Graph::Action action{};
     if constexpr (Graph::Link::kBoardDecides) {
       const auto agent = static_cast<Agent>(episode.agent);
-      action =
-          safe ? guard.stop()
-               : guard.check(observation,
-                             decide<Graph>(agent, episode.key, step, observation, program), late);
+      if (!safe) action = decide<Graph>(agent, episode.key, step, observation, program);
+      if constexpr (kGuards) action = safe ? guard.stop() : guard.check(observation, action, late);
     }
     observation = program.step(action);
   }
@@ -63,7 +62,7 @@ bool run_steps(Program& program, Link& link, Guard<Graph>& guard, const link::Ep
 
 /// What a session counts on the board: everything that is not 0.
 template <class Graph, class Program, class Link>
-void report(const Program& program, Link& link, const Guard<Graph>& guard,
+void report(const Program& program, Link& link, [[maybe_unused]] const Guard<Graph>& guard,
             std::uint32_t stack_bytes) {
   link::Report{stack_bytes, link.damaged()}.put(link);
   const auto put = [&](const char* name, std::uint64_t count) {
