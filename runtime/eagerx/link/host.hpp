@@ -39,7 +39,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes);
   static constexpr std::uint64_t kFirstRepeatNs = 200'000'000;
   static constexpr std::uint64_t kLeastRepeatNs = 20'000'000;
-  static constexpr std::uint64_t kMostRepeatNs = 500'000'000;
+  static constexpr std::uint64_t kMostRepeatNs = 4'000'000'000;
 
  public:
   Port port;
@@ -187,10 +187,14 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
     port.flush();
   }
 
-  /// The time before a request is sent again follows the time that answers take.
+  /// The time before a request is sent again follows the time that answers take; where no answer
+  /// comes in time it doubles, for a slow board has enough to do (Karn, Partridge, 1987).
   void note_time(std::uint64_t ns, bool repeated) {
     if (ns > statistics_.slowest_ns) statistics_.slowest_ns = ns;
-    if (repeated) return;
+    if (repeated) {
+      repeat_ns_ = repeat_ns_ < kMostRepeatNs / 2 ? repeat_ns_ * 2 : kMostRepeatNs;
+      return;
+    }
     typical_ns_ = typical_ns_ == 0 ? ns : typical_ns_ - typical_ns_ / 8 + ns / 8;
     const std::uint64_t patience = 4 * typical_ns_ + kLeastRepeatNs;
     repeat_ns_ = patience < kMostRepeatNs ? patience : kMostRepeatNs;
