@@ -8,15 +8,24 @@
 
 namespace eagerx::emulated {
 
-/// A MPU-6050 at rest: registers that can be read and written; the measurements are what `words`
-/// says.
+/// A MPU-6050 at rest, with z upwards: 1 g at the range of 2 g, once it is awake. Its registers can
+/// be read and written.
 class Imu final : public I2cSlave {
  public:
-  Imu() : I2cSlave(0x68) { registers_[0x75] = 0x68; }
+  Imu() : I2cSlave(0x68) {
+    registers_[0x75] = 0x68;
+    registers_[kPower] = kAsleep;
+  }
   void set(std::uint8_t reg, std::uint8_t value) override { registers_[reg & 0x7fU] = value; }
-  std::uint8_t get(std::uint8_t reg) override { return registers_[reg & 0x7fU]; }
+  std::uint8_t get(std::uint8_t reg) override {
+    constexpr std::uint8_t kHighByteOfZ = 0x3f;
+    if (reg == kHighByteOfZ) return (registers_[kPower] & kAsleep) != 0 ? 0x00 : 0x40;
+    return registers_[reg & 0x7fU];
+  }
 
  private:
+  static constexpr std::uint8_t kPower = 0x6b;   // PWR_MGMT_1
+  static constexpr std::uint8_t kAsleep = 0x40;  // as after switching on
   std::array<std::uint8_t, 128> registers_{};
 };
 

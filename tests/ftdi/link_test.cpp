@@ -158,6 +158,17 @@ TEST_F(FtdiLinkTest, WrongModesAndSelectsAreRefusedBeforeAnythingIsSent) {
   EXPECT_EQ(sample(), BusError::none);
 }
 
+TEST_F(FtdiLinkTest, WhatARefusedBatchWouldHaveSetIsSetByTheNext) {
+  Mcp4921::write(link, 1, 2048);  // another mode and clock than the encoder's
+  ASSERT_EQ(link.run(), BusError::none);
+  const std::uint8_t byte = 0;
+  encoder.request(link, 0);
+  link.spi({0, 3, 1}, &byte, nullptr, 1);
+  ASSERT_EQ(link.run(), BusError::unsupported);
+  EXPECT_EQ(sample(), BusError::none);
+  EXPECT_EQ(emulator().chip().wrong_modes(), 0U);
+}
+
 TEST_F(FtdiLinkTest, PinsReadBack) {
   bool in = false;
   emulator().chip().set_high_inputs(0x20);
@@ -188,8 +199,16 @@ TEST_F(FtdiLinkTest, I2cChipsInOneRoundTrip) {
   pwm.write_channel(link, 2, drivers::Pca9685::channel(0, 300));
   ASSERT_EQ(link.run(), BusError::none);
   EXPECT_EQ(imu.sample(values), BusError::none);
+  EXPECT_FLOAT_EQ(values.acceleration[2], 9.80665F);
   EXPECT_EQ(pwm.status(), BusError::none);
   EXPECT_EQ(link.counts().round_trips, 2U);
+  // It loses power and comes back asleep.
+  const std::uint8_t sleep[] = {0x6b, 0x40};
+  BusError written{};
+  link.i2c({0x68, 400'000}, sleep, 2, nullptr, 0, written);
+  imu.request(link);
+  ASSERT_EQ(link.run(), BusError::none);
+  EXPECT_EQ(imu.sample(values), BusError::not_ready);
   // The registers, read back.
   const std::uint8_t reg = 0x06 + 4 * 2;
   std::uint8_t channel[4]{};
@@ -209,6 +228,8 @@ TEST_F(FtdiLinkTest, NobodyAcknowledges) {
   ASSERT_EQ(link.run(), BusError::none);
   EXPECT_EQ(absent.status(), BusError::nak);
   drivers::Mpu6050 imu;
+  imu.configure(link);
+  ASSERT_EQ(link.run(), BusError::none);
   drivers::InertialSample<float> values{};
   emulator().faults().force(Fault::nak);
   imu.request(link);
@@ -221,6 +242,8 @@ TEST_F(FtdiLinkTest, NobodyAcknowledges) {
 
 TEST_F(FtdiLinkTest, AThousandBytesThatAreNotAcknowledged) {
   drivers::Mpu6050 imu;
+  imu.configure(link);
+  ASSERT_EQ(link.run(), BusError::none);
   drivers::InertialSample<float> values{};
   for (int i = 0; i < 1000; ++i) {
     emulator().faults().force(Fault::nak);
@@ -302,6 +325,8 @@ TEST(FtdiUart, Servo) {
   emulator().pull_out(emulated::kNsPerMs);
   EXPECT_EQ(servo.position(line, position), BusError::link_lost);
   EXPECT_FALSE(line.is_open());
+  emulator().time().pass(emulated::kNsPerSecond);
+  EXPECT_EQ(servo.position(line, position), BusError::none) << "it is back";
   line.close();
 }
 

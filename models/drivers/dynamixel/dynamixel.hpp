@@ -123,22 +123,27 @@ class DynamixelX {
   }
 
   /// Asks for the position and waits for it, in counts. Errors: those of the line and of the
-  /// status packet.
+  /// status packet. On a line with flush(), what came in before, such as an answer that was too
+  /// late, is thrown away.
   template <UartBus Bus>
   BusError position(Bus& bus, std::int32_t& counts) const {
-    constexpr std::size_t kPlain = 15;  // bytes of a status packet with four parameters
-    constexpr std::size_t kStuffed = 16;
+    constexpr std::size_t kHead = 7;
+    constexpr std::size_t kShortest = 11;  // a status packet that only reports an error
+    constexpr std::size_t kLongest = 16;   // a position such as -131073 holds FF FF FD, stuffed
     const auto request = read(kPresentPosition, 4);
+    if constexpr (requires { bus.flush(); }) bus.flush();
     BusError error = bus.write(request.data(), request.size());
     if (error != BusError::none) return error;
-    std::uint8_t answer[kStuffed]{};
-    error = bus.read(answer, kPlain);
+    std::uint8_t answer[kLongest]{};
+    error = bus.read(answer, kShortest);
     if (error != BusError::none) return error;
-    std::size_t n = kPlain;
-    if (answer[5] == kStuffed - 7) {  // a position such as -131073 holds FF FF FD
-      error = bus.read(answer + kPlain, 1);
-      if (error != BusError::none) return error;
-      n = kStuffed;
+    const std::size_t n = kHead + std::size_t{little_endian(answer + 5)};
+    if (n < kShortest || n > kLongest) return BusError::frame;
+    if (n > kShortest) error = bus.read(answer + kShortest, n - kShortest);
+    if (error != BusError::none) return error;
+    if (n == kShortest) {
+      error = dynamixel_status(answer, n, id_, nullptr, 0);
+      return error != BusError::none ? error : BusError::frame;
     }
     std::uint8_t value[4]{};
     error = dynamixel_status(answer, n, id_, value, sizeof value);

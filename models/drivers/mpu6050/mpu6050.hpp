@@ -57,10 +57,14 @@ class Mpu6050 {
     bus.i2c(device(), &kAccelerationX, 1, words_, sizeof words_, status_);
   }
 
-  /// After run(): the sample. Errors: nak.
+  /// After run(): the sample. Errors: nak, not_ready (nothing but zeros: the chip sleeps, as it
+  /// does after a loss of power, or the data line is stuck at 0, which also looks acknowledged).
   template <class Real>
   BusError sample(InertialSample<Real>& sample) const {
     if (status_ != BusError::none) return status_;
+    unsigned any = 0;
+    for (const std::uint8_t byte : words_) any |= byte;
+    if (any == 0) return BusError::not_ready;
     constexpr auto kGravity = Real(9.80665);                       // [m/s²]
     constexpr auto kRadPerDegree = Real(0.017453292519943295769);  // π/180
     const Real per_g = Real(16384) / Real(1U << static_cast<unsigned>(acceleration_));

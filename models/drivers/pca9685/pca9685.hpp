@@ -26,14 +26,15 @@ class Pca9685 {
     return exact >= 256.0 ? 255 : static_cast<std::uint8_t>(static_cast<unsigned>(exact) - 1U);
   }
 
-  /// The four registers of a channel (on low, on high, off low, off high): on at `on` counts, for
-  /// `width` counts; 0 is always off, 4096 and more always on.
+  /// The four registers of a channel (on low, on high, off low, off high): on at `on` counts of the
+  /// 4096, for `width` counts; 0 is always off, 4096 and more always on.
   struct Channel {
     std::uint8_t bytes[4];
   };
   static constexpr Channel channel(std::uint16_t on, std::uint16_t width) {
     if (width == 0) return {{0, 0, 0, kFull}};
     if (width >= kCounts) return {{0, kFull, 0, 0}};
+    on = static_cast<std::uint16_t>(on % kCounts);  // bit 12 would be `always on`
     const auto off = static_cast<std::uint16_t>((on + width) % kCounts);
     return {{low_byte(on), high_byte(on), low_byte(off), high_byte(off)}};
   }

@@ -95,6 +95,18 @@ TEST(Dynamixel, ErrorsAreTold) {
   RecordedBus silent;
   std::int32_t counts = 0;
   EXPECT_EQ(DynamixelX(1).position(silent, counts), BusError::timeout);
+  const auto asked = [&](const Bytes& packet) {
+    RecordedBus bus;
+    bus.answers = {packet};
+    return DynamixelX(1).position(bus, counts);
+  };
+  EXPECT_EQ(asked(status(0x04, {})), BusError::refused);  // an error alone has no parameters
+  EXPECT_EQ(asked(status(0x00, {})), BusError::frame);
+  EXPECT_EQ(asked(status(0x00, {1, 2, 3, 4, 5, 6, 7})), BusError::frame);
+  Bytes cut = status(0x00, {1, 2, 3, 4});
+  cut.pop_back();
+  EXPECT_EQ(asked(cut), BusError::short_reply);
+  EXPECT_EQ(asked(Bytes(11, 0xff)), BusError::frame);
   DynamixelPacket<2> packet;
   packet.build(1, 3, parameters, 3);
   EXPECT_EQ(packet.size(), 0U);

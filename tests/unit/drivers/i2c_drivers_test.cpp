@@ -70,6 +70,14 @@ TEST(Mpu6050, Ranges) {
   EXPECT_NEAR(sample.angular_velocity[0], 10 * 0.0174532925, 1e-8);  // 16.4 per °/s
 }
 
+TEST(Mpu6050, NothingButZerosIsNoSample) {
+  RecordedBus bus;  // acknowledges and sends zeros: a chip that sleeps, or a line stuck at 0
+  Mpu6050 chip;
+  chip.request(bus);
+  InertialSample<float> sample{};
+  EXPECT_EQ(chip.sample(sample), BusError::not_ready);
+}
+
 TEST(Pca9685, PrescaleOfTheDataSheet) {
   EXPECT_EQ(Pca9685::prescale(200.0), 30);  // the example of 7.3.5
   EXPECT_EQ(Pca9685::prescale(50.0), 121);
@@ -87,6 +95,11 @@ TEST(Pca9685, RegistersOfTheDataSheetsExamples) {
   // Example 2: delay 90 % = 3685 (E65h), on for 90 % = 3686, past the end: off at 3275 (CCBh).
   const auto second = Pca9685::channel(3685, 3686);
   EXPECT_EQ(Bytes(second.bytes, second.bytes + 4), (Bytes{0x65, 0x0e, 0xcb, 0x0c}));
+}
+
+TEST(Pca9685, ADelayPastTheEndIsNotAlwaysOn) {
+  const auto late = Pca9685::channel(4096 + 409, 819);
+  EXPECT_EQ(Bytes(late.bytes, late.bytes + 4), (Bytes{0x99, 0x01, 0xcc, 0x04}));
 }
 
 TEST(Pca9685, FullyOnAndOff) {

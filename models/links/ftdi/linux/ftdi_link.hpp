@@ -69,15 +69,15 @@ class FtdiLink {
     const bool was_open = device_.is_open();
     const BusError error = exchange();
     batch_.clear();
-    if (error != BusError::none && error != BusError::full && error != BusError::unsupported) {
-      batch_.forget();
-      if (error != BusError::link_lost) {
-        ++(error == BusError::timeout ? counts_.timeouts : counts_.short_replies);
-        unsure_ = true;
-      } else if (was_open) {
-        ++counts_.lost;
-        device_.close();
-      }
+    if (error == BusError::none) return error;
+    batch_.forget();  // also what a batch that was refused would have set
+    if (error == BusError::full || error == BusError::unsupported) return error;
+    if (error != BusError::link_lost) {
+      ++(error == BusError::timeout ? counts_.timeouts : counts_.short_replies);
+      unsure_ = true;
+    } else if (was_open) {
+      ++counts_.lost;
+      device_.close();
     }
     return error;
   }
@@ -129,20 +129,21 @@ class FtdiLink {
   }
 
   /// Throws away what may still be on its way: an unknown command is answered with FA and itself.
+  /// Two of them in a row, as FA AA alone may be a part of an old answer.
   bool resynchronise() {
-    constexpr std::uint8_t kUnknownCommand = 0xaa;
-    constexpr std::uint8_t kBadCommand = 0xfa;
+    constexpr std::uint32_t kAnswer = 0xfaaafaab;
     if (unsure_) ++counts_.resyncs;
     unsure_ = false;
     if (ftdi_tcioflush(device_.context()) < 0) return false;
-    const std::uint8_t probe[] = {kUnknownCommand, 0x87};
-    if (device_.write(probe, sizeof probe) != BusError::none) return false;
-    std::uint8_t last = 0;
-    for (std::size_t i = 0; i < sizeof reply_; ++i) {
+    constexpr std::uint8_t kProbe[] = {0xaa, 0xab, 0x87};
+    if (device_.write(kProbe, sizeof kProbe) != BusError::none) return false;
+    const std::int64_t until_ns = deadline();
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < sizeof reply_ + sizeof last; ++i) {
       std::uint8_t byte = 0;
-      if (device_.read<Clock>(&byte, 1, deadline()) != BusError::none) return false;
-      if (last == kBadCommand && byte == kUnknownCommand) return true;
-      last = byte;
+      if (device_.read<Clock>(&byte, 1, until_ns) != BusError::none) return false;
+      last = last << 8U | byte;
+      if (last == kAnswer) return true;
     }
     return false;
   }

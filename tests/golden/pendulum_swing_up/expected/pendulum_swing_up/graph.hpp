@@ -43,11 +43,11 @@ struct Graph {
       {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
   };
 
-  /// actions.voltage, graph.yaml:25:3
+  /// actions.voltage, graph.yaml:29:3
   static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.angle, graph.yaml:31:32
+  /// observations.angle, graph.yaml:35:32
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.theta_dot, graph.yaml:32:36
+  /// observations.theta_dot, graph.yaml:36:36
   static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
   /// What pendulum.model_state is drawn from, graph.yaml:16:20
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
@@ -58,6 +58,15 @@ struct Graph {
     {  // pendulum/model_state, graph.yaml:16:20
       eagerx::Random random(key, eagerx::entity_id("pendulum/model_state"));
       states.pendulum_model_state = kStatePendulumModelState.sample(random);
+    }
+    {  // pendulum/mass, graph.yaml:18:14
+      states.pendulum_mass = float{0.0358F};
+    }
+    {  // pendulum/length, graph.yaml:19:16
+      states.pendulum_length = float{0.1158F};
+    }
+    {  // pendulum/max_speed, graph.yaml:20:19
+      states.pendulum_max_speed = float{22.0F};
     }
     return states;
   }
@@ -82,7 +91,7 @@ struct Graph {
     return {kActionVoltage.sample(random)};
   }
 
-  /// The trained policy's action: swing_up.onnx, graph.yaml:34:17
+  /// The trained policy's action: swing_up.onnx, graph.yaml:38:17
   static Action policy(const Observation& observation) {
     float input[policy::kInputs];
     float output[policy::kOutputs];

@@ -11,6 +11,7 @@
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
 #include <models/engine_nodes/ode_output/ode_output.hpp>
+#include <models/engine_states/dummy_state/dummy_state.hpp>
 #include <models/engine_states/ode_engine_state/ode_engine_state.hpp>
 #include <models/engines/ode_engine/ode_engine.hpp>
 #include <models/engines/ode_engine/ode_simulator.hpp>
@@ -55,7 +56,37 @@ struct PendulumModelStateIo {
 };
 using PendulumModelState = eagerx::models::OdeEngineState<PendulumModelStateIo>;
 
-// observations.angle: DecomposedAngle, graph.yaml:31:63
+// pendulum.mass: DummyState, graph.yaml:18:7
+struct PendulumMassIo {
+  using Real = graphs::pendulum_swing_up::Real;
+  using State = float;
+  using Simulator = PendulumSimulator;
+  struct Config {
+  };
+};
+using PendulumMass = eagerx::models::DummyState<PendulumMassIo>;
+
+// pendulum.length: DummyState, graph.yaml:19:7
+struct PendulumLengthIo {
+  using Real = graphs::pendulum_swing_up::Real;
+  using State = float;
+  using Simulator = PendulumSimulator;
+  struct Config {
+  };
+};
+using PendulumLength = eagerx::models::DummyState<PendulumLengthIo>;
+
+// pendulum.max_speed: DummyState, graph.yaml:20:7
+struct PendulumMaxSpeedIo {
+  using Real = graphs::pendulum_swing_up::Real;
+  using State = float;
+  using Simulator = PendulumSimulator;
+  struct Config {
+  };
+};
+using PendulumMaxSpeed = eagerx::models::DummyState<PendulumMaxSpeedIo>;
+
+// observations.angle: DecomposedAngle, graph.yaml:35:63
 struct ObservationAngleProcessorIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Input = float;
@@ -81,7 +112,7 @@ struct EngineIo {
   struct States {};
 };
 
-// smooth: ButterworthFilter at 30 Hz, graph.yaml:19:3
+// smooth: ButterworthFilter at 30 Hz, graph.yaml:23:3
 struct SmoothIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;

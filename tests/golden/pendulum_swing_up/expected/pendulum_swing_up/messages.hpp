@@ -18,7 +18,7 @@ namespace graphs::pendulum_swing_up {
 
 /// What the agent decides at every step.
 struct Action {
-  eagerx::Array<float, 1> voltage;  // float32 [1], graph.yaml:25:3
+  eagerx::Array<float, 1> voltage;  // float32 [1], graph.yaml:29:3
 
   template <class F>
   void for_each(F&& f) const {
@@ -29,9 +29,9 @@ struct Action {
 /// What the agent sees: windows into the program's own memory, oldest message first, valid until
 /// the next step or reset.
 struct Observation {
-  // float32 [2], graph.yaml:31:32
+  // float32 [2], graph.yaml:35:32
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> angle;
-  // float32 [], graph.yaml:32:36
+  // float32 [], graph.yaml:36:36
   eagerx::PaddedWindow<float, eagerx::Rate<30>, 1, 1, true> theta_dot;
 
   template <class F>
@@ -44,11 +44,17 @@ struct Observation {
 /// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {
   std::optional<eagerx::Array<float, 2>> pendulum_model_state{};  // float32 [2], graph.yaml:16:7
+  std::optional<float> pendulum_mass{};  // float32 [], graph.yaml:18:7
+  std::optional<float> pendulum_length{};  // float32 [], graph.yaml:19:7
+  std::optional<float> pendulum_max_speed{};  // float32 [], graph.yaml:20:7
 
   /// f(name, optional message) for each.
   template <class F>
   void for_each(F&& f) {
     f("pendulum_model_state", this->pendulum_model_state);
+    f("pendulum_mass", this->pendulum_mass);
+    f("pendulum_length", this->pendulum_length);
+    f("pendulum_max_speed", this->pendulum_max_speed);
   }
 };
 

@@ -52,6 +52,12 @@ class Program {
     }
     if (states.pendulum_model_state && eagerx::runs_engine(trace))
       PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
+    if (states.pendulum_mass && eagerx::runs_engine(trace))
+      PendulumMass::reset(*states.pendulum_mass, pendulum_simulator_);
+    if (states.pendulum_length && eagerx::runs_engine(trace))
+      PendulumLength::reset(*states.pendulum_length, pendulum_simulator_);
+    if (states.pendulum_max_speed && eagerx::runs_engine(trace))
+      PendulumMaxSpeed::reset(*states.pendulum_max_speed, pendulum_simulator_);
     if (eagerx::runs_engine(trace)) eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
@@ -65,7 +71,7 @@ class Program {
 
   /// Applies an action and runs to the next tick of the environment.
   Observation step(const Action& action) {
-    // actions.voltage, graph.yaml:25:3
+    // actions.voltage, graph.yaml:29:3
     action_voltage_[0] = action.voltage;
     trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
     after(eagerx::Constant<k30Hz>{});
@@ -139,7 +145,7 @@ class Program {
   template <class Mask>
   void after(const Mask due) {
     if ((due & k30Hz) != 0) {
-      // smooth: ButterworthFilter, graph.yaml:19:3
+      // smooth: ButterworthFilter, graph.yaml:23:3
       {
         const SmoothIo::Inputs in{{action_voltage_, n30Hz_}};
         SmoothIo::Outputs out{smooth_filtered_[0]};
