@@ -2,7 +2,7 @@
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 //
 // Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
-// which at least one rate is due; the 12 slots of the hyperperiod are a table of masks.
+// which at least one rate is due; the 12 slots of the hyperperiod are a table of which of them are alike.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace graphs::multi_rate {
 
-/// The whole graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
+/// What runs on Linux of the graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
 template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
  public:
@@ -38,7 +38,8 @@ class Program {
   }
   /// Whether the engine acts on the world itself.
   bool is_real() const { return eagerx::is_real(engine_, left_simulator_, right_simulator_); }
-  /// f(name, count) for what engine and objects count besides messages.
+  /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid during
+  /// its call.
   template <class F>
   void for_each_count(F&& f) const {
     eagerx::for_each_count(f, engine_, left_simulator_, right_simulator_);
@@ -84,28 +85,58 @@ class Program {
     observation_other_cursor_.reset(2);
     slow_signal_cursor_.reset(3);
     right_u_applied_action_applied_cursor_.reset(0);
-    due_ = next();
-    before(due_);
-    return observe(due_);
+    kind_ = next();
+    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
   }
 
   /// Applies an action and runs to the next tick of the environment.
   Observation step(Action& action) {
     link->begin_step();
     // actions.voltage, graph.yaml:46:3
-    if (!link->get(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(due_);
+    if (!link->get(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     action.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     trace(channel::environment_voltage, n10Hz_ - 1, action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     // actions.push, graph.yaml:47:3
-    if (!link->get(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(due_);
+    if (!link->get(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     action.push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     trace(channel::environment_push, n10Hz_ - 1, action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
-    after(due_);
+    // The slot of the last observation goes on, then come those up to the next.
+    switch (kind_) {
+      case 0:
+        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+        break;
+      case 5:
+        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+        break;
+      default:
+        __builtin_unreachable();
+    }
     for (;;) {
-      due_ = next();
-      before(due_);
-      if ((due_ & k10Hz) != 0) return observe(due_);
-      after(due_);
+      switch (next()) {
+        case 0:
+          kind_ = 0;
+          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+          return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+        case 1:
+          slot(eagerx::Constant<k60Hz>{});
+          break;
+        case 2:
+          slot(eagerx::Constant<k60Hz | k30Hz>{});
+          break;
+        case 3:
+          slot(eagerx::Constant<k60Hz | k20Hz>{});
+          break;
+        case 4:
+          slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
+          break;
+        case 5:
+          kind_ = 5;
+          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+          return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+        default:
+          __builtin_unreachable();
+      }
     }
   }
 
@@ -120,11 +151,11 @@ class Program {
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
   void before(const Mask due) {
-    n60Hz_ += (due & k60Hz) != 0;
-    n30Hz_ += (due & k30Hz) != 0;
-    n20Hz_ += (due & k20Hz) != 0;
-    n15Hz_ += (due & k15Hz) != 0;
-    n10Hz_ += (due & k10Hz) != 0;
+    if ((due & k60Hz) != 0) ++n60Hz_;
+    if ((due & k30Hz) != 0) ++n30Hz_;
+    if ((due & k20Hz) != 0) ++n20Hz_;
+    if ((due & k15Hz) != 0) ++n15Hz_;
+    if ((due & k10Hz) != 0) ++n10Hz_;
     if constexpr (eagerx::waits_for_slots<Trace>) {
       if ((due & k60Hz) != 0) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
       if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
@@ -278,6 +309,13 @@ class Program {
     }
   }
 
+  // A slot without the environment.
+  template <class Mask>
+  void slot(const Mask due) {
+    before(due);
+    after(due);
+  }
+
   // What the environment sees.
   template <class Mask>
   Observation observe([[maybe_unused]] const Mask due) {
@@ -292,17 +330,17 @@ class Program {
     return observation;
   }
 
-  // The rates that are due, slot by slot.
+  // The kind of every slot.
   static constexpr std::uint8_t kDueAt[12] = {
-      31, 1, 3, 5, 11, 1, 23, 1, 11, 5, 3, 1,
+      0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1,
   };
-  Due next() {
-    const Due due = kDueAt[slot_];
-    slot_ = slot_ + 1 == 12 ? 0 : static_cast<std::uint8_t>(slot_ + 1);
+  std::uint8_t next() {
+    const std::uint8_t due = kDueAt[slot_];
+    slot_ = slot_ + 1 == 12 ? 0 : slot_ + 1;
     return due;
   }
-  std::uint8_t slot_ = 0;
-  Due due_ = 0;
+  std::uint32_t slot_ = 0;
+  std::uint8_t kind_ = 0;
 
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;
