@@ -93,9 +93,10 @@ class Ages {
       for (const Way& way : ways.all) most = std::max(most, oldest_bound(way));
       age.oldest_s = seconds(most);
     }
-    for (auto hop = best.rbegin(); hop != best.rend(); ++hop) {
-      const Input& input = plan_.graph->nodes[(*hop)->node].inputs[(*hop)->input];
-      age.way.push_back({input.written, input.span, seconds((*hop)->newest_bound)});
+    const Way from_sensor(best.rbegin(), best.rend());
+    for (const Hop* hop : from_sensor) {
+      const Input& input = plan_.graph->nodes[hop->node].inputs[hop->input];
+      age.way.push_back({input.written, input.span, seconds(hop->newest_bound)});
     }
     return age;
   }

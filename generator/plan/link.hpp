@@ -37,8 +37,9 @@ struct Link {
   }
 };
 
-/// Bytes of a frame besides its elements: delimiter, byte stuffing (COBS), kind, number, CRC; and
-/// the bits of a byte with start and stop bit.
+/// Bytes of a frame besides its elements, as split programs have it (targets/README.md): two
+/// delimiters, COBS (one more for every 254 bytes, not counted), kind, number, CRC-32C; and the
+/// bits of a byte with start and stop bit.
 inline constexpr std::int64_t kFrameBytes = 12;
 inline constexpr std::int64_t kBitsOfByte = 10;
 
