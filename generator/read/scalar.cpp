@@ -62,6 +62,17 @@ std::optional<std::int64_t> parse_int(std::string_view text) {
   return convert<std::int64_t>(text);
 }
 
+std::optional<std::int64_t> parse_whole(std::string_view text) {
+  constexpr int kHexadecimal = 16;
+  if (!text.starts_with("0x")) return parse_int(text);
+  std::int64_t value = 0;
+  const auto [end, error] =
+      std::from_chars(text.data() + 2, text.data() + text.size(), value, kHexadecimal);
+  // from_chars takes a sign here, which a hexadecimal number has not.
+  const bool right = error == std::errc() && end == text.data() + text.size() && text[2] != '-';
+  return right ? std::optional(value) : std::nullopt;
+}
+
 std::optional<double> parse_number(std::string_view text) {
   const std::string_view unsigned_text = without_sign(text);
   if (unsigned_text == ".inf" || unsigned_text == ".Inf" || unsigned_text == ".INF") {

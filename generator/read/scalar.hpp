@@ -11,6 +11,9 @@ namespace eagerx::gen {
 /// reads "010" as 8), underscores, hexadecimal, blanks, or a number outside 64 bits.
 std::optional<std::int64_t> parse_int(std::string_view text);
 
+/// The same, or a hexadecimal one without sign: "0x0403".
+std::optional<std::int64_t> parse_whole(std::string_view text);
+
 /// Number of YAML's core schema (1.2, section 10.3.2) in decimal: "1", "-2.5", ".5", "1.", "6e-3",
 /// ".inf", "-.inf", ".nan". Nothing for leading zeros, underscores, or a magnitude outside double.
 std::optional<double> parse_number(std::string_view text);

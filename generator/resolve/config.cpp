@@ -53,7 +53,7 @@ class Reader {
   std::optional<ConfigValue> read() {
     switch (parameter_.type) {
       case Parameter::Type::integer:
-        return one<std::int64_t>([](const Node& n) { return parse_int(n.text); });
+        return one<std::int64_t>([](const Node& n) { return parse_whole(n.text); });
       case Parameter::Type::number:
         return one<double>([](const Node& n) { return parse_number(n.text); });
       case Parameter::Type::boolean:
@@ -63,7 +63,7 @@ class Reader {
       case Parameter::Type::keyword:
         return keyword();
       case Parameter::Type::integers:
-        return list<std::int64_t>([](const Node& n) { return parse_int(n.text); });
+        return list<std::int64_t>([](const Node& n) { return parse_whole(n.text); });
       case Parameter::Type::numbers:
         return list<double>([](const Node& n) { return parse_number(n.text); });
     }

@@ -23,6 +23,17 @@ TEST(Scalar, Ints) {
   }
 }
 
+TEST(Scalar, WholeNumbersInHexadecimalToo) {
+  EXPECT_EQ(parse_whole("0x0403"), 0x0403);
+  EXPECT_EQ(parse_whole("0xaF"), 0xaf);
+  EXPECT_EQ(parse_whole("-7"), -7);
+  EXPECT_EQ(parse_whole("0x7fffffffffffffff"), std::numeric_limits<std::int64_t>::max());
+  for (const char* text :
+       {"0x", "0x-1", "0x+1", "-0x1", "0X1", "0x1g", "0x 1", "0x8000000000000000", "010"}) {
+    EXPECT_EQ(parse_whole(text), std::nullopt) << text;
+  }
+}
+
 TEST(Scalar, Numbers) {
   EXPECT_EQ(parse_number("1"), 1.0);
   EXPECT_EQ(parse_number("-2.5"), -2.5);
