@@ -192,7 +192,12 @@ OnnxValue pool(const OnnxCall& call, Pooling::Kind kind, bool global) {
   }
   Geometry geometry = geometry_of(call, from.dims, kernel, from.pad);
   if (!geometry.problem.empty()) return call.misused(geometry.problem);
-  if (!reaches_all(geometry.kernel)) {
+  const KernelShape& moved = geometry.kernel;
+  if (!call.spend(std::int64_t{moved.rows} * moved.out_height +
+                  std::int64_t{moved.columns} * moved.out_width)) {
+    return call.too_much();
+  }
+  if (!reaches_all(moved)) {
     return call.misused("with a kernel that lies in the padding alone");
   }
   return call.data_after(from.before, Pooling{geometry.kernel, kind}, std::move(geometry.result));

@@ -161,12 +161,25 @@ class Builder {
     return true;
   }
 
+  /// What a robot cannot compute in a step, and a generator not in a minute.
+  bool is_short(const KernelShape& kernel, std::uint64_t values) {
+    constexpr std::uint64_t kMostProducts = std::uint64_t{1} << 30U;
+    const std::uint64_t size = std::uint64_t{kernel.rows} * kernel.columns;
+    if (size <= kMostProducts && size * values <= kMostProducts / after_) return true;
+    return fail(
+        "E0619",
+        fmt::format("needs more than {} products in one layer (node `{}`)", kMostProducts, node_),
+        "use a smaller network");
+  }
+
   bool add(const OnnxConvolution& work) {
+    if (!is_short(work.form.kernel, work.form.kernel.channels / work.form.groups)) return false;
     DenseLayer& layer = add_form(work.form);
     layer.bias.assign(work.form.channels, 0.0F);
     return read(work.weights, layer.weights) && (!work.bias || read(*work.bias, layer.bias));
   }
   bool add(const Pooling& work) {
+    if (!is_short(work.kernel, 1)) return false;
     add_form(work);
     return true;
   }

@@ -159,6 +159,26 @@ TEST(Architectures, WeightsThatDoNotFitAreRefused) {
   expect(model, "E0613", "whose kernel does not fit");
 }
 
+TEST(Architectures, KernelsThatTakeForEverAreRefused) {
+  test::OnnxBuilder builder(1);
+  builder.graph().clear_input();
+  builder.add_input("observation", {1, 1, 1, 65535});
+  const auto set = [](onnx::NodeProto& node, const char* name, test::Shape values) {
+    onnx::AttributeProto& attribute = *node.add_attribute();
+    attribute.set_name(name);
+    for (const std::int64_t value : values) attribute.add_ints(value);
+  };
+  onnx::NodeProto& pool = builder.add_node("AveragePool", {"observation"}, "action");
+  set(pool, "kernel_shape", {1, 32768});
+  expect(builder.model, "E0619", "moves too many values");
+  pool.clear_attribute();
+  set(pool, "kernel_shape", {1, 1024});
+  builder.add_tensor("w", {64, 1, 1, 1024}, std::vector<float>(65536, 0.5F));
+  pool.set_op_type("Conv");
+  pool.add_input("w");
+  expect(builder.model, "E0619", "needs more than 1073741824 products in one layer");
+}
+
 /// A memory of `hidden` values with as many gates.
 void add_memory(std::vector<test::NamedValues>& tensors, const std::string& name, int inputs,
                 int hidden, int gates) {
