@@ -83,8 +83,7 @@ class Placer {
                     [&](const DraftObject& object) { return object.name == name; });
     if (simulated) {
       draft_.diagnostics
-          .error("E0332", item.name.span,
-                 fmt::format("`{}` cannot be placed on a board", name))
+          .error("E0332", item.name.span, fmt::format("`{}` cannot be placed on a board", name))
           .help = "the engine and its objects stay on Linux: place nodes, `agent` or `controller`";
       return;
     }
