@@ -178,7 +178,7 @@ class GraphView {
 
   void add_draws(View& view) {
     View ranges = list(), randoms = list();
-    bool draws = false;
+    bool draws = false, has_ranges = false;
     const auto add = [&](const std::string& owner, const State& state, const std::string& field) {
       if (!state.random) return;
       const RandomSpec::Kind kind = state.random->kind;
@@ -193,6 +193,7 @@ class GraphView {
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
         ranges.push_back(item);
+        has_ranges = true;
       }
       View item = object();
       item.set("state", owner + "/" + state.name);
@@ -223,6 +224,7 @@ class GraphView {
         add(graph_.nodes[n].name, delay, names_.delay_state[n][i]);
       }
     }
+    view.set("no_ranges", !has_ranges);
     view["ranges"] = std::move(ranges);
     view["randoms"] = std::move(randoms);
     view.set("draws", draws);

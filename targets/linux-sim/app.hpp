@@ -14,6 +14,7 @@
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/pacer.hpp>
@@ -282,6 +283,26 @@ int replay_log(const Options& options, const ActionTable<Graph>& table) {
   return replay.divergence() ? kDiverged : kDone;
 }
 
+/// Finds parameters and delays of the run of a log.
+template <class Graph>
+int identify(const Options& options) {
+  std::string problem;
+  const std::optional<trace_log::Log> log = trace_log::read_log_file(options.identify, problem);
+  if (!log) return fail(problem, kBadFile);
+  auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
+  const trace_log::Replay same(*log, Graph::kChannels);
+  if (!same.fits(problem)) return fail(problem, kBadFile);
+  if (program.is_real() || requires { program.reset_timeouts(); }) {
+    return fail(
+        "error: parameters are identified in the program of a simulation without reset nodes\n"
+        "help: generate the graph for OdeEngine, with `--engine OdeEngine`",
+        kBadUsage);
+  }
+  program.warm_up();
+  const int code = identify_with<Graph>(options, *log, program, problem);
+  return problem.empty() ? code : fail(problem, code);
+}
+
 template <class Graph>
 int show_help(const char* program_name, const Options& defaults) {
   auto& program = target::program_of_run<typename ProgramOf<Graph, NoTrace, link::NoLink>::Type>;
@@ -342,14 +363,14 @@ int run(int argc, char** argv) {
     const ActionProblem problem = table.load(options.action_file, options.plan.steps);
     if (problem.exit_code != 0) return fail(problem.text, problem.exit_code);
   }
-  if (!options.replay.empty()) {
+  if (!options.replay.empty() || !options.identify.empty()) {
     if constexpr (is_split<Graph>) {
       return fail("error: a part of this graph runs on " + std::string(Graph::Link::kBoard) +
                       "\nhelp: repeat a log with the program that is not split, which has the same "
                       "messages",
                   kBadUsage);
     } else {
-      return replay_log<Graph>(options, table);
+      return options.replay.empty() ? identify<Graph>(options) : replay_log<Graph>(options, table);
     }
   }
   if (!board_knows<Graph>(options.agent)) {

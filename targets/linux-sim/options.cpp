@@ -66,6 +66,27 @@ bool set_replay_given(Options& options, std::string_view value) {
   options.replay_given = value;
   return !value.empty();
 }
+bool set_identify(Options& options, std::string_view value) {
+  options.identify = value;
+  return !value.empty();
+}
+bool set_identify_out(Options& options, std::string_view value) {
+  options.identify_out = value;
+  return !value.empty();
+}
+bool set_identify_sensors(Options& options, std::string_view value) {
+  options.identify_sensors = value;
+  return !value.empty();
+}
+bool set_identify_horizon(Options& options, std::string_view value) {
+  constexpr double kLongest = 1e6;
+  return parse_number(value, 1e-6, options.identify_horizon_s) &&
+         options.identify_horizon_s <= kLongest;
+}
+bool set_identify_delay(Options& options, std::string_view value) {
+  constexpr double kLongest = 10.0;
+  return parse_number(value, 0.0, options.identify_delay_s) && options.identify_delay_s <= kLongest;
+}
 bool set_real_time_factor(Options& options, std::string_view value) {
   return parse_number(value, 0.0, options.real_time_factor) &&
          std::isfinite(options.real_time_factor);
@@ -129,6 +150,16 @@ constexpr std::array kOptions{
     Option{"--replay-given", "LIST", "names between commas",
            "what is taken from it: channels, actions, sensors, none (actions,sensors)",
            set_replay_given},
+    Option{"--identify", "LOG", "a file name",
+           "find parameters and delays that a trace was made with", set_identify},
+    Option{"--identify-out", "FILE", "a file name", "write them as YAML for the graph",
+           set_identify_out},
+    Option{"--identify-sensors", "LIST", "names between commas",
+           "channels that count (all sensors)", set_identify_sensors},
+    Option{"--identify-horizon", "S", "seconds from 0.000001 to 1000000",
+           "how long the simulation runs from one guess of the state (0.5)", set_identify_horizon},
+    Option{"--identify-delay", "S", "seconds from 0 to 10", "longest delay to try (0.1)",
+           set_identify_delay},
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "a number of at least 0",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
@@ -215,7 +246,7 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
 }
 
 std::string options_help(const Options& defaults) {
-  constexpr std::size_t kColumn = 24;
+  constexpr std::size_t kColumn = 26;
   std::string text;
   for (const Option& option : kOptions) {
     if (option.split && !defaults.split) continue;

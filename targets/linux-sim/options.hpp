@@ -29,6 +29,11 @@ struct Options {
   bool trace_time = false;
   std::string replay;  // a log; empty: none
   std::string replay_given = "actions,sensors";
+  std::string identify;          // a log; empty: none
+  std::string identify_out;      // empty: standard output
+  std::string identify_sensors;  // empty: all
+  double identify_horizon_s = 0.5;
+  double identify_delay_s = 0.1;
   double real_time_factor = 0.0;
   bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
   std::string link;

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <targets/common/replay.hpp>
 #include <targets/common/trace_text.hpp>
+#include <targets/linux-sim/experiment.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
@@ -18,6 +19,7 @@ namespace eagerx::linux_sim {
 template <class Graph>
 class TraceRecorder {
  public:
+  static constexpr bool kSimulators = true;
   using Text = target::TraceText<Graph, TextFile>;
 
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
@@ -27,6 +29,8 @@ class TraceRecorder {
     timed_ = timed;
   }
   void follow(trace_log::Replay* replay) { replay_ = replay; }
+  /// Every run is one of the experiment's from now on.
+  void measure(Experiment* experiment) { experiment_ = experiment; }
   bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 
@@ -39,9 +43,15 @@ class TraceRecorder {
   /// (g++) to 29 % (clang++) more text when all of them are expanded.
   template <class Message>
   [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, Message& message) {
+    if (experiment_ != nullptr) return experiment_->message(channel, seq, message);
     if (replay_ != nullptr) replay_->message(channel, episode_, seq, message);
     hash_(channel, seq, message);
     if (file_ != nullptr) write(channel, seq, message);
+  }
+
+  template <class Simulator>
+  void simulator(const char* object, Seq tick, Simulator& simulator) {
+    if (experiment_ != nullptr) experiment_->simulator(object, tick, simulator);
   }
 
   /// The file's last line.
@@ -61,6 +71,7 @@ class TraceRecorder {
   HashTrace hash_;
   TextFile* file_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
+  Experiment* experiment_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
   std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;

@@ -1,0 +1,202 @@
+#include <cmath>
+#include <limits>
+#include <targets/linux-sim/experiment.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+bool is_among(std::string_view name, std::string_view list) {
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.find(','), list.size());
+    if (list.substr(0, comma) == name) return true;
+    list.remove_prefix(std::min(comma + 1, list.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+bool Experiment::prepare(const trace_log::Log& log, std::span<const Channel> channels,
+                         const std::string& sensors, double horizon_s, std::string& problem) {
+  log_ = &log;
+  facts_ = channels;
+  counts_.assign(channels.size(), false);
+  in_log_.assign(channels.size(), std::nullopt);
+  first_group_.assign(channels.size(), kNone);
+  likeness_.assign(channels.size(), {});
+  rows_.assign(channels.size(), std::vector<std::vector<std::size_t>>(log.episodes()));
+  std::vector<std::size_t> here(log.channels.size(), kNone);
+  std::size_t counting = 0;
+  for (std::uint32_t i = 0; i < channels.size(); ++i) {
+    if (channels[i].publisher == Publisher::engine) engine_ = &channels[i];
+    in_log_[i] = log.channel(channels[i].name);
+    if (!in_log_[i]) continue;
+    here[*in_log_[i]] = i;
+    counts_[i] = channels[i].publisher == Publisher::engine_node &&
+                 (sensors.empty() || is_among(channels[i].name, sensors));
+    counting += counts_[i];
+  }
+  for (std::size_t row = 0; row < log.rows.size(); ++row) {
+    const trace_log::Row& message = log.rows[row];
+    if (here[message.channel] == kNone) continue;
+    auto& rows = rows_[here[message.channel]][message.episode];
+    if (message.seq == 0) rows.clear();  // of the reset routine
+    if (message.seq == rows.size()) rows.push_back(row);
+  }
+  if (counting == 0) {
+    problem = log.path + ": error: the log has no message of a sensor of this program";
+    return false;
+  }
+  const double rate_hz =
+      static_cast<double>(engine_->rate_num) / static_cast<double>(engine_->rate_den);
+  ticks_in_segment_ = std::max<Seq>(2, static_cast<Seq>(std::llround(horizon_s * rate_hz)));
+  return true;
+}
+
+std::uint64_t Experiment::steps(std::uint32_t episode) const {
+  std::uint64_t steps = 0;
+  for (std::size_t i = 0; i < facts_.size(); ++i) {
+    if (facts_[i].publisher == Publisher::environment)
+      steps = std::max<std::uint64_t>(steps, rows_[i][episode].size());
+  }
+  return steps;
+}
+
+void Experiment::begin(const Trial* trial) {
+  trial_ = trial;
+  residuals_.clear();
+  segment_ = 0;
+  has_segment_ = false;
+  if (trial == nullptr) samples_.clear();
+}
+
+void Experiment::episode(std::uint32_t index) {
+  episode_ = index;
+}
+
+std::size_t Experiment::object(std::string_view name, std::size_t states, std::size_t inputs) {
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    if (objects_[i].name == name) return i;
+  }
+  objects_.push_back({std::string(name), total_states_, states, inputs});
+  inputs_.emplace_back();
+  actuator_of_.push_back(kNone);
+  total_states_ += states;
+  state_scale_.resize(total_states_, 0.0);
+  return objects_.size() - 1;
+}
+
+void Experiment::next_tick(Seq tick) {
+  tick_ = tick;
+  begins_segment_ = tick % ticks_in_segment_ == 0;
+  if (!begins_segment_) return;
+  segment_ += has_segment_;
+  has_segment_ = true;
+  std::fill(positions_.begin(), positions_.end(), 0);
+}
+
+/// The input that the log's actuator had, so many ticks of the engine ago.
+void Experiment::apply_input(std::size_t object) {
+  const std::size_t actuator = actuator_of_[object];
+  if (trial_ == nullptr || actuator >= actuators_.size()) return;
+  const std::uint32_t channel = actuators_[actuator];
+  const Channel& fact = facts_[channel];
+  const Seq delay = trial_->delays[actuator];
+  if (tick_ < delay) return;
+  const Seq sent =
+      (tick_ - delay) * engine_->rate_den * fact.rate_num / (engine_->rate_num * fact.rate_den);
+  const std::uint64_t* const values = find(channel, sent);
+  if (values == nullptr) return;
+  const trace_log::Dtype dtype = log_->channels[*in_log_[channel]].dtype;
+  for (std::size_t i = 0; i < inputs_[object].size; ++i)
+    inputs_[object].set(i, trace_log::number_of(dtype, values[i]));
+}
+
+const std::uint64_t* Experiment::find(std::uint32_t channel, Seq seq) const {
+  const auto& rows = rows_[channel];
+  if (episode_ >= rows.size() || seq >= rows[episode_].size()) return nullptr;
+  return log_->values_of(log_->rows[rows[episode_][seq]]);
+}
+
+/// The object that the engine node of this channel belongs to.
+std::optional<std::size_t> Experiment::owner(std::uint32_t channel) const {
+  const std::string_view name = facts_[channel].name;
+  for (std::size_t i = 0; i < objects_.size(); ++i) {
+    const std::string& object = objects_[i].name;
+    if (name.starts_with(object) && name.substr(object.size()).starts_with('/')) return i;
+  }
+  return std::nullopt;
+}
+
+void Experiment::measured(std::uint32_t channel, const std::uint64_t* recorded) {
+  if (trial_ == nullptr) {
+    note_actuator(channel);
+  } else if (const auto object = owner(channel)) {
+    const std::size_t actuator = actuator_of_[*object];
+    if (actuator < actuators_.size() && actuators_[actuator] == channel)
+      return apply_input(*object);
+  }
+  if (recorded == nullptr || !counts_[channel] || !has_segment_) return;
+  const trace_log::Dtype dtype = log_->channels[*in_log_[channel]].dtype;
+  if (first_group_[channel] == kNone) {
+    first_group_[channel] = groups_.size();
+    for (std::size_t i = 0; i < numbers_.size(); ++i) groups_.push_back({channel, i});
+    positions_.resize(groups_.size(), 0);
+  }
+  for (std::size_t i = 0; i < numbers_.size(); ++i) {
+    const std::size_t group = first_group_[channel] + i;
+    const double value = trace_log::number_of(dtype, recorded[i]);
+    if (!std::isfinite(value)) continue;
+    residuals_.push_back(numbers_[i] - value);
+    if (trial_ == nullptr) {
+      samples_.push_back({static_cast<std::uint32_t>(segment_), static_cast<std::uint32_t>(group),
+                          positions_[group]});
+    }
+    ++positions_[group];
+  }
+}
+
+/// An actuator has just set the input if what it sends is the input, every time.
+void Experiment::note_actuator(std::uint32_t channel) {
+  const auto object = owner(channel);
+  Likeness& likeness = likeness_[channel];
+  likeness.differs = likeness.differs || !object || inputs_[*object].size != numbers_.size();
+  for (std::size_t i = 0; i < numbers_.size() && !likeness.differs; ++i) {
+    likeness.differs = inputs_[*object].get(i) != numbers_[i];
+    likeness.seen = likeness.seen || numbers_[i] != 0.0;
+  }
+}
+
+void Experiment::find_actuators() {
+  for (std::uint32_t i = 0; i < facts_.size(); ++i) {
+    if (likeness_[i].differs || !likeness_[i].seen || !in_log_[i]) continue;
+    const auto object = owner(i);
+    if (!object || actuator_of_[*object] != kNone) continue;
+    actuator_of_[*object] = actuators_.size();
+    actuators_.push_back(i);
+    counts_[i] = false;
+  }
+  groups_.clear();
+  positions_.clear();
+  std::fill(first_group_.begin(), first_group_.end(), kNone);
+}
+
+std::vector<double> Experiment::group_scale() const {
+  std::vector<double> scale(groups_.size(), 0.0);
+  for (std::size_t g = 0; g < groups_.size(); ++g) {
+    const std::uint32_t channel = groups_[g].channel;
+    const trace_log::Dtype dtype = log_->channels[*in_log_[channel]].dtype;
+    for (const auto& rows : rows_[channel]) {
+      for (const std::size_t row : rows) {
+        const double value =
+            trace_log::number_of(dtype, log_->values_of(log_->rows[row])[groups_[g].element]);
+        scale[g] = std::max(scale[g], std::abs(value));
+      }
+    }
+  }
+  return scale;
+}
+
+}  // namespace eagerx::linux_sim

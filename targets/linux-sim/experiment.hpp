@@ -1,0 +1,189 @@
+// A log as an experiment: the program repeats it with other parameters, states and delays, and what
+// its sensors say is compared with the log.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/channel.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <targets/common/log_file.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace eagerx::linux_sim {
+
+/// What a run is tried with.
+struct Trial {
+  std::vector<double> parameters;
+  std::vector<double> states;         // [segments][states of all objects]
+  std::vector<std::uint32_t> delays;  // of each actuator, in ticks of the engine
+};
+
+/// One element of a sensor's message.
+struct Sample {
+  std::uint32_t segment = 0;
+  std::uint32_t group = 0;     // samples of one element of one sensor
+  std::uint32_t position = 0;  // in its group and segment, from 0
+};
+
+/// Every segment of `horizon_s` begins in a state of its own, so that an error does not grow for
+/// longer than that. Objects must have a state and an input as OdeSimulator has.
+class Experiment {
+ public:
+  struct Object {
+    std::string name;
+    std::size_t first_state = 0, states = 0, inputs = 0;
+  };
+  struct Group {
+    std::uint32_t channel = 0;
+    std::size_t element = 0;
+  };
+
+  /// `sensors` names the channels that count, empty: all that engine nodes send. False: `problem`
+  /// says why.
+  bool prepare(const trace_log::Log& log, std::span<const Channel> channels,
+               const std::string& sensors, double horizon_s, std::string& problem);
+
+  /// Steps of an episode.
+  std::uint64_t steps(std::uint32_t episode) const;
+
+  /// Before a run. Without a trial it only finds out about objects, actuators and samples.
+  void begin(const Trial* trial);
+  void episode(std::uint32_t index);
+
+  /// Called for every object at every tick of the engine, before anything reads it.
+  template <class Simulator>
+  void simulator(std::string_view name, Seq tick, Simulator& simulator) {
+    if constexpr (requires { simulator.state.size(), simulator.input.size(); }) {
+      const std::size_t i = object(name, simulator.state.size(), simulator.input.size());
+      inputs_[i] = input_of(simulator.input);
+      if (i == 0) next_tick(tick);
+      if (trial_ == nullptr) return note_state(i, simulator.state);
+      if (begins_segment_) {
+        const double* const state =
+            trial_->states.data() + segment_ * states() + objects_[i].first_state;
+        for (std::size_t k = 0; k < simulator.state.size(); ++k)
+          simulator.state[k] = static_cast<typename Simulator::Real>(state[k]);
+        if constexpr (requires { simulator.step_s; }) simulator.step_s = {};
+      }
+      apply_input(i);
+    }
+  }
+
+  /// A published message: of an engine node it is compared, any other is taken from the log.
+  template <class Message>
+  void message(std::uint32_t channel, Seq seq, Message& message) {
+    using Scalar = ScalarOf<Message>;
+    const std::uint64_t* const recorded = find(channel, seq);
+    if (facts_[channel].publisher == Publisher::engine_node) {
+      numbers_.resize(size_of<Message>);
+      for (std::size_t i = 0; i < size_of<Message>; ++i)
+        numbers_[i] = static_cast<double>(element(message, i));
+      measured(channel, recorded);
+    } else if (recorded != nullptr) {
+      for (std::size_t i = 0; i < size_of<Message>; ++i)
+        element(message, i) = trace_log::value_of<Scalar>(recorded[i]);
+    }
+  }
+
+  std::size_t states() const { return total_states_; }
+  std::size_t segments() const { return segment_ + 1; }
+  const std::vector<Object>& objects() const { return objects_; }
+  const std::vector<Group>& groups() const { return groups_; }
+  const std::vector<Sample>& samples() const { return samples_; }
+  /// Typical size of each state, from the run without a trial.
+  const std::vector<double>& state_scale() const { return state_scale_; }
+  /// Typical size of each group, from the log.
+  std::vector<double> group_scale() const;
+  /// Simulated minus recorded, of the last run, in the order of samples().
+  const std::vector<double>& residuals() const { return residuals_; }
+  /// Channels that set the input of an object and are in the log.
+  const std::vector<std::uint32_t>& actuators() const { return actuators_; }
+  /// Call after a run without a trial; another one then finds the samples.
+  void find_actuators();
+
+ private:
+  /// Where a simulator keeps its input.
+  struct Input {
+    float* floats = nullptr;
+    double* doubles = nullptr;
+    std::size_t size = 0;
+
+    double get(std::size_t i) const { return floats != nullptr ? double{floats[i]} : doubles[i]; }
+    void set(std::size_t i, double value) const {
+      if (floats != nullptr) {
+        floats[i] = static_cast<float>(value);
+      } else {
+        doubles[i] = value;
+      }
+    }
+  };
+  template <class Array>
+  static Input input_of(Array& array) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(array[0])>, float>) {
+      return {.floats = array.begin(), .doubles = nullptr, .size = array.size()};
+    } else {
+      return {.floats = nullptr, .doubles = array.begin(), .size = array.size()};
+    }
+  }
+  /// Whether a channel is the input of an object, as far as was seen.
+  struct Likeness {
+    bool differs = false;
+    bool seen = false;
+  };
+
+  template <class State>
+  void note_state(std::size_t i, const State& state) {
+    for (std::size_t k = 0; k < state.size(); ++k) {
+      const auto value = static_cast<double>(state[k]);
+      double& scale = state_scale_[objects_[i].first_state + k];
+      if (value - value == 0.0) scale = std::max(scale, value < 0.0 ? -value : value);
+    }
+  }
+
+  std::size_t object(std::string_view name, std::size_t states, std::size_t inputs);
+  void next_tick(Seq tick);
+  void apply_input(std::size_t object);
+  const std::uint64_t* find(std::uint32_t channel, Seq seq) const;
+  void measured(std::uint32_t channel, const std::uint64_t* recorded);
+  void note_actuator(std::uint32_t channel);
+  std::optional<std::size_t> owner(std::uint32_t channel) const;
+
+  const trace_log::Log* log_ = nullptr;
+  std::span<const Channel> facts_;
+  std::vector<bool> counts_;                                 // sensors
+  std::vector<std::optional<std::uint32_t>> in_log_;         // of each channel
+  std::vector<std::vector<std::vector<std::size_t>>> rows_;  // [channel][episode][seq]
+  const Channel* engine_ = nullptr;                          // its tick
+  Seq ticks_in_segment_ = 1;
+
+  std::vector<Object> objects_;
+  std::vector<Input> inputs_;
+  std::vector<std::uint32_t> actuators_;
+  std::vector<std::size_t> actuator_of_;  // of each object; beyond actuators_: none
+  std::vector<Likeness> likeness_;        // of each channel
+  std::size_t total_states_ = 0;
+  std::vector<double> state_scale_;
+
+  // A run.
+  const Trial* trial_ = nullptr;
+  std::uint32_t episode_ = 0;
+  Seq tick_ = 0;
+  std::size_t segment_ = 0;
+  bool begins_segment_ = false;
+  bool has_segment_ = false;
+  std::vector<double> numbers_;  // of a message
+  std::vector<double> residuals_;
+  std::vector<Group> groups_;
+  std::vector<std::size_t> first_group_;  // of each channel
+  std::vector<std::uint32_t> positions_;  // of each group, in this segment
+  std::vector<Sample> samples_;
+};
+
+}  // namespace eagerx::linux_sim

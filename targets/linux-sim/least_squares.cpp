@@ -1,0 +1,355 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <targets/linux-sim/least_squares.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+// A library for this would have to be installed wherever a program is built.
+
+/// Square, symmetric where Cholesky's factors are taken.
+class Matrix {
+ public:
+  explicit Matrix(std::size_t n, std::size_t columns)
+      : columns_(columns), data_(n * columns, 0.0) {}
+  double& operator()(std::size_t i, std::size_t k) { return data_[i * columns_ + k]; }
+  double operator()(std::size_t i, std::size_t k) const { return data_[i * columns_ + k]; }
+
+ private:
+  std::size_t columns_;
+  std::vector<double> data_;
+};
+
+/// The lower factor in place; false if `a` [n, n] is not positive definite.
+bool factor(Matrix& a, std::size_t n) {
+  for (std::size_t k = 0; k < n; ++k) {
+    for (std::size_t i = k; i < n; ++i) {
+      double sum = a(i, k);
+      for (std::size_t m = 0; m < k; ++m) sum -= a(i, m) * a(k, m);
+      if (i == k && !(sum > 0.0)) return false;
+      a(i, k) = i == k ? std::sqrt(sum) : sum / a(k, k);
+    }
+  }
+  return true;
+}
+
+/// Solves with the factor; x has the right-hand side first.
+void solve(const Matrix& factors, std::size_t n, std::vector<double>& x) {
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) x[i] -= factors(i, k) * x[k];
+    x[i] /= factors(i, i);
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) x[i] -= factors(k, i) * x[k];
+    x[i] /= factors(i, i);
+  }
+}
+
+constexpr double kStateStep = 1e-4;// of a difference, of a state's typical size
+constexpr double kParameterStep = 1e-2;  // of half the range
+constexpr double kTiny = 1e-9;           // keeps what nothing is known of where it is
+
+}  // namespace
+
+/// Normal equations in units of scale_ and of half the ranges.
+struct LeastSquares::Equations {
+  struct Segment {
+    Matrix states, mixed;          // [n, n], [parameters, n]
+    std::vector<double> gradient;  // [n]
+    std::vector<double> parameter_gradient;
+  };
+  Matrix parameters;  // [p, p]
+  std::vector<double> gradient;
+  std::vector<Segment> segments;
+};
+
+LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> ranges, Run run)
+    : experiment_(experiment),
+      ranges_(std::move(ranges)),
+      run_(std::move(run)),
+      scale_(experiment.state_scale()),
+      deviation_(experiment.group_scale()),
+      least_(deviation_.size()),
+      counts_(deviation_.size(), true) {
+  for (double& scale : scale_) scale = scale > 0.0 ? scale : 1.0;
+  for (std::size_t g = 0; g < deviation_.size(); ++g) {
+    constexpr double kResolution = 1.2e-7;  // of float, in which most graphs calculate
+    deviation_[g] = deviation_[g] > 0.0 ? deviation_[g] : 1.0;
+    least_[g] = kResolution * deviation_[g];
+  }
+}
+
+bool LeastSquares::fit(Trial& trial) {
+  constexpr std::uint32_t kFew = 4;
+  constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
+  constexpr int kSteps = 8;
+  last_ = run_(trial);
+  find_repetitions(last_);
+  return descend(trial, 1, false, kSteps) && descend(trial, kFew, false, kSteps) &&
+         descend(trial, kAll, false, kSteps) && refine(trial);
+}
+
+bool LeastSquares::refine(Trial& trial) {
+  constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
+  constexpr int kSteps = 15;
+  constexpr int kRounds = 4;  // of deviations and fit
+  for (int i = 0; i < kRounds; ++i) {
+    weigh(run_(trial));
+    if (!descend(trial, kAll, true, kSteps)) return false;
+  }
+  last_ = run_(trial);
+  weigh(last_);
+  return true;
+}
+
+void LeastSquares::find_repetitions(const std::vector<double>& residuals) {
+  std::vector<std::vector<double>> of_group(counts_.size());
+  for (std::size_t i = 0; i < residuals.size(); ++i)
+    of_group[experiment_.samples()[i].group].push_back(residuals[i]);
+  for (std::size_t g = 0; g < of_group.size(); ++g) {
+    const auto end = of_group.begin() + static_cast<std::ptrdiff_t>(g);
+    counts_[g] = std::find(of_group.begin(), end, of_group[g]) == end;
+  }
+}
+
+void LeastSquares::weigh(const std::vector<double>& residuals) {
+  std::vector<double> sum(counts_.size(), 0.0), count(counts_.size(), 0.0);
+  double all = 0.0;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const std::uint32_t group = experiment_.samples()[i].group;
+    sum[group] += residuals[i] * residuals[i];
+    count[group] += 1.0;
+    all += counts_[group] ? 1.0 : 0.0;
+  }
+  // Unknowns take a part of the noise with them.
+  const auto unknowns =
+      static_cast<double>(scale_.size() * experiment_.segments() + ranges_.size());
+  const double free = std::max(1.0 - unknowns / std::max(all, 1.0), 0.1);
+  for (std::size_t g = 0; g < sum.size(); ++g) {
+    if (count[g] > 0.0) deviation_[g] = std::max(std::sqrt(sum[g] / (count[g] * free)), least_[g]);
+  }
+}
+
+std::vector<double> LeastSquares::leftover() const {
+  return deviation_;
+}
+
+double LeastSquares::deviance() const {
+  double sum = 0.0;
+  for (const Sample& sample : experiment_.samples()) {
+    if (counts_[sample.group]) sum += 2.0 * std::log(deviation_[sample.group]);
+  }
+  return sum;
+}
+
+double LeastSquares::cost(const Trial& trial, const std::vector<double>& residuals,
+                          std::uint32_t window) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const Sample& sample = experiment_.samples()[i];
+    if (sample.position >= window || !counts_[sample.group]) continue;
+    const double ratio = residuals[i] / deviation_[sample.group];
+    sum += ratio * ratio;
+  }
+  for (std::size_t p = 0; p < ranges_.size(); ++p) {  // the range as what was known before
+    const double ratio = (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
+    sum += ratio * ratio;
+  }
+  return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
+}
+
+bool LeastSquares::differentiate(const Trial& trial, bool with_parameters) {
+  const std::size_t n = unknown_states();
+  const std::size_t unknowns = n + (with_parameters ? ranges_.size() : 0);
+  columns_.assign(unknowns, {});
+  for (std::size_t u = 0; u < unknowns; ++u) {
+    Trial ahead = trial, behind = trial;
+    double width = 2 * kStateStep;
+    if (u < n) {
+      for (std::size_t s = u; s < trial.states.size(); s += n) {
+        ahead.states[s] += kStateStep * scale_[u];
+        behind.states[s] -= kStateStep * scale_[u];
+      }
+    } else {
+      const std::size_t p = u - n;
+      ahead.parameters[p] =
+          std::min(trial.parameters[p] + kParameterStep * half(p), ranges_[p].high);
+      behind.parameters[p] =
+          std::max(trial.parameters[p] - kParameterStep * half(p), ranges_[p].low);
+      width = (ahead.parameters[p] - behind.parameters[p]) / half(p);
+    }
+    columns_[u] = run_(ahead);
+    const std::vector<double>& less = run_(behind);
+    if (less.size() != columns_[u].size()) return false;
+    for (std::size_t i = 0; i < less.size(); ++i) {
+      double& slope = columns_[u][i];
+      slope = (slope - less[i]) / width;
+      if (!std::isfinite(slope)) slope = 0.0;
+    }
+  }
+  return true;
+}
+
+void LeastSquares::assemble(Equations& equations, const std::vector<double>& residuals,
+                            std::uint32_t window, std::size_t parameters) const {
+  const std::size_t n = unknown_states();
+  equations.segments.assign(experiment_.segments(),
+                            {Matrix(n, n), Matrix(parameters, n), std::vector<double>(n, 0.0),
+                             std::vector<double>(parameters, 0.0)});
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    const Sample& sample = experiment_.samples()[i];
+    if (sample.position >= window || !counts_[sample.group]) continue;
+    auto& segment = equations.segments[sample.segment];
+    const double weight = 1.0 / (deviation_[sample.group] * deviation_[sample.group]);
+    for (std::size_t a = 0; a < n; ++a) {
+      const double slope = weight * columns_[a][i];
+      segment.gradient[a] += slope * residuals[i];
+      for (std::size_t b = 0; b < n; ++b) segment.states(a, b) += slope * columns_[b][i];
+      for (std::size_t p = 0; p < parameters; ++p)
+        segment.mixed(p, a) += slope * columns_[n + p][i];
+    }
+    for (std::size_t p = 0; p < parameters; ++p) {
+      const double slope = weight * columns_[n + p][i];
+      segment.parameter_gradient[p] += slope * residuals[i];
+      for (std::size_t q = 0; q < parameters; ++q)
+        equations.parameters(p, q) += slope * columns_[n + q][i];
+    }
+  }
+  for (const auto& segment : equations.segments) {
+    for (std::size_t p = 0; p < parameters; ++p)
+      equations.gradient[p] += segment.parameter_gradient[p];
+  }
+}
+
+Trial LeastSquares::moved(const Trial& trial, const Equations& equations, double damping,
+                          bool& solved) const {
+  const std::size_t n = unknown_states();
+  const std::size_t parameters = equations.gradient.size();
+  Matrix reduced = equations.parameters;
+  std::vector<double> step = equations.gradient;
+  std::vector<Matrix> factors;
+  solved = true;
+  for (std::size_t p = 0; p < parameters; ++p) {
+    step[p] += (trial.parameters[p] - ranges_[p].low) / half(p) - 1.0;
+    reduced(p, p) += 1.0 + damping * equations.parameters(p, p);
+  }
+  for (const auto& segment : equations.segments) {
+    Matrix& states = factors.emplace_back(segment.states);
+    double largest = 0.0;
+    for (std::size_t a = 0; a < n; ++a) largest = std::max(largest, states(a, a));
+    for (std::size_t a = 0; a < n; ++a)
+      states(a, a) += damping * states(a, a) + kTiny * (largest + 1.0);
+    solved = solved && factor(states, n);
+    if (!solved) return trial;
+    std::vector<double> gradient = segment.gradient;
+    solve(states, n, gradient);
+    for (std::size_t p = 0; p < parameters; ++p) {
+      std::vector<double> column(n);
+      for (std::size_t a = 0; a < n; ++a) column[a] = segment.mixed(p, a);
+      for (std::size_t a = 0; a < n; ++a) step[p] -= column[a] * gradient[a];
+      solve(states, n, column);
+      for (std::size_t q = 0; q < parameters; ++q) {
+        for (std::size_t a = 0; a < n; ++a) reduced(p, q) -= column[a] * segment.mixed(q, a);
+      }
+    }
+  }
+  solved = factor(reduced, parameters);
+  if (!solved) return trial;
+  solve(reduced, parameters, step);
+  Trial next = trial;
+  std::vector<double> moves(parameters);
+  for (std::size_t p = 0; p < parameters; ++p) {
+    next.parameters[p] =
+        std::clamp(trial.parameters[p] - step[p] * half(p), ranges_[p].low, ranges_[p].high);
+    moves[p] = (trial.parameters[p] - next.parameters[p]) / half(p);
+  }
+  for (std::size_t s = 0; s < equations.segments.size(); ++s) {
+    const auto& segment = equations.segments[s];
+    std::vector<double> state = segment.gradient;
+    for (std::size_t a = 0; a < n; ++a) {
+      for (std::size_t p = 0; p < parameters; ++p) state[a] -= segment.mixed(p, a) * moves[p];
+    }
+    solve(factors[s], n, state);
+    for (std::size_t a = 0; a < n; ++a) next.states[s * n + a] -= state[a] * scale_[a];
+  }
+  return next;
+}
+
+bool LeastSquares::descend(Trial& trial, std::uint32_t window, bool with_parameters,
+                           int iterations) {
+  constexpr double kFirstDamping = 1e-6, kLess = 0.1, kMore = 10.0, kMostDamping = 1e8;
+  constexpr double kDone = 1e-7;  // relative decrease
+  const std::size_t parameters = with_parameters ? ranges_.size() : 0;
+  double damping = kFirstDamping;
+  std::vector<double> residuals = run_(trial);
+  double before = cost(trial, residuals, window);
+  if (!std::isfinite(before)) return false;
+  for (int i = 0; i < iterations; ++i) {
+    if (!differentiate(trial, with_parameters)) return false;
+    Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
+    assemble(equations, residuals, window, parameters);
+    bool better = false;
+    double after = before;
+    for (; !better && damping < kMostDamping; damping *= better ? kLess : kMore) {
+      bool solved = false;
+      const Trial next = moved(trial, equations, damping, solved);
+      if (!solved) continue;
+      const std::vector<double>& tried = run_(next);
+      after = cost(next, tried, window);
+      better = after < before;
+      if (!better) continue;
+      trial = next;
+      residuals = tried;
+    }
+    if (!better || before - after < kDone * before) break;
+    before = after;
+  }
+  return true;
+}
+
+std::vector<double> LeastSquares::deviations(const Trial& trial) {
+  const std::size_t n = unknown_states();
+  const std::size_t parameters = ranges_.size();
+  std::vector<double> result(parameters);
+  for (std::size_t p = 0; p < parameters; ++p) result[p] = half(p);
+  const std::vector<double> residuals = run_(trial);
+  if (!differentiate(trial, true)) return result;
+  Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
+  assemble(equations, residuals, std::numeric_limits<std::uint32_t>::max(), parameters);
+  Matrix reduced = equations.parameters;
+  Matrix scatter(parameters, parameters);
+  for (std::size_t p = 0; p < parameters; ++p) reduced(p, p) += 1.0;
+  for (auto& segment : equations.segments) {
+    for (std::size_t a = 0; a < n; ++a)
+      segment.states(a, a) += kTiny * (segment.states(a, a) + 1.0);
+    if (!factor(segment.states, n)) continue;
+    std::vector<double> score = segment.parameter_gradient;
+    for (std::size_t p = 0; p < parameters; ++p) {
+      std::vector<double> column(n);
+      for (std::size_t a = 0; a < n; ++a) column[a] = segment.mixed(p, a);
+      solve(segment.states, n, column);
+      for (std::size_t a = 0; a < n; ++a) score[p] -= column[a] * segment.gradient[a];
+      for (std::size_t q = 0; q < parameters; ++q) {
+        for (std::size_t a = 0; a < n; ++a) reduced(p, q) -= column[a] * segment.mixed(q, a);
+      }
+    }
+    for (std::size_t p = 0; p < parameters; ++p) {
+      for (std::size_t q = 0; q < parameters; ++q) scatter(p, q) += score[p] * score[q];
+    }
+  }
+  if (!factor(reduced, parameters)) return result;
+  for (std::size_t p = 0; p < parameters; ++p) {
+    std::vector<double> row(parameters, 0.0);
+    row[p] = 1.0;
+    solve(reduced, parameters, row);  // a row of the inverse
+    double robust = 0.0;
+    for (std::size_t a = 0; a < parameters; ++a) {
+      for (std::size_t b = 0; b < parameters; ++b) robust += row[a] * scatter(a, b) * row[b];
+    }
+    result[p] = half(p) * std::sqrt(std::max(row[p], robust));
+  }
+  return result;
+}
+
+}  // namespace eagerx::linux_sim

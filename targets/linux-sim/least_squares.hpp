@@ -1,0 +1,71 @@
+// Parameters and initial states of many short segments by weighted least squares.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <targets/linux-sim/experiment.hpp>
+#include <vector>
+
+namespace eagerx::linux_sim {
+
+/// A parameter that lies somewhere in [low, high].
+struct Range {
+  double low = 0.0, high = 0.0;
+};
+
+/// The method of Gauss and Newton with Levenberg's and Marquardt's damping. Each segment's initial
+/// state is an unknown of its own and is eliminated (Schur's complement), so that the equations
+/// have the size of the parameters. Derivatives are differences; one pair of runs serves a state of
+/// all segments at once. Every group of samples has a standard deviation that is estimated from
+/// what is left over; groups that repeat another one do not count.
+class LeastSquares {
+ public:
+  using Run = std::function<const std::vector<double>&(const Trial&)>;
+
+  LeastSquares(const Experiment& experiment, std::vector<Range> ranges, Run run);
+
+  /// Fits states, then parameters too, from `trial` on. False if the program gives no numbers.
+  bool fit(Trial& trial);
+  /// The same from a trial that is nearly right already.
+  bool refine(Trial& trial);
+
+  /// Minus twice the logarithm of the likelihood of the last fit, but for a constant.
+  double deviance() const;
+  /// Standard deviations of the parameters after the last fit: the larger one of what the noise
+  /// says, and of what the scatter of the segments says, which also sees errors of the model. A
+  /// parameter that the log does not determine keeps that of its range.
+  std::vector<double> deviations(const Trial& trial);
+  /// Root mean square of what is left over, of each group.
+  std::vector<double> leftover() const;
+  /// Whether a group says anything that another one does not.
+  bool counts(std::size_t group) const { return counts_[group]; }
+
+ private:
+  struct Equations;
+
+  bool descend(Trial& trial, std::uint32_t window, bool with_parameters, int iterations);
+  bool differentiate(const Trial& trial, bool with_parameters);
+  void assemble(Equations& equations, const std::vector<double>& residuals, std::uint32_t window,
+                std::size_t parameters) const;
+  double cost(const Trial& trial, const std::vector<double>& residuals, std::uint32_t window) const;
+  Trial moved(const Trial& trial, const Equations& equations, double damping, bool& solved) const;
+  void weigh(const std::vector<double>& residuals);
+  void find_repetitions(const std::vector<double>& residuals);
+  std::size_t unknown_states() const { return scale_.size(); }
+  double half(std::size_t parameter) const {
+    return (ranges_[parameter].high - ranges_[parameter].low) / 2;
+  }
+
+  const Experiment& experiment_;
+  std::vector<Range> ranges_;
+  Run run_;
+  std::vector<double> scale_;                 // of each state
+  std::vector<double> deviation_;             // of each group
+  std::vector<double> least_;                 // smallest deviation of each group: its resolution
+  std::vector<bool> counts_;                  // of each group
+  std::vector<std::vector<double>> columns_;  // derivatives: states, then parameters
+  std::vector<double> last_;                  // residuals
+};
+
+}  // namespace eagerx::linux_sim
