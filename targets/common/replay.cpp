@@ -26,12 +26,21 @@ Replay::Replay(const Log& log, std::span<const Channel> channels)
   std::vector<std::optional<std::uint32_t>> here(log.channels.size());
   for (std::uint32_t i = 0; i < channels.size(); ++i) {
     channels_[i].in_log = log.channel(channels[i].name);
+    if (is_another_engine(i)) channels_[i].in_log = std::nullopt;
     if (channels_[i].in_log) here[*channels_[i].in_log] = i;
   }
   for (std::size_t row = 0; row < log.rows.size(); ++row) {
     const auto& channel = here[log.rows[row].channel];
     if (channel) channels_[*channel].rows.push_back(row);
   }
+}
+
+/// One that ticks at another rate: its ticks are not the program's.
+bool Replay::is_another_engine(std::uint32_t channel) const {
+  if (facts_[channel].publisher != Publisher::engine || !channels_[channel].in_log) return false;
+  const RecordedChannel& recorded = log_.channels[*channels_[channel].in_log];
+  return recorded.rate_num != facts_[channel].rate_num ||
+         recorded.rate_den != facts_[channel].rate_den;
 }
 
 bool Replay::prepare(std::string_view given, bool engine_is_real, std::string& problem) {

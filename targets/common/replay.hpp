@@ -95,6 +95,7 @@ class Replay {
   const std::uint64_t* expect(std::uint32_t channel, std::uint32_t episode, Seq seq);
   void differ(std::uint32_t channel, std::size_t element, std::uint64_t here,
               std::uint64_t recorded);
+  bool is_another_engine(std::uint32_t channel) const;
   bool choose(std::string_view given, std::string& problem);
   std::string names(bool given) const;
 

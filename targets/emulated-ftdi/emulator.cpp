@@ -55,6 +55,10 @@ Settings settings_from_environment() {
       settings.from_s = std::strtod(value.c_str(), nullptr);
     } else if (name == "absent") {
       settings.absent_s = std::strtod(value.c_str(), nullptr);
+    } else if (name == "pendulum") {
+      settings.pendulum = value;
+    } else if (name == "motor_delay") {
+      settings.motor_delay_s = std::strtod(value.c_str(), nullptr);
     } else if (name == "report") {
       settings.report = value;
     } else if (name == "chip" && model_of(value) != nullptr) {
@@ -85,6 +89,12 @@ Emulator::Emulator(Settings settings)
       time_(settings_.emulated_time),
       encoder_(pendulum_),
       converter_(pendulum_) {
+  if (!pendulum_.scale(settings_.pendulum)) {
+    std::fprintf(stderr, "emulated-ftdi: no factors of the pendulum: `%s`\n",
+                 settings_.pendulum.c_str());
+    std::exit(2);
+  }
+  pendulum_.delay_motor(static_cast<std::int64_t>(settings_.motor_delay_s * double{kNsPerSecond}));
   faults_.configure(settings_.seed, settings_.faults, settings_.kinds, settings_.most);
   faults_from_ns_ =
       time_.now_ns() + static_cast<std::int64_t>(settings_.from_s * double{kNsPerSecond});

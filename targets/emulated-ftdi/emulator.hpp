@@ -32,6 +32,8 @@ struct Settings {
   std::uint64_t most = 0xffffffffffffffff;
   double from_s = 0.0;    // no faults before
   double absent_s = 0.0;  // the adapter is plugged in so much later
+  std::string pendulum;   // factors of its parameters
+  double motor_delay_s = 0.0;
   std::string report;
   Model model = kFt232h;
   unsigned wired = 0;  // the interface that the devices are on; nothing is on the others

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <models/drivers/as5048/as5048.hpp>
 #include <models/drivers/mcp4921/mcp4921.hpp>
 #include <models/engines/ode_engine/ode_model.hpp>
 #include <models/engines/ode_engine/rk4.hpp>
 #include <models/objects/pendulum/pendulum_ode.hpp>
+#include <sstream>
 #include <targets/emulated-ftdi/pendulum_rig.hpp>
 #include <targets/emulated-ftdi/time.hpp>
 
@@ -22,13 +24,47 @@ constexpr double kTurn = 6.283185307179586;
 
 }  // namespace
 
+bool Pendulum::scale(const std::string& factors) {
+  static const std::array<std::string, 8> kNames = {"J", "m", "l", "b", "K", "R", "c", "d"};
+  std::istringstream text(factors);
+  for (std::string word; std::getline(text, word, ',');) {
+    const std::size_t colon = std::min(word.find(':'), word.size());
+    const auto* const name = std::find(kNames.begin(), kNames.end(), word.substr(0, colon));
+    const double factor = std::strtod(word.c_str() + std::min(colon + 1, word.size()), nullptr);
+    if (name == kNames.end() || !(factor > 0.0)) return false;
+    factors_[static_cast<std::size_t>(name - kNames.begin())] = factor;
+  }
+  return true;
+}
+
 void Pendulum::advance(std::int64_t now_ns) {
   if (at_ns_ < 0) at_ns_ = now_ns;
+  while (!commands_.empty() && commands_.front().at_ns <= now_ns) {
+    integrate(commands_.front().at_ns);
+    volts_ = commands_.front().volts;
+    commands_.pop_front();
+  }
+  integrate(now_ns);
+}
+
+void Pendulum::set_voltage(double volts, std::int64_t now_ns) {
+  commands_.push_back({now_ns + delay_ns_, volts});
+  advance(now_ns);
+}
+
+void Pendulum::switch_off() {
+  commands_.clear();
+  volts_ = 0.0;
+}
+
+void Pendulum::integrate(std::int64_t until_ns) {
   constexpr std::int64_t kStepNs = kNsPerMs / 2;
-  const models::OdeDerivative<Model> derivative(Model::default_parameters(), {{volts_}});
+  Model::Parameters parameters = Model::default_parameters();
+  for (std::size_t i = 0; i < factors_.size(); ++i) parameters[i] *= factors_[i];
+  const models::OdeDerivative<Model> derivative(parameters, {{volts_}});
   Model::State x{{theta_, omega_}};
-  while (at_ns_ < now_ns) {
-    const std::int64_t step = std::min(kStepNs, now_ns - at_ns_);
+  while (at_ns_ < until_ns) {
+    const std::int64_t step = std::min(kStepNs, until_ns - at_ns_);
     x = models::rk4_step(derivative, x, static_cast<double>(step) / double{kNsPerSecond});
     at_ns_ += step;
   }
@@ -93,11 +129,11 @@ void Converter::release(std::int64_t now_ns) {
     slowest_ns_ = slowest_zero_ns(now_ns);
     wanted_ns_ = 0;
   }
-  pendulum_.set_voltage(volts);
+  pendulum_.set_voltage(volts, now_ns);
 }
 
 void Converter::power_lost() {
-  pendulum_.set_voltage(0.0);
+  pendulum_.switch_off();
   wanted_ns_ = 0;
   fresh_ = true;
 }

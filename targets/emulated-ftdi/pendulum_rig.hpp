@@ -1,7 +1,10 @@
 // A pendulum with an encoder and a motor amplifier, wired to the adapter.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <deque>
+#include <string>
 #include <targets/emulated-ftdi/devices.hpp>
 
 namespace eagerx::emulated {
@@ -10,13 +13,31 @@ namespace eagerx::emulated {
 /// 0.5 ms up to the instant at which a device looks at it.
 class Pendulum {
  public:
+  /// Another one than the nominal: "m:1.1,R:0.9" are factors of its parameters. False if there is
+  /// no such parameter or the factor is not positive.
+  bool scale(const std::string& factors);
+  /// The motor follows its commands so much later.
+  void delay_motor(std::int64_t ns) { delay_ns_ = ns; }
+
   void advance(std::int64_t now_ns);
-  void set_voltage(double volts) { volts_ = volts; }
-  double voltage() const { return volts_; }
+  /// From `now_ns` on, which advance() has reached, and the motor's delay.
+  void set_voltage(double volts, std::int64_t now_ns);
+  /// At once, without power.
+  void switch_off();
+  double voltage() const { return commands_.empty() ? volts_ : commands_.back().volts; }
   double theta() const { return theta_; }  // [rad], 0 upright
   double omega() const { return omega_; }  // [rad/s]
 
  private:
+  struct Command {
+    std::int64_t at_ns;
+    double volts;
+  };
+  void integrate(std::int64_t until_ns);
+
+  std::array<double, 8> factors_{1, 1, 1, 1, 1, 1, 1, 1};
+  std::int64_t delay_ns_ = 0;
+  std::deque<Command> commands_;     // that the motor has not followed yet
   double theta_ = 3.14159265358979;  // hangs down
   double omega_ = 0.0;
   double volts_ = 0.0;

@@ -82,6 +82,7 @@ std::size_t Experiment::object(std::string_view name, std::size_t states, std::s
   }
   objects_.push_back({std::string(name), total_states_, states, inputs});
   inputs_.emplace_back();
+  first_inputs_.emplace_back();
   actuator_of_.push_back(kNone);
   total_states_ += states;
   state_scale_.resize(total_states_, 0.0);
@@ -97,21 +98,43 @@ void Experiment::next_tick(Seq tick) {
   std::fill(positions_.begin(), positions_.end(), 0);
 }
 
-/// The input that the log's actuator had, so many ticks of the engine ago.
+void Experiment::note_input(std::size_t object) {
+  std::vector<double>& first = first_inputs_[object];
+  first.resize(inputs_[object].size);
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = inputs_[object].get(i);
+}
+
+/// What the log's actuator was told in its tick `sent`.
+double Experiment::input_before(std::size_t object, std::size_t element, std::int64_t sent) const {
+  const std::uint32_t channel = actuators_[actuator_of_[object]];
+  const auto& rows = rows_[channel][episode_];
+  if (sent < 0 || rows.empty()) return first_inputs_[object][element];
+  const std::uint64_t* const values =
+      find(channel, std::min<Seq>(static_cast<Seq>(sent), rows.size() - 1));
+  return trace_log::number_of(log_->channels[*in_log_[channel]].dtype, values[element]);
+}
+
+/// The mean over the engine's step that begins now, of what the log's actuator was told a delay
+/// ago.
 void Experiment::apply_input(std::size_t object) {
   const std::size_t actuator = actuator_of_[object];
   if (trial_ == nullptr || actuator >= actuators_.size()) return;
-  const std::uint32_t channel = actuators_[actuator];
-  const Channel& fact = facts_[channel];
-  const Seq delay = trial_->delays[actuator];
-  if (tick_ < delay) return;
-  const Seq sent =
-      (tick_ - delay) * engine_->rate_den * fact.rate_num / (engine_->rate_num * fact.rate_den);
-  const std::uint64_t* const values = find(channel, sent);
-  if (values == nullptr) return;
-  const trace_log::Dtype dtype = log_->channels[*in_log_[channel]].dtype;
-  for (std::size_t i = 0; i < inputs_[object].size; ++i)
-    inputs_[object].set(i, trace_log::number_of(dtype, values[i]));
+  const Channel& fact = facts_[actuators_[actuator]];
+  // Times in ticks of the actuator.
+  const double step = static_cast<double>(fact.rate_num) * static_cast<double>(engine_->rate_den) /
+                      (static_cast<double>(fact.rate_den) * static_cast<double>(engine_->rate_num));
+  constexpr double kRounding = 1e-9;
+  const double begin = (static_cast<double>(tick_) - trial_->delays[actuator]) * step + kRounding;
+  const double end = begin + step;
+  for (std::size_t i = 0; i < inputs_[object].size; ++i) {
+    double sum = 0.0;
+    for (double from = begin; from < end;) {
+      const double to = std::min(std::floor(from) + 1.0, end);
+      sum += (to - from) * input_before(object, i, static_cast<std::int64_t>(std::floor(from)));
+      from = to;
+    }
+    inputs_[object].set(i, sum / step);
+  }
 }
 
 const std::uint64_t* Experiment::find(std::uint32_t channel, Seq seq) const {

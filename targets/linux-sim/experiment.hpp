@@ -21,8 +21,8 @@ namespace eagerx::linux_sim {
 /// What a run is tried with.
 struct Trial {
   std::vector<double> parameters;
-  std::vector<double> states;         // [segments][states of all objects]
-  std::vector<std::uint32_t> delays;  // of each actuator, in ticks of the engine
+  std::vector<double> states;  // [segments][states of all objects]
+  std::vector<double> delays;  // of each actuator, in ticks of the engine
 };
 
 /// One element of a sensor's message.
@@ -64,6 +64,7 @@ class Experiment {
       const std::size_t i = object(name, simulator.state.size(), simulator.input.size());
       inputs_[i] = input_of(simulator.input);
       if (i == 0) next_tick(tick);
+      if (tick == 0) note_input(i);
       if (trial_ == nullptr) return note_state(i, simulator.state);
       if (begins_segment_) {
         const double* const state =
@@ -149,7 +150,9 @@ class Experiment {
 
   std::size_t object(std::string_view name, std::size_t states, std::size_t inputs);
   void next_tick(Seq tick);
+  void note_input(std::size_t object);
   void apply_input(std::size_t object);
+  double input_before(std::size_t object, std::size_t element, std::int64_t sent) const;
   const std::uint64_t* find(std::uint32_t channel, Seq seq) const;
   void measured(std::uint32_t channel, const std::uint64_t* recorded);
   void note_actuator(std::uint32_t channel);
@@ -165,6 +168,7 @@ class Experiment {
 
   std::vector<Object> objects_;
   std::vector<Input> inputs_;
+  std::vector<std::vector<double>> first_inputs_;  // of each object, after a reset
   std::vector<std::uint32_t> actuators_;
   std::vector<std::size_t> actuator_of_;  // of each object; beyond actuators_: none
   std::vector<Likeness> likeness_;        // of each channel

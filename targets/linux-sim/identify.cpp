@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <targets/linux-sim/identify.hpp>
 
 namespace eagerx::linux_sim {
@@ -71,7 +70,8 @@ const std::vector<double>& Identification::run_chosen(const Trial& trial) {
   for (std::size_t p = 0; p < chosen_.size(); ++p)
     full_.parameters[chosen_[p]] = trial.parameters[p];
   full_.states = trial.states;
-  full_.delays = trial.delays;
+  for (std::size_t a = 0; a < full_.delays.size(); ++a)
+    full_.delays[a] = trial.parameters[chosen_.size() + a];
   return run_(full_);
 }
 
@@ -93,53 +93,52 @@ bool Identification::find(double tick_s, double longest_delay_s, std::string& pr
     ranges.push_back({parameters_[i].low, parameters_[i].high});
     trial.parameters.push_back(full_.parameters[i]);
   }
+  // A delay is one more parameter, in ticks; between two of them the input is their mean.
+  const double most = std::max(longest_delay_s / tick_s, 1e-3);
+  for (std::size_t a = 0; a < experiment_.actuators().size(); ++a) {
+    ranges.push_back({0.0, most});
+    trial.parameters.push_back(0.0);
+  }
   LeastSquares solver(
       experiment_, ranges, [this](const Trial& tried) -> const auto& { return run_chosen(tried); });
-  if (!solver.fit(trial)) {
+  bool numbers = solver.fit(trial);
+  for (std::size_t a = 0; a < experiment_.actuators().size() && numbers; ++a)
+    numbers = find_delay(a, most, solver, trial);
+  if (!numbers || !solver.refine(trial)) {
     problem =
         "error: the simulation does not give numbers\nhelp: are the ranges of the graph too wide?";
     return false;
   }
-  const auto most = static_cast<std::uint32_t>(std::llround(longest_delay_s / tick_s));
-  for (std::size_t a = 0; a < experiment_.actuators().size(); ++a)
-    find_delay(a, tick_s, most, solver, trial);
-  solver.refine(trial);
   const std::vector<double> deviations = solver.deviations(trial);
   for (std::size_t p = 0; p < chosen_.size(); ++p) {
     parameters_[chosen_[p]].value = trial.parameters[p];
     parameters_[chosen_[p]].deviation = deviations[p];
+  }
+  for (std::size_t a = 0; a < experiment_.actuators().size(); ++a) {
+    const std::size_t p = chosen_.size() + a;
+    delays_.push_back(
+        {experiment_.actuators()[a], trial.parameters[p] * tick_s, deviations[p] * tick_s});
   }
   leftover_ = solver.leftover();
   for (std::size_t g = 0; g < leftover_.size(); ++g) counts_.push_back(solver.counts(g));
   return true;
 }
 
-/// The most likely number of ticks. Between them: the parabola through the best and its neighbours.
-void Identification::find_delay(std::size_t actuator, double tick_s, std::uint32_t most,
-                                LeastSquares& solver, Trial& trial) {
-  std::vector<double> deviance;
-  std::vector<Trial> fits;
-  for (std::uint32_t delay = 0; delay <= most; ++delay) {
-    Trial tried = trial;
-    tried.delays[actuator] = delay;
-    const bool fitted = solver.refine(tried);
-    deviance.push_back(fitted ? solver.deviance() : std::numeric_limits<double>::infinity());
-    fits.push_back(tried);
+/// Goes down from several delays, for there is more than one minimum. The best one stays.
+bool Identification::find_delay(std::size_t actuator, double most, LeastSquares& solver,
+                                Trial& trial) const {
+  constexpr int kStarts = 4;
+  double least = solver.deviance();
+  const Trial first = trial;
+  for (int i = 1; i <= kStarts; ++i) {
+    Trial tried = first;
+    tried.parameters[chosen_.size() + actuator] = most * i / (kStarts + 1);
+    if (!solver.fit(tried)) return false;
+    if (solver.deviance() >= least) continue;
+    least = solver.deviance();
+    trial = tried;
   }
-  const auto best = static_cast<std::size_t>(std::min_element(deviance.begin(), deviance.end()) -
-                                             deviance.begin());
-  trial = fits[best];
-  double ticks = static_cast<double>(best);
-  double variance = 1.0 / 12.0;  // of a tick
-  if (best > 0 && best < most && std::isfinite(deviance[best - 1] + deviance[best + 1])) {
-    const double curvature = deviance[best - 1] + deviance[best + 1] - 2 * deviance[best];
-    if (curvature > 0.0) {
-      ticks += std::clamp((deviance[best - 1] - deviance[best + 1]) / (2 * curvature), -0.5, 0.5);
-      variance += 2.0 / curvature;
-    }
-  }
-  delays_.push_back(
-      {experiment_.actuators()[actuator], ticks * tick_s, std::sqrt(variance) * tick_s});
+  return true;
 }
 
 std::string Identification::report(const trace_log::Log& log,

@@ -52,8 +52,7 @@ class Identification {
  private:
   bool choose_parameters(std::string& problem);
   const std::vector<double>& run_chosen(const Trial& trial);
-  void find_delay(std::size_t actuator, double tick_s, std::uint32_t most, LeastSquares& solver,
-                  Trial& trial);
+  bool find_delay(std::size_t actuator, double most, LeastSquares& solver, Trial& trial) const;
 
   Experiment& experiment_;
   std::vector<Parameter>& parameters_;

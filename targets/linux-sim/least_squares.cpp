@@ -46,7 +46,8 @@ void solve(const Matrix& factors, std::size_t n, std::vector<double>& x) {
   }
 }
 
-constexpr double kStateStep = 1e-4;// of a difference, of a state's typical size
+constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
+constexpr double kStateStep = 1e-4;      // of a difference, of a state's typical size
 constexpr double kParameterStep = 1e-2;  // of half the range
 constexpr double kTiny = 1e-9;           // keeps what nothing is known of where it is
 
@@ -78,25 +79,30 @@ LeastSquares::LeastSquares(const Experiment& experiment, std::vector<Range> rang
     deviation_[g] = deviation_[g] > 0.0 ? deviation_[g] : 1.0;
     least_[g] = kResolution * deviation_[g];
   }
+  scale_of_groups_ = deviation_;
 }
 
 bool LeastSquares::fit(Trial& trial) {
   constexpr std::uint32_t kFew = 4;
-  constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
-  constexpr int kSteps = 8;
+  constexpr int kSteps = 5;
   last_ = run_(trial);
   find_repetitions(last_);
+  deviation_ = scale_of_groups_;
   return descend(trial, 1, false, kSteps) && descend(trial, kFew, false, kSteps) &&
-         descend(trial, kAll, false, kSteps) && refine(trial);
+         descend(trial, kAll, false, kSteps) && repeat(trial, 2, kSteps);
 }
 
 bool LeastSquares::refine(Trial& trial) {
-  constexpr std::uint32_t kAll = std::numeric_limits<std::uint32_t>::max();
+  constexpr int kRounds = 4;
   constexpr int kSteps = 15;
-  constexpr int kRounds = 4;  // of deviations and fit
-  for (int i = 0; i < kRounds; ++i) {
+  return repeat(trial, kRounds, kSteps);
+}
+
+/// Standard deviations and fit in turn.
+bool LeastSquares::repeat(Trial& trial, int rounds, int steps) {
+  for (int i = 0; i < rounds; ++i) {
     weigh(run_(trial));
-    if (!descend(trial, kAll, true, kSteps)) return false;
+    if (!descend(trial, kAll, true, steps)) return false;
   }
   last_ = run_(trial);
   weigh(last_);
@@ -316,7 +322,7 @@ std::vector<double> LeastSquares::deviations(const Trial& trial) {
   const std::vector<double> residuals = run_(trial);
   if (!differentiate(trial, true)) return result;
   Equations equations{Matrix(parameters, parameters), std::vector<double>(parameters, 0.0), {}};
-  assemble(equations, residuals, std::numeric_limits<std::uint32_t>::max(), parameters);
+  assemble(equations, residuals, kAll, parameters);
   Matrix reduced = equations.parameters;
   Matrix scatter(parameters, parameters);
   for (std::size_t p = 0; p < parameters; ++p) reduced(p, p) += 1.0;

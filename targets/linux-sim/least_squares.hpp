@@ -25,9 +25,10 @@ class LeastSquares {
 
   LeastSquares(const Experiment& experiment, std::vector<Range> ranges, Run run);
 
-  /// Fits states, then parameters too, from `trial` on. False if the program gives no numbers.
+  /// Fits states, then parameters too, roughly, from the parameters of `trial` on. False if the
+  /// program gives no numbers.
   bool fit(Trial& trial);
-  /// The same from a trial that is nearly right already.
+  /// The rest of the way.
   bool refine(Trial& trial);
 
   /// Minus twice the logarithm of the likelihood of the last fit, but for a constant.
@@ -44,6 +45,7 @@ class LeastSquares {
  private:
   struct Equations;
 
+  bool repeat(Trial& trial, int rounds, int steps);
   bool descend(Trial& trial, std::uint32_t window, bool with_parameters, int iterations);
   bool differentiate(const Trial& trial, bool with_parameters);
   void assemble(Equations& equations, const std::vector<double>& residuals, std::uint32_t window,
@@ -60,8 +62,9 @@ class LeastSquares {
   const Experiment& experiment_;
   std::vector<Range> ranges_;
   Run run_;
-  std::vector<double> scale_;                 // of each state
-  std::vector<double> deviation_;             // of each group
+  std::vector<double> scale_;      // of each state
+  std::vector<double> deviation_;  // of each group
+  std::vector<double> scale_of_groups_;
   std::vector<double> least_;                 // smallest deviation of each group: its resolution
   std::vector<bool> counts_;                  // of each group
   std::vector<std::vector<double>> columns_;  // derivatives: states, then parameters
