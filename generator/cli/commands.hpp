@@ -25,11 +25,12 @@ struct Options {
   bool standalone = false;                     // the output has all headers it needs
   std::string image, build, baseline, run_on;  // size
   bool json_output = false;
-  std::string program, log, second_log, given;  // replay
-  std::string entity;                           // info
-  std::string policy, golden;                   // policy
-  std::string normalize, activation;            // policy
-  bool json = false;                            // --diagnostics=json
+  std::string program, log, second_log, given;      // replay, identify
+  std::string sensors, horizon_s, longest_delay_s;  // identify
+  std::string entity;                               // info
+  std::string policy, golden;                       // policy
+  std::string normalize, activation;                // policy
+  bool json = false;                                // --diagnostics=json
   bool quiet = false;
 };
 
@@ -40,6 +41,7 @@ int info_command(const Options& options);
 int schema_command();
 int size_command(const Options& options);
 int replay_command(const Options& options);
+int identify_command(const Options& options);
 int new_board_command(const Options& options);
 int policy_command(const Options& options);
 

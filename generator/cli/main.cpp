@@ -141,6 +141,24 @@ void add_replay(CLI::App& app, Options& options) {
   });
 }
 
+void add_identify(CLI::App& app, Options& options) {
+  app.add_option("program", options.program, "the program of a simulation, built for Linux")
+      ->required()
+      ->type_name("PROGRAM");
+  app.add_option("log", options.log, "what a run wrote with --trace")->required()->type_name("LOG");
+  app.add_option("-o,--out", options.output, "file for the YAML (default: print it)")
+      ->type_name("FILE");
+  app.add_option("--sensors", options.sensors,
+                 "channels that count, between commas (default: all sensors)")
+      ->type_name("LIST");
+  app.add_option("--horizon", options.horizon_s,
+                 "seconds that the simulation runs from one guess of the state (default: 0.5)")
+      ->type_name("S");
+  app.add_option("--longest-delay", options.longest_delay_s,
+                 "longest delay of an actuator to try, in seconds (default: 0.1)")
+      ->type_name("S");
+}
+
 constexpr const char* kFooter =
     "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may also be a "
     "file "
@@ -149,8 +167,8 @@ constexpr const char* kFooter =
     "eagerx-gen.";
 
 bool is_command(const char* word) {
-  for (const char* command :
-       {"generate", "check", "import", "info", "new", "policy", "replay", "schema", "size"}) {
+  for (const char* command : {"generate", "check", "identify", "import", "info", "new", "policy",
+                              "replay", "schema", "size"}) {
     if (std::string_view(word) == command) return true;
   }
   return false;
@@ -178,6 +196,9 @@ int run(std::vector<std::string> arguments) {
   CLI::App& replay =
       *app.add_subcommand("replay", "repeat the run of a log and find the first difference");
   add_replay(replay, options);
+  CLI::App& identify =
+      *app.add_subcommand("identify", "find the parameters and delays that a log was made with");
+  add_identify(identify, options);
   add_graph(generate, options);
   add_output(generate, options);
   add_selection(generate, options);
@@ -229,6 +250,7 @@ int run(std::vector<std::string> arguments) {
   if (import.parsed()) return eagerx::gen::import_command(options);
   if (make.parsed()) return eagerx::gen::new_board_command(options);
   if (policy.parsed()) return eagerx::gen::policy_command(options);
+  if (identify.parsed()) return eagerx::gen::identify_command(options);
   if (replay.parsed()) return eagerx::gen::replay_command(options);
   if (size.parsed()) return eagerx::gen::size_command(options);
   if (schema.parsed()) return eagerx::gen::schema_command();

@@ -1,4 +1,5 @@
-// eagerx-gen replay: a program against a log, or two logs.
+// eagerx-gen replay: a program against a log, or two logs; eagerx-gen identify: what a log says of
+// parameters and delays. Both are the program's own work.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -43,6 +44,18 @@ int replay_command(const Options& options) {
   }
   std::vector<std::string> command = {path_of(options.program), "--replay", options.log};
   if (!options.given.empty()) command.insert(command.end(), {"--replay-given", options.given});
+  return become(command);
+}
+
+int identify_command(const Options& options) {
+  std::vector<std::string> command = {path_of(options.program), "--identify", options.log};
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) command.insert(command.end(), {name, value});
+  };
+  add("--identify-out", options.output);
+  add("--identify-sensors", options.sensors);
+  add("--identify-horizon", options.horizon_s);
+  add("--identify-delay", options.longest_delay_s);
   return become(command);
 }
 

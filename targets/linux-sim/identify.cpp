@@ -6,7 +6,7 @@
 namespace eagerx::linux_sim {
 namespace {
 
-constexpr double kDeviations = 2.0;  // to each side of a value, in the YAML
+constexpr double kDeviations = 3.0;  // to each side of a value, in the YAML
 
 std::string number(double value) {
   char text[32];
