@@ -16,6 +16,7 @@
 #include <targets/common/guard.hpp>
 #include <targets/common/pace.hpp>
 #include <targets/common/run.hpp>
+#include <targets/common/trace_text.hpp>
 
 namespace eagerx::board {
 
@@ -27,6 +28,7 @@ struct Options {
   target::Pace pace = target::Pace::free;
   std::uint64_t late_limit = 10;  // late slots in a row that end a paced run
   bool csv = false;
+  bool trace = false;
 };
 
 struct BoardClock {
@@ -34,7 +36,40 @@ struct BoardClock {
   static void wait_for(std::uint64_t ticks) { wait_for_clock(ticks); }
   static std::uint64_t hz() { return clock_hz(); }
 };
-using Trace = target::PacedTrace<BoardClock>;
+using PacedTrace = target::PacedTrace<BoardClock>;
+
+/// Paces, makes the hash and, with --trace, prints every message.
+template <class Graph>
+class Trace : public PacedTrace {
+ public:
+  using Text = target::TraceText<Graph, Console>;
+
+  void print(bool prints) { prints_ = prints; }
+  void episode(std::uint32_t index) {
+    episode_ = index;
+    PacedTrace::episode(index);
+  }
+  template <class Message>
+  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+    PacedTrace::operator()(channel, seq, message);
+    if (prints_) print_message(channel, seq, message);
+  }
+  void print_end() const {
+    if (prints_) Text::end(console, messages_, hash());
+  }
+
+ private:
+  template <class Message>
+  [[gnu::noinline]] void print_message(std::uint32_t channel, Seq seq, const Message& message) {
+    ++messages_;
+    Text::begin_message(console, episode_, channel, seq);
+    Text::values(console, message);
+  }
+
+  std::uint64_t messages_ = 0;  // that were printed
+  std::uint32_t episode_ = 0;
+  bool prints_ = false;
+};
 
 /// Reads the words of the command line after the program's name.
 class OptionParser {
@@ -50,6 +85,8 @@ class OptionParser {
     while (next()) {
       if (word_ == "--csv") {
         options.csv = true;
+      } else if (word_ == "--trace") {
+        options.trace = true;
       } else if (word_ == "--timing") {
         options.pace = target::Pace::measured;
       } else if (word_ == "--pace") {
@@ -123,7 +160,7 @@ class Watch {
   using Observation = typename Graph::Observation;
   using Table = target::CsvTable<Graph, Console>;
 
-  Watch(const Options& options, const Trace& trace)
+  Watch(const Options& options, const PacedTrace& trace)
       : trace_(trace), late_limit_(options.late_limit), csv_(options.csv) {}
 
   bool go_on() const { return !too_late(); }
@@ -141,7 +178,7 @@ class Watch {
   std::uint64_t steps() const { return steps_; }
 
  private:
-  const Trace& trace_;
+  const PacedTrace& trace_;
   std::uint64_t steps_ = 0;
   std::uint64_t late_limit_;
   bool csv_;
@@ -153,6 +190,7 @@ inline int wrong_usage(std::string_view about, std::string_view word) {
   console.text(word);
   console.text(
       "\nhelp: [--episodes N] [--steps N] [--seed N] [--agent policy|zero|random] [--csv] "
+      "[--trace] "
       "[--output semihosting|uart] [--timing] [--pace] [--late-limit N]\n");
   return kBadUsage;
 }
@@ -222,7 +260,12 @@ int run(const char* board) {
     return console.flush(), kSelfTestFailed;
   }
 
-  auto& program = target::program_of_run<typename Graph::template Program<Trace>>;
+  using BoardTrace = Trace<Graph>;
+  auto& program = target::program_of_run<typename Graph::template Program<BoardTrace>>;
+  program.trace.print(options.trace);
+  if (options.trace)
+    BoardTrace::Text::head(console, options.plan.seed, options.plan.environment,
+                           target::name_of(options.agent), false);
   program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();
   Watch<Graph> watch(options, program.trace);
@@ -236,6 +279,7 @@ int run(const char* board) {
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();
   if (too_late) program.step(guard.stop());
+  program.trace.print_end();
   program.stop();
 
   print("graph", Graph::kName);
