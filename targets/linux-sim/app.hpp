@@ -118,8 +118,9 @@ inline bool cannot_write(const TextFile& file, const std::string& path) {
   fail("error: cannot write " + name + ": " + std::strerror(file.error()), kBadFile);
   return false;
 }
+/// Written by a thread of its own: a disk that is slow for once must not make a step late.
 inline bool open_output(TextFile& file, const std::string& path) {
-  return path.empty() || file.open(path) || cannot_write(file, path);
+  return path.empty() || file.open(path, Writing::background) || cannot_write(file, path);
 }
 inline bool close_output(TextFile& file, const std::string& path) {
   return path.empty() || file.close() || cannot_write(file, path);

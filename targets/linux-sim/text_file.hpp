@@ -1,16 +1,25 @@
 // Text output that allocates once, when it is opened, and knows no locale.
 #pragma once
 
+#include <atomic>
 #include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <semaphore>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <type_traits>
+#include <vector>
 
 namespace eagerx::linux_sim {
 
-/// A file written through a fixed buffer. The first failed write is remembered and everything after
+/// Who waits for the disk: the caller, when a buffer is full, or a thread of the file's own. The
+/// caller then waits only when all of kBackgroundBuffers are full.
+enum class Writing : std::uint8_t { direct, background };
+
+/// A file written through fixed buffers. The first failed write is remembered and everything after
 /// it is dropped, so that a full disk ends a run with one message.
 class TextFile {
  public:
@@ -21,13 +30,13 @@ class TextFile {
 
   /// Creates `path`, or takes the standard output for "-". False if that is not possible; see
   /// error().
-  bool open(const std::string& path);
+  bool open(const std::string& path, Writing writing = Writing::direct);
   bool is_open() const { return descriptor_ >= 0; }
   /// Writes what is left. False if anything was lost; see error().
   bool close();
-  bool failed() const { return error_ != 0; }
+  bool failed() const { return error() != 0; }
   /// errno of the first failure, 0 without one.
-  int error() const { return error_; }
+  int error() const { return error_.load(std::memory_order_relaxed); }
 
   void text(std::string_view text);
 
@@ -39,7 +48,7 @@ class TextFile {
       text(value ? "1" : "0");
     } else {
       if (value != value) return text("nan");
-      char* const begin = buffer_.get() + used_;
+      char* const begin = buffer() + used_;
       const std::to_chars_result result = std::to_chars(begin, begin + kLongestNumber, value);
       used_ += static_cast<std::size_t>(result.ptr - begin);
     }
@@ -49,12 +58,26 @@ class TextFile {
   static constexpr std::size_t kBufferBytes = std::size_t{1} << 16U;
   static constexpr std::size_t kLongestNumber = 32;  // -2.2250738585072014e-308 has 24
 
-  void flush();
+  static constexpr std::size_t kBackgroundBuffers = 64;
 
-  std::unique_ptr<char[]> buffer_;
-  std::size_t used_ = 0;
+  struct Buffer {
+    std::unique_ptr<char[]> text;
+    std::size_t used = 0;
+  };
+
+  char* buffer() { return buffers_[current_].text.get(); }
+  void flush();
+  void write(const Buffer& buffer);
+  void write_in_background();
+
+  std::vector<Buffer> buffers_;  // filled and written in turn
+  std::size_t current_ = 0;
+  std::size_t used_ = 0;  // of the current one
   int descriptor_ = -1;
-  int error_ = 0;
+  std::atomic<int> error_ = 0;
+  std::counting_semaphore<kBackgroundBuffers> full_{0};
+  std::counting_semaphore<kBackgroundBuffers> empty_{0};
+  std::thread writer_;
 };
 
 }  // namespace eagerx::linux_sim
