@@ -32,6 +32,16 @@ struct Sample {
   std::uint32_t position = 0;  // in its group and segment, from 0
 };
 
+/// A simulator whose state and input can be set: OdeSimulator, and others of its form.
+template <class Simulator>
+concept HasDynamics = requires(Simulator& simulator) {
+  requires std::is_floating_point_v<std::remove_cvref_t<decltype(simulator.state[0])>>;
+  requires std::is_floating_point_v<std::remove_cvref_t<decltype(simulator.input[0])>>;
+  simulator.state.size();
+  simulator.input.size();
+  simulator.input.begin();
+};
+
 /// Every segment of `horizon_s` begins in a state of its own, so that an error does not grow for
 /// longer than that. Objects must have a state and an input as OdeSimulator has.
 class Experiment {
@@ -60,7 +70,7 @@ class Experiment {
   /// Called for every object at every tick of the engine, before anything reads it.
   template <class Simulator>
   void simulator(std::string_view name, Seq tick, Simulator& simulator) {
-    if constexpr (requires { simulator.state.size(), simulator.input.size(); }) {
+    if constexpr (HasDynamics<Simulator>) {
       const std::size_t i = object(name, simulator.state.size(), simulator.input.size());
       inputs_[i] = input_of(simulator.input);
       if (i == 0) next_tick(tick);
@@ -70,7 +80,8 @@ class Experiment {
         const double* const state =
             trial_->states.data() + segment_ * states() + objects_[i].first_state;
         for (std::size_t k = 0; k < simulator.state.size(); ++k)
-          simulator.state[k] = static_cast<typename Simulator::Real>(state[k]);
+          simulator.state[k] =
+              static_cast<std::remove_cvref_t<decltype(simulator.state[k])>>(state[k]);
         if constexpr (requires { simulator.step_s; }) simulator.step_s = {};
       }
       apply_input(i);
