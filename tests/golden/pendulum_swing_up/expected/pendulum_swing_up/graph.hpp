@@ -71,6 +71,12 @@ struct Graph {
     return states;
   }
 
+  /// f(name, member of States, space) for each state that is drawn from a range.
+  template <class F>
+  static void for_each_range(F&& f) {
+    f("pendulum.model_state", &States::pendulum_model_state, kStatePendulumModelState);
+  }
+
   /// The action that does nothing.
   static Action zero() { return Action{}; }
 
