@@ -17,6 +17,7 @@
 #include <targets/common/pace.hpp>
 #include <targets/common/run.hpp>
 #include <targets/common/trace_text.hpp>
+#include <type_traits>
 
 namespace eagerx::board {
 
@@ -38,9 +39,15 @@ struct BoardClock {
 };
 using PacedTrace = target::PacedTrace<BoardClock>;
 
+#ifndef EAGERX_TRACE
+#define EAGERX_TRACE 0
+#endif
+/// Whether the program knows --trace: 5 kB of flash. CMake's EAGERX_TRACE decides.
+inline constexpr bool kTraces = EAGERX_TRACE != 0;
+
 /// Paces, makes the hash and, with --trace, prints every message.
 template <class Graph>
-class Trace : public PacedTrace {
+class PrintingTrace : public PacedTrace {
  public:
   using Text = target::TraceText<Graph, Console>;
 
@@ -71,6 +78,9 @@ class Trace : public PacedTrace {
   bool prints_ = false;
 };
 
+template <class Graph>
+using Trace = std::conditional_t<kTraces, PrintingTrace<Graph>, PacedTrace>;
+
 /// Reads the words of the command line after the program's name.
 class OptionParser {
  public:
@@ -85,7 +95,7 @@ class OptionParser {
     while (next()) {
       if (word_ == "--csv") {
         options.csv = true;
-      } else if (word_ == "--trace") {
+      } else if (kTraces && word_ == "--trace") {
         options.trace = true;
       } else if (word_ == "--timing") {
         options.pace = target::Pace::measured;
@@ -191,7 +201,8 @@ inline int wrong_usage(std::string_view about, std::string_view word) {
   console.text(
       "\nhelp: [--episodes N] [--steps N] [--seed N] [--agent policy|zero|random] [--csv] "
       "[--trace] "
-      "[--output semihosting|uart] [--timing] [--pace] [--late-limit N]\n");
+      "[--output semihosting|uart] [--timing] [--pace] [--late-limit N]");
+  console.text(kTraces ? " [--trace]\n" : "\n");
   return kBadUsage;
 }
 
@@ -262,10 +273,12 @@ int run(const char* board) {
 
   using BoardTrace = Trace<Graph>;
   auto& program = target::program_of_run<typename Graph::template Program<BoardTrace>>;
-  program.trace.print(options.trace);
-  if (options.trace)
-    BoardTrace::Text::head(console, options.plan.seed, options.plan.environment,
-                           target::name_of(options.agent), false);
+  if constexpr (kTraces) {
+    program.trace.print(options.trace);
+    if (options.trace)
+      BoardTrace::Text::head(console, options.plan.seed, options.plan.environment,
+                             target::name_of(options.agent), false);
+  }
   program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();
   Watch<Graph> watch(options, program.trace);
@@ -279,7 +292,7 @@ int run(const char* board) {
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();
   if (too_late) program.step(guard.stop());
-  program.trace.print_end();
+  if constexpr (kTraces) program.trace.print_end();
   program.stop();
 
   print("graph", Graph::kName);

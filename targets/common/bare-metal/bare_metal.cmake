@@ -10,6 +10,8 @@ set(EAGERX_BARE_METAL_FLAGS
     -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections
     -g -fcallgraph-info=su)
 
+option(EAGERX_TRACE "Programs for boards know --trace, which takes some kB of flash" OFF)
+
 # eagerx_configure_bare_metal(<executable> FOLDER <the board's> LINKER_SCRIPT <file> STARTUP <source>
 #                             SOURCES <more>... [STACK <bytes>] [LINK_OPTIONS <option>...])
 # Flags, linker script and the proof that nothing uses a heap, exceptions or type information. What does not
@@ -41,6 +43,7 @@ function(eagerx_configure_bare_metal executable)
   set_target_properties(${executable} PROPERTIES SUFFIX .elf)
   target_link_libraries(${executable} PRIVATE eagerx_board)
   target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
+  target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}>)
   target_link_options(
     ${executable}
     PRIVATE
