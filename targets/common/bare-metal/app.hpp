@@ -200,7 +200,6 @@ inline int wrong_usage(std::string_view about, std::string_view word) {
   console.text(word);
   console.text(
       "\nhelp: [--episodes N] [--steps N] [--seed N] [--agent policy|zero|random] [--csv] "
-      "[--trace] "
       "[--output semihosting|uart] [--timing] [--pace] [--late-limit N]");
   console.text(kTraces ? " [--trace]\n" : "\n");
   return kBadUsage;
