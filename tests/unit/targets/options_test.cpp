@@ -100,9 +100,8 @@ TEST(LinuxSimOptions, HelpNamesEveryOption) {
   const std::string help = options_help({});
   for (const char* option :
        {"--episodes N", "--steps N", "--seed N", "--environment K", "--agent AGENT", "--csv FILE",
-        "--trace FILE", "--trace-time", "--replay LOG", "--replay-given LIST",
-        "--identify LOG", "--hash",
-        "--real-time-factor X", "--quiet", "--help", "--version", "Exit codes: 0"}) {
+        "--trace FILE", "--trace-time", "--replay LOG", "--replay-given LIST", "--identify LOG",
+        "--hash", "--real-time-factor X", "--quiet", "--help", "--version", "Exit codes: 0"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
 }

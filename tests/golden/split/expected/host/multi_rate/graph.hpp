@@ -109,6 +109,14 @@ struct Graph {
     return states;
   }
 
+  /// f(name, member of States, space) for each state that is drawn from a range.
+  template <class F>
+  static void for_each_range(F&& f) {
+    f("left.model_state", &States::left_model_state, kStateLeftModelState);
+    f("left.mass", &States::left_mass, kStateLeftMass);
+    f("right.model_state", &States::right_model_state, kStateRightModelState);
+  }
+
   /// The action that does nothing.
   static Action zero() { return Action{}; }
 
