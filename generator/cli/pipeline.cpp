@@ -10,6 +10,7 @@
 #include "generator/cli/paths.hpp"
 #include "generator/emit/policy_contract.hpp"
 #include "generator/policy/evaluate.hpp"
+#include "generator/policy/int8.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -32,17 +33,42 @@ void load_library_for(Run& run, const Options& options,
   run.library = load_library(folders, run.sources, run.diagnostics);
 }
 
+/// Rounds the weights if the graph wants them in eight bits, and says what that costs. E0640.
+void round_weights(Run& run, const GoldenRows* rows) {
+  const AgentSpec& agent = run.spec->agent;
+  const bool int8 = agent.weights && agent.weights->value == "int8";
+  if (agent.max_error && !int8) {
+    run.diagnostics.error("E0206", agent.max_error->span, "`max_error` goes with `weights: int8`");
+  }
+  if (!int8) return;
+  Network rounded = with_int8_weights(*run.network);
+  const RoundingError error = rounding_error(*run.network, rounded, rows);
+  run.network = std::move(rounded);
+  if (agent.max_error && !(error.largest <= agent.max_error->value)) {
+    run.diagnostics
+        .error("E0640", agent.max_error->span,
+               fmt::format("with weights of eight bits the policy `{}` is farther off than {:g}",
+                           run.network->file, agent.max_error->value))
+        .help = fmt::format("its error against float32: {}", to_string(error));
+    return;
+  }
+  run.diagnostics.note(agent.weights->span, fmt::format("weights of eight bits, error against "
+                                                        "float32: {}",
+                                                        to_string(error)));
+}
+
 /// Checks the policy against the rows that the graph names, and gives the program some to check.
 void add_known_answers(Run& run, const fs::path& folder) {
   const auto& golden = run.spec->agent.golden;
   if (!golden) {
     run.network->self_test = self_test_rows(*run.network, nullptr);
-    return;
+    return round_weights(run, nullptr);
   }
   const std::string path = (folder / golden->value).string();
   const auto rows = read_golden(path, golden->value, golden->span, run.diagnostics);
   if (rows && compare(*run.network, *rows, golden->value, golden->span, run.diagnostics)) {
     run.network->self_test = self_test_rows(*run.network, &*rows);
+    round_weights(run, &*rows);
   }
 }
 
@@ -62,7 +88,9 @@ void read_network(Run& run) {
   }
   if (agent.activation) request.activation = activation_of(agent.activation->value);
   run.network = read_policy(request, run.diagnostics);
-  if (run.network) add_known_answers(run, folder);
+  if (!run.network) return;
+  if (agent.profile && agent.profile->value == "fast") run.network->profile = Profile::fast;
+  add_known_answers(run, folder);
 }
 
 /// The spec of a graph in our own form, with the rates of the command line, and its library.

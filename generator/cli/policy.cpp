@@ -4,6 +4,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/policy/cost.hpp"
 #include "generator/policy/evaluate.hpp"
+#include "generator/policy/int8.hpp"
 #include "generator/policy/network.hpp"
 
 namespace eagerx::gen {
@@ -27,6 +28,7 @@ std::optional<Network> read(Run& run, const Options& options) {
 void print_layers(const Network& network) {
   LayerCost sum;
   std::size_t remembered = 0;
+  std::size_t int8 = 0;
   fmt::print("layers\n");
   for (const DenseLayer& layer : network.layers) {
     const LayerCost cost = cost_of(layer);
@@ -34,11 +36,12 @@ void print_layers(const Network& network) {
     sum.bytes += cost.bytes;
     sum.multiply_adds += cost.multiply_adds;
     remembered += layer.remembers();
+    int8 += int8_bytes(layer);
     const bool plain = layer.is_dense() && layer.activation == Activation::identity && !layer.norm;
     fmt::print("  {} -> {}{}\n", layer.inputs, layer.outputs, plain ? "" : note_of(layer));
   }
   fmt::print("parameters     {}\n", sum.parameters);
-  fmt::print("flash          {} bytes\n", sum.bytes);
+  fmt::print("flash          {} bytes, {} with `weights: int8`\n", sum.bytes, int8);
   fmt::print("multiply-adds  {}\n", sum.multiply_adds);
   if (remembered > 0) fmt::print("memory         {} bytes\n", remembered * sizeof(float));
 }
@@ -95,6 +98,8 @@ int test(Run& run, const Options& options, const Network& network) {
   fmt::print("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
   fmt::print("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
   fmt::print("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);
+  fmt::print("with int8      off by {}\n",
+             to_string(rounding_error(network, with_int8_weights(network), &*rows)));
   if (result->action) {
     fmt::print("actions        {:.3g} off; at most {:.3g} is allowed\n", *result->action,
                result->action_limit);
@@ -113,6 +118,8 @@ int policy_command(const Options& options) {
   if (!options.golden.empty()) return test(run, options, *network);
   fmt::print("{}: {}\n", options.policy, network->format);
   print_layers(*network);
+  fmt::print("with int8      off by {}\n",
+             to_string(rounding_error(*network, with_int8_weights(*network), nullptr)));
   print_contract(*network);
   if (!network->ignored.empty()) fmt::print("not used\n");
   for (const std::string& part : network->ignored) fmt::print("  {}\n", part);

@@ -7,12 +7,14 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
+#include <eagerx/policy/int8_rows.hpp>
 #include <string>
 #include <string_view>
 
 #include "generator/emit/policy_tables.hpp"
 #include "generator/policy/cost.hpp"
 #include "generator/policy/evaluate.hpp"
+#include "generator/policy/int8.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -65,6 +67,25 @@ class Table {
   std::size_t left_;
   std::size_t in_line_ = 0;
 };
+
+/// Weights of eight bits in the order of eagerx::Int8Weights, a row of numbers for each output.
+std::string int8_table(const DenseLayer& layer) {
+  const std::size_t row = eagerx::policy::int8_row(layer.inputs);
+  std::vector<int> values(layer.outputs * row);
+  for (std::size_t out = 0; out < layer.outputs; ++out) {
+    for (std::size_t in = 0; in < layer.inputs; ++in) {
+      values[eagerx::policy::int8_index(layer.inputs, layer.outputs, out, in)] =
+          layer.rounded[out * layer.inputs + in];
+    }
+  }
+  constexpr std::size_t kInLine = 16;
+  std::string text;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    text += i % kInLine == 0 ? (i == 0 ? "      " : ",\n      ") : ", ";
+    text += std::to_string(values[i]);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -127,9 +148,21 @@ data layer_view(const Network& network, std::size_t i) {
   view.set("outputs", std::to_string(layer.outputs));
   view.set("activation", std::string(to_string(layer.activation)));
   view.set("slope", slope_argument(layer));
+  const bool int8 = !layer.rounded.empty();
   view.set("is_dense", layer.is_dense());
-  view.set("weights", layer.is_dense() ? weight_table(layer) : std::string());
-  view.set("biases", layer.is_dense() ? bias_table(layer) : std::string());
+  view.set("int8", data{int8});
+  view.set("float32", data{layer.is_dense() && !int8});
+  view.set("weights", "");
+  view.set("biases", "");
+  if (int8) {
+    view.set("weights", int8_table(layer));
+    view.set("scales", list_of(layer.scales));
+    view.set("biases", list_of(layer.bias));
+  } else if (layer.is_dense()) {
+    view.set("weights", weight_table(layer));
+    view.set("biases", bias_table(layer));
+  }
+  view.set("dense", network.profile == Profile::fast && !int8 ? "fast_dense" : "dense");
   view.set("input", i == 0 ? first : fmt::format("hidden{}", i));
   view.set("output", last ? std::string("action") : fmt::format("hidden{}", i + 1));
   view.set("hidden", data{!last});
@@ -180,11 +213,13 @@ data policy_view(const Network& network) {
   data layers{data::type::list};
   std::size_t parameters = 0;
   std::size_t stored = 0;
+  bool int8 = false;
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const DenseLayer& layer = network.layers[i];
     const LayerCost cost = cost_of(layer);
     parameters += cost.parameters;
-    stored += cost.bytes;
+    stored += layer.rounded.empty() ? cost.bytes : int8_bytes(layer);
+    int8 = int8 || !layer.rounded.empty();
     layers.push_back(layer_view(network, i));
   }
   data view{data::type::object};
@@ -194,6 +229,10 @@ data policy_view(const Network& network) {
   view.set("outputs", std::to_string(network.outputs()));
   view.set("parameters", std::to_string(parameters));
   view.set("bytes", std::to_string(stored));
+  view.set("has_int8", data{int8});
+  view.set("fast", data{network.profile == Profile::fast});
+  view.set("exact", data{network.profile == Profile::exact});
+  view.set("tolerance", network.profile == Profile::fast ? ", 1e-4F" : "");
   view.set("layers", layers);
   view.set("has_memory", network.has_memory());
   view.set("forgets", !network.has_memory());

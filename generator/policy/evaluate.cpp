@@ -5,6 +5,7 @@
 #include <eagerx/policy.hpp>
 
 #include "generator/policy/forms.hpp"
+#include "generator/policy/int8.hpp"
 #include "generator/policy/sums.hpp"
 
 namespace eagerx::gen {
@@ -114,7 +115,8 @@ std::vector<float> evaluate(const Network& network, std::vector<float> input,
   memory->resize(network.layers.size());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const DenseLayer& layer = network.layers[i];
-    std::vector<float> y = evaluate_form(layer, input, (*memory)[i]);
+    std::vector<float> y = layer.rounded.empty() ? evaluate_form(layer, input, (*memory)[i])
+                                                 : int8_product(layer, input);
     if (layer.norm) apply_norm(*layer.norm, y);
     activate(layer.activation, layer.slope, y);
     input = std::move(y);

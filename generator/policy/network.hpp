@@ -93,6 +93,8 @@ struct DenseLayer {
   float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
   std::optional<LayerNorm> norm{};
   std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder> form{};
+  std::vector<std::int8_t> rounded{};  // [outputs][inputs], in place of weights; empty: float32
+  std::vector<float> scales{};         // [outputs]: a weight is rounded times this
 
   [[nodiscard]] bool is_dense() const { return std::holds_alternative<Dense>(form); }
   [[nodiscard]] const Recurrence* recurrence() const { return std::get_if<Recurrence>(&form); }
@@ -137,6 +139,10 @@ struct PolicyContract {
   std::optional<double> rate_hz;                // steps a second in training
 };
 
+/// How a program calculates a policy: with the same bits on every machine, or as fast as this one
+/// can.
+enum class Profile : std::uint8_t { exact, fast };
+
 /// Layers in a row: n_obs values in, n_act values out.
 struct Network {
   std::string file;                // as the user wrote it
@@ -146,6 +152,7 @@ struct Network {
       ignored;  // parts of the file that do not lead to the action, for the report
   std::optional<ActionKind> action{};  // if the file says it
   std::optional<Normalization> normalization{};
+  Profile profile = Profile::exact;
   PolicyContract contract{};
   std::vector<std::vector<float>>
       self_test{};  // observations whose answers every program checks on its machine

@@ -157,7 +157,14 @@ FormatPtr agent_format() {
                               "gelu_tanh", "softplus", "sigmoid"}),
              false, "what follows the hidden layers, for files that do not say it"},
             {"golden", format::text("a file name"), false,
-             "observations with known answers (CSV or npz); checked here and by every program"}}),
+             "observations with known answers (CSV or npz); checked here and by every program"},
+            {"weights", format::keyword({"float32", "int8"}), false,
+             "int8: eight bits a weight, a quarter of the flash (default: float32)"},
+            {"max_error", format::decimal("a number above 0", 0.0, true), false,
+             "int8: an output that differs by more from float32, on the golden rows, is an error"},
+            {"profile", format::keyword({"exact", "fast"}), false,
+             "fast: other bits on every machine, for the sake of speed on Linux (default: "
+             "exact)"}}),
        format::keyword({"zero", "random"})});
 }
 

@@ -141,7 +141,8 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
   spec.file = text_of(policy != nullptr ? *policy : *csv);
-  for (const char* key : {"observations", "output", "normalize", "activation", "golden"}) {
+  for (const char* key : {"observations", "output", "normalize", "activation", "golden", "weights",
+                          "max_error", "profile"}) {
     if (csv == nullptr || node->find(key) == nullptr) continue;
     diagnostics.error("E0206", node->find(key)->span,
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));
@@ -154,6 +155,10 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   spec.normalize = optional_of<std::string>(*node, "normalize", text);
   spec.activation = optional_of<std::string>(*node, "activation", text);
   spec.golden = optional_of<std::string>(*node, "golden", text);
+  spec.weights = optional_of<std::string>(*node, "weights", text);
+  spec.profile = optional_of<std::string>(*node, "profile", text);
+  spec.max_error = optional_of<double>(*node, "max_error",
+                                       [](const Node& n) { return rational_of(n).to_double(); });
   return spec;
 }
 

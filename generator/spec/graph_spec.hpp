@@ -102,6 +102,9 @@ struct AgentSpec {
   std::optional<Spanned<std::string>> normalize;   // file of statistics
   std::optional<Spanned<std::string>> activation;  // of hidden layers
   std::optional<Spanned<std::string>> golden;      // file of known answers
+  std::optional<Spanned<std::string>> weights;     // float32 | int8
+  std::optional<Spanned<double>> max_error;        // of an output, against float32
+  std::optional<Spanned<std::string>> profile;     // exact | fast
 };
 
 /// What is safe and when it is applied; what is left out has the default of `safety_defaults`.
