@@ -17,10 +17,10 @@ struct Return {
   static void reset(std::uint32_t /*episode*/, const Graph::Observation& /*observation*/) {}
   void step(std::uint32_t /*episode*/, eagerx::Seq /*step*/, const Graph::Action& action,
             const Graph::Observation& observation) {
-    const double theta = std::atan2(static_cast<double>(observation.angle[1]),
-                                    static_cast<double>(observation.angle[0]));
-    const auto theta_dot = static_cast<double>(observation.theta_dot);
-    const auto voltage = static_cast<double>(action.voltage);
+    const double theta = std::atan2(static_cast<double>(observation.angle.back()[1]),
+                                    static_cast<double>(observation.angle.back()[0]));
+    const auto theta_dot = static_cast<double>(observation.theta_dot.back());
+    const auto voltage = static_cast<double>(action.voltage[0]);
     cost += theta * theta + 0.1 * theta_dot * theta_dot + 0.01 * voltage * voltage;
   }
 };
