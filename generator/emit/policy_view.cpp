@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <eagerx/policy/int8_rows.hpp>
 #include <string>
 #include <string_view>
 
@@ -68,16 +67,9 @@ class Table {
   std::size_t in_line_ = 0;
 };
 
-/// Weights of eight bits in the order of eagerx::Int8Weights, a row of numbers for each output.
+/// Weights of eight bits, sixteen a line.
 std::string int8_table(const DenseLayer& layer) {
-  const std::size_t row = eagerx::policy::int8_row(layer.inputs);
-  std::vector<int> values(layer.outputs * row);
-  for (std::size_t out = 0; out < layer.outputs; ++out) {
-    for (std::size_t in = 0; in < layer.inputs; ++in) {
-      values[eagerx::policy::int8_index(layer.inputs, layer.outputs, out, in)] =
-          layer.rounded[out * layer.inputs + in];
-    }
-  }
+  const std::vector<int> values = int8_stored(layer);
   constexpr std::size_t kInLine = 16;
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {

@@ -81,6 +81,17 @@ std::vector<float> int8_product(const DenseLayer& layer, const std::vector<float
   return y;
 }
 
+std::vector<int> int8_stored(const DenseLayer& layer) {
+  std::vector<int> values(layer.outputs * eagerx::policy::int8_row(layer.inputs));
+  for (std::size_t out = 0; out < layer.outputs; ++out) {
+    for (std::size_t in = 0; in < layer.inputs; ++in) {
+      values[eagerx::policy::int8_index(layer.inputs, layer.outputs, out, in)] =
+          layer.rounded[out * layer.inputs + in];
+    }
+  }
+  return values;
+}
+
 std::size_t int8_bytes(const DenseLayer& layer) {
   if (!layer.is_dense()) return cost_of(layer).bytes;
   const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} * sizeof(float) : 0;

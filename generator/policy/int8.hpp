@@ -16,6 +16,9 @@ Network with_int8_weights(Network network);
 /// W x + b with the bits of the generated program, of a layer with weights of eight bits.
 std::vector<float> int8_product(const DenseLayer& layer, const std::vector<float>& x);
 
+/// Rounded weights in the order of eagerx::Int8Weights.
+std::vector<int> int8_stored(const DenseLayer& layer);
+
 /// Bytes that a layer takes in flash if the weights of dense layers have eight bits.
 std::size_t int8_bytes(const DenseLayer& layer);
 
