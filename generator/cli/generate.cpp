@@ -75,6 +75,12 @@ std::string depfile_text(const Run& run, const Options& options) {
   for (const auto& [id, entity] : run.library.entities) inputs.push_back(entity.path);
   if (run.network) inputs.push_back(run.graph->agent.path);
   for (const auto& file : run.graph->agent.other_files) inputs.push_back(file);
+  const fs::path folder = fs::path(run.spec->path).parent_path();
+  for (const auto& node : run.spec->nodes) {
+    if (!node.policy) continue;
+    for (const auto& file : {node.policy->normalize, node.policy->golden})
+      if (file) inputs.push_back((folder / file->value).string());
+  }
   std::error_code ignored;
   for (const auto& entry :
        fs::recursive_directory_iterator(fs::path(run.root) / "templates", ignored)) {
@@ -194,8 +200,9 @@ int generate_command(const Options& options) {
         .help = "leave out `--standalone` and `--package`";
   }
   if (run.diagnostics.has_errors()) return finish(run, options);
-  auto files = split ? emit_parts(run, emit_options)
-                     : emit(*run.plan, run.network, emit_options, run.diagnostics);
+  auto files =
+      split ? emit_parts(run, emit_options)
+            : emit(*run.plan, run.network, node_policies(run), emit_options, run.diagnostics);
   if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   const auto result = write_files(folder, std::move(*files), run.diagnostics);

@@ -9,8 +9,6 @@
 
 #include "generator/cli/paths.hpp"
 #include "generator/emit/policy_contract.hpp"
-#include "generator/policy/evaluate.hpp"
-#include "generator/policy/int8.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -33,66 +31,6 @@ void load_library_for(Run& run, const Options& options,
   run.library = load_library(folders, run.sources, run.diagnostics);
 }
 
-/// Rounds the weights if the graph wants them in eight bits, and says what that costs. E0640.
-void round_weights(Run& run, const GoldenRows* rows) {
-  const AgentSpec& agent = run.spec->agent;
-  const bool int8 = agent.weights && agent.weights->value == "int8";
-  if (agent.max_error && !int8) {
-    run.diagnostics.error("E0206", agent.max_error->span, "`max_error` goes with `weights: int8`");
-  }
-  if (!int8) return;
-  Network rounded = with_int8_weights(*run.network);
-  const RoundingError error = rounding_error(*run.network, rounded, rows);
-  run.network = std::move(rounded);
-  if (agent.max_error && !(error.largest <= agent.max_error->value)) {
-    run.diagnostics
-        .error("E0640", agent.max_error->span,
-               fmt::format("with weights of eight bits the policy `{}` is farther off than {:g}",
-                           run.network->file, agent.max_error->value))
-        .help = fmt::format("its error against float32: {}", to_string(error));
-    return;
-  }
-  run.diagnostics.note(agent.weights->span, fmt::format("weights of eight bits, error against "
-                                                        "float32: {}",
-                                                        to_string(error)));
-}
-
-/// Checks the policy against the rows that the graph names, and gives the program some to check.
-void add_known_answers(Run& run, const fs::path& folder) {
-  const auto& golden = run.spec->agent.golden;
-  if (!golden) {
-    run.network->self_test = self_test_rows(*run.network, nullptr);
-    return round_weights(run, nullptr);
-  }
-  const std::string path = (folder / golden->value).string();
-  const auto rows = read_golden(path, golden->value, golden->span, run.diagnostics);
-  if (rows && compare(*run.network, *rows, golden->value, golden->span, run.diagnostics)) {
-    run.network->self_test = self_test_rows(*run.network, &*rows);
-    round_weights(run, &*rows);
-  }
-}
-
-/// Before the graph is resolved, so that a bad file is told of along with everything else.
-void read_network(Run& run) {
-  const AgentSpec& agent = run.spec->agent;
-  if (agent.kind != AgentSpec::Kind::policy) return;
-  const fs::path folder = fs::path(run.spec->path).parent_path();
-  PolicyRequest request;
-  request.path = (folder / agent.file.value).string();
-  request.name = agent.file.value;
-  request.span = agent.file.span;
-  if (agent.normalize) {
-    request.normalize_path = (folder / agent.normalize->value).string();
-    request.normalize_name = agent.normalize->value;
-    request.normalize_span = agent.normalize->span;
-  }
-  if (agent.activation) request.activation = activation_of(agent.activation->value);
-  run.network = read_policy(request, run.diagnostics);
-  if (!run.network) return;
-  if (agent.profile && agent.profile->value == "fast") run.network->profile = Profile::fast;
-  add_known_answers(run, folder);
-}
-
 /// The spec of a graph in our own form, with the rates of the command line, and its library.
 bool read_own_graph(Run& run, const Node& tree, const Options& options) {
   run.spec = read_graph_spec(tree, options.graph, run.diagnostics);
@@ -108,6 +46,13 @@ bool read_own_graph(Run& run, const Node& tree, const Options& options) {
   const std::size_t errors_before = run.diagnostics.error_count();
   load_library_for(run, options, folders);
   return run.spec && run.diagnostics.error_count() == errors_before;
+}
+
+/// Before the graph is resolved, so that a bad file is told of along with everything else.
+void read_networks(Run& run) {
+  const AgentSpec& agent = run.spec->agent;
+  if (agent.kind == AgentSpec::Kind::policy) run.network = read_weights(run, agent);
+  read_node_policies(run);
 }
 
 }  // namespace
@@ -165,12 +110,14 @@ bool make(Run& run, const Options& options) {
   } else if (!read_own_graph(run, tree, options)) {
     return false;
   }
-  read_network(run);
+  read_networks(run);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},
                       run.diagnostics);
   if (!run.graph) return false;
   run.plan = make_plan(*run.graph, run.diagnostics);
-  if (run.network) check_policy(*run.graph, *run.network, run.diagnostics);
+  if (run.network) check_policy(agent_use(*run.graph), *run.network, run.diagnostics);
+  for (const NodePolicy& policy : node_policies(run))
+    check_policy(policy.use, *policy.network, run.diagnostics);
   return !run.diagnostics.has_errors();
 }
 

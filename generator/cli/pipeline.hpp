@@ -3,13 +3,21 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "generator/cli/commands.hpp"
+#include "generator/emit/policy_use.hpp"
 #include "generator/import/import.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/policy/network.hpp"
 
 namespace eagerx::gen {
+
+/// The weights of a node that runs a policy: `spec` is its place among the nodes of the graph file.
+struct NodeNetwork {
+  std::size_t spec = 0;
+  Network network;
+};
 
 /// One run of the generator. Graph and plan point into the library and stay where they are.
 struct Run {
@@ -20,6 +28,7 @@ struct Run {
   std::optional<GraphSpec> spec;
   std::optional<Graph> graph;
   std::optional<Network> network;
+  std::vector<NodeNetwork> node_networks;
   std::optional<Plan> plan;
 };
 
@@ -31,6 +40,12 @@ Node read_graph_file(Run& run, const std::string& path);
 std::optional<ImportedGraph> import_file(Run& run, const Node& tree, const Options& options);
 /// read → spec (or import) → resolve → plan, and the policy. True if there was no problem.
 bool make(Run& run, const Options& options);
+/// The weights that `policy` names, with the known answers that every program checks.
+std::optional<Network> read_weights(Run& run, const AgentSpec& policy);
+/// The weights of all nodes, each of which becomes an entity of its own in the library.
+void read_node_policies(Run& run);
+/// Where the nodes' policies are used, in the graph.
+std::vector<NodePolicy> node_policies(const Run& run);
 /// Prints what was found to the standard error and returns the exit code.
 int finish(Run& run, const Options& options);
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "generator/emit/names.hpp"
+#include "generator/emit/policy_answers.hpp"
 #include "generator/emit/policy_view.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -16,12 +17,16 @@ namespace fs = std::filesystem;
 
 class Emitter {
  public:
-  Emitter(const Plan& plan, const std::optional<Network>& network, const EmitOptions& options,
+  Emitter(const Plan& plan, const std::optional<Network>& network,
+          const std::vector<NodePolicy>& node_policies, const EmitOptions& options,
           Diagnostics& diagnostics)
       : plan_(plan), options_(options), diagnostics_(diagnostics), names_(plan, options.part) {
     // Where the agent is, and on the host, which has everything of the graph's own sources.
     const bool decides = options.part != Part::board || names_.runs(Graph::kEnvironment);
     if (decides) network_ = network;
+    for (const NodePolicy& policy : node_policies) {
+      if (options.part != Part::board || names_.runs(policy.node)) node_policies_.push_back(policy);
+    }
   }
 
   std::optional<std::vector<GeneratedFile>> run() {
@@ -37,7 +42,11 @@ class Emitter {
     program.set("begin", partial("cpp/begin.mustache"));
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
-    if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", policy_view(*network_));
+    if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
+    for (const NodePolicy& policy : node_policies_) {
+      add(fmt::format("{}{}.hpp", folder, policy_namespace(plan_.graph->nodes[policy.node].name)),
+          "cpp/policy.hpp.mustache", node_view(policy));
+    }
     add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
     for (const Target* target : options_.targets) add_target(*target);
     for (const auto& package : options_.packages) add_package(package);
@@ -86,8 +95,25 @@ class Emitter {
   }
 
   View graph_view() const {
-    View view = gen::graph_view(plan_, names_, network_);
+    View view = gen::graph_view(plan_, names_, network_, node_policies_);
     view.set("graph_hash", fmt::format("0x{:016x}", options_.graph_hash));
+    return view;
+  }
+
+  /// The weights of the agent's policy.
+  View agent_view() const {
+    View view = policy_view(*network_);
+    view.set("policy", "policy");
+    view.set("node", View(false));
+    return view;
+  }
+
+  /// Those of a node's, with the class that runs them.
+  View node_view(const NodePolicy& policy) {
+    View view = policy_view(*policy.network);
+    view.set("policy", policy_namespace(plan_.graph->nodes[policy.node].name));
+    view["node"] = policy_node_view(plan_, names_, policy);
+    view.set("policy_node", partial("cpp/policy_node.mustache"));
     return view;
   }
 
@@ -138,6 +164,7 @@ class Emitter {
 
   const Plan& plan_;
   std::optional<Network> network_;
+  std::vector<NodePolicy> node_policies_;
   const EmitOptions& options_;
   Diagnostics& diagnostics_;
   ProgramNames names_;
@@ -159,9 +186,10 @@ std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
 
 std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
                                                const std::optional<Network>& network,
+                                               const std::vector<NodePolicy>& node_policies,
                                                const EmitOptions& options,
                                                Diagnostics& diagnostics) {
-  return Emitter(plan, network, options, diagnostics).run();
+  return Emitter(plan, network, node_policies, options, diagnostics).run();
 }
 
 }  // namespace eagerx::gen

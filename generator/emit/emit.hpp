@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/policy_use.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/policy/network.hpp"
 #include "generator/resolve/needs.hpp"
@@ -36,6 +37,7 @@ std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 /// template that cannot be read or is wrong.
 std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,
                                                const std::optional<Network>& network,
+                                               const std::vector<NodePolicy>& node_policies,
                                                const EmitOptions& options,
                                                Diagnostics& diagnostics);
 

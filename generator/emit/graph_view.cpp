@@ -5,15 +5,20 @@
 #include <bit>
 
 #include "generator/emit/names.hpp"
-#include "generator/emit/policy_world.hpp"
+#include "generator/emit/policy_answers.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 class GraphView {
  public:
-  GraphView(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network)
-      : plan_(plan), graph_(*plan.graph), names_(names), network_(network) {
+  GraphView(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
+            const std::vector<NodePolicy>& node_policies)
+      : plan_(plan),
+        graph_(*plan.graph),
+        names_(names),
+        network_(network),
+        node_policies_(node_policies) {
     constants_.unique("kName");
     for (const char* taken :
          {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kSafety"})
@@ -247,44 +252,35 @@ class GraphView {
              fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
   }
 
+  void add_self_tests(View& view) const {
+    std::size_t rows = network_ ? network_->self_test.size() : 0;
+    std::vector<std::string> tests;
+    if (network_) tests.emplace_back("policy::self_test()");
+    for (const NodePolicy& policy : node_policies_) {
+      rows += policy.network->self_test.size();
+      tests.push_back(policy_namespace(graph_.nodes[policy.node].name) + "::self_test()");
+    }
+    view.set("self_test_rows", fmt::format("{}", rows));
+    view.set("self_tests", tests.empty() ? "true" : fmt::format("{}", fmt::join(tests, " && ")));
+  }
+
   void add_policy(View& view) const {
-    View inputs = list(), outputs = list();
+    View inputs = list();
     view.set("has_policy", network_.has_value());
     view.set("has_memory", network_ && network_->has_memory());
     view.set("policy_flag", network_ ? "true" : "false");
     view.set("policy_file", graph_.agent.file);
-    view.set("no_policy", !network_.has_value());
-    view.set("self_test_rows", fmt::format("{}", network_ ? network_->self_test.size() : 0));
+    add_self_tests(view);
     if (!network_) return;
     for (const std::size_t i : graph_.agent.observations) {
       View item = object();
       item.set("field", graph_.environment().inputs[i].name);
       inputs.push_back(item);
     }
-    const std::string kind = graph_.agent.output.value_or(to_string(network_->action_kind()));
-    for (const Output* action : actions_in_order(graph_)) {
-      const std::string constant = "kAction" + camel(action->name);
-      const std::string output =
-          fmt::format("eagerx::unflatten<{}>(output, out)", message_type(action->space));
-      View item = object();
-      item.set("field", action->name);
-      if (kind == "squashed") {
-        item.set("how",
-                 "squashed policy: from -1…1 to the action's bounds, as SB3's predict() does");
-        item.set("expression", fmt::format("eagerx::unscaled({}, {})", output, constant));
-      } else if (kind == "argmax") {
-        item.set("how",
-                 "as SB3's DQN does: the index of the largest output, from the lowest action on");
-        item.set("expression", fmt::format("eagerx::choice({}, eagerx::argmax(output))", constant));
-      } else {
-        item.set("how", "as SB3's predict() does: clipped to the action's bounds");
-        item.set("expression", fmt::format("{}.clipped({})", constant, output));
-      }
-      outputs.push_back(item);
-    }
+    const PolicyUse use = agent_use(graph_);
     view["policy_inputs"] = std::move(inputs);
-    view["policy_outputs"] = std::move(outputs);
-    view.set("reads_in_order", kind != "argmax");
+    view["policy_outputs"] = policy_answers(use, *network_, "kAction");
+    view.set("reads_in_order", use.kind(*network_) != ActionKind::argmax);
     view.set("place", names_.place(graph_.agent.span));
   }
 
@@ -320,14 +316,15 @@ class GraphView {
   const Graph& graph_;
   const ProgramNames& names_;
   const std::optional<Network>& network_;
+  const std::vector<NodePolicy>& node_policies_;
   Names constants_;
 };
 
 }  // namespace
 
-View graph_view(const Plan& plan, const ProgramNames& names,
-                const std::optional<Network>& network) {
-  return GraphView(plan, names, network).make();
+View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
+                const std::vector<NodePolicy>& node_policies) {
+  return GraphView(plan, names, network, node_policies).make();
 }
 
 }  // namespace eagerx::gen

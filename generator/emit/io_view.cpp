@@ -241,6 +241,10 @@ class Includes {
 
   void add(const std::string& include_root, const CppClass& cpp) {
     if (cpp.include.empty()) return;
+    if (include_root.empty()) {  // generated along with the program
+      headers_.insert("\"" + cpp.include + "\"");
+      return;
+    }
     if (include_root == paths_.builtin_root) {
       headers_.insert("<" + cpp.include + ">");
       return;

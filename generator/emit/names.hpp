@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "generator/emit/namer.hpp"
+#include "generator/emit/policy_use.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/policy/network.hpp"
@@ -60,6 +61,7 @@ struct IncludePaths {
 };
 View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths);
 View program_view(const Plan& plan, const ProgramNames& names);
-View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network);
+View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
+                const std::vector<NodePolicy>& node_policies);
 
 }  // namespace eagerx::gen

@@ -18,16 +18,20 @@ struct Sum {
   }
 };
 
-Diagnostic& report(const char* code, const Graph& graph, std::string_view verb,
-                   std::uint64_t wanted, const Sum& there, std::string_view what, Span place,
-                   Diagnostics& diagnostics) {
+Diagnostic& report(const char* code, const PolicyUse& use, bool takes, std::uint64_t wanted,
+                   const Sum& there, Span place, Diagnostics& diagnostics) {
   auto& problem = diagnostics.error(
-      code, graph.agent.span,
-      fmt::format("the policy `{}` {} {} numbers, but the {} of this graph have {}",
-                  graph.agent.file, verb, wanted, what, there.total));
+      code, use.span,
+      fmt::format("the policy `{}` {} {} numbers, but the {} have {}", use.file,
+                  takes ? "takes" : "gives", wanted, takes ? use.takes : use.gives, there.total));
   problem.notes.push_back(
       {fmt::format("in the policy's order: {}", fmt::join(there.parts, ", ")), place, ""});
-  problem.help = what == "observations"
+  if (!use.is_agent) {
+    problem.help = takes ? "connect what it was trained with, in the order of `inputs: […]`"
+                         : "give the outputs the shapes that it was trained with";
+    return problem;
+  }
+  problem.help = takes
                      ? "connect the observations that it was trained with, in that order (`agent: "
                        "{policy: …, observations: […]}`), or convert one with a processor"
                      : "connect the actions that it was trained with";
@@ -35,19 +39,28 @@ Diagnostic& report(const char* code, const Graph& graph, std::string_view verb,
 }
 
 /// As many numbers as several observations of one kind have are probably a stack of frames.
-void suggest_stack(const Graph& graph, const Network& network, const Sum& observed,
+void suggest_stack(const PolicyUse& use, const Network& network, const Sum& observed,
                    Diagnostic& problem) {
   constexpr std::uint64_t kMostFrames = 16;
   if (observed.total == 0 || network.inputs() % observed.total != 0 || observed.parts.size() != 1) {
     return;
   }
   const std::uint64_t frames = network.inputs() / observed.total;
-  const auto& input = graph.environment().inputs[graph.agent.observations.front()];
+  const Input& input = *use.inputs.front();
   if (frames < 2 || frames > kMostFrames || input.window != 1) return;
   problem.help += fmt::format(
       "; a stack of the last {} comes from `window: {}` on the connection to "
-      "`observations.{}`",
-      frames, frames, input.name);
+      "`{}{}`",
+      frames, frames, use.in, input.name);
+}
+
+void report_unbounded(const PolicyUse& use, const Output& output, Diagnostics& diagnostics) {
+  diagnostics
+      .error("E0703", output.span,
+             fmt::format("`{}{}` has no bounds to scale or clip the policy's output to", use.out,
+                         output.name))
+      .help = fmt::format("give them: `{}: {{{}: {{space: {{low: …, high: …}}}}}}`",
+                          use.is_agent ? "actions" : "outputs", output.name);
 }
 
 bool bounded(const Space& space) {
@@ -56,47 +69,31 @@ bool bounded(const Space& space) {
 
 }  // namespace
 
-bool check_policy(const Graph& graph, const Network& network, Diagnostics& diagnostics) {
+bool check_policy(const PolicyUse& use, const Network& network, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  const GraphNode& environment = graph.environment();
-  Sum observed, acted;
-  for (const std::size_t i : graph.agent.observations) {
-    const Input& input = environment.inputs[i];
-    if (input.window == 0) {
+  Sum taken, given;
+  for (const Input* input : use.inputs) {
+    if (input->window == 0) {
       diagnostics.error(
-          "E0703", input.span,
-          fmt::format(
-              "the policy cannot take `observations.{}`: with window 0 it has no fixed size",
-              input.name));
+          "E0703", input->span,
+          fmt::format("the policy cannot take `{}{}`: with window 0 it has no fixed size", use.in,
+                      input->name));
       continue;
     }
-    observed.add(input.name, input.window * input.space.size());
+    taken.add(input->name, input->window * input->space.size());
   }
-  for (const auto& action : environment.outputs) {
-    acted.add(action.name, action.space.size());
-    if (!bounded(action.space)) {
-      diagnostics
-          .error("E0703", action.span,
-                 fmt::format("`actions.{}` has no bounds to scale or clip the policy's output to",
-                             action.name))
-          .help =
-          fmt::format("give them: `actions: {{{}: {{space: {{low: …, high: …}}}}}}`", action.name);
-    }
+  for (const Output* output : use.outputs) {
+    given.add(output->name, output->raw.size());
+    if (!bounded(output->raw)) report_unbounded(use, *output, diagnostics);
   }
   if (diagnostics.error_count() != errors_before) return false;
-  const Span seen = graph.agent.observations.empty()
-                        ? graph.span
-                        : environment.inputs[graph.agent.observations.front()].span;
-  if (observed.total != network.inputs()) {
-    suggest_stack(graph, network, observed,
-                  report("E0701", graph, "takes", network.inputs(), observed, "observations", seen,
-                         diagnostics));
+  if (taken.total != network.inputs()) {
+    suggest_stack(use, network, taken,
+                  report("E0701", use, true, network.inputs(), taken, use.place, diagnostics));
   }
-  const bool chooses = graph.agent.output.value_or(to_string(network.action_kind())) == "argmax";
-  if (!chooses && acted.total != network.outputs())
-    report("E0702", graph, "gives", network.outputs(), acted, "actions",
-           environment.outputs.front().span, diagnostics);
-  if (diagnostics.error_count() == errors_before) check_policy_world(graph, network, diagnostics);
+  if (use.kind(network) != ActionKind::argmax && given.total != network.outputs())
+    report("E0702", use, false, network.outputs(), given, use.outputs.front()->span, diagnostics);
+  if (diagnostics.error_count() == errors_before) check_policy_world(use, network, diagnostics);
   return diagnostics.error_count() == errors_before;
 }
 

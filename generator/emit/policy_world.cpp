@@ -10,8 +10,8 @@ namespace {
 
 class WorldCheck {
  public:
-  WorldCheck(const Graph& graph, const Network& network, Diagnostics& diagnostics)
-      : graph_(graph), network_(network), diagnostics_(diagnostics) {}
+  WorldCheck(const PolicyUse& use, const Network& network, Diagnostics& diagnostics)
+      : use_(use), network_(network), diagnostics_(diagnostics) {}
 
   void run() {
     check_output();
@@ -26,38 +26,33 @@ class WorldCheck {
   }
 
  private:
-  ActionKind kind() const {
-    const auto& said = graph_.agent.output;
-    if (!said) return network_.action_kind();
-    if (*said == "argmax") return ActionKind::argmax;
-    return *said == "squashed" ? ActionKind::squashed : ActionKind::raw;
-  }
+  ActionKind kind() const { return use_.kind(network_); }
 
   Diagnostic& error(const char* code, const std::string& message) {
-    return diagnostics_.error(code, graph_.agent.span, message);
+    return diagnostics_.error(code, use_.span, message);
   }
 
   void check_output() {
     if (!network_.action || *network_.action == kind()) return;
     error("E0704", fmt::format("the graph says that the policy's output is {}, but `{}` says {}",
-                               to_string(kind()), graph_.agent.file, to_string(*network_.action)))
+                               to_string(kind()), use_.file, to_string(*network_.action)))
         .help = "leave `output` out";
   }
 
   /// One whole number, with as many values as the network has outputs.
   void check_choice() {
-    const auto actions = actions_in_order(graph_);
+    const auto& actions = use_.outputs;
     const Output& action = *actions.front();
-    const bool whole = actions.size() == 1 && action.space.size() == 1 &&
-                       !is_floating(action.space.dtype) && !action.space.low.empty() &&
-                       !action.space.high.empty();
+    const bool whole = actions.size() == 1 && action.raw.size() == 1 &&
+                       !is_floating(action.raw.dtype) && !action.raw.low.empty() &&
+                       !action.raw.high.empty();
     if (!whole) {
       auto& problem = error(
           "E0704", fmt::format("the policy `{}` chooses one of {} actions by number, but the graph "
                                "has no single whole number as its action",
-                               graph_.agent.file, network_.outputs()));
+                               use_.file, network_.outputs()));
       problem.notes.push_back(
-          {fmt::format("`actions.{}` is {}", action.name, action.space.describe()), action.span,
+          {fmt::format("`{}{}` is {}", use_.out, action.name, action.raw.describe()), action.span,
            ""});
       problem.help = fmt::format(
           "give it `space: {{dtype: int64, shape: [], low: 0, high: {}}}` and turn the number into "
@@ -65,8 +60,8 @@ class WorldCheck {
           network_.outputs() - 1);
       return;
     }
-    const double low = action.space.low.front();
-    const double count = action.space.high.front() - low + 1.0;
+    const double low = action.raw.low.front();
+    const double count = action.raw.high.front() - low + 1.0;
     const bool same_start = !network_.contract.first_choice ||
                             low == static_cast<double>(*network_.contract.first_choice);
     if (count == static_cast<double>(network_.outputs()) && same_start) return;
@@ -74,7 +69,7 @@ class WorldCheck {
         "E0705",
         fmt::format("the policy `{}` chooses from {} to {}, but the graph's action goes from {:g} "
                     "to {:g}",
-                    graph_.agent.file, network_.contract.first_choice.value_or(0),
+                    use_.file, network_.contract.first_choice.value_or(0),
                     network_.contract.first_choice.value_or(0) + network_.outputs() - 1, low,
                     low + count - 1.0))
         .notes.push_back({"the action", action.span, ""});
@@ -95,25 +90,26 @@ class WorldCheck {
   void check_bounds() {
     const PolicyContract& contract = network_.contract;
     std::size_t output = 0;
-    for (const Output* action : actions_in_order(graph_)) {
-      const auto size = static_cast<std::size_t>(action->space.size());
+    for (const Output* action : use_.outputs) {
+      const auto size = static_cast<std::size_t>(action->raw.size());
       for (std::size_t i = 0; i < size; ++i, ++output) {
         const auto low = bound(contract.action_low, output, network_.outputs());
         const auto high = bound(contract.action_high, output, network_.outputs());
-        const auto our_low = bound(action->space.low, i, size);
-        const auto our_high = bound(action->space.high, i, size);
+        const auto our_low = bound(action->raw.low, i, size);
+        const auto our_high = bound(action->raw.high, i, size);
         if (!low || !high || !our_low || !our_high) continue;
         if (same(*low, *our_low) && same(*high, *our_high)) continue;
         auto& problem =
             error("E0705",
                   fmt::format("the policy `{}` was trained with actions from {:g} to {:g}, "
-                              "but `actions.{}` goes from {:g} to {:g}",
-                              graph_.agent.file, *low, *high, action->name, *our_low, *our_high));
-        problem.notes.push_back({"the graph's action", action->span, ""});
+                              "but `{}{}` goes from {:g} to {:g}",
+                              use_.file, *low, *high, use_.out, action->name, *our_low, *our_high));
+        problem.notes.push_back(
+            {use_.is_agent ? "the graph's action" : "the node's output", action->span, ""});
         problem.help = fmt::format(
-            "give the action the bounds of the training: `actions: {{{}: {{space: {{low: {:g}, "
-            "high: {:g}}}}}}}`",
-            action->name, *low, *high);
+            "give it the bounds of the training: `{}: {{{}: {{space: {{low: {:g}, high: "
+            "{:g}}}}}}}`",
+            use_.is_agent ? "actions" : "outputs", action->name, *low, *high);
         return;
       }
     }
@@ -131,12 +127,10 @@ class WorldCheck {
 
   void check_observations() {
     const auto& theirs = network_.contract.observations;
-    if (theirs.empty() || graph_.agent.observations.empty()) return;
+    if (theirs.empty() || use_.inputs.empty()) return;
     std::vector<PolicyContract::Part> ours;
-    for (const std::size_t i : graph_.agent.observations) {
-      const Input& input = graph_.environment().inputs[i];
-      ours.push_back({input.name, input.window * input.space.size()});
-    }
+    for (const Input* input : use_.inputs)
+      ours.push_back({input->name, input->window * input->space.size()});
     // Where each name starts and how long it is. Names that only one side has may be spelt
     // otherwise.
     const auto place =
@@ -157,19 +151,21 @@ class WorldCheck {
       differ = differ || (here && *here != *place(theirs, part.name));
     }
     if (common && !differ) return;
-    const Span where = graph_.environment().inputs[graph_.agent.observations.front()].span;
-    const std::string both = fmt::format("`{}` takes {}; the graph gives {}", graph_.agent.file,
-                                         listed(theirs), listed(ours));
+    const Span where = use_.place;
+    const std::string both =
+        fmt::format("`{}` takes {}; the graph gives {}", use_.file, listed(theirs), listed(ours));
     if (!common) {
       auto& warning = diagnostics_.warning(
-          "E0706", graph_.agent.span, "the names of the policy's observations are not the graph's");
+          "E0706", use_.span, "the names of the policy's observations are not the graph's");
       warning.notes.push_back({both, where, ""});
       warning.help = "their order was not checked: give the observations the names of the training";
       return;
     }
     auto& problem = error("E0706", "the policy's observations are not in the graph's order");
     problem.notes.push_back({both, where, ""});
-    problem.help = "say the order of the training: `agent: {policy: …, observations: […]}`";
+    problem.help = use_.is_agent
+                       ? "say the order of the training: `agent: {policy: …, observations: […]}`"
+                       : "write the node's inputs in the order of the training";
   }
 
   template <class Size>
@@ -184,8 +180,8 @@ class WorldCheck {
   /// An image or a stack of frames, for policies that know of places: frames come first, or are
   /// joined with the channels. Flat observations have no shape to compare.
   void check_shape() {
-    if (network_.input_shape.size() < 2 || graph_.agent.observations.size() != 1) return;
-    const Input& input = graph_.environment().inputs[graph_.agent.observations.front()];
+    if (network_.input_shape.size() < 2 || use_.inputs.size() != 1) return;
+    const Input& input = *use_.inputs.front();
     std::vector<std::uint64_t> stacked = input.space.shape;
     std::vector<std::uint64_t> joined = stacked;
     stacked.insert(stacked.begin(), input.window);
@@ -196,8 +192,8 @@ class WorldCheck {
     if (ours.size() < 2 || ours == wanted || without_ones(joined) == wanted) return;
     auto& problem =
         error("E0708", fmt::format("the policy `{}` takes an observation of shape [{}], but "
-                                   "`observations.{}` has [{}]",
-                                   graph_.agent.file, fmt::join(network_.input_shape, ", "),
+                                   "`{}{}` has [{}]",
+                                   use_.file, fmt::join(network_.input_shape, ", "), use_.in,
                                    input.name, fmt::join(ours, ", ")));
     problem.notes.push_back({"the observation, its window first", input.span, ""});
     problem.help = "images are channels first, then rows, then columns";
@@ -205,31 +201,22 @@ class WorldCheck {
 
   void check_rate() {
     const auto& rate = network_.contract.rate_hz;
-    const double ours = graph_.environment().rate_hz.to_double();
+    const double ours = use_.rate_hz.to_double();
     if (!rate || same(*rate, ours)) return;
-    error("E0707",
-          fmt::format("the policy `{}` was trained at {:g} Hz, but the graph runs at {:g} Hz",
-                      graph_.agent.file, *rate, ours))
+    error("E0707", fmt::format("the policy `{}` was trained at {:g} Hz, but the {} runs at {:g} Hz",
+                               use_.file, *rate, use_.is_agent ? "graph" : "node", ours))
         .help = fmt::format("set `rate: {:g}`, and let nodes run faster behind it", *rate);
   }
 
-  const Graph& graph_;
+  const PolicyUse& use_;
   const Network& network_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-std::vector<const Output*> actions_in_order(const Graph& graph) {
-  std::vector<const Output*> actions;
-  for (const auto& action : graph.environment().outputs) actions.push_back(&action);
-  std::sort(actions.begin(), actions.end(),
-            [](const Output* a, const Output* b) { return a->name < b->name; });
-  return actions;
-}
-
-void check_policy_world(const Graph& graph, const Network& network, Diagnostics& diagnostics) {
-  WorldCheck(graph, network, diagnostics).run();
+void check_policy_world(const PolicyUse& use, const Network& network, Diagnostics& diagnostics) {
+  WorldCheck(use, network, diagnostics).run();
 }
 
 }  // namespace eagerx::gen

@@ -1,17 +1,13 @@
 // The world that a policy was trained in, as far as its file tells of it, against the graph.
 #pragma once
 
-#include "generator/policy/network.hpp"
-#include "generator/resolve/graph.hpp"
+#include "generator/emit/policy_use.hpp"
 
 namespace eagerx::gen {
 
 /// E0704: what becomes of the outputs; E0705: bounds of actions; E0706: names and sizes of
-/// observations; E0707: rate; E0708: shape of an image. Each shows both sides. A warning where
-/// names cannot be compared.
-void check_policy_world(const Graph& graph, const Network& network, Diagnostics& diagnostics);
-
-/// Outputs of the environment in the order of the policy's: by name.
-std::vector<const Output*> actions_in_order(const Graph& graph);
+/// observations; E0707: rate; E0708: shape of an image. Each shows both sides. A
+/// warning where names cannot be compared.
+void check_policy_world(const PolicyUse& use, const Network& network, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

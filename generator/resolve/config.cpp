@@ -311,6 +311,7 @@ std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics) {
 
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics) {
+  if (id.value.empty()) return nullptr;  // told of when the graph was read
   const Entity* entity = library.find(id.value);
   if (entity != nullptr && entity->kind == kind) return entity;
   if (entity != nullptr) {

@@ -43,7 +43,7 @@ bool are_kept(const Node& node, std::optional<Dtype> dtype, const char* code,
 std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics);
 
 /// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304
-/// (other kind).
+/// (other kind); nothing is said of an empty id.
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics);
 

@@ -118,10 +118,43 @@ FormatPtr object_format() {
        states_field()});
 }
 
+std::vector<Field> policy_settings() {
+  return {{"output", format::keyword({"squashed", "raw", "argmax"}), false,
+           "squashed: the policy answers in -1…1, mapped to the action's bounds (SB3's SAC and "
+           "TD3); "
+           "raw: clipped to them (PPO, A2C); argmax: the action is the index of the largest "
+           "output (DQN). Default: as the file says, else squashed if the last layer is a tanh"},
+          {"normalize", format::text("a file name"), false,
+           "statistics of the observations: VecNormalize.save, npz or JSON"},
+          {"activation",
+           format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
+                            "gelu_tanh", "softplus", "sigmoid"}),
+           false, "what follows the hidden layers, for files that do not say it"},
+          {"golden", format::text("a file name"), false,
+           "observations with known answers (CSV or npz); checked here and by every program"},
+          {"weights", format::keyword({"float32", "int8"}), false,
+           "int8: eight bits a weight, a quarter of the flash (default: float32)"},
+          {"max_error", format::decimal("a number above 0", 0.0, true), false,
+           "int8: an output that differs by more from float32, on the golden rows, is an error"},
+          {"profile", format::keyword({"exact", "fast"}), false,
+           "fast: other bits on every machine, for the sake of speed on Linux (default: exact)"}};
+}
+
+FormatPtr node_policy_format() {
+  const Field file = {"file", format::text("a file name"), true, "the weight file"};
+  return format::one_of(
+      "a weight file, or a mapping with its `file`",
+      {format::record("a policy", with({file}, policy_settings())), format::text("a file name")});
+}
+
 FormatPtr node_format() {
   return format::record(
       "a node",
-      {type_field("the id of a node"),
+      {{"type", format::name("the id of a node"), false,
+        "the id of an entity as `eagerx-gen info` lists them"},
+       {"policy", node_policy_format(), false,
+        "in place of a type: a weight file that turns the inputs, in their order, into the "
+        "outputs"},
        rate_field(true, "its rate in Hz"),
        config_field(),
        {"inputs",
@@ -137,34 +170,17 @@ FormatPtr agent_format() {
       "`zero`, `random`, `{policy: FILE}` or `{csv: FILE}`",
       {format::record(
            "an agent",
-           {{"policy", format::text("a file name"), false,
-             "weight file of a trained policy: Stable-Baselines3's zip, ONNX, safetensors, npz, "
-             "torch.save"},
-            {"csv", format::text("a file name"), false, "file of actions, one row a step"},
-            {"observations", format::list("a list of observations", format::name("a name"), 1),
-             false,
-             "order in which the policy takes the observations (default: by name, as Gymnasium's "
-             "Dict)"},
-            {"output", format::keyword({"squashed", "raw", "argmax"}), false,
-             "squashed: the policy answers in -1…1, mapped to the action's bounds (SB3's SAC and "
-             "TD3); "
-             "raw: clipped to them (PPO, A2C); argmax: the action is the index of the largest "
-             "output (DQN). Default: as the file says, else squashed if the last layer is a tanh"},
-            {"normalize", format::text("a file name"), false,
-             "statistics of the observations: VecNormalize.save, npz or JSON"},
-            {"activation",
-             format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
-                              "gelu_tanh", "softplus", "sigmoid"}),
-             false, "what follows the hidden layers, for files that do not say it"},
-            {"golden", format::text("a file name"), false,
-             "observations with known answers (CSV or npz); checked here and by every program"},
-            {"weights", format::keyword({"float32", "int8"}), false,
-             "int8: eight bits a weight, a quarter of the flash (default: float32)"},
-            {"max_error", format::decimal("a number above 0", 0.0, true), false,
-             "int8: an output that differs by more from float32, on the golden rows, is an error"},
-            {"profile", format::keyword({"exact", "fast"}), false,
-             "fast: other bits on every machine, for the sake of speed on Linux (default: "
-             "exact)"}}),
+           with({{"policy", format::text("a file name"), false,
+                  "weight file of a trained policy: Stable-Baselines3's zip, ONNX, safetensors, "
+                  "npz, "
+                  "torch.save"},
+                 {"csv", format::text("a file name"), false, "file of actions, one row a step"},
+                 {"observations", format::list("a list of observations", format::name("a name"), 1),
+                  false,
+                  "order in which the policy takes the observations (default: by name, as "
+                  "Gymnasium's "
+                  "Dict)"}},
+                policy_settings())),
        format::keyword({"zero", "random"})});
 }
 

@@ -125,6 +125,18 @@ std::optional<RandomSpec> read_random(const Node& node, Diagnostics& diagnostics
   return spec;
 }
 
+void read_policy_settings(const Node& node, AgentSpec& spec) {
+  const auto text = [](const Node& n) { return n.text; };
+  spec.output = optional_of<std::string>(node, "output", text);
+  spec.normalize = optional_of<std::string>(node, "normalize", text);
+  spec.activation = optional_of<std::string>(node, "activation", text);
+  spec.golden = optional_of<std::string>(node, "golden", text);
+  spec.weights = optional_of<std::string>(node, "weights", text);
+  spec.profile = optional_of<std::string>(node, "profile", text);
+  spec.max_error = optional_of<double>(node, "max_error",
+                                       [](const Node& n) { return rational_of(n).to_double(); });
+}
+
 AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   AgentSpec spec;
   if (node == nullptr) return spec;
@@ -150,16 +162,32 @@ AgentSpec read_agent(const Node* node, Diagnostics& diagnostics) {
   if (const Node* order = node->find("observations")) {
     for (const auto& item : order->items) spec.observations.push_back(text_of(item));
   }
-  const auto text = [](const Node& n) { return n.text; };
-  spec.output = optional_of<std::string>(*node, "output", text);
-  spec.normalize = optional_of<std::string>(*node, "normalize", text);
-  spec.activation = optional_of<std::string>(*node, "activation", text);
-  spec.golden = optional_of<std::string>(*node, "golden", text);
-  spec.weights = optional_of<std::string>(*node, "weights", text);
-  spec.profile = optional_of<std::string>(*node, "profile", text);
-  spec.max_error = optional_of<double>(*node, "max_error",
-                                       [](const Node& n) { return rational_of(n).to_double(); });
+  read_policy_settings(*node, spec);
   return spec;
+}
+
+/// A node's own policy: `policy: FILE` or `policy: {file: FILE, …}`.
+AgentSpec read_node_policy(const Node& node) {
+  AgentSpec spec;
+  spec.kind = AgentSpec::Kind::policy;
+  spec.span = node.span;
+  spec.file = text_of(node.is_scalar() ? node : *node.find("file"));
+  if (!node.is_scalar()) read_policy_settings(node, spec);
+  return spec;
+}
+
+/// Of a node of the graph: what it runs. A mistake leaves a type that nothing more is said of.
+void read_what_runs(const Node& node, EntitySpec& spec, Diagnostics& diagnostics) {
+  const Node* type = node.find("type");
+  const Node* policy = node.find("policy");
+  if (policy != nullptr) {
+    spec.policy = read_node_policy(*policy);
+    spec.type = {"policy of " + spec.name.value, spec.policy->file.span};  // no manifest's id
+  }
+  if ((type == nullptr) == (policy == nullptr)) {
+    diagnostics.error("E0206", spec.name.span,
+                      fmt::format("`{}` needs either a `type` or a `policy`", spec.name.value));
+  }
 }
 
 std::optional<SafetySpec> read_safety(const Node* node) {
@@ -218,7 +246,7 @@ EntitySpec read_entity(const std::string& name, Span span, const Node& node,
                        Diagnostics& diagnostics) {
   EntitySpec spec;
   spec.name = {name, span};
-  spec.type = text_of(*node.find("type"));
+  if (const Node* type = node.find("type")) spec.type = text_of(*type);
   if (const Node* rate = node.find("rate")) spec.rate = Spanned<Node>{*rate, rate->span};
   spec.config = read_config(node.find("config"));
   if (const Node* states = node.find("states")) {
@@ -260,6 +288,7 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
     if (map == nullptr) return;
     for (const auto& entry : map->entries) {
       into.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
+      if (&into == &spec.nodes) read_what_runs(entry.value, into.back(), diagnostics);
     }
   };
   read_all("objects", spec.objects);

@@ -69,29 +69,7 @@ struct StateSpec {
   std::optional<SpaceSpec> space = {};  // in place of the manifest's bounds
 };
 
-/// An engine, object or node of the graph, or an engine node of a manifest.
-struct EntitySpec {
-  Spanned<std::string> name;
-  Spanned<std::string> type;
-  std::optional<Spanned<Node>> rate;  // a decimal, in manifests also `$(…)`
-  std::vector<Setting> config;
-  std::vector<StateSpec> states;
-  std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs,
-      outputs;  // absent: as connected
-};
-
-struct ConnectionSpec {
-  Span span;
-  Spanned<std::string> from;
-  Spanned<std::string> to;
-  std::optional<Spanned<std::uint32_t>> window;
-  std::optional<Spanned<Rational>> delay_s;
-  std::optional<Spanned<Rational>> max_delay_s;
-  std::optional<RandomSpec> random_delay;
-  std::optional<Spanned<bool>> skip;
-  std::optional<ProcessorSpec> processor;
-};
-
+/// What decides: the agent of a graph, or a node that runs a policy.
 struct AgentSpec {
   enum class Kind : std::uint8_t { zero, random, csv, policy };
   Kind kind = Kind::zero;
@@ -105,6 +83,31 @@ struct AgentSpec {
   std::optional<Spanned<std::string>> weights;     // float32 | int8
   std::optional<Spanned<double>> max_error;        // of an output, against float32
   std::optional<Spanned<std::string>> profile;     // exact | fast
+};
+
+/// An engine, object or node of the graph, or an engine node of a manifest.
+struct EntitySpec {
+  Spanned<std::string> name;
+  Spanned<std::string> type;
+  std::optional<Spanned<Node>> rate;  // a decimal, in manifests also `$(…)`
+  std::vector<Setting> config;
+  std::vector<StateSpec> states;
+  std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs,
+      outputs;  // absent: as connected
+  // A node that runs a weight file; its type is then one that no manifest can have.
+  std::optional<AgentSpec> policy = {};
+};
+
+struct ConnectionSpec {
+  Span span;
+  Spanned<std::string> from;
+  Spanned<std::string> to;
+  std::optional<Spanned<std::uint32_t>> window;
+  std::optional<Spanned<Rational>> delay_s;
+  std::optional<Spanned<Rational>> max_delay_s;
+  std::optional<RandomSpec> random_delay;
+  std::optional<Spanned<bool>> skip;
+  std::optional<ProcessorSpec> processor;
 };
 
 /// What is safe and when it is applied; what is left out has the default of `safety_defaults`.

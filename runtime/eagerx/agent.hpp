@@ -20,6 +20,21 @@ void flatten(const Observed& window, float (&input)[N], std::size_t& position) {
   }
 }
 
+/// The same of a node's input, always as many messages as its window can hold: missing ones at the
+/// front are copies of the oldest, or zero as long as none has come.
+template <class Input, std::size_t N>
+void flatten_padded(const Input& window, float (&input)[N], std::size_t& position) {
+  using Message = typename Input::value_type;
+  const std::uint32_t missing = Input::kMaxSize - window.size();
+  for (std::uint32_t w = 0; w < Input::kMaxSize; ++w) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      input[position++] =
+          window.empty() ? 0.0F
+                         : static_cast<float>(element(window[w < missing ? 0 : w - missing], i));
+    }
+  }
+}
+
 /// Reads the next elements of an action from `output`.
 template <class Message, std::size_t N>
 Message unflatten(const float (&output)[N], std::size_t& position) {

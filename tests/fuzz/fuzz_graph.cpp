@@ -43,7 +43,7 @@ void emit_all(const Plan& plan, Diagnostics& diagnostics) {
   options.version = "0.1.0";
   options.builtin_root = kRoot;
   options.output = "/out";
-  const auto files = emit(plan, std::nullopt, options, diagnostics);
+  const auto files = emit(plan, std::nullopt, {}, options, diagnostics);
   require(files.has_value() && !diagnostics.has_errors());
   std::set<std::string> paths;
   for (const auto& file : *files) {

@@ -129,7 +129,7 @@ struct Graph {
     return {kActionVoltage.sample(random), kActionPush.sample(random)};
   }
 
-  /// True if this machine computes what the generator computed: the policy's answers, to the bit.
+  /// True if this machine computes what the generator computed: the answers of policies, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
   static bool self_test() { return true; }
 

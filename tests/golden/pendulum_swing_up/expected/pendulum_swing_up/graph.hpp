@@ -112,7 +112,7 @@ struct Graph {
     return action;
   }
 
-  /// True if this machine computes what the generator computed: the policy's answers, to the bit.
+  /// True if this machine computes what the generator computed: the answers of policies, to the bit.
   static constexpr std::size_t kSelfTestRows = 8;
   static bool self_test() { return policy::self_test(); }
 
