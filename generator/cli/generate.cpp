@@ -125,7 +125,7 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
     of_part.graph_hash = hash;
     of_part.output = options.output + "/" + folder;
     if (part == Part::board) of_part.targets = {run.graph->placement->board};
-    auto made = emit(*run.plan, run.network, of_part, run.diagnostics);
+    auto made = emit(*run.plan, run.network, node_policies(run), of_part, run.diagnostics);
     for (auto& file : made.value_or(std::vector<GeneratedFile>()))
       files.push_back({folder + "/" + file.path, std::move(file.text)});
     return made.has_value();
