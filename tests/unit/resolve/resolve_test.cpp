@@ -82,8 +82,8 @@ TEST(Resolve, TakesRatesFromSensorsAndActuators) {
 
 TEST(Resolve, AnotherEngineOfTheCommandLineHasItsDefaultsTheSameOneItsConfig) {
   EXPECT_EQ(integer(resolved(kPendulum)->graph->engine(), "substeps"), 7);
-  EXPECT_EQ(integer(resolved(kPendulum, {"OdeEngine", ""})->graph->engine(), "substeps"), 7);
-  EXPECT_TRUE(resolved(kPendulum, {"", "double"})->graph->double_precision);
+  EXPECT_EQ(integer(resolved(kPendulum, {"OdeEngine", "", {}})->graph->engine(), "substeps"), 7);
+  EXPECT_TRUE(resolved(kPendulum, {"", "double", {}})->graph->double_precision);
   EXPECT_FALSE(resolved(kPendulum)->graph->double_precision);
 }
 
