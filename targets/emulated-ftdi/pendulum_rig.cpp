@@ -42,7 +42,7 @@ void Pendulum::advance(std::int64_t now_ns) {
   while (!commands_.empty() && commands_.front().at_ns <= now_ns) {
     integrate(commands_.front().at_ns);
     volts_ = commands_.front().volts;
-    commands_.pop_front();
+    commands_.erase(commands_.begin());
   }
   integrate(now_ns);
 }

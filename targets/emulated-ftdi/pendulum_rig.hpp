@@ -3,9 +3,9 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
 #include <string>
 #include <targets/emulated-ftdi/devices.hpp>
+#include <vector>
 
 namespace eagerx::emulated {
 
@@ -13,6 +13,9 @@ namespace eagerx::emulated {
 /// 0.5 ms up to the instant at which a device looks at it.
 class Pendulum {
  public:
+  static constexpr std::size_t kMostCommands = 4096;  // on their way to the motor, without memory
+
+  Pendulum() { commands_.reserve(kMostCommands); }
   /// Another one than the nominal: "m:1.1,R:0.9" are factors of its parameters. False if there is
   /// no such parameter or the factor is not positive.
   bool scale(const std::string& factors);
@@ -37,7 +40,9 @@ class Pendulum {
 
   std::array<double, 8> factors_{1, 1, 1, 1, 1, 1, 1, 1};
   std::int64_t delay_ns_ = 0;
-  std::deque<Command> commands_;     // that the motor has not followed yet
+  /// That the motor has not followed yet. Its room is there from the start, so that a program under
+  /// a guard against allocations does not stumble over the emulator's.
+  std::vector<Command> commands_;
   double theta_ = 3.14159265358979;  // hangs down
   double omega_ = 0.0;
   double volts_ = 0.0;

@@ -17,6 +17,7 @@
 #include <models/links/immediate_link.hpp>
 #include <models/links/linux/uart.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace eagerx::links::testing {
@@ -303,20 +304,32 @@ TEST(LinuxUart, AServoOnAPseudoTerminal) {
   ASSERT_EQ(unlockpt(host), 0);
   LinuxUart line;
   EXPECT_FALSE(line.open("/dev/null", 115'200, 50));
-  ASSERT_TRUE(line.open(ptsname(host), 1'000'000, 50));
+  ASSERT_TRUE(line.open(ptsname(host), 1'000'000, 1000));
   constexpr char kAnswer[] = "\xff\xff\xfd\x00\x01\x08\x00\x55\x00\xa6\x00\x00\x00\x8c\xc0";
-  ASSERT_EQ(write(host, kAnswer, 15), 15);
-  std::int32_t counts = 0;
   const drivers::DynamixelX servo(1);
+  const auto request = servo.read(drivers::DynamixelX::kPresentPosition, 4);
+  // What a servo does: it hears the whole request, then answers with `bytes` bytes.
+  const auto answers = [&](std::size_t bytes) {
+    return std::thread([&, bytes] {
+      std::string heard;
+      char byte = 0;
+      while (heard.size() < request.size() && read(host, &byte, 1) == 1) heard.push_back(byte);
+      EXPECT_EQ(std::memcmp(heard.data(), request.data(), request.size()), 0);
+      EXPECT_EQ(write(host, kAnswer, bytes), static_cast<ssize_t>(bytes));
+    });
+  };
+  std::int32_t counts = 0;
+  ASSERT_EQ(write(host, kAnswer, 5), 5);  // the end of an answer that was too late
+  std::thread whole = answers(15);
   EXPECT_EQ(servo.position(line, counts), BusError::none);
   EXPECT_EQ(counts, 166);
-  const auto request = servo.read(drivers::DynamixelX::kPresentPosition, 4);
-  char heard[64];
-  EXPECT_EQ(read(host, heard, sizeof heard), static_cast<ssize_t>(request.size()));
-  EXPECT_EQ(std::memcmp(heard, request.data(), request.size()), 0);
+  whole.join();
+  std::thread none = answers(0);
   EXPECT_EQ(servo.position(line, counts), BusError::timeout);
-  ASSERT_EQ(write(host, kAnswer, 5), 5);
+  none.join();
+  std::thread part = answers(5);
   EXPECT_EQ(servo.position(line, counts), BusError::short_reply);
+  part.join();
   close(host);
   EXPECT_EQ(servo.position(line, counts), BusError::link_lost);
   EXPECT_FALSE(line.is_open());

@@ -62,7 +62,7 @@ using Names = std::vector<std::string>;
 TEST(Split, TheControllerGetsItsInputsAndTheHostEverythingOfTheBoard) {
   const auto result = planned("controller");
   const Split& split = *result->plan->split;
-  EXPECT_EQ(names(*result->plan, split.to_board), (Names{"arm/theta"}));
+  EXPECT_EQ(names(*result->plan, split.to_board), (Names{"arm/theta/observation"}));
   EXPECT_EQ(names(*result->plan, split.to_host), (Names{"environment/voltage", "smooth/filtered"}));
   EXPECT_EQ(split.exchanges, 1.0);
   EXPECT_EQ(split.board_bytes, 2.0 + 2 * 4.0);  // the command, theta twice a step

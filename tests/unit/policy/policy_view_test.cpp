@@ -33,6 +33,8 @@ std::string render(const Network& network) {
   kainjow::mustache::data view = policy_view(network);
   view.set("name", "pendulum");
   view.set("namespace", "pendulum");
+  view.set("node", false);
+  view.set("policy", "policy");
   Diagnostics diagnostics;
   const auto text =
       render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache", view, diagnostics);

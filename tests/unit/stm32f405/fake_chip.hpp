@@ -39,7 +39,9 @@ class FakeChip {
   /// A device on SPI1 with its select line at pin `number` of port A.
   void wire(unsigned number, emulated::SpiSlave& slave) { slaves_[number] = &slave; }
   void wire(emulated::I2cSlave& slave) { i2c_slave_ = &slave; }
-  std::string serial_in, serial_out;              // of USART1
+  std::string serial_in, serial_out;  // of USART1
+  std::string serial_answer;          // comes in after this many bytes
+  std::size_t serial_question = 0;
   std::uint32_t serial_errors = 0;                // flags of the next character that comes in
   std::map<std::uint32_t, std::uint32_t> analog;  // counts of ADC channels
   std::size_t i2c_bytes_read = 0;
@@ -84,6 +86,7 @@ class FakeChip {
     if (a == kSpi1 + 0x0c) return spi(value);
     if (a == kUsart1 + 4) {
       serial_out.push_back(static_cast<char>(value));
+      if (serial_out.size() == serial_question) serial_in += serial_answer;
       return;
     }
     if (a == kI2c1 + 0x10) return i2c_send(value);

@@ -91,7 +91,10 @@ TEST_F(Stm32, AServoAnswersOverTheSerialLine) {
   static_assert(UartBus<decltype(line)>);
   const drivers::DynamixelX servo(1);
   // The status packet of the e-Manual's example for reading: position 166.
-  chip.serial_in = std::string("\xff\xff\xfd\x00\x01\x08\x00\x55\x00\xa6\x00\x00\x00\x8c\xc0", 15);
+  chip.serial_answer =
+      std::string("\xff\xff\xfd\x00\x01\x08\x00\x55\x00\xa6\x00\x00\x00\x8c\xc0", 15);
+  chip.serial_question = servo.read(drivers::DynamixelX::kPresentPosition, 4).size();
+  chip.serial_in = "an answer that was too late";
   std::int32_t counts = 0;
   EXPECT_EQ(servo.position(line, counts), BusError::none);
   EXPECT_EQ(counts, 166);
