@@ -299,7 +299,7 @@ TEST_F(LinuxNumbers, Encoders) {
 
 TEST(LinuxUart, AServoOnAPseudoTerminal) {
   const int host = posix_openpt(O_RDWR | O_NOCTTY);
-  ASSERT_GE(host, 0);
+  if (host < 0) GTEST_SKIP() << "this system has no pseudo-terminals";
   ASSERT_EQ(grantpt(host), 0);
   ASSERT_EQ(unlockpt(host), 0);
   LinuxUart line;
