@@ -95,7 +95,7 @@ def listen(address):
 
 def connect(address):
     path = address.split(":", 1)[1]
-    for _ in range(200):
+    for _ in range(1000):
         try:
             connection = socket.socket(socket.AF_UNIX)
             connection.connect(path)
