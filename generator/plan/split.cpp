@@ -14,7 +14,7 @@ constexpr std::size_t kReset = 18;
 /// Follows the messages over the link through a hyperperiod, as the two programs do.
 class Line {
  public:
-  Line(const Plan& plan, const Split& split) : plan_(plan), split_(split) {
+  Line(const Plan& plan, const Split& split) : plan_(plan) {
     const Graph& graph = *plan.graph;
     bytes_.resize(graph.nodes.size());
     for (std::size_t c = 0; c < plan.channels.size(); ++c) {
@@ -76,7 +76,6 @@ class Line {
   }
 
   const Plan& plan_;
-  const Split& split_;
   std::vector<std::size_t> bytes_;  // of what a node sends over the link at a tick
   std::size_t done_ = 0;
   std::size_t run_board_ = 0, run_host_ = 0, most_board_ = 0, most_host_ = 0;
