@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <iterator>
 #include <type_traits>
 #include <utility>
 
@@ -25,7 +26,7 @@ class Countdown {
   constexpr Mask next() { return next(std::make_integer_sequence<std::uint32_t, kRates>{}); }
 
  private:
-  static constexpr std::uint32_t kRates = sizeof(Periods::kQuanta) / sizeof(Periods::kQuanta[0]);
+  static constexpr std::uint32_t kRates = std::size(Periods::kQuanta);
 
   /// The slowest rate whose ticks rate `i` can count; itself if there is none.
   static constexpr std::uint32_t counts_ticks_of(std::uint32_t i) {

@@ -82,6 +82,7 @@ using BitLanes = Registers<std::uint32_t, Width, Count>;
 template <std::size_t Width, std::size_t Count>
 using MaskLanes = Registers<std::int32_t, Width, Count>;
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a template and an operator stand in no parentheses
 #define EAGERX_POLICY_BINARY(R, op)                                                       \
   template <std::size_t W, std::size_t C>                                                 \
   [[gnu::always_inline]] inline R<W, C> operator op(const R<W, C>& a, const R<W, C>& b) { \
@@ -96,6 +97,7 @@ EAGERX_POLICY_BINARY(BitLanes, -)
 EAGERX_POLICY_BINARY(BitLanes, &)
 EAGERX_POLICY_BINARY(BitLanes, |)
 #undef EAGERX_POLICY_BINARY
+// NOLINTEND(bugprone-macro-parentheses)
 
 #define EAGERX_POLICY_COMPARISON(op)                                                     \
   template <std::size_t W, std::size_t C>                                                \

@@ -162,7 +162,7 @@ constexpr std::size_t int8_place(std::size_t i) {
   Sums high = {};
   for (std::size_t i = 0; i < words; ++i, w += 16) {
     Bytes bytes[2];
-    std::int64_t four;
+    std::int64_t four = 0;
     std::memcpy(bytes, w, sizeof bytes);
     std::memcpy(&four, q + 4 * i, sizeof four);
     const auto inputs = std::bit_cast<Words>(Inputs{four, four});
