@@ -126,31 +126,38 @@ void Chip::set_low_pins(std::uint8_t values, std::uint8_t outputs) {
   const std::uint8_t before = low_values_;
   low_values_ = static_cast<std::uint8_t>(values | ~outputs);  // inputs are pulled up
   low_outputs_ = outputs;
+  const bool edge = ((before ^ low_values_) & kClock) != 0;
   for (std::size_t i = 0; i < kSelects; ++i) {
     const unsigned bit = 8U << i;
-    if (spi_[i] == nullptr || ((before ^ low_values_) & bit) == 0) continue;
-    (low_values_ & bit) == 0 ? spi_[i]->select(at_ns_) : spi_[i]->release(at_ns_);
+    if (spi_[i] == nullptr) continue;
+    const bool was_chosen = (before & bit) == 0;
+    const bool is_chosen = (low_values_ & bit) == 0;
+    if (was_chosen && is_chosen && edge) ++edges_by_hand_;
+    if (was_chosen == is_chosen) continue;
+    // A clock that moves together with the select line is an edge, or none: nobody knows.
+    if (edge) ++wrong_modes_;
+    edges_by_hand_ = 0;
+    rests_high_ = (low_values_ & kClock) != 0;
+    is_chosen ? spi_[i]->select(at_ns_) : spi_[i]->release(at_ns_);
   }
   i2c_lines((low_values_ & kClock) != 0, (low_values_ & kData) != 0);
 }
 
-// Whether the clock of these transfers is the device's: the level at rest, and whether data is
-// valid at the edge at which the device looks.
+// Whether the edges of these transfers are those of the device's mode. The chip puts a bit out,
+// then moves its clock twice, so at a level at which the command's first edge would be none it
+// loses half a clock (AN_108: "use if CLK starts at"). With CPHA = 1 a device puts out its first
+// bit at an edge before that, which somebody has to make.
 bool Chip::understands(const SpiSlave& slave, std::uint8_t opcode) const {
-  const bool high_at_rest = (low_values_ & kClock) != 0;
+  const bool starts_high = (low_values_ & kClock) != 0;
   const bool out_falling = (opcode & 1U) != 0;
   const bool in_falling = (opcode & 4U) != 0;
   const bool reads = (opcode & 0x20U) != 0;
-  switch (slave.mode()) {
-    case 0:
-      return !high_at_rest && out_falling && !(reads && in_falling);
-    case 1:
-      return !high_at_rest && three_phases_ && (!reads || in_falling);
-    case 2:
-      return high_at_rest && !out_falling && (!reads || in_falling);
-    default:
-      return false;
-  }
+  const bool second_edge = (slave.mode() & 1U) != 0;
+  const bool clock_fits = rests_high_ == ((slave.mode() & 2U) != 0) &&
+                          edges_by_hand_ == (second_edge ? 1U : 0U) &&
+                          starts_high == (rests_high_ != second_edge);
+  return clock_fits && !three_phases_ && out_falling != starts_high &&
+         (!reads || in_falling == starts_high);
 }
 
 std::uint8_t Chip::exchange(std::uint8_t out, std::uint8_t opcode) {

@@ -95,6 +95,8 @@ class Chip {
   std::uint8_t high_inputs_ = 0;
   std::uint32_t divisor_ = 0;
   bool three_phases_ = false;
+  bool rests_high_ = false;          // the clock, when a select line moved last
+  std::uint32_t edges_by_hand_ = 0;  // of the clock since then, by setting pins
   bool divides_by_five_ = true;
   DataLine line_ = DataLine::works;
   std::uint64_t wrong_modes_ = 0;

@@ -1,6 +1,7 @@
 // models/links/ftdi over the real libftdi and the emulated chip: every bus, every fault.
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <models/drivers/as5048/as5048.hpp>
 #include <models/drivers/dynamixel/dynamixel.hpp>
 #include <models/drivers/mcp4921/mcp4921.hpp>
@@ -9,6 +10,8 @@
 #include <models/links/ftdi/linux/ftdi_link.hpp>
 #include <models/links/ftdi/linux/ftdi_uart.hpp>
 #include <targets/emulated-ftdi/emulator.hpp>
+#include <utility>
+#include <vector>
 
 namespace eagerx::links {
 namespace {
@@ -149,7 +152,7 @@ TEST_F(FtdiLinkTest, WrongModesAndSelectsAreRefusedBeforeAnythingIsSent) {
   const std::uint8_t byte = 0;
   link.spi({5, 0, 1}, &byte, nullptr, 1);
   EXPECT_EQ(link.run(), BusError::unsupported);
-  link.spi({0, 3, 1}, &byte, nullptr, 1);
+  link.spi({0, 4, 1}, &byte, nullptr, 1);
   EXPECT_EQ(link.run(), BusError::unsupported);
   std::uint8_t answer[2000]{};
   link.spi({0, 0, 1}, answer, answer, sizeof answer);
@@ -158,15 +161,80 @@ TEST_F(FtdiLinkTest, WrongModesAndSelectsAreRefusedBeforeAnythingIsSent) {
   EXPECT_EQ(sample(), BusError::none);
 }
 
+/// A device of any mode, which answers what it was told with the word before.
+class Echo final : public emulated::SpiSlave {
+ public:
+  unsigned mode() const override { return mode_; }
+  void select(std::int64_t /*now_ns*/) override {}
+  void release(std::int64_t /*now_ns*/) override {}
+  std::uint8_t exchange(std::uint8_t byte) override { return std::exchange(last_, byte); }
+  void power_lost() override {}
+  void use(unsigned mode) {
+    mode_ = mode;
+    last_ = 0x5a;
+  }
+
+ private:
+  unsigned mode_ = 0;
+  std::uint8_t last_ = 0;
+};
+
+TEST_F(FtdiLinkTest, EverySpiModeIsUnderstoodByItsDevicesOnly) {
+  static Echo echo;  // wired until the program ends
+  constexpr std::uint8_t kSelect = 4;
+  emulator().chip().wire(kSelect, echo);
+  const std::uint8_t out[] = {0x12, 0x34};
+  for (unsigned device = 0; device < 4; ++device) {
+    for (std::uint8_t mode = 0; mode < 4; ++mode) {
+      echo.use(device);
+      const auto wrong = emulator().chip().wrong_modes();
+      std::uint8_t in[2]{};
+      link.spi({kSelect, mode, 1'000'000}, out, in, 2);
+      ASSERT_EQ(link.run(), BusError::none);
+      EXPECT_EQ(in[0] == 0x5a && in[1] == 0x12, mode == device) << "mode " << int{mode};
+      EXPECT_EQ(emulator().chip().wrong_modes() - wrong, mode == device ? 0U : 2U);
+    }
+  }
+}
+
+// Commands for mode 1 that a device must not understand: no edge before the first bit, the wrong
+// edges, three-phase clocking, the clock moved together with the select line.
+TEST(FtdiChip, WrongEdgesAreNoticed) {
+  static Echo echo;
+  auto chip = std::make_unique<emulated::Chip>();
+  chip->wire(0, echo);
+  const auto wrong = [&](std::vector<std::uint8_t> bytes) {
+    emulated::Fifo answer;
+    echo.use(1);
+    chip->set_mode(2);
+    const auto before = chip->wrong_modes();
+    bytes.insert(bytes.begin(), {0x80, 0xf8, 0xfb});
+    chip->take(bytes.data(), bytes.size(), 0, answer);
+    return chip->wrong_modes() - before;
+  };
+  constexpr std::uint8_t kPins = 0x80;
+  EXPECT_EQ(wrong({kPins, 0xf0, 0xfb, kPins, 0xf1, 0xfb, 0x34, 0, 0, 1, kPins, 0xf9, 0xfb}), 0U);
+  EXPECT_EQ(wrong({kPins, 0xf0, 0xfb, 0x34, 0, 0, 1, kPins, 0xf8, 0xfb}), 1U);
+  EXPECT_EQ(wrong({kPins, 0xf1, 0xfb, 0x34, 0, 0, 1, kPins, 0xf9, 0xfb}), 2U);
+  constexpr std::uint8_t kWrong[] = {0x30, 0x31, 0x35};
+  for (const std::uint8_t opcode : kWrong) {
+    EXPECT_EQ(wrong({kPins, 0xf0, 0xfb, kPins, 0xf1, 0xfb, opcode, 0, 0, 1, kPins, 0xf9, 0xfb}),
+              1U);
+  }
+  EXPECT_EQ(wrong({kPins, 0xf0, 0xfb, kPins, 0xf1, 0xfb, 0x34, 0, 0, 1, kPins, 0xf8, 0xfb}), 1U);
+  EXPECT_EQ(wrong({0x8c, kPins, 0xf0, 0xfb, 0x35, 0, 0, 1, kPins, 0xf8, 0xfb, 0x8d}), 1U);
+}
+
 TEST_F(FtdiLinkTest, WhatARefusedBatchWouldHaveSetIsSetByTheNext) {
+  const auto wrong = emulator().chip().wrong_modes();
   Mcp4921::write(link, 1, 2048);  // another mode and clock than the encoder's
   ASSERT_EQ(link.run(), BusError::none);
   const std::uint8_t byte = 0;
   encoder.request(link, 0);
-  link.spi({0, 3, 1}, &byte, nullptr, 1);
+  link.spi({0, 4, 1}, &byte, nullptr, 1);
   ASSERT_EQ(link.run(), BusError::unsupported);
   EXPECT_EQ(sample(), BusError::none);
-  EXPECT_EQ(emulator().chip().wrong_modes(), 0U);
+  EXPECT_EQ(emulator().chip().wrong_modes(), wrong);
 }
 
 TEST_F(FtdiLinkTest, PinsReadBack) {

@@ -19,9 +19,11 @@ struct MpsseChip {
 /// byte: 0 clock, 1 data out (I2C: SDA, tied to 2), 2 data in, 3 to 7 select lines 0 to 4, which
 /// are high at rest. Pins of the high byte: GPIO 0 to 7, inputs until they are written.
 ///
-/// SPI modes 0 and 2 are the chip's own. Mode 1 needs data that is valid at both edges of the
-/// clock, which is what three-phase clocking gives; mode 3 is refused. Sources: FTDI AN_108
-/// (commands), AN_114 (SPI), AN_113 and AN_255 (I2C).
+/// SPI modes 0 and 2 are the chip's own (AN_114). Of modes 1 and 3 the first edge, at which a
+/// device puts out its first bit, is made by hand after the select line has fallen; what follows is
+/// the chip's mode 2 or 0, and the clock goes back to rest after the select line has risen.
+/// Sources: FTDI AN_108 (commands, and the level at which the clock must start), AN_114 (SPI),
+/// AN_113 and AN_255 (I2C).
 class MpsseBatch {
  public:
   static constexpr std::size_t kMaxBytes = 4096;
@@ -55,25 +57,28 @@ class MpsseBatch {
 
   void spi(SpiDevice device, const std::uint8_t* out, std::uint8_t* in, std::size_t n) {
     if (n == 0) return;
-    if (device.select >= kSelects || device.mode > 2) return fail(BusError::unsupported);
-    const bool high_at_rest = device.mode == 2;
-    clock(device.max_hz, device.mode == 1);
+    if (device.select >= kSelects || device.mode > 3) return fail(BusError::unsupported);
+    const bool high_at_rest = (device.mode & 2U) != 0;
+    const bool edge_by_hand = (device.mode & 1U) != 0;
+    const bool high_at_start = high_at_rest != edge_by_hand;
+    clock(device.max_hz, false);
     drain(false);
-    const auto rest = static_cast<std::uint8_t>(kSelectPins | (high_at_rest ? kClock : 0U));
-    const auto chosen = static_cast<std::uint8_t>(rest & ~(1U << (device.select + 3U)));
-    low_pins(rest, kSpiOutputs);  // the clock is at rest before the select line falls
-    low_pins(chosen, kSpiOutputs);
-    // Out on the falling, in on the rising edge; the other way round for a clock that rests high,
-    // and in on the falling edge for mode 1.
-    unsigned command = high_at_rest ? 0x10U : 0x11U;
-    if (in != nullptr) command |= high_at_rest || device.mode == 1 ? 0x24U : 0x20U;
+    const auto selects = static_cast<std::uint8_t>(kSelectPins & ~(1U << (device.select + 3U)));
+    pins(kSelectPins, high_at_rest);  // the clock is at rest before the select line falls
+    // Devices want some hundred nanoseconds (AS5048A 350) from there to the first edge.
+    for (int i = 0; i < 3; ++i) pins(selects, high_at_rest);
+    if (edge_by_hand) pins(selects, high_at_start);
+    // Out on the falling, in on the rising edge; the other way round for a clock that starts high.
+    unsigned command = high_at_start ? 0x10U : 0x11U;
+    if (in != nullptr) command |= high_at_start ? 0x24U : 0x20U;
     add(static_cast<std::uint8_t>(command));
     add(low_byte(static_cast<std::uint16_t>(n - 1)));
     add(high_byte(static_cast<std::uint16_t>(n - 1)));
     for (std::size_t i = 0; i < n; ++i) add(out[i]);
     if (in != nullptr) expect({in, nullptr, nullptr, static_cast<std::uint16_t>(n), 0});
-    // Three times: devices want the select line high for some hundred nanoseconds.
-    for (int i = 0; i < 3; ++i) low_pins(rest, kSpiOutputs);
+    if (edge_by_hand) pins(kSelectPins, high_at_start);
+    // Three times: as long between two words.
+    for (int i = 0; i < 3; ++i) pins(kSelectPins, high_at_rest);
   }
 
   void i2c(I2cDevice device, const std::uint8_t* out, std::size_t n, std::uint8_t* in,
@@ -168,6 +173,9 @@ class MpsseBatch {
     add(0x80);
     add(values);
     add(outputs);
+  }
+  void pins(unsigned selects, bool clock_high) {
+    low_pins(static_cast<std::uint8_t>(selects | (clock_high ? kClock : 0U)), kSpiOutputs);
   }
 
   void clock(std::uint32_t hz, bool three_phases) {
