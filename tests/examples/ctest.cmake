@@ -6,3 +6,9 @@ foreach(example IN LISTS examples)
   add_test(NAME examples.${example} COMMAND ${PROJECT_SOURCE_DIR}/examples/${example}/evaluate ${EAGERX_EXAMPLE_PROGRAMS})
   set_tests_properties(examples.${example} PROPERTIES LABELS examples ENVIRONMENT EAGERX_GEN=$<TARGET_FILE:eagerx-gen>)
 endforeach()
+# The swing-up on the other engine that needs no library; those that do are tested in no_alloc/ and ftdi/.
+eagerx_add_graph(TARGET examples_gym_swing_up GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml
+                 ENGINE GymEngine)
+add_test(NAME examples.pendulum_swing_up.GymEngine
+         COMMAND ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/evaluate linux-sim=$<TARGET_FILE:examples_gym_swing_up>)
+set_tests_properties(examples.pendulum_swing_up.GymEngine PROPERTIES LABELS examples)
