@@ -12,6 +12,7 @@
 
 #include "generator/policy/formats.hpp"
 #include "generator/policy/onnx_graph.hpp"
+#include "generator/policy/onnx_inputs.hpp"
 #include "generator/policy/onnx_network.hpp"
 #include "generator/policy/onnx_value.hpp"
 
@@ -22,9 +23,7 @@ using Kind = OnnxValue::Kind;
 
 // Between these versions none of the supported operators changed its meaning.
 constexpr std::int64_t kOldestOpset = 9;
-constexpr std::int64_t kNewestOpset = 21;
-
-constexpr std::int64_t kMaxStateLayers = 64;
+constexpr std::int64_t kNewestOpset = 23;
 
 constexpr const char* kExportHelp =
     "export the actor alone with `torch.onnx.export`: one observation in, the action first";
@@ -69,103 +68,24 @@ bool is_recurrent(const onnx::NodeProto& node) {
   return node.op_type() == "GRU" || node.op_type() == "LSTM";
 }
 
-/// Types whose numbers float32 holds, so that an observation comes through unchanged.
-bool is_number(int type) {
-  return type == onnx::TensorProto::FLOAT || type == onnx::TensorProto::DOUBLE ||
-         type == onnx::TensorProto::UINT8 || type == onnx::TensorProto::INT8;
-}
+using Inputs = std::vector<const onnx::ValueInfoProto*>;
 
-/// The shape of one observation: a batch axis becomes 1, and so does one of time, if there is a
-/// memory.
-std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memory,
-                                PolicyProblem& problem) {
-  const std::string name = printable(input.name());
-  const onnx::TypeProto::Tensor& type = input.type().tensor_type();
-  const auto fail = [&](const std::string& what) {
-    problem = {"E0608", fmt::format("has input `{}` {}", name, what), kExportHelp};
-    return std::nullopt;
-  };
-  if (!input.type().has_tensor_type() || !type.has_shape() || type.shape().dim_size() == 0) {
-    return fail("of unknown shape");
-  }
-  if (!is_number(type.elem_type())) {
-    const int number = type.elem_type();
-    return fail(fmt::format(
-        "of type {}",
-        onnx::TensorProto::DataType_IsValid(number)
-            ? onnx::TensorProto::DataType_Name(static_cast<onnx::TensorProto::DataType>(number))
-            : fmt::format("number {}", number)));
-  }
-  Dims shape;
-  const int rank = type.shape().dim_size();
-  for (int i = 0; i < rank; ++i) {
-    const auto& dim = type.shape().dim(i);
-    const bool batch = i == 0 && rank > 1;
-    const bool time = has_memory && rank == 3 && i <= 1;
-    if ((batch || time) && dim.has_dim_value() && dim.dim_value() > 1) {
-      return fail(fmt::format("with a batch of {}: one observation at a time is evaluated",
-                              dim.dim_value()));
-    }
-    if (!batch && !time && dim.dim_value() < 1) return fail("of unknown size");
-    shape.push_back(batch || time ? 1 : dim.dim_value());
-  }
-  constexpr int kMaxRank = 8;
-  if (rank > kMaxRank || element_count(shape).value_or(kMaxElements) > kMaxValues) {
-    return fail("of an impossible size");
-  }
-  return shape;
-}
-
-/// Whether batch and time are axes of any length.
-bool is_sequence(const onnx::ValueInfoProto& input) {
-  const onnx::TensorShapeProto& shape = input.type().tensor_type().shape();
-  return shape.dim_size() == 3 && !shape.dim(0).has_dim_value() && !shape.dim(1).has_dim_value();
-}
-
-/// The state of the layers of a GRU or LSTM: [layers, 1, values].
-std::optional<OnnxValue> state_value(const onnx::ValueInfoProto& input, PolicyProblem& problem) {
-  const onnx::TensorShapeProto& shape = input.type().tensor_type().shape();
-  const auto size = [&](int i) { return shape.dim(i).dim_value(); };
-  const bool fits = shape.dim_size() == 3 && size(0) >= 1 && size(0) <= kMaxStateLayers &&
-                    size(1) <= 1 && size(2) >= 1 && size(2) <= kMaxValues;
-  if (!fits) {
-    return refuse(problem, "E0608",
-                  fmt::format("has input `{}`, which is no state: [layers, 1, values]",
-                              printable(input.name())),
-                  "export the actor with the observation first, then its states");
-  }
-  OnnxValue value;
-  value.kind = Kind::state;
-  value.shape = Dims{size(0), 1, size(2)};
-  value.state.name = input.name();
-  value.slots = size(0);
-  return value;
-}
-
-/// The observation: the first input that is needed, in the order of the file. Others are states, if
-/// something takes them.
-std::optional<const onnx::ValueInfoProto*> find_observation(const onnx::GraphProto& graph,
-                                                            const OnnxDependencies& needed,
-                                                            PolicyProblem& problem) {
+/// The observation: the needed inputs in the order of the file. With a memory the first one, and
+/// others are states.
+std::optional<Inputs> find_observation(const onnx::GraphProto& graph,
+                                       const OnnxDependencies& needed, PolicyProblem& problem) {
   const bool has_memory = std::any_of(needed.nodes.begin(), needed.nodes.end(),
                                       [](const auto* node) { return is_recurrent(*node); });
-  if (needed.inputs.empty() || (needed.inputs.size() > 1 && !has_memory)) {
-    std::vector<std::string> names;
-    for (const auto* input : needed.inputs)
-      names.push_back(fmt::format("`{}`", printable(input->name())));
-    problem = {needed.inputs.empty() ? "E0620" : "E0607",
-               needed.inputs.empty()
-                   ? std::string("has a first output that depends on no input")
-                   : fmt::format("has {} inputs ({}); an actor has one, the observation",
-                                 names.size(), fmt::join(names, ", ")),
-               kExportHelp};
-    return std::nullopt;
+  if (needed.inputs.empty()) {
+    return refuse(problem, "E0620", "has a first output that depends on no input", kExportHelp);
   }
+  Inputs found;
   for (const onnx::ValueInfoProto& input : graph.input()) {
-    const auto found = std::find(needed.inputs.begin(), needed.inputs.end(), &input);
-    if (found != needed.inputs.end()) return *found;
+    const bool is_needed =
+        std::find(needed.inputs.begin(), needed.inputs.end(), &input) != needed.inputs.end();
+    if (is_needed && (found.empty() || !has_memory)) found.push_back(&input);
   }
-  return needed.inputs.front();
+  return found;
 }
 
 /// Every value that is computed or given, by name.
@@ -193,6 +113,52 @@ class Values {
   const OnnxNames& names_;
   std::unordered_map<std::string_view, OnnxValue> values_;  // its elements never move
 };
+
+/// Sets the inputs of an observation of several parts, which come one after the other.
+bool set_parts(const Inputs& inputs, OnnxCall::State& state, Values& values, Network& network,
+               PolicyProblem& problem) {
+  for (const onnx::ValueInfoProto* input : inputs) {
+    OnnxValue part;
+    part.kind = Kind::data;
+    part.shape = input_shape(*input, false, problem);
+    if (!part.shape) return false;
+    const std::int64_t count = element_count(*part.shape).value_or(kMaxValues);
+    if (count > kMaxValues - state.observed) {
+      problem = {"E0608", "has inputs of an impossible size", kExportHelp};
+      return false;
+    }
+    Reorder order;
+    for (std::int64_t i = 0; i < count; ++i) {
+      order.from.push_back(static_cast<std::uint32_t>(state.observed + i));
+    }
+    state.observed += count;
+    part.step = static_cast<std::int32_t>(state.steps.size());
+    state.steps.push_back({-1, std::move(order), printable(input->name()), count});
+    values.set(input->name(), std::move(part));
+    network.contract.observations.push_back(
+        {printable(input->name()), static_cast<std::uint64_t>(count)});
+  }
+  return true;
+}
+
+/// Sets the inputs behind the observation that may be states.
+bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
+                const OnnxDependencies& needed, const onnx::ValueInfoProto& observation,
+                Values& values, PolicyProblem& problem) {
+  for (const onnx::ValueInfoProto& input : graph.input()) {
+    if (&input == &observation || !names.inputs.contains(input.name())) continue;
+    PolicyProblem why;
+    auto value = state_value(input, why);
+    const bool needs =
+        std::find(needed.inputs.begin(), needed.inputs.end(), &input) != needed.inputs.end();
+    if (!value && needs) {
+      problem = why;
+      return false;
+    }
+    if (value) values.set(input.name(), std::move(*value));
+  }
+  return true;
+}
 
 void evaluate_nodes(const OnnxDependencies& needed, OnnxCall::State& state, Values& values,
                     std::unordered_set<const onnx::NodeProto*>& done) {
@@ -312,33 +278,37 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   const auto observation = find_observation(graph, *needed, problem);
   if (!observation) return std::nullopt;
 
+  Network network;
   OnnxCall::State state;
   state.opset = *opset;
-  state.is_sequence = is_sequence(**observation);
+  state.is_sequence = is_sequence(*observation->front());
   Values values(*names);
   const bool has_memory = std::any_of(needed->nodes.begin(), needed->nodes.end(),
                                       [](const auto* node) { return is_recurrent(*node); });
-  OnnxValue first;
-  first.kind = Kind::data;
-  first.shape = input_shape(**observation, has_memory, problem);
-  if (!first.shape) return std::nullopt;
-  const Dims observed = *first.shape;
-  for (const onnx::ValueInfoProto& input : graph.input()) {
-    if (&input == *observation || !has_memory || !names->inputs.contains(input.name())) continue;
-    PolicyProblem why;
-    auto value = state_value(input, why);
-    const bool needs =
-        std::find(needed->inputs.begin(), needed->inputs.end(), &input) != needed->inputs.end();
-    if (!value && needs) {
-      problem = why;
-      return std::nullopt;
-    }
-    if (value) values.set(input.name(), std::move(*value));
+  std::optional<Dims> observed;
+  if (observation->size() > 1) {
+    if (!set_parts(*observation, state, values, network, problem)) return std::nullopt;
+    observed = Dims{state.observed};
+  } else {
+    observed = input_shape(*observation->front(), has_memory, problem);
+    if (!observed) return std::nullopt;
+    state.observed = element_count(*observed).value_or(0);
+    OnnxValue first;
+    first.kind = Kind::data;
+    first.shape = observed;
+    values.set(observation->front()->name(), std::move(first));
   }
-  values.set((*observation)->name(), std::move(first));
+  if (has_memory && !set_states(graph, *names, *needed, *observation->front(), values, problem)) {
+    return std::nullopt;
+  }
   std::unordered_set<const onnx::NodeProto*> done;
   evaluate_nodes(*needed, state, values, done);
-  const OnnxValue result = *values.get(action);
+  OnnxValue result = *values.get(action);
+  if (result.kind == Kind::other && result.part.role == OnnxPart::Role::choice) {
+    network.action = ActionKind::argmax;
+    result.kind = Kind::data;
+    result.step = result.part.of;
+  }
   if (result.kind != Kind::data) {
     problem = result.kind == Kind::other
                   ? result.problem
@@ -354,17 +324,16 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   }
   if (!check_states(state.steps, result.step, others, problem)) return std::nullopt;
   std::unordered_set<const onnx::TensorProto*> used;
-  const auto inputs = static_cast<std::uint32_t>(element_count(observed).value_or(0));
+  const auto inputs = static_cast<std::uint32_t>(state.observed);
   std::optional<std::vector<DenseLayer>> layers =
       make_layers(state.steps, result.step, inputs, used, problem);
   if (!layers) return std::nullopt;
-  Network network;
   network.format = describe(*model, *opset);
   network.layers = std::move(*layers);
   network.ignored = ignored_parts(graph, *needed, used, others);
   if (std::any_of(network.layers.begin(), network.layers.end(),
                   [](const DenseLayer& layer) { return layer.depends_on_shape(); })) {
-    network.input_shape.assign(observed.begin() + (observed.size() > 1 ? 1 : 0), observed.end());
+    network.input_shape.assign(observed->begin() + (observed->size() > 1 ? 1 : 0), observed->end());
   }
   return network;
 }

@@ -216,11 +216,36 @@ OnnxValue global_average_pool(const OnnxCall& call) {
   return pool(call, Pooling::Kind::average, true);
 }
 
-/// A part of LayerNorm, or the mean of each channel.
+/// The mean along one axis of [outer, n, inner], as a pool over that axis.
+OnnxValue mean_along(const OnnxCall& call, std::int64_t axis) {
+  const OnnxValue& x = call.input(0);
+  const Dims& dims = *x.shape;
+  const auto product = [](const Dims& some) {
+    return static_cast<std::uint32_t>(element_count(some).value_or(0));
+  };
+  Pooling work;
+  work.kind = Pooling::Kind::average;
+  work.kernel.channels = product(Dims(dims.begin(), dims.begin() + axis));
+  work.kernel.height = work.kernel.rows = product({dims[static_cast<std::size_t>(axis)]});
+  work.kernel.width = product(Dims(dims.begin() + axis + 1, dims.end()));
+  work.kernel.out_width = work.kernel.width;
+  Dims shape = dims;
+  shape[static_cast<std::size_t>(axis)] = 1;
+  if (call.integer("keepdims", 1) == 0) shape.erase(shape.begin() + axis);
+  return call.data_after(x.step, work, shape);
+}
+
+/// A part of LayerNorm, the mean of each channel, or one along an axis: of quantiles.
 OnnxValue reduce_mean(const OnnxCall& call) {
   if (const auto part = part_of_formula(call)) return *part;
   const OnnxValue& x = call.input(0);
   auto axes = call.integers(1, "axes");
+  if (x.kind == Kind::data && axes && axes->size() == 1) {
+    const auto size = static_cast<std::int64_t>(x.shape->size());
+    const std::int64_t axis = axes->front() < 0 ? axes->front() + size : axes->front();
+    if (axis < 0 || axis >= size) return call.misused("with axes that are not there");
+    if (size != 3 || axis != 2) return mean_along(call, axis);
+  }
   if (!is_image(x) || !axes || axes->size() + 2 != x.shape->size()) {
     return call.misused("that is neither of a LayerNorm nor of an image", x.shape);
   }

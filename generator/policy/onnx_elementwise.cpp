@@ -54,6 +54,9 @@ OnnxValue add(const OnnxCall& call) {
   if (const auto part = part_of_formula(call)) return *part;
   const auto operands = operands_of(call);
   const std::optional<Dims> sum = broadcast(call.input(0).shape, call.input(1).shape);
+  if (!operands) {
+    if (auto value = same_order(call)) return *value;
+  }
   if (!operands || !sum) return call.misused("that does not add a constant to a layer", sum);
   const OnnxValue& data = operands->data;
   const std::int64_t outputs = element_count(*data.shape).value_or(0);
@@ -79,6 +82,9 @@ OnnxValue add(const OnnxCall& call) {
 OnnxValue subtract(const OnnxCall& call) {
   if (const auto part = part_of_formula(call)) return *part;
   const auto operands = operands_of(call);
+  if (!operands) {
+    if (auto value = same_order(call)) return *value;
+  }
   if (!operands || operands->data_left) return with_constant(call, Operation::subtract);
   // c - x is (-1 x) + c, to the bit.
   const auto negative =
@@ -174,6 +180,24 @@ OnnxValue minimum(const OnnxCall& call) {
   return with_constant(call, Operation::at_most);
 }
 
+/// Of two inputs.
+OnnxValue sum(const OnnxCall& call) {
+  if (call.input_count() == 1) return call.input(0);
+  if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
+  return add(call);
+}
+
+/// gamma elu(x).
+OnnxValue selu(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  const OnnxActivation elu{Activation::elu, call.real("alpha", 1.67326319F)};
+  const OnnxValue curve = call.data_after(x.step, elu, *x.shape);
+  const auto value = elementwise_step(call, curve, Operation::multiply,
+                                      made_constant(call, call.real("gamma", 1.05070102F)));
+  return value ? *value : call.misused("on an unknown shape", x.shape);
+}
+
 OnnxValue formula_only(const OnnxCall& call) {
   const auto part = part_of_formula(call);
   return part ? *part
@@ -255,11 +279,13 @@ std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue&
 }
 
 std::vector<OnnxOperatorEntry> elementwise_operators() {
-  return {
-      {"Add", add},           {"Sub", subtract},     {"Mul", multiply},
-      {"Div", divide},        {"Neg", negate},       {"Clip", clip},
-      {"Max", maximum},       {"Min", minimum},      {"Pow", formula_only},
-      {"Sqrt", formula_only}, {"Erf", formula_only}, {"BatchNormalization", batch_normalization}};
+  return {{"Add", add},          {"Sub", subtract},
+          {"Mul", multiply},     {"Div", divide},
+          {"Neg", negate},       {"Clip", clip},
+          {"Max", maximum},      {"Min", minimum},
+          {"Pow", formula_only}, {"Sum", sum},
+          {"Selu", selu},        {"Sqrt", formula_only},
+          {"Erf", formula_only}, {"BatchNormalization", batch_normalization}};
 }
 
 }  // namespace eagerx::gen

@@ -262,29 +262,6 @@ class Builder {
     return true;
   }
 
-  /// Values of shape `from` repeated as NumPy does for `to`; they fit.
-  static std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& from,
-                                         const Dims& to) {
-    std::vector<float> result;
-    const auto count = static_cast<std::size_t>(element_count(to).value_or(0));
-    result.reserve(count);
-    const std::size_t offset = to.size() - from.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      std::size_t rest = i;
-      std::size_t at = 0;
-      std::size_t stride = 1;
-      for (std::size_t axis = to.size(); axis-- > offset;) {
-        const auto size = static_cast<std::size_t>(to[axis]);
-        const auto own = static_cast<std::size_t>(from[axis - offset]);
-        at += own == 1 ? 0 : (rest % size) * stride;
-        stride *= own;
-        rest /= size;
-      }
-      result.push_back(values[at]);
-    }
-    return result;
-  }
-
   std::uint32_t count_;      // values before the step
   std::uint32_t after_ = 0;  // and after it
   std::string node_;

@@ -174,9 +174,76 @@ OnnxValue joined_state(const OnnxCall& call) {
   return value;
 }
 
+/// Where the values of `data` come from: a step that is no Reorder, and their places in it.
+std::pair<std::int32_t, Reorder> origin_of(const OnnxCall& call, const OnnxValue& data) {
+  std::int32_t step = data.step;
+  Reorder order;
+  order.from.resize(static_cast<std::size_t>(count_of(*data.shape)));
+  std::iota(order.from.begin(), order.from.end(), 0U);
+  while (step >= 0) {
+    const OnnxStep& last = call.state().steps[static_cast<std::size_t>(step)];
+    const auto* before = std::get_if<Reorder>(&last.what);
+    if (before == nullptr) break;
+    if (!call.spend(count_of(*data.shape))) break;
+    for (std::uint32_t& place : order.from) place = before->from[place];
+    step = last.before;
+  }
+  return {step, std::move(order)};
+}
+
+/// Parts of one layer, or of the observation, side by side.
+OnnxValue joined_data(const OnnxCall& call) {
+  const OnnxValue& first = call.input(0);
+  const auto rank = static_cast<std::int64_t>(first.shape->size());
+  std::int64_t axis = call.integer("axis", 0);
+  if (axis < 0) axis += rank;
+  if (axis < 0 || axis >= rank) return call.misused("with an axis that is not there");
+  const auto place = static_cast<std::size_t>(axis);
+  const auto inner = [&](const Dims& dims) {
+    return count_of(Dims(dims.begin() + axis, dims.end()));
+  };
+  Dims shape = *first.shape;
+  shape[place] = 0;
+  std::vector<std::pair<std::int32_t, Reorder>> parts;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    const OnnxValue& part = call.input(i);
+    if (part.kind != Kind::data) return call.misused("of a layer and other values");
+    Dims other = *part.shape;
+    if (other.size() != shape.size()) return call.misused("of values of other shapes");
+    shape[place] += std::exchange(other[place], shape[place]);
+    other[place] = shape[place];
+    if (other != shape) return call.misused("of values of other shapes");
+    if (!call.spend(2 * count_of(*part.shape))) return call.too_much();
+    parts.push_back(origin_of(call, part));
+    if (parts.back().first != parts.front().first) {
+      return call.misused("of values of several layers");
+    }
+  }
+  const std::int64_t outer = count_of(Dims(shape.begin(), shape.begin() + axis));
+  Reorder order;
+  for (std::int64_t row = 0; row < outer; ++row) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::int64_t count = inner(*call.input(i).shape);
+      const auto begin = parts[i].second.from.begin() + row * count;
+      order.from.insert(order.from.end(), begin, begin + count);
+    }
+  }
+  OnnxValue whole = first;
+  whole.step = parts.front().first;
+  const std::int64_t there = whole.step < 0
+                                 ? call.state().observed
+                                 : call.state().steps[static_cast<std::size_t>(whole.step)].count;
+  bool same = there == static_cast<std::int64_t>(order.from.size());
+  for (std::size_t i = 0; same && i < order.from.size(); ++i) same = order.from[i] == i;
+  if (!same) return reordered(call, whole, std::move(order), std::move(shape));
+  whole.shape = std::move(shape);
+  return whole;
+}
+
 OnnxValue concat(const OnnxCall& call) {
   if (call.input_count() == 1 && call.input(0).kind != Kind::absent) return call.input(0);
   if (!call.input(0).remembered.empty()) return joined_state(call);
+  if (call.input(0).kind == Kind::data) return joined_data(call);
   Integers all;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const std::optional<Integers> part = integers_of(call.input(i));
@@ -184,6 +251,10 @@ OnnxValue concat(const OnnxCall& call) {
     all.insert(all.end(), part->begin(), part->end());
   }
   return integers_value(std::move(all));
+}
+
+OnnxValue split(const OnnxCall& call) {
+  return split_part(call, 0);
 }
 
 /// One axis of a Slice, from opset 10 on in inputs: start, end, step.
@@ -228,12 +299,46 @@ OnnxValue slice(const OnnxCall& call) {
 
 }  // namespace
 
+OnnxValue split_part(const OnnxCall& call, int i) {
+  const OnnxValue& x = call.input(0);
+  if ((x.kind != Kind::data && x.kind != Kind::state) || !x.shape) {
+    return call.misused("on something that is no layer");
+  }
+  const auto rank = static_cast<std::int64_t>(x.shape->size());
+  std::int64_t axis = call.integer("axis", 0);
+  if (axis < 0) axis += rank;
+  if (axis < 0 || axis >= rank) return call.misused("with an axis that is not there");
+  const auto place = static_cast<std::size_t>(axis);
+  const std::int64_t size = (*x.shape)[place];
+  const std::int64_t parts = call.integer("num_outputs", call.node().output_size());
+  auto sizes = call.integers(1, "split");
+  if (!sizes && parts >= 1 && parts <= size) {
+    const std::int64_t each = (size + parts - 1) / parts;
+    sizes.emplace(static_cast<std::size_t>(parts), each);
+    sizes->back() = size - each * (parts - 1);
+  }
+  std::int64_t first = 0;
+  for (std::size_t k = 0; sizes && k < sizes->size(); ++k) {
+    const std::int64_t count = (*sizes)[k];
+    if (count < 1 || count > size - first) break;
+    if (k == static_cast<std::size_t>(i)) {
+      return picked(call, x, place, first, count, 1, true);
+    }
+    first += count;
+  }
+  return call.misused("into parts that are not there");
+}
+
 OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape) {
   return call.data_after(data.step, std::move(order), std::move(shape));
 }
 
 std::vector<OnnxOperatorEntry> order_operators() {
-  return {{"Transpose", transpose}, {"Concat", concat}, {"Gather", gather}, {"Slice", slice}};
+  return {{"Transpose", transpose},
+          {"Concat", concat},
+          {"Gather", gather},
+          {"Slice", slice},
+          {"Split", split}};
 }
 
 }  // namespace eagerx::gen

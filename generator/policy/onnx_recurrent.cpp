@@ -150,6 +150,7 @@ OnnxValue lstm(const OnnxCall& call) {
 }  // namespace
 
 OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
+  if (call.node().op_type() == "Split") return split_part(call, i);
   const bool is_lstm = call.node().op_type() == "LSTM";
   const bool is_state = (is_lstm && i <= 2) || (call.node().op_type() == "GRU" && i == 1);
   if (!is_state || first.kind != Kind::data) return call.misused("whose second output is used");

@@ -60,10 +60,27 @@ OnnxValue identity(const OnnxCall& call) {
   return call.input(0);
 }
 
+/// To the type of the second input.
+OnnxValue cast_like(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const OnnxValue& like = call.input(1);
+  const bool same =
+      like.kind == Kind::data || (like.kind == Kind::constant &&
+                                  like.constant.tensor->data_type() == onnx::TensorProto::FLOAT);
+  if (x.kind == Kind::absent || !same) return call.misused("to an unknown type", x.shape);
+  return x;
+}
+
 OnnxValue cast(const OnnxCall& call) {
   const OnnxValue& x = call.input(0);
   if (x.kind == Kind::absent) return call.misused("without an input");
   const std::int64_t to = call.integer("to", 0);
+  if (to == onnx::TensorProto::FLOAT && x.kind != Kind::data) {
+    if (const auto integers = integers_of(x); integers && x.shape) {
+      if (!call.spend(static_cast<std::int64_t>(integers->size()))) return call.too_much();
+      return made_constant(call, {integers->begin(), integers->end()}, *x.shape);
+    }
+  }
   if (x.kind == Kind::data && to != onnx::TensorProto::FLOAT) {
     const int type = to > 0 && to < 100 ? static_cast<int>(to) : 0;
     return call.misused(
@@ -230,11 +247,17 @@ OnnxValue constant_of_shape(const OnnxCall& call) {
 }  // namespace
 
 std::vector<OnnxOperatorEntry> shape_operators() {
-  return {{"Identity", identity}, {"Cast", cast},
-          {"Constant", constant}, {"Flatten", flatten},
-          {"Reshape", reshape},   {"Squeeze", squeeze},
-          {"Expand", expand},     {"Unsqueeze", unsqueeze},
-          {"Shape", shape_of},    {"ConstantOfShape", constant_of_shape}};
+  return {{"Identity", identity},
+          {"Cast", cast},
+          {"CastLike", cast_like},
+          {"Constant", constant},
+          {"Flatten", flatten},
+          {"Reshape", reshape},
+          {"Squeeze", squeeze},
+          {"Expand", expand},
+          {"Unsqueeze", unsqueeze},
+          {"Shape", shape_of},
+          {"ConstantOfShape", constant_of_shape}};
 }
 
 }  // namespace eagerx::gen

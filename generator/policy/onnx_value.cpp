@@ -14,8 +14,9 @@ using Table = std::unordered_map<std::string_view, OnnxOperator>;
 
 std::vector<OnnxOperatorEntry> all_operators() {
   std::vector<OnnxOperatorEntry> all;
-  for (const auto& part : {layer_operators(), shape_operators(), order_operators(),
-                           elementwise_operators(), image_operators(), recurrent_operators()}) {
+  for (const auto& part :
+       {layer_operators(), shape_operators(), order_operators(), elementwise_operators(),
+        image_operators(), recurrent_operators(), choice_operators()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -191,7 +192,9 @@ OnnxValue evaluate(const OnnxCall& call) {
   static const Table kTable = make_table();
   const std::string& domain = call.node().domain();
   const auto found = kTable.find(call.node().op_type());
-  if ((domain.empty() || domain == "ai.onnx") && found != kTable.end()) return found->second(call);
+  const bool known = domain.empty() || domain == "ai.onnx";
+  if (auto value = known ? folded(call) : std::nullopt) return *value;
+  if (known && found != kTable.end()) return found->second(call);
   return unsupported(call);
 }
 

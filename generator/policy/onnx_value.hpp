@@ -107,6 +107,8 @@ struct OnnxPart {
     cubic,           // 0.044715 x³
     gelu_sum,        // x + 0.044715 x³
     gelu_inner,      // sqrt(2 / pi) of it
+    ordered,         // values in the order of x: softmax(x), x plus one number
+    choice,          // the index of the largest x
   };
   Role role = Role::none;
   std::int32_t of = -1;
@@ -142,7 +144,8 @@ class OnnxCall {
  public:
   struct State {  // shared by all calls of a graph
     std::int64_t opset = 0;
-    bool is_sequence = false;  // the observation has time as an axis of any length
+    std::int64_t observed = 0;  // values of the observation
+    bool is_sequence = false;   // the observation has time as an axis of any length
     std::int64_t budget = std::int64_t{64} << 20U;  // values that may still be looked at
     std::vector<OnnxStep> steps;
     std::deque<onnx::TensorProto> made;  // tensors written as plain attributes
@@ -221,8 +224,17 @@ OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers,
 OnnxValue made_constant(const OnnxCall& call, float number);
 /// The result of a formula's next operator, if the inputs are a part of one.
 std::optional<OnnxValue> part_of_formula(const OnnxCall& call);
+/// x plus or minus one number that is no constant: E0613 if the action depends on more than the
+/// order of the result.
+std::optional<OnnxValue> same_order(const OnnxCall& call);
+/// The result of an operator all of whose inputs are constants, if it can be calculated.
+std::optional<OnnxValue> folded(const OnnxCall& call);
+/// Values of shape `from` repeated as NumPy does for `to`; they fit.
+std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& from, const Dims& to);
 /// Data in another order: number `from[i]` becomes number i.
 OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape);
+/// Output `i` of a Split.
+OnnxValue split_part(const OnnxCall& call, int i);
 /// Output `i` (from 1) of a node whose first one is `first`.
 OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i);
 
@@ -236,12 +248,13 @@ struct OnnxOperatorEntry {
 };
 /// Operators that compute (onnx_layers.cpp), that only move or shape (onnx_shapes.cpp), that pick
 /// and reorder (onnx_order.cpp), with constants (onnx_elementwise.cpp), over images
-/// (onnx_convolution.cpp), with a memory (onnx_recurrent.cpp).
+/// (onnx_convolution.cpp), with a memory (onnx_recurrent.cpp), that choose (onnx_choice.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
 std::vector<OnnxOperatorEntry> order_operators();
 std::vector<OnnxOperatorEntry> elementwise_operators();
 std::vector<OnnxOperatorEntry> image_operators();
 std::vector<OnnxOperatorEntry> recurrent_operators();
+std::vector<OnnxOperatorEntry> choice_operators();
 
 }  // namespace eagerx::gen
