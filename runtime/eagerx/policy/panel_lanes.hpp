@@ -10,13 +10,22 @@
 
 namespace eagerx::policy {
 
-/// Registers of sums at a time. With the sums of a group they leave room for weights: in 16
-/// registers four, in 32 eight, which hide the latency of the additions.
-#if defined(__AVX512VL__) || defined(__aarch64__)
+/// Registers of sums at a time: as many as hide the latency of the additions. They need not fit
+/// into the machine's registers together with the sums of a group, which are used more often.
 inline constexpr std::size_t kRegistersAtATime = 8;
-#else
-inline constexpr std::size_t kRegistersAtATime = 4;
+
+/// Keeps operations on `v` in the order of the source: compilers would finish one sum before they
+/// begin the next, and wait for each addition.
+template <class Vector>
+[[gnu::always_inline]] inline void in_order([[maybe_unused]] Vector& v) {
+#if defined(__AVX512VL__)
+  asm volatile("" : "+v"(v));
+#elif defined(__SSE2__)
+  asm volatile("" : "+x"(v));
+#elif defined(__aarch64__)
+  asm volatile("" : "+w"(v));
 #endif
+}
 
 /// `Panels` panels of `Width` outputs at a time.
 template <std::size_t In, std::size_t Width, std::size_t Panels>
@@ -53,17 +62,33 @@ class PanelBlock {
   [[gnu::always_inline]] static void add_group(const float* w, const float* x, std::size_t first,
                                                Vector (&sum)[kVectors]) {
     Vector part[kVectors];
-#pragma GCC unroll 8
-    for (std::size_t v = 0; v < kVectors; ++v) part[v] = row(w, first, v) * x[first];
-#pragma GCC unroll 8
-    for (std::size_t j = 1; j < Rows; ++j) {
+#pragma GCC unroll 4
+    for (std::size_t j = 0; j + 2 <= Rows; j += 2) {
+      const Vector input = x[first + j] - Vector{};
+      const Vector next = x[first + j + 1] - Vector{};
 #pragma GCC unroll 8
       for (std::size_t v = 0; v < kVectors; ++v) {
-        part[v] = part[v] + row(w, first + j, v) * x[first + j];
+        const Vector product = row(w, first + j, v) * input;
+        part[v] = j == 0 ? product : part[v] + product;
+        in_order(part[v]);
+        part[v] = part[v] + row(w, first + j + 1, v) * next;
+        in_order(part[v]);
+      }
+    }
+    if constexpr (Rows % 2 == 1) {
+      const Vector input = x[first + Rows - 1] - Vector{};
+#pragma GCC unroll 8
+      for (std::size_t v = 0; v < kVectors; ++v) {
+        const Vector product = row(w, first + Rows - 1, v) * input;
+        part[v] = Rows == 1 ? product : part[v] + product;
+        in_order(part[v]);
       }
     }
 #pragma GCC unroll 8
-    for (std::size_t v = 0; v < kVectors; ++v) sum[v] = sum[v] + part[v];
+    for (std::size_t v = 0; v < kVectors; ++v) {
+      sum[v] = sum[v] + part[v];
+      in_order(sum[v]);
+    }
   }
 };
 
