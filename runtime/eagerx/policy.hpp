@@ -4,6 +4,9 @@
 //   ((bias + (w[0] x[0] + w[1] x[1] + … + w[7] x[7])) + (w[8] x[8] + … + w[15] x[15])) + …
 // with every product and every sum rounded once, in this order. Groups of eight inputs keep the
 // error at or below that of a BLAS (one long chain has several times as much) and cost nothing.
+// An output that is alone in its panel (the last of 1, 9, 17, …) is bias + s, where s are sixteen
+// sums s[k] = (w[k] x[k] + w[k+16] x[k+16]) + …, added in halves: s[k] + s[k+8] for k below 8, then
+// 4, 2, 1. Products beyond the last input count as 0.
 // Outputs do not mix, so lanes, panels and loop nests differ from machine to machine and the bits
 // do not (-ffp-contract=off provided).
 #pragma once

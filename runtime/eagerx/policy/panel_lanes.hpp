@@ -92,65 +92,70 @@ class PanelBlock {
   }
 };
 
-/// The one output of a layer with `Groups` whole groups: products side by side, then the sums of
-/// all groups side by side, which needs the products turned.
-template <std::size_t Groups>
-[[gnu::always_inline]] inline float groups_of_output(float sum, const float* w, const float* x) {
-  using Vector = FloatVector<kGroup>;
-  Vector row[kGroup];
+/// The first `Count` numbers at `from`, at most a register, then zeros.
+template <std::size_t Count>
+[[gnu::always_inline]] inline FloatVector<kLanes> load_first([[maybe_unused]] const float* from) {
+  using Vector = FloatVector<kLanes>;
+  if constexpr (Count >= kLanes) {
+    return load<Vector>(from);
+  } else {
+    Vector v = {};
 #pragma GCC unroll 8
-  for (std::size_t g = 0; g < kGroup; ++g) {
-    row[g] = g < Groups ? load<Vector>(w + g * kGroup) * load<Vector>(x + g * kGroup) : Vector{};
+    for (std::size_t k = 0; k < Count; ++k) v[k] = from[k];
+    return v;
   }
-  Vector pairs[kGroup];
+}
+
+/// The sums of an output that is alone in its panel.
+using Chains = FloatLanes<kLanes, kChains / kLanes>;
+
+/// `Count` products, then zeros.
+template <std::size_t Count, std::size_t... V>
+[[gnu::always_inline]] inline Chains products(const float* w, const float* x,
+                                              std::index_sequence<V...> /*registers*/) {
+  constexpr auto kLeft = [](std::size_t v) { return Count - std::min(Count, v * kLanes); };
+  Chains result;
+  ((result.v[V] = load_first<kLeft(V)>(w + V * kLanes) * load_first<kLeft(V)>(x + V * kLanes)),
+   ...);
+  return result;
+}
+
+/// Adds the numbers of `v` in halves.
+template <class Vector>
+[[gnu::always_inline]] inline float sum_of_halves(Vector v) {
+  if constexpr (sizeof(Vector) > 4 * sizeof(float)) {
+    return sum_of_halves(__builtin_shufflevector(v, v, 0, 1, 2, 3) +
+                         __builtin_shufflevector(v, v, 4, 5, 6, 7));
+  } else {
+    const Vector two = v + __builtin_shufflevector(v, v, 2, 3, 2, 3);
+    return two[0] + two[1];
+  }
+}
+
+template <std::size_t In>
+[[gnu::always_inline]] inline float output_alone(const float* w, float b, const float* x) {
+  constexpr std::make_index_sequence<kChains / kLanes> kRegisters;
+  constexpr std::size_t kRest = In % kChains;
+  Chains sum = products<std::min(In, kChains)>(w, x, kRegisters);
 #pragma GCC unroll 4
-  for (std::size_t i = 0; i < kGroup; i += 2) {
-    pairs[i] = __builtin_shufflevector(row[i], row[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
-    pairs[i + 1] = __builtin_shufflevector(row[i], row[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
+  for (std::size_t j = kChains; j + kChains <= In; j += kChains) {
+    sum = sum + products<kChains>(w + j, x + j, kRegisters);
   }
-  Vector fours[kGroup];
-#pragma GCC unroll 2
-  for (std::size_t i = 0; i < kGroup; i += 4) {
-#pragma GCC unroll 2
-    for (std::size_t k = 0; k < 2; ++k) {
-      const Vector a = pairs[i + k];
-      const Vector b = pairs[i + k + 2];
-      fours[i + 2 * k] = __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-      fours[i + 2 * k + 1] = __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
-    }
-  }
-  Vector part = __builtin_shufflevector(fours[0], fours[4], 0, 1, 2, 3, 8, 9, 10, 11);
-#pragma GCC unroll 4
-  for (std::size_t j = 1; j < 4; ++j) {
-    part = part + __builtin_shufflevector(fours[j], fours[j + 4], 0, 1, 2, 3, 8, 9, 10, 11);
+  if constexpr (In > kChains && kRest > 0) {
+    sum = sum + products<kRest>(w + (In - kRest), x + (In - kRest), kRegisters);
   }
 #pragma GCC unroll 4
-  for (std::size_t j = 0; j < 4; ++j) {
-    part = part + __builtin_shufflevector(fours[j], fours[j + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+  for (std::size_t half = kChains / kLanes / 2; half > 0; half /= 2) {
+#pragma GCC unroll 4
+    for (std::size_t v = 0; v < half; ++v) sum.v[v] = sum.v[v] + sum.v[v + half];
   }
-#pragma GCC unroll 8
-  for (std::size_t g = 0; g < Groups; ++g) sum = sum + part[g];
-  return sum;
+  return b + sum_of_halves(sum.v[0]);
 }
 
 template <std::size_t In, std::size_t Width>
 inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
-  if constexpr (Width == 1 && In >= kGroup && kLanes == kGroup) {
-    constexpr std::size_t kAtATime = kGroup * kGroup;
-    constexpr std::size_t kGroups = In % kAtATime / kGroup;
-    constexpr std::size_t kRest = In % kGroup;
-    float sum = b[0];
-    for (std::size_t j = 0; j + kAtATime <= In; j += kAtATime) {
-      sum = groups_of_output<kGroup>(sum, w + j, x + j);
-    }
-    constexpr std::size_t kDone = In - In % kAtATime;
-    if constexpr (kGroups > 0) sum = groups_of_output<kGroups>(sum, w + kDone, x + kDone);
-    if constexpr (kRest > 0) {
-      float part = w[In - kRest] * x[In - kRest];
-      for (std::size_t k = In - kRest + 1; k < In; ++k) part = part + w[k] * x[k];
-      sum = sum + part;
-    }
-    y[0] = sum;
+  if constexpr (Width == 1) {
+    y[0] = output_alone<In>(w, b[0], x);
   } else {
     PanelBlock<In, Width, 1>::template run<Activation::identity>(w, b, x, y);
   }

@@ -8,7 +8,11 @@ namespace eagerx::policy {
 
 template <std::size_t In, std::size_t Width>
 inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
-  plain_panel<In, Width>(w, b, x, y);
+  if constexpr (Width == 1) {
+    y[0] = plain_output<In>(w, b[0], x);
+  } else {
+    plain_panel<In, Width>(w, b, x, y);
+  }
 }
 
 template <Activation A, std::size_t Out>
