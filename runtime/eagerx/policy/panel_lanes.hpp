@@ -13,6 +13,12 @@ namespace eagerx::policy {
 /// Registers of sums at a time: as many as hide the latency of the additions. They need not fit
 /// into the machine's registers together with the sums of a group, which are used more often.
 inline constexpr std::size_t kRegistersAtATime = 8;
+/// Registers that an activation is applied to at a time: all of its numbers should be in registers.
+#if defined(__AVX512VL__) || defined(__aarch64__)
+inline constexpr std::size_t kActivatedAtATime = 8;
+#else
+inline constexpr std::size_t kActivatedAtATime = 4;
+#endif
 
 /// Keeps operations on `v` in the order of the source: compilers would finish one sum before they
 /// begin the next, and wait for each addition.
@@ -30,8 +36,13 @@ template <class Vector>
 /// `Panels` panels of `Width` outputs at a time.
 template <std::size_t In, std::size_t Width, std::size_t Panels>
 class PanelBlock {
+  static constexpr std::size_t kWidth = std::min(Width, kLanes);
+  static constexpr std::size_t kPerPanel = Width / kWidth;
+  static constexpr std::size_t kVectors = Panels * kPerPanel;
+  using Vector = FloatVector<kWidth>;
+
  public:
-  /// y = sums, or relu of them.
+  /// y = A(sums), for activations without a slope.
   template <Activation A>
   static void run(const float* w, const float* b, const float* x, float* y) {
     Vector sum[kVectors];
@@ -39,18 +50,24 @@ class PanelBlock {
     for (std::size_t v = 0; v < kVectors; ++v) sum[v] = load<Vector>(b + v * kWidth);
     for (std::size_t j = 0; j + kGroup <= In; j += kGroup) add_group<kGroup>(w, x, j, sum);
     if constexpr (In % kGroup > 0) add_group<In % kGroup>(w, x, In - In % kGroup, sum);
-#pragma GCC unroll 8
-    for (std::size_t v = 0; v < kVectors; ++v) {
-      if constexpr (A == Activation::relu) sum[v] = larger(Vector{}, sum[v]);
-      std::memcpy(y + v * kWidth, &sum[v], sizeof sum[v]);
+    constexpr std::size_t kAtATime = std::min(kVectors, kActivatedAtATime);
+    constexpr std::size_t kRest = kVectors % kAtATime;
+#pragma GCC unroll 2
+    for (std::size_t v = 0; v + kAtATime <= kVectors; v += kAtATime) {
+      finish<A, kAtATime>(sum + v, y + v * kWidth);
     }
+    constexpr std::size_t kDone = kVectors - kRest;
+    if constexpr (kRest > 0) finish<A, kRest>(sum + kDone, y + kDone * kWidth);
   }
 
  private:
-  static constexpr std::size_t kWidth = std::min(Width, kLanes);
-  static constexpr std::size_t kPerPanel = Width / kWidth;
-  static constexpr std::size_t kVectors = Panels * kPerPanel;
-  using Vector = FloatVector<kWidth>;
+  /// y = A(sum).
+  template <Activation A, std::size_t Count>
+  [[gnu::always_inline]] static void finish(const Vector* sum, float* y) {
+    using Lanes = FloatLanes<kWidth, Count>;
+    const auto sums = Lanes::of([&](std::size_t v) { return sum[v]; });
+    activated<A>(sums, 0.0F).store(y);
+  }
 
   /// Weights of input `j` in vector `v`.
   [[gnu::always_inline]] static Vector row(const float* w, std::size_t j, std::size_t v) {
@@ -186,7 +203,7 @@ inline void panels_of_layer(const float* w, const float* b, const float* x, floa
 /// y = A(y), for whole registers. Layers of one size share it.
 template <Activation A, std::size_t Out>
 [[EAGERX_POLICY_ALONE]] void activate_numbers(float* y, float slope) {
-  constexpr std::size_t kAtATime = kRegistersAtATime;
+  constexpr std::size_t kAtATime = kActivatedAtATime;
   using Many = FloatLanes<kLanes, kAtATime>;
   using One = FloatLanes<kLanes, 1>;
   std::size_t k = 0;
@@ -213,7 +230,7 @@ inline void activate_all(float* y, float slope) {
 
 template <Activation A, std::size_t In, std::size_t Panels>
 inline void full_panels(const float* w, const float* b, const float* x, float* y, float slope) {
-  if constexpr (A == Activation::relu) {
+  if constexpr (A == Activation::relu || A == Activation::tanh) {
     panels_of_layer<In, Panels, A>(w, b, x, y);
   } else if constexpr (Panels > 0) {
     panels_of_layer<In, Panels, Activation::identity>(w, b, x, y);
