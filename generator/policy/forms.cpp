@@ -32,8 +32,8 @@ Values<Real> product(const std::vector<float>& weights, const std::vector<float>
   Values<Real> y(bias.size());
   for (std::size_t out = 0; out < y.size(); ++out) {
     const float* row = weights.data() + out * x.size();
-    y[out] = grouped_sum(static_cast<Real>(bias[out]), x.size(),
-                         [&](std::size_t i) { return static_cast<Real>(row[i]) * x[i]; });
+    y[out] = sum_of_output(static_cast<Real>(bias[out]), out, y.size(), x.size(),
+                           [&](std::size_t i) { return static_cast<Real>(row[i]) * x[i]; });
   }
   return y;
 }
@@ -108,9 +108,9 @@ Values<Real> convolve(const DenseLayer& layer, const Convolution& form, const Va
       }
       for (std::size_t out = group * made; out < (group + 1) * made; ++out) {
         const float* weights = layer.weights.data() + out * patch.size();
-        y[out * places + place] =
-            grouped_sum(static_cast<Real>(layer.bias[out]), patch.size(),
-                        [&](std::size_t i) { return static_cast<Real>(weights[i]) * patch[i]; });
+        y[out * places + place] = sum_of_output(
+            static_cast<Real>(layer.bias[out]), out - group * made, made, patch.size(),
+            [&](std::size_t i) { return static_cast<Real>(weights[i]) * patch[i]; });
       }
     }
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <eagerx/policy/panel_size.hpp>
 
@@ -18,6 +19,29 @@ Real grouped_sum(Real start, std::size_t count, Term&& term) {
     sum = sum + part;
   }
   return sum;
+}
+
+/// `start` and the sum of an output that is alone in its panel.
+template <class Real, class Term>
+Real chained_sum(Real start, std::size_t count, Term&& term) {
+  constexpr std::size_t kChains = eagerx::policy::kChains;
+  std::array<Real, kChains> sums{};
+  for (std::size_t i = 0; i < (count + kChains - 1) / kChains * kChains; ++i) {
+    const Real value = i < count ? term(i) : Real(0);
+    sums[i % kChains] = i < kChains ? value : sums[i % kChains] + value;
+  }
+  for (std::size_t half = kChains / 2; half > 0; half /= 2) {
+    for (std::size_t k = 0; k < half; ++k) sums[k] = sums[k] + sums[k + half];
+  }
+  return start + sums[0];
+}
+
+/// Output `out` of a layer with `outputs` of them.
+template <class Real, class Term>
+Real sum_of_output(Real start, std::size_t out, std::size_t outputs, std::size_t count,
+                   Term&& term) {
+  return eagerx::policy::alone_in_panel(out, outputs) ? chained_sum(start, count, term)
+                                                      : grouped_sum(start, count, term);
 }
 
 }  // namespace eagerx::gen

@@ -23,15 +23,18 @@ struct HyperbolicConstants<double> {
   static constexpr double kOverflow = 710.5;
 };
 
+/// Rounds as kRounder, but the low bits of x + kHalfPowerRounder are those of n and the bias of
+/// 2^(n-1), so that they need only be shifted to be that number.
+inline constexpr float kHalfPowerRounder =
+    unbits(bits(FloatFormat<float>::kRounder) + FloatFormat<float>::kBias - 1U);
+
 /// (e^2a - 1) / 2 for 0 <= a <= kTanhIsOne, in float. Policies compute it very often: fewer and
 /// shorter chains than exponential_parts() has, for the same error.
 template <Floating R>
 [[gnu::always_inline]] constexpr R half_expm1_of_twice(R a) {
   using Constants = ExponentialConstants<float>;
-  // As kRounder, with the bias of 2^(n-1) in the low bits: shifted, they are that number.
-  constexpr float kRounder = unbits(bits(FloatFormat<float>::kRounder) + FloatFormat<float>::kBias - 1);
-  const R shifted = a * R(2.0F * Constants::kLog2E) + R(kRounder);
-  const R n = shifted - R(kRounder);
+  const R shifted = a * R(2.0F * Constants::kLog2E) + R(kHalfPowerRounder);
+  const R n = shifted - R(kHalfPowerRounder);
   const R r = ((a + a) - n * R(Constants::kLn2High)) - n * R(Constants::kLn2Low);
   const R half = unbits(bits(shifted) << FloatFormat<float>::kMantissaBits);  // 2^n / 2
   const R square = r * r;

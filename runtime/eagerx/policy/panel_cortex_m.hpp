@@ -31,6 +31,11 @@
   "vmla.f32 s10, s18, " x "\n vmla.f32 s11, s19, " x "\n"                 \
   "vmla.f32 s12, s20, " x "\n vmla.f32 s13, s21, " x "\n"                 \
   "vmla.f32 s14, s22, " x "\n vmla.f32 s15, s23, " x "\n"
+#define EAGERX_POLICY_PRODUCTS(a, b, c, d, e, f, g, h)                                      \
+  "vldmia.32 %[w]!, {s16-s23}\n vldmia.32 %[x]!, {s24-s31}\n"                               \
+  "vmla.f32 " a ", s16, s24\n vmla.f32 " b ", s17, s25\n vmla.f32 " c ", s18, s26\n"        \
+  "vmla.f32 " d ", s19, s27\n vmla.f32 " e ", s20, s28\n vmla.f32 " f ", s21, s29\n"        \
+  "vmla.f32 " g ", s22, s30\n vmla.f32 " h ", s23, s31\n"
 #else
 #define EAGERX_POLICY_ROW(x)                                                                \
   "vldmia.32 %[w]!, {s16-s23}\n"                                                            \
@@ -38,6 +43,14 @@
   "vadd.f32 s8, s8, s16\n vadd.f32 s9, s9, s17\n vadd.f32 s10, s10, s18\n"                  \
   "vadd.f32 s11, s11, s19\n vadd.f32 s12, s12, s20\n vadd.f32 s13, s13, s21\n"              \
   "vadd.f32 s14, s14, s22\n vadd.f32 s15, s15, s23\n"
+#define EAGERX_POLICY_PRODUCTS(a, b, c, d, e, f, g, h)                                      \
+  "vldmia.32 %[w]!, {s16-s23}\n vldmia.32 %[x]!, {s24-s31}\n"                               \
+  "vmul.f32 s16, s16, s24\n vmul.f32 s17, s17, s25\n vmul.f32 s18, s18, s26\n"             \
+  "vmul.f32 s19, s19, s27\n vmul.f32 s20, s20, s28\n vmul.f32 s21, s21, s29\n"             \
+  "vmul.f32 s22, s22, s30\n vmul.f32 s23, s23, s31\n"                                      \
+  "vadd.f32 " a ", " a ", s16\n vadd.f32 " b ", " b ", s17\n vadd.f32 " c ", " c ", s18\n"  \
+  "vadd.f32 " d ", " d ", s19\n vadd.f32 " e ", " e ", s20\n vadd.f32 " f ", " f ", s21\n"  \
+  "vadd.f32 " g ", " g ", s22\n vadd.f32 " h ", " h ", s23\n"
 #endif
 #define EAGERX_POLICY_END_GROUP                                                             \
   "vadd.f32 s0, s0, s8\n vadd.f32 s1, s1, s9\n vadd.f32 s2, s2, s10\n"                      \
@@ -97,41 +110,63 @@ namespace eagerx::policy {
   } while (b != end);
 }
 
-/// Whole groups of the one output of a layer: `sum` and the products of `groups` groups.
-[[gnu::noinline]] inline float groups_of_output(float sum, const float* w, const float* x,
-                                                std::size_t groups) {
-  register float s asm("s0") = sum;
+/// The sum of the products of `blocks` times kChains inputs and of `last`, which may be null.
+[[gnu::noinline]] inline float sum_of_products(const float* w, const float* x, std::size_t blocks,
+                                               const float* last) {
+  register float sum asm("s0");
   // clang-format off
   asm volatile(
+      "vldmia.32 %[w]!, {s0-s15}\n"
+      "vldmia.32 %[x]!, {s16-s31}\n"
+      "vmul.f32 s0, s0, s16\n vmul.f32 s1, s1, s17\n vmul.f32 s2, s2, s18\n"
+      "vmul.f32 s3, s3, s19\n vmul.f32 s4, s4, s20\n vmul.f32 s5, s5, s21\n"
+      "vmul.f32 s6, s6, s22\n vmul.f32 s7, s7, s23\n vmul.f32 s8, s8, s24\n"
+      "vmul.f32 s9, s9, s25\n vmul.f32 s10, s10, s26\n vmul.f32 s11, s11, s27\n"
+      "vmul.f32 s12, s12, s28\n vmul.f32 s13, s13, s29\n vmul.f32 s14, s14, s30\n"
+      "vmul.f32 s15, s15, s31\n"
+      "b 2f\n"
       "1:\n"
-      "vldmia.32 %[w]!, {s16-s23}\n"
-      "vldmia.32 %[x]!, {s24-s31}\n"
-      "vmul.f32 s16, s16, s24\n vmul.f32 s17, s17, s25\n vmul.f32 s18, s18, s26\n"
-      "vmul.f32 s19, s19, s27\n vmul.f32 s20, s20, s28\n vmul.f32 s21, s21, s29\n"
-      "vmul.f32 s22, s22, s30\n vmul.f32 s23, s23, s31\n"
-      "vadd.f32 s16, s16, s17\n vadd.f32 s16, s16, s18\n vadd.f32 s16, s16, s19\n"
-      "vadd.f32 s16, s16, s20\n vadd.f32 s16, s16, s21\n vadd.f32 s16, s16, s22\n"
-      "vadd.f32 s16, s16, s23\n"
-      "vadd.f32 %[s], %[s], s16\n"
-      "subs %[groups], #1\n"
-      "bne 1b\n"
-      : [s] "+t"(s), [w] "+r"(w), [x] "+r"(x), [groups] "+l"(groups)
+      EAGERX_POLICY_PRODUCTS("s0", "s1", "s2", "s3", "s4", "s5", "s6", "s7")
+      EAGERX_POLICY_PRODUCTS("s8", "s9", "s10", "s11", "s12", "s13", "s14", "s15")
+      "2:\n"
+      "subs %[blocks], #1\n"
+      "bne.w 1b\n"
+      "cmp %[last], #0\n"
+      "beq.w 3f\n"
+      "vldmia.32 %[last]!, {s16-s31}\n"
+      "vadd.f32 s8, s8, s24\n vadd.f32 s9, s9, s25\n vadd.f32 s10, s10, s26\n"
+      "vadd.f32 s11, s11, s27\n vadd.f32 s12, s12, s28\n vadd.f32 s13, s13, s29\n"
+      "vadd.f32 s14, s14, s30\n vadd.f32 s15, s15, s31\n vadd.f32 s0, s0, s16\n"
+      "vadd.f32 s1, s1, s17\n vadd.f32 s2, s2, s18\n vadd.f32 s3, s3, s19\n"
+      "vadd.f32 s4, s4, s20\n vadd.f32 s5, s5, s21\n vadd.f32 s6, s6, s22\n"
+      "vadd.f32 s7, s7, s23\n"
+      "3:\n"
+      EAGERX_POLICY_END_GROUP
+      "vadd.f32 s0, s0, s4\n vadd.f32 s1, s1, s5\n vadd.f32 s2, s2, s6\n"
+      "vadd.f32 s3, s3, s7\n"
+      "vadd.f32 s0, s0, s2\n vadd.f32 s1, s1, s3\n"
+      "vadd.f32 s0, s0, s1\n"
+      : [w] "+r"(w), [x] "+r"(x), [blocks] "+l"(blocks), [last] "+r"(last), "=t"(sum)
       :
-      : "cc", "memory", "s16", "s17", "s18", "s19", "s20", "s21", "s22", "s23", "s24", "s25",
+      : "cc", "memory", "s1", "s2", "s3", "s4", "s5", "s6", "s7", "s8", "s9", "s10", "s11", "s12",
+        "s13", "s14", "s15", "s16", "s17", "s18", "s19", "s20", "s21", "s22", "s23", "s24", "s25",
         "s26", "s27", "s28", "s29", "s30", "s31");
   // clang-format on
-  return s;
+  return sum;
 }
 
 template <std::size_t In, std::size_t Width>
 inline void tail_panel(const float* w, const float* b, const float* x, float* y) {
-  if constexpr (Width == 1 && In >= kGroup) {
-    constexpr std::size_t kRest = In % kGroup;
-    float sum[1] = {groups_of_output(b[0], w, x, In / kGroup)};
-    if constexpr (kRest > 0) add_group<1, kRest>(w + (In - kRest), x + (In - kRest), sum);
-    y[0] = sum[0];
-  } else {
+  if constexpr (Width > 1) {
     plain_panel<In, Width>(w, b, x, y);
+  } else if constexpr (In < kChains) {
+    y[0] = plain_output<In>(w, b[0], x);
+  } else if constexpr (In % kChains > 0) {
+    float last[kChains];
+    last_products<In>(w, x, last);
+    y[0] = b[0] + sum_of_products(w, x, In / kChains, last);
+  } else {
+    y[0] = b[0] + sum_of_products(w, x, In / kChains, nullptr);
   }
 }
 
@@ -161,8 +196,8 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
 [[gnu::noinline]] inline void tanh_range(float* y, std::size_t count) {
   using Exponential = detail::ExponentialConstants<float>;
   static constexpr float kConstants[12] = {detail::HyperbolicConstants<float>::kTanhIsOne,
-                                           Exponential::kLog2E,
-                                           FloatFormat<float>::kRounder,
+                                           2.0F * Exponential::kLog2E,
+                                           detail::kHalfPowerRounder,
                                            Exponential::kLn2High,
                                            Exponential::kLn2Low,
                                            Exponential::kExpm1[0],
@@ -170,8 +205,8 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
                                            Exponential::kExpm1[2],
                                            Exponential::kExpm1[3],
                                            Exponential::kExpm1[4],
-                                           1.0F,
-                                           2.0F};
+                                           0.5F,
+                                           1.0F};
   std::uint32_t word = 0;
   // clang-format off
   asm volatile(
@@ -180,21 +215,24 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
       "vldr.32 s0, [%[y]]\n"
       "vabs.f32 s1, s0\n"
       "vcmp.f32 s1, s16\n vmrs APSR_nzcv, FPSCR\n it gt\n vmovgt.f32 s1, s16\n"
-      "vadd.f32 s1, s1, s1\n"                          // 2 |y|
       "vmul.f32 s2, s1, s17\n vadd.f32 s2, s2, s18\n"  // n, in the low bits
       "vmov %[word], s2\n"
       "vsub.f32 s2, s2, s18\n"
-      "add %[word], #127\n lsls %[word], #23\n"
+      "lsls %[word], #23\n"
+      "vadd.f32 s1, s1, s1\n"                          // 2 |y|
       "vmul.f32 s3, s2, s19\n vsub.f32 s1, s1, s3\n"
       "vmul.f32 s3, s2, s20\n vsub.f32 s1, s1, s3\n"   // r
-      "vmul.f32 s2, s1, s1\n"
-      "vmul.f32 s3, s21, s1\n vadd.f32 s3, s3, s22\n"
-      "vmul.f32 s3, s3, s1\n vadd.f32 s3, s3, s23\n"
-      "vmul.f32 s3, s3, s1\n vadd.f32 s3, s3, s24\n"
-      "vmul.f32 s3, s3, s1\n vadd.f32 s3, s3, s25\n"
-      "vmul.f32 s3, s2, s3\n vadd.f32 s3, s1, s3\n"    // e^r - 1
-      "vmov s2, %[word]\n"                             // 2^n
-      "vmul.f32 s3, s2, s3\n vsub.f32 s2, s2, s26\n vadd.f32 s3, s3, s2\n"
+      "vmov s2, %[word]\n"                             // 2^n / 2
+      "vmul.f32 s4, s1, s1\n"
+      "vmul.f32 s3, s22, s1\n vadd.f32 s3, s3, s23\n"
+      "vmul.f32 s5, s4, s21\n vadd.f32 s3, s5, s3\n"
+      "vmul.f32 s3, s3, s4\n"
+      "vmul.f32 s5, s24, s1\n vadd.f32 s5, s5, s25\n"
+      "vadd.f32 s3, s3, s5\n"
+      "vmul.f32 s5, s2, s1\n"
+      "vsub.f32 s2, s2, s26\n vadd.f32 s2, s2, s5\n"
+      "vmul.f32 s5, s5, s1\n vmul.f32 s3, s5, s3\n"
+      "vadd.f32 s3, s2, s3\n"                          // (e^2|y| - 1) / 2
       "vadd.f32 s2, s3, s27\n vdiv.f32 s3, s3, s2\n"
       "vmov %[word], s0\n cmp %[word], #0\n it lt\n vneglt.f32 s3, s3\n"
       "vstmia.32 %[y]!, {s3}\n"
@@ -202,7 +240,7 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
       "bne 1b\n"
       : [y] "+l"(y), [count] "+l"(count), [word] "+l"(word)
       : [constants] "r"(kConstants)
-      : "cc", "memory", "s0", "s1", "s2", "s3", "s16", "s17", "s18", "s19", "s20", "s21", "s22",
+      : "cc", "memory", "s0", "s1", "s2", "s3", "s4", "s5", "s16", "s17", "s18", "s19", "s20", "s21", "s22",
         "s23", "s24", "s25", "s26", "s27");
   // clang-format on
 }
@@ -242,4 +280,5 @@ inline void full_panels(const float* w, const float* b, const float* x, float* y
 #undef EAGERX_POLICY_FIRST_ROW
 #undef EAGERX_POLICY_ROW
 #undef EAGERX_POLICY_END_GROUP
+#undef EAGERX_POLICY_PRODUCTS
 #undef EAGERX_POLICY_REGISTERS

@@ -5,6 +5,7 @@
 #include <targets/common/bare-metal/semihosting.hpp>
 
 #include "networks.hpp"
+#include "tests/support/plain_sum.hpp"
 
 namespace {
 
@@ -60,14 +61,9 @@ bool check() {
     if (round == 2) x[In / 2] = __builtin_inff();
     eagerx::dense<A>(layer, x, y, 0.5F);
     for (std::size_t out = 0; out < Out; ++out) {
-      float sum = layer.b[out];
-      for (std::size_t first = 0; first < In; first += 8) {
-        float part = layer.w[layer.index(out, first)] * x[first];
-        for (std::size_t in = first + 1; in < In && in < first + 8; ++in) {
-          part = part + layer.w[layer.index(out, in)] * x[in];
-        }
-        sum = sum + part;
-      }
+      float row[In];
+      for (std::size_t in = 0; in < In; ++in) row[in] = layer.w[layer.index(out, in)];
+      const float sum = eagerx::test::plain_sum(row, x, In, layer.b[out], out, Out);
       good = good && same(y[out], eagerx::policy::activated<A>(sum, 0.5F));
     }
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "generator/policy/network.hpp"
+#include "tests/support/plain_sum.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -26,12 +27,7 @@ std::vector<float> evaluate(const Network& network, std::vector<float> x) {
     std::vector<float> y(layer.bias);
     for (std::size_t out = 0; out < y.size(); ++out) {
       const float* weights = layer.weights.data() + out * layer.inputs;
-      for (std::size_t first = 0; first < layer.inputs; first += 8) {
-        const std::size_t end = std::min<std::size_t>(first + 8, layer.inputs);
-        float group = weights[first] * x[first];
-        for (std::size_t j = first + 1; j < end; ++j) group = group + weights[j] * x[j];
-        y[out] = y[out] + group;
-      }
+      y[out] = eagerx::test::plain_sum(weights, x.data(), layer.inputs, y[out], out, y.size());
       if (layer.activation == Activation::relu) y[out] = y[out] < 0.0F ? 0.0F : y[out];
       if (layer.activation == Activation::tanh) y[out] = eagerx::tanh(y[out]);
     }

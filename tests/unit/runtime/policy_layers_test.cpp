@@ -11,6 +11,8 @@
 #include <eagerx/policy/recurrent.hpp>
 #include <limits>
 
+#include "tests/support/plain_sum.hpp"
+
 namespace {
 
 using eagerx::Activation;
@@ -49,15 +51,7 @@ struct Matrix {
     }
   }
   [[nodiscard]] float sum(std::size_t out, const float* x) const {
-    float total = b[out];
-    for (std::size_t first = 0; first < In; first += 8) {
-      float group = w[out][first] * x[first];
-      for (std::size_t i = first + 1; i < In && i < first + 8; ++i) {
-        group = group + w[out][i] * x[i];
-      }
-      total = total + group;
-    }
-    return total;
+    return eagerx::test::plain_sum(w[out], x, In, b[out], out, Out);
   }
 };
 

@@ -14,22 +14,13 @@
 #include <memory>
 #include <utility>
 
+#include "tests/support/plain_sum.hpp"
+
 namespace {
 
 using eagerx::Activation;
 using eagerx::DenseWeights;
-
-/// The order of additions as eagerx/policy.hpp documents it: bias, then groups of eight inputs.
-float plain_sum(const float* weights, const float* x, std::size_t inputs, float bias) {
-  float sum = bias;
-  for (std::size_t first = 0; first < inputs; first += 8) {
-    const std::size_t end = first + 8 < inputs ? first + 8 : inputs;
-    float group = weights[first] * x[first];
-    for (std::size_t j = first + 1; j < end; ++j) group = group + weights[j] * x[j];
-    sum = sum + group;
-  }
-  return sum;
-}
+using eagerx::test::plain_sum;
 
 float plain_activation(Activation activation, float y) {
   if (activation == Activation::relu) return y < 0.0F ? 0.0F : y;
@@ -90,7 +81,8 @@ void compare(const float (&row_major)[Out * In], const float (&bias)[Out], const
   float y[Out];
   eagerx::dense<A>(*layer, x, y);
   for (std::size_t out = 0; out < Out; ++out) {
-    const float expected = plain_activation(A, plain_sum(row_major + out * In, x, In, bias[out]));
+    const float expected =
+        plain_activation(A, plain_sum(row_major + out * In, x, In, bias[out], out, Out));
     EXPECT_EQ(bits_of(y[out]), bits_of(expected))
         << In << " inputs, output " << out << " of " << Out << ": " << y[out] << " instead of "
         << expected;
