@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
+
+#include "generator/policy/actor_parts.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMaxLayers = 256;
+constexpr std::int64_t kMaxPixels = std::int64_t{1} << 22U;
 constexpr const char* kSaveAgain = "the file is damaged: save it again";
 
 class Assembly {
@@ -25,15 +29,15 @@ class Assembly {
     if (!layout) return std::nullopt;
     layout_ = std::move(*layout);
     if (!add_memory(table_, layout_, problem_)) return std::nullopt;
-    if (!check_algorithm() || !choose_activation()) return std::nullopt;
+    if (!check_algorithm() || !choose_activation() || !add_observation()) return std::nullopt;
     for (const ActorModule& module : layout_.modules) {
       if (!add(module)) return std::nullopt;
     }
     if (!finish_layers() || !check_facts()) return std::nullopt;
     network_.format = fmt::format("{}, {}", facts_.format, layout_.about);
-    network_.action = facts_.action.value_or(layout_.action);
     network_.contract = facts_.contract;
-    if (!add_statistics()) return std::nullopt;
+    const ActorParts parts{table_, facts_, network_, used_, problem_};
+    if (!add_statistics(parts) || !add_scaled_bounds(parts) || !check_rest()) return std::nullopt;
     for (const auto& [name, tensor] : table_.tensors) {
       if (used_.count(name) > 0) continue;
       network_.ignored.push_back(
@@ -53,15 +57,53 @@ class Assembly {
     if (facts_.unsupported) {
       return fail("E0628", *facts_.unsupported, "export the actor to ONNX, or train without it");
     }
+    const std::string known = " FlattenExtractor NatureCNN CombinedExtractor ";
+    if (facts_.extractor && known.find(" " + *facts_.extractor + " ") == std::string::npos) {
+      return fail(
+          "E0628",
+          fmt::format("has a features extractor of its own (`{}`)", printable(*facts_.extractor)),
+          "export the actor to ONNX");
+    }
+    return true;
+  }
+
+  /// Tensors between observation and action that nothing has read.
+  bool check_rest() {
     for (const auto& [name, tensor] : table_.tensors) {
-      for (const char* part :
-           {"features_extractor.", "normalizer.", "running_mean_std.", "running_mean"}) {
-        const bool critic = name.find("critic") != std::string::npos || name.starts_with("vf_");
-        if (critic || name.find(part) == std::string::npos) continue;
+      const bool critic = name.find("critic") != std::string::npos ||
+                          name.find("value") != std::string::npos || name.starts_with("vf_") ||
+                          name.find("_target.") != std::string::npos;
+      // PPO's are there under several names.
+      const bool again = !layout_.extractor.empty() && !network_.input_shape.empty() &&
+                         name.starts_with("features_extractor.");
+      if (used_.count(name) > 0 || critic || again) continue;
+      for (const char* part : {"features_extractor.", "normalizer.", "running_mean"}) {
+        if (name.find(part) == std::string::npos) continue;
         return fail("E0628", fmt::format("has parts that are not supported: `{}`", printable(name)),
-                    "layers are Linear and LayerNorm; give statistics as `normalize`");
+                    "layers are Linear, LayerNorm, BatchNorm and NatureCNN; give statistics as "
+                    "`normalize`");
       }
     }
+    return true;
+  }
+
+  /// Pixels become numbers from 0 to 1, and features if there is a network for them.
+  bool add_observation() {
+    if (facts_.scales_pixels && facts_.observations && *facts_.observations < kMaxPixels) {
+      DenseLayer layer;
+      layer.inputs = layer.outputs = static_cast<std::uint32_t>(*facts_.observations);
+      layer.form = Elementwise{Elementwise::Operation::divide};
+      layer.bias = {255.0F};
+      network_.layers.push_back(std::move(layer));
+    }
+    const auto first = table_.tensors.lower_bound(layout_.extractor + "cnn.");
+    const bool has_cnn = !layout_.extractor.empty() && first != table_.tensors.end() &&
+                         first->first.starts_with(layout_.extractor + "cnn.");
+    if (has_cnn &&
+        !add_nature_cnn({table_, facts_, network_, used_, problem_}, layout_.extractor)) {
+      return false;
+    }
+    features_ = network_.layers.size();
     return true;
   }
 
@@ -108,6 +150,10 @@ class Assembly {
 
   bool add(const ActorModule& module) {
     if (module.recurrent) return add_recurrent(module);
+    if (is_batch_norm(table_, module.base)) {
+      if (!add_batch_norm({table_, facts_, network_, used_, problem_}, module.base)) return false;
+      return activate(module);
+    }
     const StoredTensor* weight = table_.find(module.base + ".weight");
     if (weight == nullptr) return missing(module.base + ".weight");
     if (network_.layers.size() >= kMaxLayers) {
@@ -116,6 +162,12 @@ class Assembly {
     const bool added = weight->shape.size() == 1 ? add_norm(module.base, *weight)
                                                  : add_dense(module.base, *weight);
     if (!added) return false;
+    if (module.is_limited && facts_.limit > 0.0) {
+      add_limits(network_, static_cast<float>(facts_.limit));
+    }
+    return activate(module);
+  }
+  bool activate(const ActorModule& module) {
     if (module.activation_after) {
       network_.layers.back().activation = activation_;
       network_.layers.back().slope = default_slope(activation_);
@@ -200,14 +252,28 @@ class Assembly {
 
   bool finish_layers() {
     if (network_.layers.empty()) return fail("E0624", "has an actor without layers");
-    if (layout_.output != Activation::identity) network_.layers.back().activation = layout_.output;
+    if (layout_.has_quantiles && !average_quantiles({table_, facts_, network_, used_, problem_})) {
+      return false;
+    }
+    ActionKind action = layout_.action;
+    Activation output = layout_.output;
+    const std::string last = layout_.modules.back().base + ".bias";
+    const bool squashes = (layout_.squash == Squash::if_said && facts_.squash.value_or(false)) ||
+                          (layout_.squash == Squash::unless_no_bias &&
+                           facts_.squash.value_or(table_.find(last) != nullptr));
+    if (squashes && facts_.action != ActionKind::argmax) {
+      action = ActionKind::squashed;
+      output = Activation::tanh;
+    }
+    network_.action = facts_.action.value_or(action);
+    if (output != Activation::identity) network_.layers.back().activation = output;
     return true;
   }
 
   bool check_facts() {
     std::vector<std::int64_t> hidden;
-    for (const DenseLayer& layer : network_.layers) {
-      if (layer.is_dense()) hidden.push_back(layer.outputs);
+    for (std::size_t i = features_; i < network_.layers.size(); ++i) {
+      if (network_.layers[i].is_dense()) hidden.push_back(network_.layers[i].outputs);
     }
     if (hidden.empty()) return fail("E0624", "has an actor without layers");
     hidden.pop_back();
@@ -227,37 +293,6 @@ class Assembly {
     return true;
   }
 
-  bool add_statistics() {
-    const StoredTensor* mean = table_.find("obs_rms.mean");
-    const StoredTensor* variance = table_.find("obs_rms.var");
-    if (mean == nullptr && variance == nullptr) return true;
-    if (mean == nullptr || variance == nullptr) {
-      return fail("E0627", "has only one of `obs_rms.mean` and `obs_rms.var`");
-    }
-    const Dims wanted{std::int64_t{network_.inputs()}};
-    for (const StoredTensor* tensor : {mean, variance}) {
-      if (tensor->shape == wanted) continue;
-      return fail("E0627", fmt::format("has statistics of shape {} for {} inputs",
-                                       show(tensor->shape), network_.inputs()));
-    }
-    auto means = finite_values_of("obs_rms.mean", *mean, problem_);
-    if (!means) return false;
-    auto variances = finite_values_of("obs_rms.var", *variance, problem_);
-    if (!variances) return false;
-    Normalization statistics;
-    statistics.mean = std::move(*means);
-    statistics.variance = std::move(*variances);
-    statistics.clip = facts_.clip.value_or(statistics.clip);
-    statistics.epsilon = facts_.epsilon.value_or(statistics.epsilon);
-    if (!check_statistics(statistics, problem_)) return false;
-    network_.normalization = std::move(statistics);
-    for (const char* name : {"obs_rms.mean", "obs_rms.var", "obs_rms.count", "clip_obs", "epsilon",
-                             "low", "high", "rate", "squash"}) {
-      used_.insert(name);
-    }
-    return true;
-  }
-
   const TensorTable& table_;
   const PolicyFacts& facts_;
   const ReadContext& context_;
@@ -265,12 +300,13 @@ class Assembly {
   ActorLayout layout_;
   Activation activation_ = Activation::identity;
   Network network_;
-  std::set<std::string, std::less<>> used_;
+  std::size_t features_ = 0;  // layers in front of the modules
+  std::set<std::string> used_;
 };
 
 }  // namespace
 
-bool check_statistics(const Normalization& statistics, PolicyProblem& problem) {
+bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
   const auto fail = [&](const char* how) {
     problem = {"E0627", fmt::format("has statistics {}", how), kSaveAgain};
     return false;
@@ -286,6 +322,7 @@ bool check_statistics(const Normalization& statistics, PolicyProblem& problem) {
     if (statistics.variance[i] < 0.0 || !(sum > 0.0)) return fail("with a variance below zero");
   }
   if (!(statistics.clip > 0.0)) return fail("whose clip is not above zero");
+  statistics.clip = std::min(statistics.clip, std::numeric_limits<double>::max());
   return true;
 }
 

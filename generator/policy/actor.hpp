@@ -18,7 +18,12 @@ struct PolicyFacts {
   std::optional<std::vector<std::int64_t>> hidden;    // outputs of the hidden layers
   std::optional<std::int64_t> observations, actions;  // how many numbers
   std::optional<double> clip, epsilon;                // of the statistics
-  std::optional<std::string> unsupported;             // "uses gSDE": why it cannot be read at all
+  std::optional<std::string> unsupported;             // why it cannot be read at all
+  std::optional<std::string> extractor;               // class of its features extractor
+  std::optional<Dims> image;   // of the observation: [channels, rows, columns]
+  bool scales_pixels = false;  // by 1 / 255
+  std::optional<bool> squash;  // whether a tanh follows the mean
+  double limit = 2.0;          // of the mean, where the layout has one
   PolicyContract contract;
 };
 
@@ -36,14 +41,23 @@ std::optional<PolicyFacts> facts_of_sb3(std::string_view json, PolicyProblem& pr
 std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& facts,
                                   const ReadContext& context, PolicyProblem& problem);
 
-/// E0627 for NaN, a variance below zero, a clip that is not above it.
-bool check_statistics(const Normalization& statistics, PolicyProblem& problem);
+/// E0627 for NaN, a variance below zero, a clip that is not above it. An infinite clip becomes the
+/// largest number.
+bool check_statistics(Normalization& statistics, PolicyProblem& problem);
+
+/// When a tanh follows the last layer besides `ActorLayout::output`.
+enum class Squash : std::uint8_t {
+  never,
+  if_said,         // PolicyFacts::squash
+  unless_no_bias,  // sb3-contrib's ARS: its LinearPolicy has none of the two
+};
 
 /// The modules of an actor in the order of evaluation.
 struct ActorModule {
   std::string base;  // "actor.latent_pi.0"
   bool activation_after = false;
   std::optional<int> recurrent{};  // layer of a GRU or LSTM: base.weight_ih_l0
+  bool is_limited = false;         // by PolicyFacts::limit
 };
 struct ActorLayout {
   std::string about;       // "Stable-Baselines3's SAC"
@@ -54,6 +68,9 @@ struct ActorLayout {
   Activation output = Activation::identity;  // after the last layer
   bool has_bias = false;                     // always
   std::string memory;                        // "lstm_actor": a GRU or LSTM before the modules
+  std::string extractor;                     // what names in front of the modules start with
+  Squash squash = Squash::never;
+  bool has_quantiles = false;
 };
 
 /// The one actor among the names. E0624, E0625.

@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -11,6 +12,8 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::string_view kWeight = ".weight";
+constexpr std::string_view kMean = ".running_mean";  // of a batch norm, which may have no weight
+constexpr std::string_view kRenormMean = ".ra_mean";
 constexpr std::int64_t kWidestGap = 3;  // Linear, activation, Dropout, Linear
 
 /// Parameters of one torch Sequential, by position.
@@ -22,8 +25,12 @@ Sequences find_sequences(const TensorTable& table) {
   constexpr std::size_t kMostDigits = 4;
   Sequences sequences;
   for (const auto& [name, tensor] : table.tensors) {
-    if (!name.ends_with(kWeight)) continue;
-    const std::string base = name.substr(0, name.size() - kWeight.size());
+    std::optional<std::string> base_of_name;
+    for (const std::string_view end : {kWeight, kMean, kRenormMean}) {
+      if (name.ends_with(end)) base_of_name = name.substr(0, name.size() - end.size());
+    }
+    if (!base_of_name) continue;
+    const std::string& base = *base_of_name;
     const std::size_t letters = base.find_last_not_of("0123456789") + 1;  // npos + 1 is 0
     const std::size_t digits = base.size() - letters;
     if (digits == 0 || digits > kMostDigits) continue;
@@ -33,6 +40,165 @@ Sequences find_sequences(const TensorTable& table) {
   }
   return sequences;
 }
+
+/// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
+struct Known {
+  const char* about;
+  const char* algorithms;
+  std::array<const char*, 2> bodies;
+  const char* head;
+  bool head_is_sequence;
+  std::array<const char*, 2> must_have;  // names that start like one of these tell layouts apart
+  const char* must_not_have;
+  ActionKind action;
+  std::optional<Activation> activation;
+  Activation output = Activation::identity;
+  bool has_bias = false;
+  const char* memory = "";                     // a GRU or LSTM before the bodies
+  std::array<const char*, 2> extractors = {};  // the first that is there
+  Squash squash = Squash::never;
+  bool has_quantiles = false;
+};
+constexpr std::array kKnown = {
+    Known{.about = "Stable-Baselines3's SAC",
+          .algorithms = "SAC TQC CROSSQ",
+          .bodies = {"actor.latent_pi."},
+          .head = "actor.mu",
+          .head_is_sequence = false,
+          .must_have = {"actor.latent_pi.", "actor.mu.weight"},
+          .must_not_have = nullptr,
+          .action = ActionKind::squashed,
+          .activation = Activation::relu,
+          .output = Activation::tanh,
+          .has_bias = true,
+          .extractors = {"actor.features_extractor."}},
+    Known{.about = "Stable-Baselines3's TD3",
+          .algorithms = "TD3 DDPG",
+          .bodies = {},
+          .head = "actor.mu.",
+          .head_is_sequence = true,
+          .must_have = {"actor.mu.0."},
+          .must_not_have = "actor.latent_pi.",
+          .action = ActionKind::squashed,
+          .activation = Activation::relu,
+          .output = Activation::tanh,
+          .has_bias = true,
+          .extractors = {"actor.features_extractor."}},
+    Known{.about = "Stable-Baselines3's RecurrentPPO",
+          .algorithms = "RecurrentPPO",
+          .bodies = {"mlp_extractor.policy_net."},
+          .head = "action_net",
+          .head_is_sequence = false,
+          .must_have = {"lstm_actor."},
+          .must_not_have = nullptr,
+          .action = ActionKind::raw,
+          .activation = Activation::tanh,
+          .has_bias = true,
+          .memory = "lstm_actor",
+          .extractors = {"pi_features_extractor.", "features_extractor."}},
+    Known{.about = "Stable-Baselines3's PPO or A2C",
+          .algorithms = "PPO A2C TRPO MaskablePPO",
+          .bodies = {"mlp_extractor.shared_net.", "mlp_extractor.policy_net."},
+          .head = "action_net",
+          .head_is_sequence = false,
+          .must_have = {"action_net.weight", "mlp_extractor.policy_net."},
+          .must_not_have = "lstm_actor.",
+          .action = ActionKind::raw,
+          .activation = Activation::tanh,
+          .has_bias = true,
+          .extractors = {"pi_features_extractor.", "features_extractor."},
+          .squash = Squash::if_said},
+    Known{.about = "sb3-contrib's ARS",
+          .algorithms = "ARS",
+          .bodies = {},
+          .head = "action_net.",
+          .head_is_sequence = true,
+          .must_have = {"action_net.0."},
+          .must_not_have = nullptr,
+          .action = ActionKind::raw,
+          .activation = Activation::relu,
+          .extractors = {"features_extractor."},
+          .squash = Squash::unless_no_bias},
+    Known{.about = "Stable-Baselines3's DQN",
+          .algorithms = "DQN",
+          .bodies = {},
+          .head = "q_net.q_net.",
+          .head_is_sequence = true,
+          .must_have = {"q_net.q_net."},
+          .must_not_have = nullptr,
+          .action = ActionKind::argmax,
+          .activation = Activation::relu,
+          .has_bias = true,
+          .extractors = {"q_net.features_extractor."}},
+    Known{.about = "sb3-contrib's QR-DQN",
+          .algorithms = "QRDQN",
+          .bodies = {},
+          .head = "quantile_net.quantile_net.",
+          .head_is_sequence = true,
+          .must_have = {"quantile_net.quantile_net."},
+          .must_not_have = nullptr,
+          .action = ActionKind::argmax,
+          .activation = Activation::relu,
+          .has_bias = true,
+          .extractors = {"quantile_net.features_extractor."},
+          .has_quantiles = true},
+    Known{.about = "rl_games",
+          .algorithms = "",
+          .bodies = {"a2c_network.actor_mlp."},
+          .head = "a2c_network.mu",
+          .head_is_sequence = false,
+          .must_have = {"a2c_network.actor_mlp."},
+          .must_not_have = nullptr,
+          .action = ActionKind::raw,
+          .activation = std::nullopt},
+    Known{.about = "rsl_rl",
+          .algorithms = "",
+          .bodies = {},
+          .head = "actor.",
+          .head_is_sequence = true,
+          .must_have = {"actor.0."},
+          .must_not_have = nullptr,
+          .action = ActionKind::raw,
+          .activation = std::nullopt},
+    Known{.about = "skrl",
+          .algorithms = "",
+          .bodies = {"net_container."},
+          .head = "policy_layer",
+          .head_is_sequence = false,
+          .must_have = {"policy_layer."},
+          .must_not_have = nullptr,
+          .action = ActionKind::raw,
+          .activation = std::nullopt},
+    Known{.about = "CleanRL's PPO",
+          .algorithms = "",
+          .bodies = {},
+          .head = "actor_mean.",
+          .head_is_sequence = true,
+          .must_have = {"actor_mean.0."},
+          .must_not_have = nullptr,
+          .action = ActionKind::raw,
+          .activation = std::nullopt},
+    Known{.about = "CleanRL's SAC",
+          .algorithms = "",
+          .bodies = {"fc"},
+          .head = "fc_mean",
+          .head_is_sequence = false,
+          .must_have = {"fc_mean."},
+          .must_not_have = nullptr,
+          .action = ActionKind::squashed,
+          .activation = Activation::relu,
+          .output = Activation::tanh},
+    Known{.about = "CleanRL's TD3 or DDPG",
+          .algorithms = "",
+          .bodies = {"fc"},
+          .head = "fc_mu",
+          .head_is_sequence = false,
+          .must_have = {"fc_mu."},
+          .must_not_have = nullptr,
+          .action = ActionKind::squashed,
+          .activation = Activation::relu,
+          .output = Activation::tanh},
+};
 
 class Layouts {
  public:
@@ -53,127 +219,14 @@ class Layouts {
   }
 
  private:
-  /// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
-  struct Known {
-    const char* about;
-    const char* algorithms;
-    std::array<const char*, 2> bodies;
-    const char* head;
-    bool head_is_sequence;
-    const char* must_have;  // a name that starts like this; tells layouts apart
-    const char* must_not_have;
-    ActionKind action;
-    std::optional<Activation> activation;
-    Activation output;
-    bool has_bias;
-    const char* memory;  // a GRU or LSTM before the bodies
-  };
-  static constexpr std::array kKnown = {
-      Known{"Stable-Baselines3's SAC",
-            "SAC TQC",
-            {"actor.latent_pi."},
-            "actor.mu",
-            false,
-            "actor.latent_pi.",
-            nullptr,
-            ActionKind::squashed,
-            Activation::relu,
-            Activation::tanh,
-            true,
-            ""},
-      Known{"Stable-Baselines3's TD3",
-            "TD3 DDPG",
-            {},
-            "actor.mu.",
-            true,
-            "actor.mu.0.",
-            "actor.latent_pi.",
-            ActionKind::squashed,
-            Activation::relu,
-            Activation::tanh,
-            true,
-            ""},
-      Known{"Stable-Baselines3's RecurrentPPO",
-            "RecurrentPPO",
-            {"mlp_extractor.policy_net."},
-            "action_net",
-            false,
-            "lstm_actor.",
-            nullptr,
-            ActionKind::raw,
-            Activation::tanh,
-            Activation::identity,
-            true,
-            "lstm_actor"},
-      Known{"Stable-Baselines3's PPO or A2C",
-            "PPO A2C TRPO",
-            {"mlp_extractor.shared_net.", "mlp_extractor.policy_net."},
-            "action_net",
-            false,
-            "action_net.",
-            "lstm_actor.",
-            ActionKind::raw,
-            Activation::tanh,
-            Activation::identity,
-            true,
-            ""},
-      Known{"Stable-Baselines3's DQN",
-            "DQN",
-            {},
-            "q_net.q_net.",
-            true,
-            "q_net.q_net.",
-            nullptr,
-            ActionKind::argmax,
-            Activation::relu,
-            Activation::identity,
-            true,
-            ""},
-      Known{"rl_games",
-            "",
-            {"a2c_network.actor_mlp."},
-            "a2c_network.mu",
-            false,
-            "a2c_network.actor_mlp.",
-            nullptr,
-            ActionKind::raw,
-            std::nullopt,
-            Activation::identity,
-            false,
-            ""},
-      Known{"rsl_rl",
-            "",
-            {},
-            "actor.",
-            true,
-            "actor.0.",
-            nullptr,
-            ActionKind::raw,
-            std::nullopt,
-            Activation::identity,
-            false,
-            ""},
-      Known{"CleanRL's PPO",
-            "",
-            {},
-            "actor_mean.",
-            true,
-            "actor_mean.0.",
-            nullptr,
-            ActionKind::raw,
-            std::nullopt,
-            Activation::identity,
-            false,
-            ""},
-  };
-
   bool any_starts_with(std::string_view start) const {
     const auto next = table_.tensors.lower_bound(start);
     return next != table_.tensors.end() && std::string_view(next->first).starts_with(start);
   }
   bool matches(const Known& known) const {
     if (known.must_not_have != nullptr && any_starts_with(known.must_not_have)) return false;
-    return any_starts_with(known.must_have);
+    return std::any_of(known.must_have.begin(), known.must_have.end(),
+                       [&](const char* name) { return name != nullptr && any_starts_with(name); });
   }
 
   std::nullopt_t ambiguous(const std::string& a, const std::string& b) {
@@ -210,17 +263,25 @@ class Layouts {
   }
 
   std::optional<ActorLayout> make(const Known& known) {
-    ActorLayout layout{known.about,  known.algorithms, {},          known.action, known.activation,
-                       known.output, known.has_bias,   known.memory};
+    ActorLayout layout{
+        known.about,    known.algorithms, {}, known.action, known.activation,   known.output,
+        known.has_bias, known.memory,     "", known.squash, known.has_quantiles};
+    for (const char* prefix : known.extractors) {
+      if (prefix == nullptr || !layout.extractor.empty()) continue;
+      if (any_starts_with(prefix)) layout.extractor = prefix;
+    }
     for (const char* body : known.bodies) {
       if (body != nullptr && !append(body, true, layout)) return std::nullopt;
     }
     if (known.head_is_sequence) {
       if (!append(known.head, false, layout)) return std::nullopt;
     } else {
-      const std::string weight = std::string(known.head) + std::string(kWeight);
-      if (table_.find(weight) == nullptr) return missing(weight);
-      layout.modules.push_back({known.head, false, {}});
+      const std::string head = known.head;
+      const std::string weight = head + std::string(kWeight);
+      // With gSDE SAC's mean is a Linear and a Hardtanh.
+      const bool limited = table_.find(head + ".0.weight") != nullptr;
+      if (table_.find(weight) == nullptr && !limited) return missing(weight);
+      layout.modules.push_back({limited ? head + ".0" : head, false, {}, limited});
     }
     if (layout.modules.empty()) return missing(std::string(known.head) + "0.weight");
     return layout;
@@ -258,8 +319,9 @@ class Layouts {
     if (sequences_.empty()) {
       return refuse(problem_, "E0624",
                     fmt::format("has no actor among its {} tensors", table_.tensors.size()),
-                    "known are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN), rsl_rl, "
-                    "rl_games, CleanRL, and one torch `Sequential` alone");
+                    "known are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN) and "
+                    "sb3-contrib (ARS, CrossQ, QR-DQN, RecurrentPPO, TQC, TRPO), rsl_rl, rl_games, "
+                    "skrl, CleanRL, and one torch `Sequential` alone");
     }
     if (sequences_.size() > 1) {
       const auto second = std::next(sequences_.begin());

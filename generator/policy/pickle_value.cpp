@@ -35,6 +35,12 @@ constexpr std::array kTensorNames = {
     "torch.ByteStorage",
     "torch.BoolStorage",
     "torch.Size",
+    "torch.device",
+    "collections.defaultdict",
+    "numpy.dtype",
+    "numpy.core.multiarray.scalar",
+    "numpy._core.multiarray.scalar",
+    "_codecs.encode",
 };
 
 constexpr std::array kStatisticsNames = {
@@ -65,6 +71,7 @@ constexpr std::array kStatisticsNames = {
     "gym.spaces.discrete.Discrete",
     "collections.OrderedDict",
     "collections.deque",
+    "_codecs.encode",
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ class DataReader {
   void read_algorithm() {
     const json* policy = member(data_, "policy_class");
     const std::string module = policy != nullptr ? text_of(member(*policy, "__module__")) : "";
-    for (const char* name : {"sac", "td3", "dqn", "tqc"}) {
+    for (const char* name : {"sac", "td3", "dqn", "tqc", "qrdqn", "ars", "crossq"}) {
       if (module.find(fmt::format(".{}.", name)) == std::string::npos) continue;
       for (const char* c = name; *c != '\0'; ++c) {
         facts_.contract.algorithm +=
@@ -95,22 +95,31 @@ class DataReader {
     if (module.find("recurrent") != std::string::npos) {
       facts_.contract.algorithm = "RecurrentPPO";
     }
-    if (module.find("qrdqn") != std::string::npos || module.find("ars") != std::string::npos) {
-      facts_.unsupported =
-          fmt::format("is of an algorithm that is not supported (`{}`)", printable(module));
+    if (module.find("maskable") != std::string::npos) facts_.contract.algorithm = "MaskablePPO";
+    if (facts_.contract.algorithm == "A2C" && member(data_, "cg_max_steps") != nullptr) {
+      facts_.contract.algorithm = "TRPO";
     }
   }
 
   bool read_keywords() {
     const json* keywords = member(data_, "policy_kwargs");
-    if (member(data_, "use_sde") != nullptr && *member(data_, "use_sde") == true &&
-        (facts_.contract.algorithm == "SAC" || facts_.contract.algorithm == "TQC")) {
-      facts_.unsupported = "was trained with `use_sde=True`, which clips inside of the actor";
-    }
     if (keywords == nullptr) return true;
     if (const json* squash = member(*keywords, "squash_output");
-        squash != nullptr && *squash == true) {
-      facts_.unsupported = "was trained with `squash_output=True`";
+        squash != nullptr && squash->is_boolean()) {
+      facts_.squash = squash->get<bool>();
+    }
+    if (const json* limit = member(*keywords, "clip_mean");
+        limit != nullptr && limit->is_number()) {
+      facts_.limit = limit->get<double>();
+    }
+    if (const json* scales = member(*keywords, "normalize_images");
+        scales != nullptr && scales->is_boolean()) {
+      scales_pixels_ = scales->get<bool>();
+    }
+    if (std::string name = text_of(member(*keywords, "features_extractor_class")); !name.empty()) {
+      // "<class 'stable_baselines3.common.torch_layers.NatureCNN'>"
+      while (!name.empty() && (name.back() == '>' || name.back() == '\'')) name.pop_back();
+      facts_.extractor = name.substr(name.rfind('.') + 1);
     }
     if (const std::string name = text_of(member(*keywords, "activation_fn")); !name.empty()) {
       facts_.activation = activation_of(name);
@@ -164,6 +173,26 @@ class DataReader {
     return count ? std::optional<std::uint64_t>(static_cast<std::uint64_t>(*count)) : std::nullopt;
   }
 
+  /// An image is a Box of three dimensions of bytes from 0 to 255; SB3 puts its channels first.
+  void read_image(const Pickle& pickle, const PickleValue& box) {
+    const PickleValue* shape = pickle.find(box, "_shape");
+    const auto dims = shape != nullptr ? pickle.integers(*shape) : std::nullopt;
+    if (!dims || dims->size() != 3) return;
+    facts_.image = *dims;
+    const PickleValue* type = pickle.find(box, "dtype");
+    const PickleValue* arguments = type != nullptr && pickle.made_by(*type, "numpy.dtype")
+                                       ? &pickle.at(type->arguments)
+                                       : nullptr;
+    const bool is_bytes = arguments != nullptr && !arguments->items.empty() &&
+                          pickle.at(arguments->items.front()).text == "u1";
+    const auto all = [&](const char* key, double wanted) {
+      const auto values = bounds(pickle, box, key);
+      return values && std::all_of(values->begin(), values->end(),
+                                   [wanted](double value) { return value == wanted; });
+    };
+    facts_.scales_pixels = scales_pixels_ && is_bytes && all("low", 0.0) && all("high", 255.0);
+  }
+
   bool read_observations() {
     std::string bytes;
     const auto pickle = space("observation_space", bytes);
@@ -174,6 +203,7 @@ class DataReader {
       const auto size = size_of_box(*pickle, top);
       if (!size) return fail("whose `observation_space` has no shape");
       total = *size;
+      read_image(*pickle, top);
     } else if (is_space(*pickle, top, ".Dict")) {
       const PickleValue* spaces = pickle->find(top, "spaces");
       if (spaces == nullptr) return fail("whose `observation_space` cannot be read");
@@ -224,6 +254,7 @@ class DataReader {
   const json& data_;
   PolicyProblem& problem_;
   PolicyFacts facts_;
+  bool scales_pixels_ = true;
 };
 
 }  // namespace

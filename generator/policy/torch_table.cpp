@@ -51,11 +51,23 @@ class TorchReader {
     if (!pickle) return false;
     pickle_ = std::move(*pickle);
     const PickleValue* dictionary = &pickle_.top();
-    for (const char* key : {"model_state_dict", "state_dict", "model", "policy"}) {
+    // CleanRL saves the state dicts of actor and critics as a tuple.
+    if (dictionary->kind == Kind::sequence && !dictionary->items.empty()) {
+      dictionary = &pickle_.at(dictionary->items.front());
+    }
+    const PickleValue& top = *dictionary;
+    for (const char* key :
+         {"actor_state_dict", "model_state_dict", "state_dict", "model", "policy"}) {
       const PickleValue* inner = pickle_.find(*dictionary, key);
       if (inner == nullptr || pickle_.made_by(*inner, "torch._utils._rebuild_tensor_v2")) continue;
       dictionary = inner;
       break;
+    }
+    if (dictionary == &top) return add_all(top, "", 0);
+    for (const char* key :
+         {"obs_norm_state_dict", "state_preprocessor", "observation_preprocessor"}) {
+      const PickleValue* beside = pickle_.find(top, key);
+      if (beside != nullptr && !add_all(*beside, std::string(key) + ".", 1)) return false;
     }
     return add_all(*dictionary, "", 0);
   }
@@ -157,6 +169,12 @@ class TorchReader {
 }  // namespace
 
 bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& problem) {
+  for (const std::string& name : archive.names()) {
+    if (!name.ends_with("/constants.pkl")) continue;
+    problem = {"E0603", "is a TorchScript program, not its tensors",
+               "save `state_dict()` with `torch.save`, or export the actor to ONNX"};
+    return false;
+  }
   for (const std::string& name : archive.names()) {
     if (name != kPickleName && !name.ends_with("/data.pkl")) continue;
     return TorchReader(archive, table, problem)

@@ -113,7 +113,10 @@ TEST(TableErrors, ActivationThatNobodySays) {
 TEST(TableErrors, FeaturesExtractor) {
   auto tensors = sac();
   add_linear(tensors, "actor.features_extractor.cnn.0", 3, 3);
-  expect(read_bad(safetensors(tensors)), "E0628", "`actor.features_extractor.cnn.0.bias`");
+  expect(read_bad(safetensors(tensors)), "E0628", "`actor.features_extractor.cnn`");
+  tensors = sac();
+  add_linear(tensors, "actor.features_extractor.mine", 3, 3);
+  expect(read_bad(safetensors(tensors)), "E0628", "`actor.features_extractor.mine.bias`");
 }
 
 TEST(TableErrors, LayerNormBetweenLinearAndActivation) {

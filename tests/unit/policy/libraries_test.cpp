@@ -1,0 +1,156 @@
+// Policies as libraries save them (tests/data/policy/make_stable_baselines.py), against torch.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "generator/policy/evaluate.hpp"
+#include "tests/unit/policy/onnx_builder.hpp"
+#include "tests/unit/policy/table_builder.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using test::add_linear;
+using test::NamedValues;
+using test::read_bad;
+using test::read_good;
+using test::safetensors;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const std::string kData = EAGERX_SOURCE_DIR "/tests/data/policy/libraries/";
+
+Network read(const std::string& name) {
+  PolicyRequest request;
+  request.path = kData + name;
+  request.name = name;
+  const bool says_it = name.ends_with(".zip") || name.starts_with("cleanrl");
+  if (!says_it) request.activation = Activation::elu;
+  Diagnostics diagnostics;
+  auto network = read_policy(request, diagnostics);
+  for (const auto& problem : diagnostics.all()) ADD_FAILURE() << name << ": " << problem.message;
+  return network ? *network : Network{{}, {}, {DenseLayer{1, 1, {0}, {0}}}, {}};
+}
+
+struct Saved {
+  const char* file;
+  const char* golden;
+  ActionKind action;
+  const char* about;
+};
+
+class Libraries : public testing::TestWithParam<Saved> {};
+
+TEST_P(Libraries, AnswerAsTorch) {
+  const Network network = read(GetParam().file);
+  EXPECT_EQ(network.action_kind(), GetParam().action);
+  EXPECT_THAT(network.format, HasSubstr(GetParam().about));
+  Diagnostics diagnostics;
+  const std::string name = std::string(GetParam().golden) + "_golden.npz";
+  const auto rows = read_golden(kData + name, name, {}, diagnostics);
+  const auto result = rows ? compare(network, *rows, name, {}, diagnostics) : std::nullopt;
+  for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
+  ASSERT_TRUE(result.has_value());
+  EXPECT_TRUE(result->passed());
+  EXPECT_EQ(result->action.has_value(), !rows->actions.empty());
+}
+
+constexpr ActionKind kRaw = ActionKind::raw;
+constexpr ActionKind kSquashed = ActionKind::squashed;
+constexpr ActionKind kChoice = ActionKind::argmax;
+
+INSTANTIATE_TEST_SUITE_P(
+    , Libraries,
+    testing::Values(
+        Saved{"ppo_cnn.zip", "ppo_cnn", kRaw, "PPO"}, Saved{"a2c_cnn.zip", "a2c_cnn", kRaw, "A2C"},
+        Saved{"dqn_cnn.zip", "dqn_cnn", kChoice, "DQN"},
+        Saved{"sac_cnn.zip", "sac_cnn", kSquashed, "SAC"},
+        Saved{"ppo_sde_squash.zip", "ppo_sde_squash", kSquashed, "PPO"},
+        Saved{"maskable_ppo.zip", "maskable_ppo", kChoice, "PPO"},
+        Saved{"sac_sde.zip", "sac_sde", kSquashed, "SAC"},
+        Saved{"sac_linear.zip", "sac_linear", kSquashed, "SAC"},
+        Saved{"crossq.zip", "crossq", kSquashed, "SAC"}, Saved{"td3.zip", "td3", kSquashed, "TD3"},
+        Saved{"qrdqn.zip", "qrdqn", kChoice, "QR-DQN"}, Saved{"ars.zip", "ars", kSquashed, "ARS"},
+        Saved{"ars_linear.zip", "ars_linear", kRaw, "ARS"},
+        Saved{"rsl_rl.pt", "rsl_rl", kRaw, "rsl_rl"},
+        Saved{"rsl_rl_3.pt", "rsl_rl", kRaw, "rsl_rl"},
+        Saved{"rl_games.pth", "rl_games", kRaw, "rl_games"}, Saved{"skrl.pt", "skrl", kRaw, "skrl"},
+        Saved{"cleanrl_td3.pth", "cleanrl_td3", kSquashed, "CleanRL"}),
+    [](const auto& test) {
+      std::string name = test.param.file;
+      for (char& c : name) {
+        if (c == '.') c = '_';
+      }
+      return name;
+    });
+
+TEST(NatureCnn, KnowsTheSizeOfTheImage) {
+  const Network network = read("ppo_cnn.zip");
+  EXPECT_THAT(network.input_shape, ElementsAre(3, 36, 36));
+  ASSERT_EQ(network.layers.size(), 7U);  // pixels, three convolutions, features, two of the policy
+  EXPECT_EQ(network.inputs(), 3U * 36 * 36);
+  EXPECT_TRUE(std::holds_alternative<Elementwise>(network.layers[0].form));
+  EXPECT_TRUE(std::holds_alternative<Convolution>(read("a2c_cnn.zip").layers[0].form))
+      << "normalize_images=False";
+}
+
+TEST(NatureCnn, NeedsTheSizeOfTheImage) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "action_net", 4, 1);
+  tensors.push_back({"features_extractor.cnn.0.weight", {1, 1, 8, 8}, std::vector<float>(64)});
+  const Diagnostic diagnostic = read_bad(safetensors(tensors));
+  EXPECT_EQ(diagnostic.code, "E0628");
+  EXPECT_THAT(diagnostic.message, HasSubstr("does not say of which size"));
+}
+
+TEST(Statistics, OfQuantilesOneMustKnowTheActions) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "quantile_net.quantile_net.0", 3, 6);
+  const Diagnostic diagnostic = read_bad(safetensors(tensors));
+  EXPECT_EQ(diagnostic.code, "E0628");
+  EXPECT_THAT(diagnostic.message, HasSubstr("of how many actions"));
+}
+
+TEST(Statistics, ComeInPairs) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "a2c_network.actor_mlp.0", 2, 3);
+  add_linear(tensors, "a2c_network.mu", 3, 1);
+  tensors.push_back({"running_mean_std.running_mean", {2}, {0, 0}});
+  const char* elu = R"("activation":"elu")";
+  Diagnostic diagnostic = read_bad(safetensors(tensors, elu));
+  EXPECT_EQ(diagnostic.code, "E0627");
+  EXPECT_THAT(diagnostic.message, HasSubstr("only one of `running_mean_std.running_mean`"));
+  tensors.push_back({"running_mean_std.running_var", {2}, {1, -1}});
+  diagnostic = read_bad(safetensors(tensors, elu));
+  EXPECT_EQ(diagnostic.code, "E0627");
+  EXPECT_THAT(diagnostic.message, HasSubstr("below zero"));
+  tensors.back() = {"running_mean_std.running_var", {3}, {1, 1, 1}};
+  EXPECT_THAT(read_bad(safetensors(tensors, elu)).message, HasSubstr("shape [3] for 2 inputs"));
+}
+
+TEST(Statistics, OfABatchNormFitItsLayer) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "net.0", 2, 3);
+  tensors.push_back({"net.1.running_mean", {2}, {0, 0}});
+  tensors.push_back({"net.1.running_var", {2}, {1, 1}});
+  add_linear(tensors, "net.3", 3, 1);
+  const char* relu = R"("activation":"relu")";
+  Diagnostic diagnostic = read_bad(safetensors(tensors, relu));
+  EXPECT_EQ(diagnostic.code, "E0618");
+  EXPECT_THAT(diagnostic.message, HasSubstr("`net.1.running_mean` of shape [2] for 3"));
+  tensors[2] = {"net.1.running_mean", {3}, {1, 0, 0}};
+  tensors[3] = {"net.1.running_var", {3}, {1, 1, -1}};
+  EXPECT_THAT(read_bad(safetensors(tensors, relu)).message, HasSubstr("below zero"));
+  tensors[3] = {"net.1.running_var", {3}, {4, 1, 1}};
+  const Network network = read_good(safetensors(tensors, relu));
+  EXPECT_NEAR(evaluate(network, {1, 2}).front(), 1 + 3 + 3, 1e-4);
+}
+
+TEST(Torch, AProgramIsNotItsTensors) {
+  const Diagnostic diagnostic =
+      read_bad(test::zip({{"policy/data.pkl", "x"}, {"policy/constants.pkl", "x"}}));
+  EXPECT_EQ(diagnostic.code, "E0603");
+  EXPECT_THAT(diagnostic.message, HasSubstr("TorchScript"));
+}
+
+}  // namespace
+}  // namespace eagerx::gen
