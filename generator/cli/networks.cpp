@@ -73,6 +73,7 @@ Node list_of(const std::vector<std::string>& texts, Span span) {
 std::optional<Node> bounds_of(const std::vector<double>& bounds, Span span) {
   if (bounds.empty()) return std::nullopt;
   std::vector<std::string> texts;
+  texts.reserve(bounds.size());
   for (const double bound : bounds) texts.push_back(fmt::format("{}", bound));
   return bounds.size() == 1 ? scalar(texts.front(), span) : list_of(texts, span);
 }

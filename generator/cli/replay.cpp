@@ -17,6 +17,7 @@ namespace {
 /// only if it cannot be started.
 int become(const std::vector<std::string>& command) {
   std::vector<char*> words;
+  words.reserve(command.size() + 1);
   // execvp does not change them, but says so only since it is too late to say it.
   for (const auto& word : command)
     words.push_back(

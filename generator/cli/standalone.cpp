@@ -143,7 +143,7 @@ class Carrier {
       const fs::path path = fs::absolute(place).lexically_normal();
       std::error_code ignored;
       if (!fs::is_regular_file(path, ignored)) continue;
-      const auto relative = relative_to_root(path);
+      auto relative = relative_to_root(path);
       if (!relative) return std::nullopt;
       // What programs of targets include is there already.
       if (relative->starts_with("targets/") && !includer.starts_with(kHeaderFolder))

@@ -147,7 +147,7 @@ class Emitter {
     constexpr std::string_view kName = "@name@";
     for (const auto& path : found) {
       std::string output = path.lexically_relative(folder).replace_extension().generic_string();
-      for (auto at = output.find(kName); at != output.npos; at = output.find(kName))
+      for (auto at = output.find(kName); at != std::string::npos; at = output.find(kName))
         output.replace(at, kName.size(), plan_.graph->name);
       add_rendered(output, path.string(), View(View::type::object));
     }

@@ -150,9 +150,9 @@ class Form {
     item.set("literal", kernel_literal(kernel));
     view_["kernel"] = std::move(item);
   }
-  void set_weights(std::string type, const char* open, const char* close, data parts) {
+  void set_weights(const std::string& type, const char* open, const char* close, data parts) {
     data item{data::type::object};
-    item.set("type", std::move(type));
+    item.set("type", type);
     item.set("open", open);
     item.set("close", close);
     item["parts"] = std::move(parts);
