@@ -2,9 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <filesystem>
 
+#include "generator/cli/next_steps.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
@@ -104,16 +107,9 @@ bool write_depfile(Run& run, const Options& options) {
       file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
   const bool closed = file != nullptr && std::fclose(file) == 0;
   if (!written || !closed)
-    run.diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`", options.depfile));
+    run.diagnostics.io_error(
+        "E0901", {}, fmt::format("cannot write `{}`: {}", options.depfile, std::strerror(errno)));
   return written && closed;
-}
-
-void print_next_steps(const Run& run, const std::string& folder, const WriteResult& result) {
-  fmt::print("{}: {} files written, {} unchanged\n", folder, result.written, result.unchanged);
-  fmt::print(
-      "build and run it:\n  cmake -S {0} -B {0}/build && cmake --build {0}/build && {0}/build/{1} "
-      "--help\n",
-      folder, run.graph->name);
 }
 
 /// The two programs of a split graph, in the folders `host` and `board`.
@@ -137,24 +133,6 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
   add(Part::host, "host", hash);
   add(Part::board, "board", hash);
   return files;
-}
-
-void print_split(const Run& run, const std::string& folder) {
-  const Split& split = *run.plan->split;
-  const Target& board = *run.graph->placement->board;
-  fmt::print("the part on {0}: {1}/board, to build with {2}\nthe rest: {1}/host\n", board.id.value,
-             folder, board.toolchain.empty() ? "this machine's compiler" : board.toolchain);
-  if (split.exchanges == 0.0) return;
-  // As the frames are: eagerx/link/frame.hpp.
-  constexpr double kFrame = 12.0;
-  constexpr double kBitsOfAByte = 10.0;
-  constexpr double kBaud = 115200.0;
-  const double bytes = split.board_bytes + split.host_bytes + 2 * kFrame * split.exchanges;
-  fmt::print(
-      "link: {:.4g} exchanges a step, {:.4g} bytes of messages to the board and {:.4g} back; "
-      "{:.3g} of {:.3g} ms at 115200 baud\n",
-      split.exchanges, split.board_bytes, split.host_bytes, 1e3 * kBitsOfAByte * bytes / kBaud,
-      1e3 / run.graph->environment().rate_hz.to_double());
 }
 
 /// "1 node", "2 nodes"
@@ -207,8 +185,10 @@ int generate_command(const Options& options) {
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result || !write_depfile(run, options)) return finish(run, options);
-  if (!options.quiet && split) print_split(run, folder);
-  if (!options.quiet) print_next_steps(run, split ? folder + "/host" : folder, *result);
+  if (!options.quiet) {
+    fmt::print("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
+    fmt::print("{}", next_steps(run, options, targets, folder));
+  }
   return finish(run, options);
 }
 

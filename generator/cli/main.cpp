@@ -1,9 +1,12 @@
 // eagerx-gen: command line.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/usage.hpp"
 
 namespace {
 
@@ -26,6 +29,7 @@ void add_selection(CLI::App& app, Options& options) {
       ->type_name("float|double");
   app.add_option("--target", options.targets,
                  "target to make a program for, may be repeated (default: linux-sim)")
+      ->allow_extra_args(false)  // what follows is the graph
       ->type_name("NAME");
   app.add_option("--split", options.split,
                  "make two programs: nodes, `agent` or `controller` (both) on a board, the rest on "
@@ -38,6 +42,7 @@ void add_selection(CLI::App& app, Options& options) {
             return complete ? std::string() : text + " is not NAME[,NAME...]=BOARD";
           },
           ""))
+      ->allow_extra_args(false)
       ->type_name("NAME[,NAME...]=BOARD");
 }
 
@@ -65,6 +70,7 @@ void add_rates(CLI::App& app, Options& options) {
 void add_library(CLI::App& app, Options& options) {
   app.add_option("--path", options.paths,
                  "folder with entities or targets of your own, may be repeated")
+      ->allow_extra_args(false)
       ->type_name("DIR");
 }
 
@@ -76,6 +82,7 @@ void add_output(CLI::App& app, Options& options) {
   app.add_option("--package", options.packages,
                  "make the output a package too, and standalone: arduino, esp-idf, platformio, "
                  "zephyr; may be repeated")
+      ->allow_extra_args(false)
       ->type_name("NAME");
   app.add_option("--depfile", options.depfile,
                  "also write what the output depends on; names FILE without its .d as the target")
@@ -161,17 +168,99 @@ void add_identify(CLI::App& app, Options& options) {
 
 constexpr const char* kFooter =
     "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may also be a "
-    "file "
-    "that EAGERx's Graph.save or BaseEnv.save wrote.\n"
+    "file that EAGERx's Graph.save or BaseEnv.save wrote.\n"
     "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug in "
     "eagerx-gen.";
 
-bool is_command(const char* word) {
-  for (const char* command : {"generate", "check", "identify", "import", "info", "new", "policy",
-                              "replay", "schema", "size"}) {
-    if (std::string_view(word) == command) return true;
-  }
-  return false;
+void add_generate(CLI::App& app, Options& options) {
+  add_graph(app, options);
+  add_output(app, options);
+  add_selection(app, options);
+  add_rates(app, options);
+  add_library(app, options);
+  add_diagnostics(app, options);
+}
+
+void add_check(CLI::App& app, Options& options) {
+  add_graph(app, options);
+  add_selection(app, options);
+  add_rates(app, options);
+  add_library(app, options);
+  add_diagnostics(app, options);
+}
+
+void add_info(CLI::App& app, Options& options) {
+  app.add_option("entity", options.entity, "id of an entity or target, or a graph file")
+      ->type_name("ENTITY|GRAPH.yaml");
+  app.add_option("--engine", options.engine, "run the graph on this engine instead of its own")
+      ->type_name("NAME");
+  add_rates(app, options);
+  add_library(app, options);
+  app.add_flag("--json", options.json_output, "print JSON (of graphs)");
+}
+
+void add_import(CLI::App& app, Options& options) {
+  app.add_option("state", options.graph, "the file that EAGERx saved")
+      ->required()
+      ->type_name("STATE.yaml");
+  app.add_option("-o,--output", options.output, "the graph to write (default: print it)")
+      ->type_name("GRAPH.yaml");
+  app.add_option("--engine", options.engine, "engine, if the file has none")->type_name("NAME");
+  add_rates(app, options);
+  add_library(app, options);
+  add_diagnostics(app, options);
+}
+
+void add_new(CLI::App& app, Options& options) {
+  app.require_subcommand(1);
+  CLI::App& board = *app.add_subcommand("board", "a board of your own");
+  board.add_option("name", options.entity, "its name")->required()->type_name("NAME");
+  board.add_option("-o,--output", options.output, "where to make its folder (default: targets)")
+      ->type_name("DIR");
+  add_diagnostics(board, options);
+}
+
+void add_policies(CLI::App& app, Options& options) {
+  app.require_subcommand(1);
+  add_policy(*app.add_subcommand("info", "layers, size and what it expects of a graph"), options);
+  CLI::App& test = *app.add_subcommand("test", "compare its answers with rows that are known");
+  add_policy(test, options);
+  test.add_option("golden", options.golden, "rows of observations and answers")
+      ->required()
+      ->type_name("GOLDEN.csv|npz");
+}
+
+/// In the order of the help text.
+struct Command {
+  const char* name;
+  const char* about;
+  void (*add)(CLI::App& app, Options& options);
+  int (*run)(const Options& options);
+};
+constexpr std::array kCommands = {
+    Command{"generate", "write the program of a graph", add_generate,
+            eagerx::gen::generate_command},
+    Command{"check", "only look for problems", add_check, eagerx::gen::check_command},
+    Command{"info", "list entities and targets, or explain one or a graph", add_info,
+            eagerx::gen::info_command},
+    Command{"import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph", add_import,
+            eagerx::gen::import_command},
+    Command{"schema", "print the JSON schema of graph files, for editors",
+            [](CLI::App&, Options&) {},
+            [](const Options&) { return eagerx::gen::schema_command(); }},
+    Command{"new", "make a folder to fill in", add_new, eagerx::gen::new_board_command},
+    Command{"size", "flash, RAM, stack and instructions of an image", add_size,
+            eagerx::gen::size_command},
+    Command{"replay", "repeat the run of a log and find the first difference", add_replay,
+            eagerx::gen::replay_command},
+    Command{"identify", "find the parameters and delays that a log was made with", add_identify,
+            eagerx::gen::identify_command},
+    Command{"policy", "look into a trained policy", add_policies, eagerx::gen::policy_command},
+};
+
+bool is_command(const std::string& word) {
+  return std::any_of(kCommands.begin(), kCommands.end(),
+                     [&](const Command& command) { return word == command.name; });
 }
 
 int run(std::vector<std::string> arguments) {
@@ -180,92 +269,36 @@ int run(std::vector<std::string> arguments) {
   app.footer(kFooter);
   app.set_version_flag("--version", "eagerx-gen " EAGERX_GEN_VERSION);
   app.require_subcommand(1);
-  CLI::App& generate = *app.add_subcommand("generate", "write the program of a graph");
-  CLI::App& check = *app.add_subcommand("check", "only look for problems");
-  CLI::App& info =
-      *app.add_subcommand("info", "list entities and targets, or explain one or a graph");
-  CLI::App& import = *app.add_subcommand(
-      "import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph");
-  const CLI::App& schema =
-      *app.add_subcommand("schema", "print the JSON schema of graph files, for editors");
-  CLI::App& make = *app.add_subcommand("new", "make a folder to fill in");
-  CLI::App& board = *make.add_subcommand("board", "a board of your own");
-  make.require_subcommand(1);
-  CLI::App& size = *app.add_subcommand("size", "flash, RAM, stack and instructions of an image");
-  add_size(size, options);
-  CLI::App& replay =
-      *app.add_subcommand("replay", "repeat the run of a log and find the first difference");
-  add_replay(replay, options);
-  CLI::App& identify =
-      *app.add_subcommand("identify", "find the parameters and delays that a log was made with");
-  add_identify(identify, options);
-  add_graph(generate, options);
-  add_output(generate, options);
-  add_selection(generate, options);
-  add_rates(generate, options);
-  add_library(generate, options);
-  add_diagnostics(generate, options);
-  add_graph(check, options);
-  add_selection(check, options);
-  add_rates(check, options);
-  add_library(check, options);
-  add_diagnostics(check, options);
-  import.add_option("state", options.graph, "the file that EAGERx saved")
-      ->required()
-      ->type_name("STATE.yaml");
-  import.add_option("-o,--output", options.output, "the graph to write (default: print it)")
-      ->type_name("GRAPH.yaml");
-  import.add_option("--engine", options.engine, "engine, if the file has none")->type_name("NAME");
-  add_rates(import, options);
-  add_library(import, options);
-  add_diagnostics(import, options);
-  info.add_option("entity", options.entity, "id of an entity or target, or a graph file")
-      ->type_name("ENTITY|GRAPH.yaml");
-  info.add_option("--engine", options.engine, "run the graph on this engine instead of its own")
-      ->type_name("NAME");
-  add_rates(info, options);
-  add_library(info, options);
-  info.add_flag("--json", options.json_output, "print JSON (of graphs)");
-  board.add_option("name", options.entity, "its name")->required()->type_name("NAME");
-  board.add_option("-o,--output", options.output, "where to make its folder (default: targets)")
-      ->type_name("DIR");
-  add_diagnostics(board, options);
-  CLI::App& policy = *app.add_subcommand("policy", "look into a trained policy");
-  policy.require_subcommand(1);
-  add_policy(*policy.add_subcommand("info", "layers, size and what it expects of a graph"),
-             options);
-  CLI::App& policy_test =
-      *policy.add_subcommand("test", "compare its answers with rows that are known");
-  add_policy(policy_test, options);
-  policy_test.add_option("golden", options.golden, "rows of observations and answers")
-      ->required()
-      ->type_name("GOLDEN.csv|npz");
+  app.failure_message([](const CLI::App* failed, const CLI::Error& problem) {
+    return eagerx::gen::usage_message(*failed, problem);
+  });
+  for (const Command& command : kCommands)
+    command.add(*app.add_subcommand(command.name, command.about), options);
+  const std::string first = arguments.empty() ? std::string("-") : arguments.front();
+  if (!first.starts_with('-') && !is_command(first)) {
+    if (const std::string problem = eagerx::gen::not_a_command(app, first); !problem.empty()) {
+      std::fputs(problem.c_str(), stderr);
+      return eagerx::gen::kWrongUsage;
+    }
+    arguments.insert(arguments.begin(), "generate");
+  }
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? eagerx::gen::kDone : eagerx::gen::kWrongUsage;
   }
-  if (generate.parsed()) return eagerx::gen::generate_command(options);
-  if (check.parsed()) return eagerx::gen::check_command(options);
-  if (import.parsed()) return eagerx::gen::import_command(options);
-  if (make.parsed()) return eagerx::gen::new_board_command(options);
-  if (policy.parsed()) return eagerx::gen::policy_command(options);
-  if (identify.parsed()) return eagerx::gen::identify_command(options);
-  if (replay.parsed()) return eagerx::gen::replay_command(options);
-  if (size.parsed()) return eagerx::gen::size_command(options);
-  if (schema.parsed()) return eagerx::gen::schema_command();
-  return eagerx::gen::info_command(options);
+  const auto parsed = std::find_if(kCommands.begin(), kCommands.end(), [&](const Command& command) {
+    return app.got_subcommand(command.name);
+  });
+  return parsed->run(options);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (argc > 1 && !is_command(argv[1]) && argv[1][0] != '-')
-    arguments.insert(arguments.begin(), "generate");
-  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {
-    return run(std::move(arguments));
+    return run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   } catch (const std::exception& error) {
     std::fprintf(stderr,
                  "error: this is a bug in eagerx-gen: %s\nhelp: please report it with the graph\n",

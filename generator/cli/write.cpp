@@ -50,7 +50,7 @@ class Writer {
 
   std::optional<WriteResult> run(const std::vector<GeneratedFile>& files) {
     const std::vector<std::string> earlier = earlier_files(folder_);
-    if (!write(files)) return std::nullopt;
+    if (!spares_others(earlier, files) || !write(files)) return std::nullopt;
     remove_stale(earlier, files);
     return result_;
   }
@@ -70,6 +70,26 @@ class Writer {
   }
 
  private:
+  /// A file that no earlier run wrote is somebody's: `-o .` in a project must not cost its
+  /// CMakeLists.txt.
+  bool spares_others(const std::vector<std::string>& earlier,
+                     const std::vector<GeneratedFile>& files) {
+    const std::set<std::string> ours(earlier.begin(), earlier.end());
+    bool good = true;
+    for (const auto& file : files) {
+      if (file.path == kList || ours.contains(file.path)) continue;
+      const auto text = read(folder_ / file.path);
+      if (!text || *text == file.text) continue;
+      diagnostics_
+          .io_error(
+              "E0903", {},
+              fmt::format("`{}` was not written by eagerx-gen", (folder_ / file.path).string()))
+          .help = "choose another folder with `--output`, or move the file away";
+      good = false;
+    }
+    return good;
+  }
+
   bool prepare(const GeneratedFile& file) {
     const fs::path path = folder_ / file.path;
     if (read(path) == file.text) {

@@ -14,7 +14,8 @@ struct WriteResult {
 
 /// Writes `files` below `folder`. Everything is written beside its place first and then renamed, so
 /// that a full disk leaves the previous output as it was. Files of an earlier run that are no
-/// longer made are removed; the list is kept in `eagerx-gen.files`. Problems: E0901, nullopt.
+/// longer made are removed; the list is kept in `eagerx-gen.files`. A file of this name that is not
+/// in that list is left alone. Problems: E0901, E0903 a file of somebody else; nullopt.
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 

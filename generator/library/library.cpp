@@ -38,10 +38,18 @@ std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
   return result;
 }
 
+/// Whether two manifests are the same file, or copies of it: in a clone of this repository
+/// `--path targets` has all that an installed eagerx-gen has, too.
+bool same_text(const Span& first, const Span& second, const SourceMap& sources) {
+  return sources.text(first.file) == sources.text(second.file);
+}
+
+/// Of two copies the first one counts.
 template <class Item>
-void add(std::map<std::string, Item>& items, Item item, Diagnostics& diagnostics) {
+void add(std::map<std::string, Item>& items, Item item, const SourceMap& sources,
+         Diagnostics& diagnostics) {
   const auto [place, added] = items.try_emplace(item.id.value, item);
-  if (added) return;
+  if (added || same_text(place->second.id.span, item.id.span, sources)) return;
   auto& problem =
       diagnostics.error("E0302", item.id.span, fmt::format("`{}` is defined twice", item.id.value));
   problem.notes.push_back({"first here", place->second.id.span, ""});
@@ -67,7 +75,8 @@ void set_include_root(Entity& entity, const fs::path& root) {
 }
 
 /// Implementations that have manifests of their own are the objects' as if they stood there.
-void add_to_object(Library& library, Implementation implementation, Diagnostics& diagnostics) {
+void add_to_object(Library& library, Implementation implementation, const SourceMap& sources,
+                   Diagnostics& diagnostics) {
   // No structured binding: clang 14 lets no lambda capture one.
   const Spanned<std::string>& object = implementation.object;
   const ObjectEngine& engine = implementation.engine;
@@ -84,6 +93,7 @@ void add_to_object(Library& library, Implementation implementation, Diagnostics&
     return each.engine.value == engine.engine.value;
   });
   if (first != engines.end()) {
+    if (same_text(first->engine.span, engine.engine.span, sources)) return;
     diagnostics
         .error("E0302", engine.engine.span,
                fmt::format("`{}` is implemented for `{}` twice", object.value, engine.engine.value))
@@ -183,7 +193,7 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
       const Node* kind = tree.find("kind");
       if (kind != nullptr && kind->text == "target") {
         if (auto target = read_target_manifest(tree, path, diagnostics))
-          add(library.targets, *target, diagnostics);
+          add(library.targets, *target, sources, diagnostics);
         continue;
       }
       if (kind != nullptr && kind->text == "implementation") {
@@ -195,12 +205,12 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
       }
       if (auto entity = read_entity_manifest(tree, path, diagnostics)) {
         set_include_root(*entity, fs::path(key).parent_path());
-        add(library.entities, *entity, diagnostics);
+        add(library.entities, *entity, sources, diagnostics);
       }
     }
   }
   for (auto& implementation : implementations)
-    add_to_object(library, std::move(implementation), diagnostics);
+    add_to_object(library, std::move(implementation), sources, diagnostics);
   return library;
 }
 

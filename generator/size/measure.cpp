@@ -255,10 +255,18 @@ class Measurement {
 
 std::optional<SizeReport> measure_image(const std::string& image, const std::string& build,
                                         Diagnostics& diagnostics) {
+  std::error_code error;
+  if (!fs::is_regular_file(image, error)) {
+    diagnostics.io_error("E0911", {},
+                         fmt::format("cannot read `{}`: {}", image,
+                                     fs::exists(image, error) ? "not a file" : "no such file"));
+    return std::nullopt;
+  }
+  // Of a program for Linux neither flash nor the stack's frames are known.
   const auto prefix = tool_prefix(image);
-  if (!prefix) {
-    diagnostics.io_error("E0911", {}, fmt::format("`{}` is no image", image)).help =
-        "give the .elf file that was built for a board";
+  if (!prefix || prefix->empty()) {
+    diagnostics.io_error("E0911", {}, fmt::format("`{}` is no image of a board", image)).help =
+        "give the .elf file that was built for one";
     return std::nullopt;
   }
   SizeReport report;

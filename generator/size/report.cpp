@@ -28,7 +28,7 @@ std::string size_text(const SizeReport& report) {
   text += fmt::format("stack: {} bytes at most, through {} calls", report.stack.bytes,
                       report.stack.path.empty() ? 0 : report.stack.path.size() - 1);
   if (!report.stack.unbounded.empty())
-    text += fmt::format("; not counted is what {} call through pointers or again themselves",
+    text += fmt::format("; not counted are calls of {} through pointers, or of themselves",
                         fmt::join(report.stack.unbounded, ", "));
   text += "; interrupts come on top\n";
   if (const auto& count = report.instructions)

@@ -126,7 +126,8 @@ bool is_reserved_name(std::string_view text) {
 }
 
 bool is_identifier(std::string_view text) {
-  if (text.empty() || text.size() > 100 || std::isdigit(static_cast<unsigned char>(text[0])) != 0) {
+  if (text.empty() || text.size() > kLongestName ||
+      std::isdigit(static_cast<unsigned char>(text[0])) != 0) {
     return false;
   }
   const bool letters = std::all_of(text.begin(), text.end(), [](char c) {
@@ -147,15 +148,16 @@ std::string describe(const Node& node) {
     case NodeKind::scalar:
       break;
   }
+  return fmt::format("{}`{}`", node.quoted ? "the text " : "", shortened(node.text));
+}
+
+std::string shortened(std::string_view text) {
   constexpr std::size_t kMostShown = 40;
-  std::string shown = node.text;
-  if (shown.size() > kMostShown) {
-    std::size_t end = kMostShown;
-    while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U)
-      --end;  // not within a letter
-    shown = shown.substr(0, end) + "…";
-  }
-  return fmt::format("{}`{}`", node.quoted ? "the text " : "", shown);
+  if (text.size() <= kMostShown) return std::string(text);
+  std::size_t end = kMostShown;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U)
+    --end;  // not within a letter
+  return std::string(text.substr(0, end)) + "…";
 }
 
 }  // namespace eagerx::gen

@@ -84,7 +84,11 @@ std::string json_schema(const Format& format, const std::string& title, const st
 
 /// "a list", "nothing", or the text itself: completes "found …".
 std::string describe(const Node& node);
+/// The beginning of a text for a message; whole if it is short.
+std::string shortened(std::string_view text);
 
+/// Longest name in a graph or manifest, in letters.
+inline constexpr std::size_t kLongestName = 100;
 /// True if `text` is an identifier and no C++ keyword.
 bool is_identifier(std::string_view text);
 /// True if `text` would be an identifier, were it not taken by C++ or by generated code.

@@ -32,6 +32,11 @@ void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics)
         .help = "names become C++ identifiers: choose another one";
     return;
   }
+  if (text.size() > kLongestName) {
+    diagnostics.error("E0205", span, fmt::format("`{}` is too long for a name", shortened(text)))
+        .help = fmt::format("names have at most {} letters", kLongestName);
+    return;
+  }
   diagnostics.error("E0205", span, fmt::format("`{}` is not a name", text)).help =
       "use letters, digits and single underscores, beginning with a letter";
 }
@@ -63,7 +68,12 @@ bool check_port(const Node& node, const Format& format, Diagnostics& diagnostics
   bool good = true;
   for (std::size_t begin = 0; begin <= node.text.size(); ++parts) {
     const std::size_t end = std::min(node.text.find('.', begin), node.text.size());
-    good = good && is_identifier(std::string_view(node.text).substr(begin, end - begin));
+    const std::string_view part = std::string_view(node.text).substr(begin, end - begin);
+    if (is_reserved_name(part) || part.size() > kLongestName) {
+      report_bad_name(part, node.span, diagnostics);
+      return false;
+    }
+    good = good && is_identifier(part);
     begin = end + 1;
   }
   if (good && parts >= 2 && parts <= 3) return true;

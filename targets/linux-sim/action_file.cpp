@@ -40,6 +40,8 @@ bool CsvFile::read(const std::string& path, ActionProblem& problem) {
   }
   text_ = content.str();
   std::string_view rest = text_;
+  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";  // of spreadsheets
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   while (!rest.empty()) {
     const std::size_t end = rest.find('\n');
     add_row(rest.substr(0, end), ++lines_);

@@ -327,8 +327,11 @@ int self_test() {
         "help: build with the flags of the runtime: no fast-math, no contraction",
         kSelfTestFailed);
   }
-  std::printf("self-test: %d answers of the policy are as generated\n",
-              static_cast<int>(Graph::kSelfTestRows));
+  if (Graph::kSelfTestRows == 0)
+    std::puts("self-test: this program has no policy");
+  else
+    std::printf("self-test: %d answers of the policy are as generated\n",
+                static_cast<int>(Graph::kSelfTestRows));
   return std::fflush(stdout) == 0 ? kDone : kBadFile;
 }
 
@@ -354,8 +357,7 @@ int run(int argc, char** argv) {
   if (options.agent == target::Agent::policy && !Graph::kHasPolicy) {
     return fail(
         "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
-        "{policy: "
-        "FILE}`) or give `--agent zero`, `random` or a file of actions",
+        "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions",
         kBadUsage);
   }
 

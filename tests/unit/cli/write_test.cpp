@@ -109,6 +109,22 @@ TEST_F(WriteFiles, ChangesNothingWhenOneFileCannotBeWritten) {
                                                  "z.txt"}));  // no leftovers
 }
 
+TEST_F(WriteFiles, NeverOverwritesWhatSomebodyElseWrote) {
+  put("out/CMakeLists.txt", "project(mine)");
+  EXPECT_FALSE(write({{"CMakeLists.txt", "project(generated)"}, {"a.txt", "new"}}));
+  ASSERT_EQ(diagnostics_.error_count(), 1U);
+  EXPECT_EQ(diagnostics_.all().front().code, "E0903");
+  EXPECT_EQ(text("CMakeLists.txt"), "project(mine)");
+  EXPECT_EQ(listing(), (std::vector<std::string>{"CMakeLists.txt"}));
+}
+
+TEST_F(WriteFiles, TakesAFileOfTheSameTextForItsOwn) {
+  put("out/a.txt", "same");
+  ASSERT_TRUE(write({{"a.txt", "same"}}));
+  ASSERT_TRUE(write({{"a.txt", "changed"}}));
+  EXPECT_EQ(text("a.txt"), "changed");
+}
+
 TEST_F(WriteFiles, AFileWhereAFolderBelongsIsAnError) {
   put("out/sub", "a file");
   EXPECT_FALSE(write({{"a.txt", "new"}, {"sub/b.txt", "new"}}));

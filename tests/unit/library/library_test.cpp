@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 
 namespace eagerx::gen {
 namespace {
@@ -56,9 +57,23 @@ TEST(LoadLibrary, AFolderNamedTwiceIsReadOnce) {
   EXPECT_EQ(library.entities.size(), 1U);
 }
 
-TEST(LoadLibrary, TheSameIdFromTwoFilesIsAnErrorAtBoth) {
+TEST(LoadLibrary, OfTwoCopiesTheFirstCounts) {
   Diagnostics diagnostics;
-  load({"tests/data/library", "tests/data"}, diagnostics);  // two roots that see the same manifest
+  // Two roots that see the same manifest, as a clone beside an installed library does.
+  const Library library = load({"tests/data/library", "tests/data"}, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors());
+  ASSERT_NE(library.find("LeakySum"), nullptr);
+  EXPECT_EQ(library.find("LeakySum")->cpp.include, "library/nodes/leaky_sum/leaky_sum.hpp");
+}
+
+TEST(LoadLibrary, TheSameIdFromTwoFilesIsAnErrorAtBoth) {
+  const std::string copy = testing::TempDir() + "eagerx-library-copy";
+  std::filesystem::create_directories(copy);
+  std::ifstream original("tests/data/library/nodes/leaky_sum/manifest.yaml");
+  std::ofstream(copy + "/manifest.yaml") << "# another version\n" << original.rdbuf();
+  Diagnostics diagnostics;
+  load({"tests/data/library", copy}, diagnostics);
+  std::filesystem::remove_all(copy);
   ASSERT_EQ(diagnostics.error_count(), 1U);
   const Diagnostic& problem = diagnostics.all().front();
   EXPECT_EQ(problem.code, "E0302");

@@ -251,8 +251,8 @@ TEST(Report, AsText) {
       "smooth                             60       16\n"
       "other                              40        4\n"
       "all                               100       20\n\n"
-      "stack: 64 bytes at most, through 1 calls; not counted is what step call through pointers or "
-      "again themselves; interrupts come on top\n");
+      "stack: 64 bytes at most, through 1 calls; not counted are calls of step through pointers, or "
+      "of themselves; interrupts come on top\n");
 }
 
 TEST(Report, AsJson) {

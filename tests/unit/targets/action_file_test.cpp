@@ -55,6 +55,11 @@ TEST_F(ActionFileTest, ReadsRows) {
   EXPECT_EQ(table_[1].gear, -4);
 }
 
+TEST_F(ActionFileTest, SkipsTheByteOrderMarkOfSpreadsheets) {
+  ASSERT_EQ(load("\xef\xbb\xbfvoltage[0],voltage[1],gear\r\n1,2,3\r\n", 1).exit_code, kDone);
+  EXPECT_EQ(table_[0].gear, 3);
+}
+
 TEST_F(ActionFileTest, SkipsHeaderCommentsAndEmptyLines) {
   ASSERT_EQ(load("# made by hand\nvoltage[0],voltage[1],gear\n\n1,2,3", 1).exit_code, kDone);
   EXPECT_EQ(table_[0].gear, 3);

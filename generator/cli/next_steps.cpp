@@ -1,0 +1,113 @@
+#include "generator/cli/next_steps.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As a shell takes it for one word.
+std::string quoted(const std::string& word) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || c >= 0x80U ||
+           std::string_view("_-./=+:,@%").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string result = "'";
+  for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
+  return result + "'";
+}
+
+class Steps {
+ public:
+  Steps(const Run& run, const Options& options) : run_(run), options_(options) {}
+
+  /// Configures, builds and starts one program. `several`: others lie in the same folder.
+  std::string build(const Target& target, const std::string& folder, bool several) const {
+    const std::string tree = folder + (several ? "/build-" + target.id.value : "/build");
+    std::string line = fmt::format("  cmake -S {} -B {}", quoted(folder), quoted(tree));
+    if (several) line += " -D EAGERX_TARGET=" + target.id.value;
+    if (!target.toolchain.empty()) line += " --toolchain " + quoted(toolchain(target, folder));
+    if (is_own(target) && !standalone())
+      line += " -D EAGERX_TARGETS_PATH=" +
+              quoted(fs::absolute(folder_of(target)).lexically_normal().parent_path().string());
+    return line + fmt::format(" && cmake --build {}", quoted(tree)) + start(target, tree) + "\n";
+  }
+
+ private:
+  [[nodiscard]] bool standalone() const {
+    return options_.standalone || !options_.packages.empty();
+  }
+
+  [[nodiscard]] fs::path folder_of(const Target& target) const {
+    return fs::path(run_.sources.name(target.id.span.file)).parent_path();
+  }
+
+  [[nodiscard]] bool is_own(const Target& target) const {
+    return folder_of(target).parent_path() != fs::path(run_.root) / "targets";
+  }
+
+  [[nodiscard]] std::string toolchain(const Target& target, const std::string& folder) const {
+    if (standalone()) return folder + "/eagerx-gen/toolchains/" + target.toolchain;
+    for (const auto& path : options_.paths) {
+      std::error_code error;
+      const fs::path own = fs::path(path) / "toolchains" / target.toolchain;
+      if (fs::exists(own, error)) return own.string();
+    }
+    return (fs::path(run_.root) / "toolchains" / target.toolchain).string();
+  }
+
+  /// Nothing where the manifest does not say how.
+  [[nodiscard]] std::string start(const Target& target, const std::string& tree) const {
+    const std::string image = tree + "/" + run_.graph->name;
+    if (target.toolchain.empty()) return " && " + quoted(image) + " --help";
+    if (target.run.empty()) return {};
+    const std::string name = is_own(target) ? folder_of(target).string() : target.id.value;
+    return fmt::format(" && {} {} {}", quoted((fs::path(run_.root) / "targets" / "run").string()),
+                       quoted(name),
+                       target.system.empty() ? quoted(image + ".elf") : quoted(image) + " --help");
+  }
+
+  const Run& run_;
+  const Options& options_;
+};
+
+std::string link_text(const Run& run) {
+  const Split& split = *run.plan->split;
+  if (split.exchanges == 0.0) return {};
+  // As the frames are: eagerx/link/frame.hpp.
+  constexpr double kFrame = 12.0;
+  constexpr double kBitsOfAByte = 10.0;
+  constexpr double kBaud = 115200.0;
+  const double bytes = split.board_bytes + split.host_bytes + 2 * kFrame * split.exchanges;
+  return fmt::format(
+      "link: {:.4g} exchanges a step, {:.4g} bytes of messages to the board and {:.4g} back; "
+      "{:.3g} of {:.3g} ms at 115200 baud\n",
+      split.exchanges, split.board_bytes, split.host_bytes, 1e3 * kBitsOfAByte * bytes / kBaud,
+      1e3 / run.graph->environment().rate_hz.to_double());
+}
+
+}  // namespace
+
+std::string next_steps(const Run& run, const Options& options,
+                       const std::vector<const Target*>& targets, const std::string& folder) {
+  const Steps steps(run, options);
+  const bool split = run.graph->placement.has_value();
+  std::string text;
+  if (split) {
+    Target board = *run.graph->placement->board;
+    board.run.clear();  // it waits for its host
+    text += fmt::format("{}build the part on {}:\n{}", link_text(run), board.id.value,
+                        steps.build(board, folder + "/board", false));
+  }
+  text += split ? "build the rest, and see how it finds the board:\n" : "build and run it:\n";
+  for (const Target* target : targets)
+    text += steps.build(*target, split ? folder + "/host" : folder, targets.size() > 1);
+  return text;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,15 @@
+// What is said of a command line that is wrong.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+namespace eagerx::gen {
+
+/// An `error:` line and, where there is one, a `help:` line.
+std::string usage_message(const CLI::App& app, const CLI::Error& problem);
+
+/// Of a word that is neither a command of `app` nor a file: the same. Empty if it may be a file.
+std::string not_a_command(const CLI::App& app, const std::string& word);
+
+}  // namespace eagerx::gen
