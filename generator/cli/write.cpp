@@ -77,7 +77,10 @@ class Writer {
     const std::set<std::string> ours(earlier.begin(), earlier.end());
     bool good = true;
     for (const auto& file : files) {
-      if (file.path == kList || ours.contains(file.path)) continue;
+      std::error_code ignored;
+      if (file.path == kList || ours.contains(file.path) ||
+          !fs::is_regular_file(folder_ / file.path, ignored))
+        continue;
       const auto text = read(folder_ / file.path);
       if (!text || *text == file.text) continue;
       diagnostics_
