@@ -14,6 +14,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMaxLayers = 256;
+constexpr std::size_t kMaxParameters = std::size_t{16} << 20U;
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 22U;
 constexpr const char* kSaveAgain = "the file is damaged: save it again";
 
@@ -31,7 +32,7 @@ class Assembly {
     if (!add_memory(table_, layout_, problem_)) return std::nullopt;
     if (!check_algorithm() || !choose_activation() || !add_observation()) return std::nullopt;
     for (const ActorModule& module : layout_.modules) {
-      if (!add(module)) return std::nullopt;
+      if (!add(module) || !check_size()) return std::nullopt;
     }
     if (!finish_layers() || !check_facts()) return std::nullopt;
     network_.format = fmt::format("{}, {}", facts_.format, layout_.about);
@@ -146,6 +147,18 @@ class Assembly {
     used_.insert(names.begin(), names.end());
     network_.layers.push_back(std::move(*layer));
     return true;
+  }
+
+  /// Many layers may be made of the same bytes.
+  bool check_size() {
+    std::size_t parameters = 0;
+    for (const DenseLayer& layer : network_.layers) {
+      parameters += layer.weights.size() + layer.bias.size();
+      if (layer.recurrence() != nullptr) parameters += layer.recurrence()->hidden_weights.size();
+    }
+    return parameters <= kMaxParameters ||
+           fail("E0619", fmt::format("has more than {} parameters", kMaxParameters),
+                "use a smaller network");
   }
 
   bool add(const ActorModule& module) {

@@ -48,21 +48,53 @@ std::optional<std::vector<double>> numbers_in(std::string_view text) {
   return values;
 }
 
+/// Stops at keys that are there twice, at too many values, and at too deep ones.
+class Guard {
+ public:
+  using json = nlohmann::json;
+  bool null() { return count(); }
+  bool boolean(bool /*value*/) { return count(); }
+  bool number_integer(json::number_integer_t /*value*/) { return count(); }
+  bool number_unsigned(json::number_unsigned_t /*value*/) { return count(); }
+  bool number_float(json::number_float_t /*value*/, const json::string_t& /*text*/) {
+    return count();
+  }
+  bool string(json::string_t& /*value*/) { return count(); }
+  bool binary(json::binary_t& /*value*/) { return false; }
+  bool start_object(std::size_t /*size*/) {
+    keys_.emplace_back();
+    return count() && keys_.size() <= kDeepest;
+  }
+  bool key(json::string_t& name) { return keys_.back().insert(std::move(name)).second; }
+  bool end_object() {
+    keys_.pop_back();
+    return true;
+  }
+  bool start_array(std::size_t size) { return start_object(size); }
+  bool end_array() { return end_object(); }
+  static bool parse_error(std::size_t /*place*/, const std::string& /*token*/,
+                          const json::exception& /*error*/) {
+    return false;
+  }
+
+ private:
+  static constexpr std::size_t kMostValues = 1'000'000;
+  static constexpr std::size_t kDeepest = 64;
+  bool count() { return ++values_ <= kMostValues; }
+
+  std::size_t values_ = 0;
+  std::vector<std::set<std::string>> keys_;  // of the objects (and arrays) that are open
+};
+
 }  // namespace
 
 std::optional<nlohmann::json> parse_json(std::string_view text) {
-  std::vector<std::set<std::string>> keys;
-  bool twice = false;
-  const auto watch = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
-    if (event == nlohmann::json::parse_event_t::object_start) keys.emplace_back();
-    if (event == nlohmann::json::parse_event_t::object_end && !keys.empty()) keys.pop_back();
-    if (event == nlohmann::json::parse_event_t::key && !keys.empty()) {
-      twice = twice || !keys.back().insert(parsed.get<std::string>()).second;
-    }
-    return true;
-  };
-  nlohmann::json value = nlohmann::json::parse(without_python(text), watch, false);
-  if (value.is_discarded() || twice) return std::nullopt;
+  const std::string plain = without_python(text);
+  // First without making anything: two bytes of text become a value of sixteen.
+  Guard guard;
+  if (!nlohmann::json::sax_parse(plain, &guard)) return std::nullopt;
+  nlohmann::json value = nlohmann::json::parse(plain, nullptr, false);
+  if (value.is_discarded()) return std::nullopt;
   return value;
 }
 

@@ -12,6 +12,7 @@
 
 #include "generator/policy/formats.hpp"
 #include "generator/policy/onnx_graph.hpp"
+#include "generator/policy/onnx_guard.hpp"
 #include "generator/policy/onnx_inputs.hpp"
 #include "generator/policy/onnx_network.hpp"
 #include "generator/policy/onnx_value.hpp"
@@ -30,10 +31,16 @@ constexpr const char* kExportHelp =
 
 std::optional<onnx::ModelProto> parse(std::string_view bytes, PolicyProblem& problem) {
   constexpr char kIrVersionTag = '\x08';  // how every ONNX file begins
-  onnx::ModelProto model;
-  const bool parsed = bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
-                      model.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
   const bool onnx_like = bytes.front() == kIrVersionTag;
+  const bool is_small = is_onnx_of_few_parts(bytes);
+  if (!is_small && onnx_like) {
+    return refuse(problem, "E0619", "has more parts than an ONNX network can need",
+                  "use a smaller network, or look where the file is from");
+  }
+  onnx::ModelProto model;
+  const bool parsed = is_small &&
+                      bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
+                      model.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
   if (!parsed && onnx_like) {
     problem = {"E0604", "is a damaged or truncated ONNX file", "copy or export the file again"};
     return std::nullopt;

@@ -13,6 +13,8 @@ constexpr const char* kHelp =
     "save it with `VecNormalize.save`, or as JSON: {\"mean\": […], \"var\": […], \"clip_obs\": 10, "
     "\"epsilon\": 1e-8}";
 
+constexpr std::int64_t kMostNumbers = std::int64_t{1} << 23U;  // one array may be named often
+
 std::nullopt_t unusable(PolicyProblem& problem, std::string how) {
   return refuse(problem, "E0627", std::move(how), kHelp);
 }
@@ -29,6 +31,10 @@ bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   const auto means = mean != nullptr ? pickle.array(*mean) : std::nullopt;
   const auto variances = variance != nullptr ? pickle.array(*variance) : std::nullopt;
   if (!means || !variances) return false;
+  const std::size_t count = statistics.mean.size() + statistics.variance.size();
+  const std::int64_t more = element_count(means->shape).value_or(kMostNumbers) +
+                            element_count(variances->shape).value_or(kMostNumbers);
+  if (static_cast<std::int64_t>(count) + more > kMostNumbers) return false;
   for (const double value : values_of(*means)) statistics.mean.push_back(value);
   for (const double value : values_of(*variances)) statistics.variance.push_back(value);
   return true;

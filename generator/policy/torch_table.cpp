@@ -13,6 +13,7 @@ using Kind = PickleValue::Kind;
 constexpr std::string_view kPickleName = "data.pkl";
 constexpr const char* kHelp = "save it again with `torch.save`, or with Stable-Baselines3";
 constexpr int kDeepest = 8;
+constexpr std::size_t kMostVisits = 500'000;
 
 std::optional<ElementType> storage_type(std::string_view name) {
   struct Row {
@@ -90,6 +91,8 @@ class TorchReader {
   bool add_all(const PickleValue& dictionary, const std::string& prefix, int depth) {
     if (depth > kDeepest) return fail("dictionaries nested too deeply");
     for (std::size_t i = 0; i + 1 < dictionary.items.size(); i += 2) {
+      // The same dictionary may be in many, and they in many more.
+      if (++visited_ > kMostVisits) return fail("too many dictionaries");
       const PickleValue& key = pickle_.at(dictionary.items[i]);
       const PickleValue* item = &pickle_.at(dictionary.items[i + 1]);
       if (key.kind != Kind::text) continue;
@@ -164,6 +167,7 @@ class TorchReader {
   std::string folder_;
   std::map<std::string, std::string_view> storages_;
   std::size_t unpacked_ = 0;
+  std::size_t visited_ = 0;
 };
 
 }  // namespace
