@@ -239,7 +239,7 @@ OnnxValue batch_normalization(const OnnxCall& call) {
     Dims shape(x.shape->size() - 1, 1);
     shape[0] = (*x.shape)[1];
     const auto next =
-        elementwise_step(call, value, operation, made_constant(call, *numbers, std::move(shape)));
+        elementwise_step(call, value, operation, made_constant(call, *numbers, shape));
     if (!next) return call.misused("of an unknown shape", x.shape);
     value = *next;
   }
