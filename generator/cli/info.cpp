@@ -137,6 +137,21 @@ bool is_graph_file(const std::string& name) {
   return name.ends_with(".yaml") || name.ends_with(".yml");
 }
 
+/// A line on policies whose bits differ from build to build; empty without any.
+std::string profile_text(const GraphSpec& spec) {
+  std::vector<std::string> names;
+  const auto add = [&](const AgentSpec& policy, const std::string& name) {
+    if (policy.profile && policy.profile->value == "fast") names.push_back(name);
+  };
+  add(spec.agent, "agent");
+  for (const EntitySpec& node : spec.nodes) {
+    if (node.policy) add(*node.policy, node.name.value);
+  }
+  if (names.empty()) return {};
+  return fmt::format("\nprofile fast: {}; hashes hold for one build only\n",
+                     fmt::join(names, ", "));
+}
+
 /// What the plan of a graph says of time, memory and traffic.
 int graph_info(Options options) {
   options.graph = options.entity;
@@ -146,7 +161,7 @@ int graph_info(Options options) {
   if (options.json_output)
     fmt::print("{}", report_json(report));
   else
-    fmt::print("{}{}", plan_text(report), timing_text(report));
+    fmt::print("{}{}{}", plan_text(report), timing_text(report), profile_text(*run.spec));
   return finish(run, options);
 }
 

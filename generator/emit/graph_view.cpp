@@ -255,11 +255,14 @@ class GraphView {
   void add_self_tests(View& view) const {
     std::size_t rows = network_ ? network_->self_test.size() : 0;
     std::vector<std::string> tests;
+    bool is_fast = network_ && network_->profile == Profile::fast;
     if (network_) tests.emplace_back("policy::self_test()");
     for (const NodePolicy& policy : node_policies_) {
       rows += policy.network->self_test.size();
+      is_fast = is_fast || policy.network->profile == Profile::fast;
       tests.push_back(policy_namespace(graph_.nodes[policy.node].name) + "::self_test()");
     }
+    view.set("has_fast", is_fast);
     view.set("self_test_rows", fmt::format("{}", rows));
     view.set("self_tests", tests.empty() ? "true" : fmt::format("{}", fmt::join(tests, " && ")));
   }

@@ -218,6 +218,8 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   summary.engine = Graph::kEngine;
   summary.agent = std::string(agent);
   summary.seed = options.plan.seed;
+  if constexpr (requires { Graph::kHasFastPolicy; })
+    summary.more.emplace_back("profile", "fast: the hash holds for this build only");
   const auto note = [&](const char* name, std::uint64_t count) {
     summary.faults.emplace_back(name, count);
   };
@@ -330,8 +332,10 @@ int self_test() {
   if (Graph::kSelfTestRows == 0)
     std::puts("self-test: this program has no policy");
   else
-    std::printf("self-test: %d answers of the policy are as generated\n",
-                static_cast<int>(Graph::kSelfTestRows));
+    std::printf(
+        "self-test: %d answers of the policy are as generated%s\n",
+        static_cast<int>(Graph::kSelfTestRows),
+        requires { Graph::kHasFastPolicy; } ? ", but for rounding (profile fast)" : "");
   return std::fflush(stdout) == 0 ? kDone : kBadFile;
 }
 
