@@ -8,6 +8,7 @@
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_answers.hpp"
 #include "generator/emit/policy_view.hpp"
+#include "generator/emit/wrap.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
@@ -82,7 +83,9 @@ class Emitter {
     add_common(view);
     auto text = render_file(template_path, view, diagnostics_);
     failed_ = failed_ || !text;
-    if (text) files_.push_back({path, std::move(*text)});
+    if (!text) return;
+    const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h");
+    files_.push_back({path, cpp ? wrapped(*text) : std::move(*text)});
   }
 
   View partial(const std::string& template_file) {

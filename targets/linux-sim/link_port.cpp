@@ -89,7 +89,9 @@ bool LinkPort::open_unix(const std::string& path, bool listens) {
   if (file < 0) return fail(std::strerror(errno));
   const auto* const generic = reinterpret_cast<const sockaddr*>(&address);
   if (listens) {
-    unlink(path.c_str());
+    // Of an earlier run. Anything else of this name is somebody's, and bind() says so.
+    struct stat status {};
+    if (stat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode)) unlink(path.c_str());
     if (bind(file, generic, sizeof address) == 0) return accept_on(file);
   } else if (connect(file, generic, sizeof address) == 0) {
     fcntl(file, F_SETFL, O_NONBLOCK);

@@ -44,13 +44,16 @@ struct Graph {
   };
 
   /// actions.voltage, graph.yaml:29:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
   /// observations.angle, graph.yaml:35:32
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
+      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
   /// observations.theta_dot, graph.yaml:36:36
   static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
   /// What pendulum.model_state is drawn from, graph.yaml:16:20
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{
+      .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
   static States draw(eagerx::EpisodeKey key) {
@@ -108,11 +111,12 @@ struct Graph {
     Action action;
     std::size_t out = 0;
     // squashed policy: from -1…1 to the action's bounds, as SB3's predict() does
-    action.voltage = eagerx::unscaled(eagerx::unflatten<eagerx::Array<float, 1>>(output, out), kActionVoltage);
+    action.voltage =
+        eagerx::unscaled(eagerx::unflatten<eagerx::Array<float, 1>>(output, out), kActionVoltage);
     return action;
   }
 
-  /// True if this machine computes what the generator computed: the answers of policies, to the bit.
+  /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 8;
   static bool self_test() { return policy::self_test(); }
 

@@ -1,4 +1,4 @@
-// What each node of graph `pendulum_swing_up` is compiled for: rate, parameters, inputs and outputs.
+// What each node of graph `pendulum_swing_up` is compiled for: rate, parameters, inputs, outputs.
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
@@ -44,7 +44,8 @@ struct PendulumSimulatorIo {
   struct Config {
   };
 };
-using PendulumSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<PendulumSimulatorIo>>;
+using PendulumSimulator =
+    eagerx::models::OdeSimulator<eagerx::models::PendulumOde<PendulumSimulatorIo>>;
 
 // pendulum.model_state: OdeEngineState, graph.yaml:16:7
 struct PendulumModelStateIo {
@@ -165,7 +166,8 @@ struct PendulumThetaIo {
     static constexpr int idx = 0;
   };
   struct Inputs {
-    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> observation_array;  // float32 [2]
+    // float32 [2]
+    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> observation_array;
 
     template <class F>
     void for_each(F&& f) const {
@@ -187,7 +189,8 @@ struct PendulumThetaDotIo {
     static constexpr int idx = 1;
   };
   struct Inputs {
-    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> observation_array;  // float32 [2]
+    // float32 [2]
+    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> observation_array;
 
     template <class F>
     void for_each(F&& f) const {
@@ -233,7 +236,8 @@ struct PendulumUAppliedIo {
   };
   struct Inputs {
     eagerx::Window<std::int64_t, eagerx::Rate<30>, 1, 1, true> tick;  // int64 []
-    eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 1, 1, false> action_applied;  // float32 [1]
+    // float32 [1]
+    eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 1, 1, false> action_applied;
 
     template <class F>
     void for_each(F&& f) const {

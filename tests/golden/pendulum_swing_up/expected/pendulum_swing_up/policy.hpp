@@ -1,4 +1,5 @@
-// The trained policy of pendulum_swing_up: swing_up.onnx (ONNX opset 17, exported by pytorch 1.13.0).
+// The trained policy of pendulum_swing_up: swing_up.onnx (ONNX opset 17, exported by pytorch
+// 1.13.0).
 //
 //   3 -> 64 relu -> 64 relu -> 1 tanh
 //
@@ -15,8 +16,8 @@ inline constexpr std::size_t kInputs = 3;
 inline constexpr std::size_t kOutputs = 1;
 
 // clang-format off
-// Each table: weights of eight outputs at a time, one line an input (eight values a line where there
-// are fewer outputs); then the biases.
+// Each table: weights of eight outputs at a time, one line an input (eight values a line where
+// there are fewer outputs); then the biases.
 inline constexpr eagerx::DenseWeights<3, 64> kLayer1 = {
     {
       // outputs 0 to 7

@@ -23,8 +23,8 @@ class Program {
  public:
   [[no_unique_address]] Trace trace;
 
-  /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
-  /// reset does it if nobody has.
+  /// Once: engine and simulators get what they need, memory too if they are built on a library.
+  /// The first reset does it if nobody has.
   void warm_up() {
     if (warm_) return;
     warm_ = true;
@@ -36,8 +36,8 @@ class Program {
   }
   /// Whether the engine acts on the world itself.
   bool is_real() const { return eagerx::is_real(engine_, pendulum_simulator_); }
-  /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid during
-  /// its call.
+  /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid
+  /// during its call.
   template <class F>
   void for_each_count(F&& f) const {
     eagerx::for_each_count(f, engine_, pendulum_simulator_);
@@ -58,7 +58,8 @@ class Program {
       PendulumLength::reset(*states.pendulum_length, pendulum_simulator_);
     if (states.pendulum_max_speed && eagerx::runs_engine(trace))
       PendulumMaxSpeed::reset(*states.pendulum_max_speed, pendulum_simulator_);
-    if (eagerx::runs_engine(trace)) eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
+    if (eagerx::runs_engine(trace))
+      eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
@@ -93,7 +94,8 @@ class Program {
     if ((due & k30Hz) != 0) {
       // engine: OdeEngine, graph.yaml:7:1
       {
-        if (n30Hz_ > 1 && eagerx::runs_engine(trace)) engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
+        if (n30Hz_ > 1 && eagerx::runs_engine(trace))
+          engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n30Hz_ - 1);
         trace(channel::engine_tick, n30Hz_ - 1, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>)
@@ -108,7 +110,8 @@ class Program {
         if constexpr (eagerx::traces_inputs<Trace>)
           trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n30Hz_ - 1, in);
         pendulum_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_u_applied_action_applied, n30Hz_ - 1, pendulum_u_applied_action_applied_[0]);
+        trace(channel::pendulum_u_applied_action_applied, n30Hz_ - 1,
+            pendulum_u_applied_action_applied_[0]);
       }
       // pendulum/x: OdeOutput, graph.yaml:13:3
       {
@@ -136,7 +139,8 @@ class Program {
         if constexpr (eagerx::traces_inputs<Trace>)
           trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n30Hz_ - 1, in);
         pendulum_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_theta_dot_observation, n30Hz_ - 1, pendulum_theta_dot_observation_[0]);
+        trace(channel::pendulum_theta_dot_observation, n30Hz_ - 1,
+            pendulum_theta_dot_observation_[0]);
       }
     }
   }

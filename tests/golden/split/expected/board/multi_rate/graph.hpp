@@ -21,7 +21,7 @@ struct Graph {
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0x55b4cac5cbeaa6fbU;  // of the sources of both
+    static constexpr std::uint64_t kGraph = 0xd6dfb6eb52f9131bU;  // of the sources of both
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
@@ -57,17 +57,22 @@ struct Graph {
   };
 
   /// actions.voltage, graph.yaml:46:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
   /// actions.push, graph.yaml:47:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{.low = {{-1.0F}}, .high = {{1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
+      .low = {{-1.0F}}, .high = {{1.0F}}};
   /// observations.angle, graph.yaml:55:28
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
+      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
   /// observations.speeds, graph.yaml:56:32
   static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
   /// observations.recent, graph.yaml:57:31
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{.low = {{-1.0F}}, .high = {{1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
+      .low = {{-1.0F}}, .high = {{1.0F}}};
   /// observations.applied, graph.yaml:58:32
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{.low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
   /// observations.other, graph.yaml:59:29
   static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
 
@@ -103,7 +108,7 @@ struct Graph {
     return {kActionVoltage.sample(random), kActionPush.sample(random)};
   }
 
-  /// True if this machine computes what the generator computed: the answers of policies, to the bit.
+  /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
   static bool self_test() { return true; }
 

@@ -2,7 +2,8 @@
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 //
 // Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
-// which at least one rate is due; the 12 slots of the hyperperiod are a table of which of them are alike.
+// which at least one rate is due; the 12 slots of the hyperperiod are a table of which of them are
+// alike.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@
 
 namespace graphs::multi_rate {
 
-/// What runs on the board of the graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
+/// What runs on the board of the graph in one object: no heap, all zero until the first reset. A
+/// step is 0.1 s.
 template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
  public:
@@ -46,11 +48,13 @@ class Program {
   Observation step(const Action& action) {
     // actions.voltage, graph.yaml:46:3
     action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1, action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    trace(channel::environment_voltage, n10Hz_ - 1,
+        action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     link->put(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     // actions.push, graph.yaml:47:3
     action_push_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.push;
-    trace(channel::environment_push, n10Hz_ - 1, action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    trace(channel::environment_push, n10Hz_ - 1,
+        action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     link->put(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     // The slot of the last observation goes on, then come those up to the next.
     switch (kind_) {
@@ -135,28 +139,33 @@ class Program {
       {
         if (!link->get(left_theta_observation_[0])) return;
         trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
-        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] =
+            ObservationAngleProcessor::convert(left_theta_observation_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
       // left/theta_dot: FloatOutput, graph.yaml:11:3
       {
         if (!link->get(left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)])) return;
-        trace(channel::left_theta_dot_observation, n30Hz_ - 1, left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)]);
+        trace(channel::left_theta_dot_observation, n30Hz_ - 1,
+            left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)]);
       }
     }
     if ((due & k15Hz) != 0) {
       // right/theta: FloatOutput, graph.yaml:23:3
       {
         if (!link->get(right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)])) return;
-        trace(channel::right_theta_observation, n15Hz_ - 1, right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)]);
+        trace(channel::right_theta_observation, n15Hz_ - 1,
+            right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)]);
       }
     }
     if ((due & k10Hz) != 0) {
       // left/u_applied: ActionApplied, graph.yaml:11:3
       {
-        if (!link->get(left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)])) return;
-        trace(channel::left_u_applied_action_applied, n10Hz_ - 1, left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]);
+        if (!link->get(left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]))
+          return;
+        trace(channel::left_u_applied_action_applied, n10Hz_ - 1,
+            left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]);
       }
     }
   }

@@ -21,7 +21,7 @@ struct Graph {
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0x55b4cac5cbeaa6fbU;  // of the sources of both
+    static constexpr std::uint64_t kGraph = 0xd6dfb6eb52f9131bU;  // of the sources of both
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
@@ -57,25 +57,32 @@ struct Graph {
   };
 
   /// actions.voltage, graph.yaml:46:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{.low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
   /// actions.push, graph.yaml:47:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{.low = {{-1.0F}}, .high = {{1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
+      .low = {{-1.0F}}, .high = {{1.0F}}};
   /// observations.angle, graph.yaml:55:28
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{.low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
+      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
   /// observations.speeds, graph.yaml:56:32
   static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
   /// observations.recent, graph.yaml:57:31
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{.low = {{-1.0F}}, .high = {{1.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
+      .low = {{-1.0F}}, .high = {{1.0F}}};
   /// observations.applied, graph.yaml:58:32
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{.low = {{-2.0F}}, .high = {{2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
   /// observations.other, graph.yaml:59:29
   static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
   /// What left.model_state is drawn from, graph.yaml:20:21
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateLeftModelState{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateLeftModelState{
+      .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
   /// What left.mass is drawn from, graph.yaml:21:14
   static constexpr eagerx::Space<float> kStateLeftMass{.low = 0.01F, .high = 0.07F};
   /// What right.model_state is drawn from, graph.yaml:30:21
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateRightModelState{.low = {{-1.0F, -2.0F}}, .high = {{1.0F, 2.0F}}};
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateRightModelState{
+      .low = {{-1.0F, -2.0F}}, .high = {{1.0F, 2.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
   static States draw(eagerx::EpisodeKey key) {
@@ -84,7 +91,8 @@ struct Graph {
       eagerx::Random random(key, eagerx::entity_id("left/model_state"));
       constexpr eagerx::Array<float, 2> kMean{{0.5F, 0.0F}};
       constexpr eagerx::Array<float, 2> kStd{{0.1F, 0.2F}};
-      states.left_model_state = kStateLeftModelState.clipped(eagerx::draw_normal(random, kMean, kStd));
+      states.left_model_state =
+          kStateLeftModelState.clipped(eagerx::draw_normal(random, kMean, kStd));
     }
     {  // left/mass, graph.yaml:21:14
       eagerx::Random random(key, eagerx::entity_id("left/mass"));
@@ -137,7 +145,7 @@ struct Graph {
     return {kActionVoltage.sample(random), kActionPush.sample(random)};
   }
 
-  /// True if this machine computes what the generator computed: the answers of policies, to the bit.
+  /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
   static bool self_test() { return true; }
 

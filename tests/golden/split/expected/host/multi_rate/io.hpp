@@ -1,4 +1,4 @@
-// What each node of graph `multi_rate` is compiled for: rate, parameters, inputs and outputs.
+// What each node of graph `multi_rate` is compiled for: rate, parameters, inputs, outputs.
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
@@ -221,7 +221,8 @@ struct LeftThetaIo {
     static constexpr int idx = 0;
   };
   struct Inputs {
-    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<20>, 1, 1, true> observation_array;  // float32 [2]
+    // float32 [2]
+    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<20>, 1, 1, true> observation_array;
 
     template <class F>
     void for_each(F&& f) const {
@@ -243,7 +244,8 @@ struct LeftThetaDotIo {
     static constexpr int idx = 1;
   };
   struct Inputs {
-    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<20>, 1, 1, true> observation_array;  // float32 [2]
+    // float32 [2]
+    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<20>, 1, 1, true> observation_array;
 
     template <class F>
     void for_each(F&& f) const {
@@ -289,7 +291,8 @@ struct LeftUAppliedIo {
   };
   struct Inputs {
     eagerx::Window<std::int64_t, eagerx::Rate<60>, 1, 1, true> tick;  // int64 []
-    eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 1, 1, false> action_applied;  // float32 [1]
+    // float32 [1]
+    eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 1, 1, false> action_applied;
 
     template <class F>
     void for_each(F&& f) const {
@@ -334,7 +337,8 @@ struct RightThetaIo {
     static constexpr int idx = 0;
   };
   struct Inputs {
-    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<15>, 1, 1, true> observation_array;  // float32 [2]
+    // float32 [2]
+    eagerx::Window<eagerx::Array<float, 2>, eagerx::Rate<15>, 1, 1, true> observation_array;
 
     template <class F>
     void for_each(F&& f) const {
@@ -380,7 +384,8 @@ struct RightUAppliedIo {
   };
   struct Inputs {
     eagerx::Window<std::int64_t, eagerx::Rate<60>, 1, 1, true> tick;  // int64 []
-    eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<20>, 1, 1, false> action_applied;  // float32 [1]
+    // float32 [1]
+    eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<20>, 1, 1, false> action_applied;
 
     template <class F>
     void for_each(F&& f) const {

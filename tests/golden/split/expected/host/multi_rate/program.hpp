@@ -2,7 +2,8 @@
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 //
 // Every node appears once, in data-flow order, under the bit of its rate. A slot is an instant at
-// which at least one rate is due; the 12 slots of the hyperperiod are a table of which of them are alike.
+// which at least one rate is due; the 12 slots of the hyperperiod are a table of which of them are
+// alike.
 #pragma once
 
 #include <cstdint>
@@ -18,15 +19,16 @@
 
 namespace graphs::multi_rate {
 
-/// What runs on Linux of the graph in one object: no heap, all zero until the first reset. A step is 0.1 s.
+/// What runs on Linux of the graph in one object: no heap, all zero until the first reset. A step
+/// is 0.1 s.
 template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
  public:
   [[no_unique_address]] Trace trace;
   Link* link = nullptr;  // to the other program of this graph; set before the first reset
 
-  /// Once: engine and simulators get what they need, memory too if they are built on a library. The first
-  /// reset does it if nobody has.
+  /// Once: engine and simulators get what they need, memory too if they are built on a library.
+  /// The first reset does it if nobody has.
   void warm_up() {
     if (warm_) return;
     warm_ = true;
@@ -38,8 +40,8 @@ class Program {
   }
   /// Whether the engine acts on the world itself.
   bool is_real() const { return eagerx::is_real(engine_, left_simulator_, right_simulator_); }
-  /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid during
-  /// its call.
+  /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid
+  /// during its call.
   template <class F>
   void for_each_count(F&& f) const {
     eagerx::for_each_count(f, engine_, left_simulator_, right_simulator_);
@@ -69,7 +71,8 @@ class Program {
       RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
     if (states.right_length && eagerx::runs_engine(trace))
       RightLength::reset(*states.right_length, right_simulator_);
-    if (eagerx::runs_engine(trace)) eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
+    if (eagerx::runs_engine(trace))
+      eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);
     left_theta_.reset({}, left_simulator_);
@@ -94,13 +97,17 @@ class Program {
   Observation step(Action& action) {
     link->begin_step();
     // actions.voltage, graph.yaml:46:3
-    if (!link->get(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    if (!link->get(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]))
+      return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     action.voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    trace(channel::environment_voltage, n10Hz_ - 1, action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    trace(channel::environment_voltage, n10Hz_ - 1,
+        action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     // actions.push, graph.yaml:47:3
-    if (!link->get(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)])) return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    if (!link->get(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]))
+      return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     action.push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    trace(channel::environment_push, n10Hz_ - 1, action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    trace(channel::environment_push, n10Hz_ - 1,
+        action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
     // The slot of the last observation goes on, then come those up to the next.
     switch (kind_) {
       case 0:
@@ -167,7 +174,8 @@ class Program {
     if ((due & k60Hz) != 0) {
       // engine: OdeEngine, graph.yaml:8:1
       {
-        if (n60Hz_ > 1 && eagerx::runs_engine(trace)) engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
+        if (n60Hz_ > 1 && eagerx::runs_engine(trace))
+          engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
         engine_tick_[0] = static_cast<std::int64_t>(n60Hz_ - 1);
         trace(channel::engine_tick, n60Hz_ - 1, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>)
@@ -180,8 +188,10 @@ class Program {
       // fast: ButterworthFilter, graph.yaml:36:3
       {
         if (!link->get(fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)])) return;
-        trace(channel::fast_filtered, n30Hz_ - 1, fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
-        right_u_action_[0] = RightUActionProcessor::convert(fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
+        trace(channel::fast_filtered, n30Hz_ - 1,
+            fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
+        right_u_action_[0] =
+            RightUActionProcessor::convert(fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)]);
       }
       // right/u_applied: ActionApplied, graph.yaml:23:3
       {
@@ -192,7 +202,8 @@ class Program {
         if constexpr (eagerx::traces_inputs<Trace>)
           trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n30Hz_ - 1, in);
         right_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, right_simulator_);
-        trace(channel::right_u_applied_action_applied, n30Hz_ - 1, right_u_applied_action_applied_[0]);
+        trace(channel::right_u_applied_action_applied, n30Hz_ - 1,
+            right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
@@ -213,7 +224,8 @@ class Program {
           trace.inputs("left/theta", LeftThetaIo::Rate{}, n20Hz_ - 1, in);
         left_theta_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
         trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
-        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] = ObservationAngleProcessor::convert(left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] =
+            ObservationAngleProcessor::convert(left_theta_observation_[0]);
         link->put(left_theta_observation_[0]);
       }
       // right/u: OdeInput, graph.yaml:23:3
@@ -269,7 +281,8 @@ class Program {
         const LeftUAppliedIo::Inputs in{
             {engine_tick_, n60Hz_},
             {left_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
-        auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)];
+        auto& new_action_applied =
+            left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)];
         LeftUAppliedIo::Outputs out{new_action_applied};
         if constexpr (eagerx::traces_inputs<Trace>)
           trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n10Hz_ - 1, in);
@@ -354,7 +367,8 @@ class Program {
   eagerx::NewMessages observation_recent_new_{};  // observations.recent
   eagerx::DelayCursor<3, 2> observation_other_cursor_{};  // observations.other
   eagerx::DelayCursor<1, 2> slow_signal_cursor_{};  // slow.signal
-  eagerx::SkipCursor<2, 3, 1> right_u_applied_action_applied_cursor_{};  // right/u_applied.action_applied
+  // right/u_applied.action_applied
+  eagerx::SkipCursor<2, 3, 1> right_u_applied_action_applied_cursor_{};
 
   // Messages: as many of each as its readers need.
   eagerx::Array<float, 1> action_voltage_[4]{};  // slow.signal needs 3

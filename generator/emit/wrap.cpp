@@ -1,0 +1,153 @@
+#include "generator/emit/wrap.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kColumns = 100;
+constexpr std::size_t kNone = std::string_view::npos;
+
+/// In letters: names in comments may have any.
+std::size_t columns_of(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U;
+  }));
+}
+
+/// Walks through code: where brackets are open, and what is inside of a literal.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view line) : line_(line) {}
+
+  /// Takes the next character; false at the end.
+  bool next() {
+    if (at_ + 1 >= line_.size() && started_) return false;
+    if (started_) ++at_;
+    started_ = true;
+    if (at_ >= line_.size()) return false;
+    const char c = line_[at_];
+    if (quote_ != '\0') {
+      if (c == '\\')
+        ++at_;
+      else if (c == quote_)
+        quote_ = '\0';
+      return true;
+    }
+    const char before = at_ > 0 ? line_[at_ - 1] : ' ';
+    const bool digit_separator = std::isalnum(static_cast<unsigned char>(before)) != 0;
+    if (c == '"' || (c == '\'' && !digit_separator)) quote_ = c;
+    if (c == '(' || c == '[' || c == '{' || opens_template(c, before)) ++depth_;
+    if (c == ')' || c == ']' || c == '}' || (c == '>' && before != '-' && before != ' ')) --depth_;
+    return true;
+  }
+  [[nodiscard]] std::size_t at() const { return at_; }
+  [[nodiscard]] int depth() const { return depth_; }
+  [[nodiscard]] bool in_literal() const { return quote_ != '\0'; }
+
+ private:
+  static bool opens_template(char c, char before) {
+    return c == '<' && (std::isalnum(static_cast<unsigned char>(before)) != 0 || before == '_');
+  }
+
+  std::string_view line_;
+  std::size_t at_ = 0;
+  int depth_ = 0;
+  char quote_ = '\0';
+  bool started_ = false;
+};
+
+/// Where the comment behind code begins, with the blanks before it.
+std::size_t find_comment(std::string_view line) {
+  for (Scanner scan(line); scan.next();) {
+    if (!scan.in_literal() && line.substr(scan.at()).starts_with("  // ")) return scan.at();
+  }
+  return kNone;
+}
+
+struct Break {
+  std::size_t at = kNone;  // what follows goes to the next line
+  std::size_t indent = 0;
+};
+
+/// The last place with the fewest brackets open, behind a comma, `=`, `&&`, `{` or the condition of
+/// an `if`.
+Break find_break(std::string_view line, std::size_t indent) {
+  constexpr std::size_t kContinuation = 4;
+  constexpr std::size_t kBody = 2;
+  Break best;
+  int least = std::numeric_limits<int>::max();
+  const bool is_if = line.substr(indent).starts_with("if (");
+  for (Scanner scan(line); scan.next() && scan.at() < kColumns;) {
+    const std::size_t at = scan.at();
+    if (scan.in_literal() || at <= indent || at + 2 >= line.size()) continue;
+    const std::string_view rest = line.substr(at);
+    const bool ends_condition = is_if && scan.depth() == 0 && rest.starts_with(") ");
+    const bool breaks = ends_condition || rest.starts_with(", ") || rest.starts_with("= ") ||
+                        (line[at - 1] == '&' && rest.starts_with("& "));
+    if (breaks && scan.depth() <= least) {
+      least = scan.depth();
+      best = {at + 2, indent + (ends_condition ? kBody : kContinuation)};
+    } else if (line[at] == '{' && line[at + 1] != '}' && scan.depth() - 1 < least) {
+      least = scan.depth() - 1;
+      best = {at + 1, indent + kContinuation};
+    }
+  }
+  return best;
+}
+
+std::string wrapped_comment(std::string_view line, std::size_t indent) {
+  const std::string_view text = line.substr(indent);
+  // `// node: Type, graph.yaml:3:5` is what `eagerx-gen size` looks for.
+  const bool names_place = std::isdigit(static_cast<unsigned char>(line.back())) != 0;
+  if (names_place) return std::string(line);
+  const std::string mark = std::string(line.substr(0, indent)) +
+                           std::string(text.substr(0, text.find_first_not_of('/'))) + " ";
+  std::string result;
+  std::string rest(line);
+  while (columns_of(rest) > kColumns) {
+    const std::size_t blank = rest.rfind(' ', kColumns);
+    if (blank == kNone || blank < mark.size()) break;
+    result += rest.substr(0, blank) + "\n";
+    rest = mark + rest.substr(blank + 1);
+  }
+  return result + rest;
+}
+
+std::string wrapped_line(std::string_view line) {
+  const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
+  if (columns_of(line) <= kColumns || line.substr(indent).starts_with('#'))
+    return std::string(line);
+  if (line.substr(indent).starts_with("//")) return wrapped_comment(line, indent);
+  if (const std::size_t comment = find_comment(line); comment != kNone) {
+    const std::string above = std::string(indent, ' ') + std::string(line.substr(comment + 2));
+    return wrapped_line(above) + "\n" + wrapped_line(line.substr(0, comment));
+  }
+  const Break place = find_break(line, indent);
+  if (place.at == kNone) return std::string(line);
+  std::string head(line.substr(0, place.at));
+  while (head.ends_with(' ')) head.pop_back();
+  return head + "\n" +
+         wrapped_line(std::string(place.indent, ' ') + std::string(line.substr(place.at)));
+}
+
+}  // namespace
+
+std::string wrapped(std::string_view text) {
+  std::string result;
+  bool on = true;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    if (line.ends_with("// clang-format off")) on = false;
+    if (line.ends_with("// clang-format on")) on = true;
+    result += on ? wrapped_line(line) : std::string(line);
+    if (end < text.size()) result += '\n';
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace eagerx::gen

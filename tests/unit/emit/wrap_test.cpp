@@ -1,0 +1,63 @@
+#include "generator/emit/wrap.hpp"
+
+#include <gtest/gtest.h>
+
+namespace eagerx::gen {
+namespace {
+
+const std::string kLong(60, 'a');
+
+TEST(Wrapped, ShortLinesStay) {
+  for (const char* text : {"", "\n", "int a;\n\n  // b\nint c;", "\t x\r\n"})
+    EXPECT_EQ(wrapped(text), text);
+}
+
+TEST(Wrapped, BreaksWhereTheFewestBracketsAreOpen) {
+  EXPECT_EQ(wrapped("  f(g(" + kLong + ", 1), h(" + kLong + ", 2));\n"),
+            "  f(g(" + kLong + ", 1),\n      h(" + kLong + ", 2));\n");
+  EXPECT_EQ(wrapped(kLong + " = Array<float, 3>{" + kLong + "};"),
+            kLong + " =\n    Array<float, 3>{" + kLong + "};");
+  EXPECT_EQ(wrapped("Array<float, 3> " + kLong + "{.low = {{1}}, .high = {{" + kLong + "}}};"),
+            "Array<float, 3> " + kLong + "{\n    .low = {{1}}, .high = {{" + kLong + "}}};");
+}
+
+TEST(Wrapped, ABodyGoesBelowItsIf) {
+  EXPECT_EQ(wrapped("if (a && (" + kLong + ")) f(" + kLong + ");"),
+            "if (a && (" + kLong + "))\n  f(" + kLong + ");");
+}
+
+TEST(Wrapped, LiteralsStayWhole) {
+  const std::string text = "f(\"" + kLong + ", // " + kLong + ", (\", ',');";
+  EXPECT_EQ(wrapped(text), text);
+  EXPECT_EQ(wrapped("f(\"" + kLong + "\\\", (\", '\\'', " + kLong + ");"),
+            "f(\"" + kLong + "\\\", (\", '\\'',\n    " + kLong + ");");
+  const std::string include = "#include <" + kLong + ", " + kLong + ">";
+  EXPECT_EQ(wrapped(include), include);
+}
+
+TEST(Wrapped, CommentsBreakBetweenWordsAndMoveAbove) {
+  EXPECT_EQ(wrapped("  /// " + kLong + " " + kLong + " b\n"),
+            "  /// " + kLong + "\n  /// " + kLong + " b\n");
+  EXPECT_EQ(wrapped("  int " + kLong + ";  // " + kLong),
+            "  // " + kLong + "\n  int " + kLong + ";");
+  const std::string place = "// " + kLong + ": " + kLong + ", graph.yaml:3:5";
+  EXPECT_EQ(wrapped(place), place);
+}
+
+TEST(Wrapped, TablesStay) {
+  const std::string table = "// clang-format off\n" + kLong + ", " + kLong + "\n";
+  EXPECT_EQ(wrapped(table), table);
+  EXPECT_EQ(wrapped(table + "// clang-format on\n" + kLong + ", " + kLong),
+            table + "// clang-format on\n" + kLong + ",\n    " + kLong);
+}
+
+TEST(Wrapped, WhatCannotBeBrokenStays) {
+  const std::string word = "// " + kLong + kLong;
+  const std::string blanks(200, ' ');
+  for (const std::string& text :
+       {word, kLong + kLong, blanks, blanks + "x", std::string(300, '('), std::string(300, '"')})
+    EXPECT_EQ(wrapped(text), text);
+}
+
+}  // namespace
+}  // namespace eagerx::gen
