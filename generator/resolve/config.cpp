@@ -224,7 +224,11 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
   References result;
   for (const auto& parameter : entity.config) {
     const Setting* setting = find_setting(settings, parameter.name.value);
-    if (setting == nullptr && !parameter.fallback) continue;
+    if (setting == nullptr && !parameter.fallback) {
+      // Said where it is missing; what refers to it says nothing.
+      result["config " + parameter.name.value].tag = kUnresolved;
+      continue;
+    }
     const Node& value = setting != nullptr ? setting->value : *parameter.fallback;
     result["config " + parameter.name.value] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
@@ -244,6 +248,18 @@ bool is_unresolved(const Node& node) {
   return node.tag == kUnresolved;
 }
 
+namespace {
+
+/// Whether `config P 0` or `size P` is of a parameter that the graph does not give.
+bool is_missing(const std::string& name, const References& references) {
+  const std::size_t begin = name.find(' ') + 1;
+  const std::size_t end = name.find(' ', begin);
+  const auto parameter = references.find("config " + name.substr(begin, end - begin));
+  return parameter != references.end() && is_unresolved(parameter->second);
+}
+
+}  // namespace
+
 Node substitute(Node node, const References& references, Diagnostics& diagnostics) {
   for (auto& item : node.items) item = substitute(std::move(item), references, diagnostics);
   for (auto& entry : node.entries)
@@ -254,6 +270,7 @@ Node substitute(Node node, const References& references, Diagnostics& diagnostic
   const auto found = references.find(name);
   if (found != references.end()) return found->second;
   node.tag = kUnresolved;
+  if (is_missing(name, references)) return node;
   std::vector<std::string> known;
   for (const auto& [key, value] : references) known.push_back(key);
   auto& problem =
