@@ -13,7 +13,7 @@
 #include <targets/common/guard.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
-#include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/help.hpp>
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/options.hpp>
@@ -304,20 +304,6 @@ int identify(const Options& options) {
   program.warm_up();
   const int code = identify_with<Graph>(options, *log, program, problem);
   return problem.empty() ? code : fail(problem, code);
-}
-
-template <class Graph>
-int show_help(const char* program_name, const Options& defaults) {
-  auto& program = target::program_of_run<typename ProgramOf<Graph, NoTrace, link::NoLink>::Type>;
-  link::NoLink none;
-  if constexpr (is_split<Graph>) program.link = &none;
-  std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\nSimulates the graph `" +
-                     Graph::kName + "` on " + Graph::kEngine + " at " +
-                     number_text(Graph::Rate::hz) + " Hz.\n\n";
-  text += describe<Graph>(program.reset(Graph::draw(EpisodeKey{defaults.plan.seed, 0, 0})));
-  text += "Options (defaults in brackets):\n" + options_help(defaults);
-  std::fputs(text.c_str(), stdout);
-  return std::fflush(stdout) == 0 ? kDone : kBadFile;
 }
 
 /// Compares the policy's answers with those that the generator computed.
