@@ -61,7 +61,9 @@ struct EnginePlatform {
                   "Stm32F405Engine: `i2c_pins` are SCL and SDA of this I2C, \"PB6 PB7\"");
     static_assert(kSelects.is_right && kPins.is_right,
                   "Stm32F405Engine: `selects` and `pins` are up to 8 pins, \"PA4 PC13\"");
-    static_assert(are_encoders(), "Stm32F405Engine: `encoders` are timers, 1 to 5 or 8");
+    static_assert(
+        are_encoders(),
+        "Stm32F405Engine: `encoders` are timers, 1 to 5 or 8, each once, and none is `pwm`");
     static_assert(are_channels(), "Stm32F405Engine: `adc` are channels, 0 to 15");
     Hardware<Wait, Memory>& hardware = link.hardware();
     bool done = true;
@@ -97,7 +99,10 @@ struct EnginePlatform {
 
   static constexpr bool are_encoders() {
     for (const int number : Config::encoders) {
-      if (!is_timer(number)) return false;
+      if (!is_timer(number) || number == Config::pwm) return false;
+      int times = 0;
+      for (const int other : Config::encoders) times += other == number ? 1 : 0;
+      if (times > 1) return false;
     }
     return true;
   }
