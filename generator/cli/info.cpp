@@ -107,8 +107,10 @@ void print_entity(const Entity& entity) {
   if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
   if (!entity.runs.empty())
     fmt::print("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
+  std::vector<std::string> engines;
   for (const auto& implementation : entity.object_engines)
-    fmt::print("\nimplemented for: {}\n", implementation.engine.value);
+    engines.push_back(implementation.engine.value);
+  if (!engines.empty()) fmt::print("\nimplemented for: {}\n", fmt::join(engines, ", "));
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
@@ -169,6 +171,10 @@ int graph_info(Options options) {
 
 int info_command(const Options& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
+  if (options.json_output) {
+    fmt::print(stderr, "error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
+    return kWrongUsage;
+  }
   Run run;
   load(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);

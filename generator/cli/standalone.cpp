@@ -144,7 +144,16 @@ class Carrier {
       std::error_code ignored;
       if (!fs::is_regular_file(path, ignored)) continue;
       auto relative = relative_to_root(path);
-      if (!relative) return std::nullopt;
+      if (!relative && !from_.contains(includer)) return std::nullopt;  // of an earlier run
+      if (!relative) {
+        run_.diagnostics
+            .error("E0904", {},
+                   fmt::format("`{}` includes `{}`, which is in no folder of entities", includer,
+                               path.string()))
+            .help = "move it below the folder that `library:` or `--path` names";
+        failed_ = true;
+        return std::nullopt;
+      }
       // What programs of targets include is there already.
       if (relative->starts_with("targets/") && !includer.starts_with(kHeaderFolder))
         return std::nullopt;
