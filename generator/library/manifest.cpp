@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 #include "generator/library/library.hpp"
@@ -48,6 +49,29 @@ std::optional<ConditionNumber> bound_at(const Node& node, const char* key) {
   return number ? std::optional<ConditionNumber>(*number) : std::nullopt;
 }
 
+bool is_cpp_name(std::string_view text) {
+  const auto in_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
+  return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
+         std::all_of(text.begin(), text.end(), in_name);
+}
+
+/// `mine::Gain`, which goes into generated code as it is.
+void check_class(const Node& name, Diagnostics& diagnostics) {
+  std::string_view rest = name.text;
+  if (rest.starts_with("::")) rest.remove_prefix(2);
+  bool good = true;
+  for (bool more = true; more && good;) {
+    const std::size_t end = rest.find("::");
+    more = end != std::string_view::npos;
+    good = is_cpp_name(rest.substr(0, end));
+    if (more) rest.remove_prefix(end + 2);
+  }
+  if (good) return;
+  diagnostics
+      .error("E0205", name.span, fmt::format("{} is not the name of a C++ class", describe(name)))
+      .help = "write it with its namespaces: `mine::Gain`";
+}
+
 std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
   const Node* map = root.find("config");
@@ -63,6 +87,7 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
     parameter.high = bound_at(entry.value, "high");
     parameter.options = texts_at(entry.value, "options");
     parameter.cpp_class = text_at(entry.value, "class");
+    if (const Node* name = entry.value.find("class")) check_class(*name, diagnostics);
     const Node* eagerx = entry.value.find("eagerx");
     parameter.eagerx = eagerx != nullptr ? eagerx->text : entry.key;
     const bool keyword = parameter.type == Parameter::Type::keyword;
@@ -145,8 +170,9 @@ std::vector<EntitySpec> read_entities(const Node& root, const char* key, Diagnos
 }
 
 /// The include is the header's full path here; load_library makes it relative to its root.
-CppClass read_cpp(const Node& node, const fs::path& folder) {
+CppClass read_cpp(const Node& node, const fs::path& folder, Diagnostics& diagnostics) {
   CppClass result;
+  if (const Node* name = node.find("class")) check_class(*name, diagnostics);
   result.name = text_at(node, "class");
   const std::string header = text_at(node, "header");
   if (!header.empty()) {
@@ -175,7 +201,7 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const Node&
                                  const fs::path& folder, Diagnostics& diagnostics) {
   ObjectEngine result;
   result.engine = engine;
-  result.model = read_cpp(*node.find("model"), folder);
+  result.model = read_cpp(*node.find("model"), folder, diagnostics);
   result.nodes = read_entities(node, "nodes", diagnostics);
   result.connections = read_connections(node.find("connections"), diagnostics);
   const Node* states = node.find("states");
@@ -226,7 +252,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.summary = text_at(root, "summary");
   entity.description = text_at(root, "description");
   entity.path = path;
-  entity.cpp = read_cpp(root, folder);
+  entity.cpp = read_cpp(root, folder, diagnostics);
   entity.counts = texts_at(root, "counts");
   entity.packages = texts_at(root, "pkg_config");
   if (const Node* system = root.find("system")) entity.system = {system->text, system->span};
@@ -249,7 +275,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
     entity.outputs = {only_port(root, "output")};
   }
   if (const Node* simulator = root.find("simulator"))
-    entity.simulator = read_cpp(*simulator, folder);
+    entity.simulator = read_cpp(*simulator, folder, diagnostics);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
     for (const auto& entry : root.find("engines")->entries) {
       entity.object_engines.push_back(
