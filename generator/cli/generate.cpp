@@ -155,6 +155,7 @@ int generate_command(const Options& options) {
   if (!make(run, options)) return finish(run, options);
   const std::vector<const Target*> targets = find_targets(run, options);
   check_budget(run);
+  check_headers(*run.plan, run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
@@ -197,6 +198,7 @@ int check_command(const Options& options) {
   if (make(run, options)) {
     find_targets(run, options);
     check_budget(run);
+    check_headers(*run.plan, run.diagnostics);
   }
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {

@@ -1,10 +1,8 @@
 // messages.hpp and io.hpp: what goes in and out of the program and of each node.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "generator/emit/names.hpp"
 #include "generator/emit/types.hpp"
@@ -232,70 +230,6 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
           node.name + ".targets." + node.targets[t].name);
   }
   return views;
-}
-
-/// Collects the headers of entities, each once, sorted.
-class Includes {
- public:
-  explicit Includes(const IncludePaths& paths) : paths_(paths) {}
-
-  void add(const std::string& include_root, const CppClass& cpp) {
-    if (cpp.include.empty()) return;
-    if (include_root.empty()) {  // generated along with the program
-      headers_.insert("\"" + cpp.include + "\"");
-      return;
-    }
-    if (include_root == paths_.builtin_root) {
-      headers_.insert("<" + cpp.include + ">");
-      return;
-    }
-    const auto header = std::filesystem::path(include_root) / cpp.include;
-    headers_.insert("\"" + header.lexically_relative(paths_.here).generic_string() + "\"");
-  }
-  void add(const Entity& entity, const CppClass& cpp) { add(entity.include_root, cpp); }
-  void add(const std::optional<Processor>& processor) {
-    if (processor) add(*processor->entity, processor->entity->cpp);
-  }
-
-  [[nodiscard]] View view() const {
-    View views = list();
-    for (const auto& header : headers_) {
-      View view = object();
-      view.set("include", header);
-      views.push_back(view);
-    }
-    return views;
-  }
-
- private:
-  const IncludePaths& paths_;
-  std::set<std::string> headers_;
-};
-
-View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths) {
-  const Graph& graph = *plan.graph;
-  Includes includes(paths);
-  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
-    const GraphNode& node = graph.nodes[n];
-    if (names.receives(n)) {
-      for (const auto& input : node.inputs) includes.add(input.processor);
-    }
-    for (const auto& target : node.targets) includes.add(target.processor);
-    if (!names.runs(n)) continue;
-    if (node.entity != nullptr) includes.add(*node.entity, node.entity->cpp);
-    for (const auto& output : node.outputs) includes.add(output.processor);
-    for (const auto& state : node.states) includes.add(state.processor);
-  }
-  if (!names.has_engine()) return includes.view();
-  includes.add(*graph.engine().entity, graph.engine().entity->simulator);
-  for (const auto& item : graph.objects) {
-    includes.add(item.implementation->include_root, item.implementation->model);
-    for (const auto& state : item.states) {
-      includes.add(*state.engine_state, state.engine_state->cpp);
-      includes.add(state.processor);
-    }
-  }
-  return includes.view();
 }
 
 View port_view(const std::string& type, const std::string& field, const Space& space,

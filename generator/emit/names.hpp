@@ -59,6 +59,7 @@ View messages_view(const Plan& plan, const ProgramNames& names);
 struct IncludePaths {
   std::string builtin_root, here;
 };
+View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
 View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths);
 View program_view(const Plan& plan, const ProgramNames& names);
 View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,

@@ -1,0 +1,89 @@
+// The headers of entities that a program includes.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <set>
+
+#include "generator/emit/emit.hpp"
+#include "generator/emit/names.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls f(root of the includes, class, place of the manifest) for each class of the program.
+template <class F>
+void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
+  const Graph& graph = *plan.graph;
+  const auto add = [&](const Entity& entity, const CppClass& cpp) {
+    f(entity.include_root, cpp, entity.id.span);
+  };
+  const auto add_processor = [&](const std::optional<Processor>& processor) {
+    if (processor) add(*processor->entity, processor->entity->cpp);
+  };
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    const GraphNode& node = graph.nodes[n];
+    if (names.receives(n)) {
+      for (const auto& input : node.inputs) add_processor(input.processor);
+    }
+    for (const auto& target : node.targets) add_processor(target.processor);
+    if (!names.runs(n)) continue;
+    if (node.entity != nullptr) add(*node.entity, node.entity->cpp);
+    for (const auto& output : node.outputs) add_processor(output.processor);
+    for (const auto& state : node.states) add_processor(state.processor);
+  }
+  if (!names.has_engine()) return;
+  add(*graph.engine().entity, graph.engine().entity->simulator);
+  for (const auto& item : graph.objects) {
+    const ObjectEngine& made = *item.implementation;
+    f(made.include_root, made.model, made.engine.span);
+    for (const auto& state : item.states) {
+      add(*state.engine_state, state.engine_state->cpp);
+      add_processor(state.processor);
+    }
+  }
+}
+
+}  // namespace
+
+View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths) {
+  std::set<std::string> headers;
+  for_each_class(
+      plan, names, [&](const std::string& root, const CppClass& cpp, const Span& /*place*/) {
+        if (cpp.include.empty()) return;
+        if (root.empty()) {  // generated along with the program
+          headers.insert("\"" + cpp.include + "\"");
+        } else if (root == paths.builtin_root) {
+          headers.insert("<" + cpp.include + ">");
+        } else {
+          const fs::path header = fs::path(root) / cpp.include;
+          headers.insert("\"" + header.lexically_relative(paths.here).generic_string() + "\"");
+        }
+      });
+  View views = list();
+  for (const auto& header : headers) {
+    View view = object();
+    view.set("include", header);
+    views.push_back(view);
+  }
+  return views;
+}
+
+void check_headers(const Plan& plan, Diagnostics& diagnostics) {
+  std::set<fs::path> missing;
+  const ProgramNames names(plan, Part::whole);
+  for_each_class(plan, names, [&](const std::string& root, const CppClass& cpp, const Span& place) {
+    if (cpp.include.empty() || root.empty()) return;
+    const fs::path header = fs::path(root) / cpp.include;
+    std::error_code ignored;
+    if (fs::is_regular_file(header, ignored) || !missing.insert(header).second) return;
+    diagnostics
+        .io_error("E0301", place,
+                  fmt::format("there is no header `{}`", header.filename().string()))
+        .help =
+        fmt::format("`header:` is a file beside the manifest, with the class `{}`", cpp.name);
+  });
+}
+
+}  // namespace eagerx::gen
