@@ -1,6 +1,7 @@
 // Hyperbolic functions and the logistic function.
 #pragma once
 
+#include <array>
 #include <eagerx/math/basic.hpp>
 #include <eagerx/math/exponential.hpp>
 #include <eagerx/math/vocabulary.hpp>
@@ -23,25 +24,29 @@ struct HyperbolicConstants<double> {
   static constexpr double kOverflow = 710.5;
 };
 
-/// Rounds as kRounder, but the low bits of x + kHalfPowerRounder are those of n and the bias of
-/// 2^(n-1), so that they need only be shifted to be that number.
-inline constexpr float kHalfPowerRounder =
-    unbits(bits(FloatFormat<float>::kRounder) + FloatFormat<float>::kBias - 1U);
+/// tanh(s) / s - 1 for |s| <= log(2)/4, in s², from tests/accuracy/coefficients.sollya.
+inline constexpr std::array<float, 2> kTanhNearZero = {-0x1.554fe8p-2F, 0x1.0c7f34p-3F};
 
-/// (e^2a - 1) / 2 for 0 <= a <= kTanhIsOne, in float. Policies compute it very often: fewer and
-/// shorter chains than exponential_parts() has, for the same error.
+/// Rounds as kRounder, but the low bits of x + kPowerRounder are those of n and the bias of 2^n, so
+/// that they need only be shifted to be that number.
+inline constexpr float kPowerRounder =
+    unbits(bits(FloatFormat<float>::kRounder) + FloatFormat<float>::kBias);
+
+/// tanh of 0 <= a <= kTanhIsOne, in float. Policies compute it very often: fewer operations and
+/// shorter chains than with e^2a - 1. a = n log(2)/2 + s; tanh(n log(2)/2) is (2^n - 1) / (2^n +
+/// 1), and tanh(s) is added by the formula for tanh of a sum.
 template <Floating R>
-[[gnu::always_inline]] constexpr R half_expm1_of_twice(R a) {
+[[gnu::always_inline]] constexpr R positive_tanh(R a) {
   using Constants = ExponentialConstants<float>;
-  const R shifted = a * R(2.0F * Constants::kLog2E) + R(kHalfPowerRounder);
-  const R n = shifted - R(kHalfPowerRounder);
-  const R r = ((a + a) - n * R(Constants::kLn2High)) - n * R(Constants::kLn2Low);
-  const R half = unbits(bits(shifted) << FloatFormat<float>::kMantissaBits);  // 2^n / 2
-  const R square = r * r;
-  const auto& c = Constants::kExpm1;
-  const R sum = (square * R(c[0]) + (R(c[1]) * r + R(c[2]))) * square + (R(c[3]) * r + R(c[4]));
-  const R linear = half * r;
-  return ((half - R(0.5F)) + linear) + (linear * r) * sum;
+  const R shifted = a * R(2.0F * Constants::kLog2E) + R(kPowerRounder);
+  const R n = shifted - R(kPowerRounder);
+  const R s = (a - n * R(Constants::kLn2High / 2.0F)) - n * R(Constants::kLn2Low / 2.0F);
+  const R power = unbits(bits(shifted) << FloatFormat<float>::kMantissaBits);  // 2^n
+  const R square = s * s;
+  const R t = s + (square * s) * (square * R(kTanhNearZero[1]) + R(kTanhNearZero[0]));
+  const R less = power - R(1.0F);
+  const R more = power + R(1.0F);
+  return (less + more * t) / (more + less * t);
 }
 
 /// tanh, always inlined: packs of several registers must not pass through memory.
@@ -50,8 +55,7 @@ template <Floating R>
   using T = LaneOf<R>;
   const R a = min(abs(x), R(HyperbolicConstants<T>::kTanhIsOne));
   if constexpr (std::is_same_v<T, float>) {
-    const R half = half_expm1_of_twice(a);
-    return copysign(half / (half + R(1.0F)), x);
+    return copysign(positive_tanh(a), x);
   } else {
     const auto parts = exponential_parts(a + a, R(T(0)));
     const R scale = power_of_two_lanes<R>(parts.n);
