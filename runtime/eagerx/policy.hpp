@@ -50,7 +50,7 @@ inline void activate(float (&y)[N], float slope = 0.0F) {
 
 /// y = A(W x + b); `x` [In] and `y` [Out] must not overlap. No heap.
 template <Activation A, std::size_t In, std::size_t Out>
-inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
+[[gnu::always_inline]] inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
                   float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;

@@ -72,12 +72,25 @@ template <Activation A, std::size_t In, std::size_t Panels>
       sum.v[v] = fused(load<Vector>(w + (v * In + j) * kPanel), input, sum.v[v]);
     }
   }
-  fast_activated<A>(sum).store(y);
+  constexpr std::size_t kAtATime = std::min(Panels, kActivatedAtATime);
+  FloatLanes<kPanel, Panels / kAtATime>::each([&](std::size_t batch) {
+    const std::size_t first = batch * kAtATime;
+    using Batch = FloatLanes<kPanel, kAtATime>;
+    fast_activated<A>(Batch::of([&](std::size_t v) { return sum.v[first + v]; }))
+        .store(y + first * kPanel);
+  });
+  constexpr std::size_t kRest = Panels % kAtATime;
+  if constexpr (kRest > 0) {
+    constexpr std::size_t kFirst = Panels - kRest;
+    using Batch = FloatLanes<kPanel, kRest>;
+    fast_activated<A>(Batch::of([&](std::size_t v) { return sum.v[kFirst + v]; }))
+        .store(y + kFirst * kPanel);
+  }
 }
 
 /// All whole panels of a layer.
 template <Activation A, std::size_t In, std::size_t Panels>
-inline void fused_panels_of_layer(const float* w, const float* b, const float* x, float* y) {
+[[gnu::always_inline]] inline void fused_panels_of_layer(const float* w, const float* b, const float* x, float* y) {
   constexpr std::size_t kRest = Panels % kRegistersAtATime;
   constexpr std::size_t kDone = (Panels - kRest) * kPanel;
   for (std::size_t k = 0; k < kDone; k += kRegistersAtATime * kPanel) {
@@ -109,7 +122,7 @@ namespace eagerx {
 
 /// y = A(W x + b); `x` [In] and `y` [Out] must not overlap.
 template <Activation A, std::size_t In, std::size_t Out>
-inline void fast_dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
+[[gnu::always_inline]] inline void fast_dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
                        float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;
@@ -136,7 +149,7 @@ namespace eagerx {
 
 /// y = A(W x + b), as eagerx::dense().
 template <Activation A, std::size_t In, std::size_t Out>
-inline void fast_dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
+[[gnu::always_inline]] inline void fast_dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
                        float slope = 0.0F) {
   dense<A>(layer, x, y, slope);
 }

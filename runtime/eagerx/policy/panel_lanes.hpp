@@ -44,7 +44,7 @@ class PanelBlock {
  public:
   /// y = A(sums), for activations without a slope.
   template <Activation A>
-  static void run(const float* w, const float* b, const float* x, float* y) {
+  [[gnu::always_inline]] static void run(const float* w, const float* b, const float* x, float* y) {
     Vector sum[kVectors];
 #pragma GCC unroll 8
     for (std::size_t v = 0; v < kVectors; ++v) sum[v] = load<Vector>(b + v * kWidth);
@@ -179,7 +179,7 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
 }
 
 template <std::size_t In, std::size_t Panels, Activation A>
-inline void panels_of_layer(const float* w, const float* b, const float* x, float* y) {
+[[gnu::always_inline]] inline void panels_of_layer(const float* w, const float* b, const float* x, float* y) {
   constexpr std::size_t kAtATime = kRegistersAtATime * kLanes / kPanel;
   constexpr std::size_t kRest = Panels % kAtATime;
   constexpr std::size_t kOutputs = kAtATime * kPanel;
@@ -229,7 +229,7 @@ inline void activate_all(float* y, float slope) {
 }
 
 template <Activation A, std::size_t In, std::size_t Panels>
-inline void full_panels(const float* w, const float* b, const float* x, float* y, float slope) {
+[[gnu::always_inline]] inline void full_panels(const float* w, const float* b, const float* x, float* y, float slope) {
   if constexpr (A == Activation::relu || A == Activation::tanh) {
     panels_of_layer<In, Panels, A>(w, b, x, y);
   } else if constexpr (Panels > 0) {
