@@ -27,6 +27,9 @@ struct HyperbolicConstants<double> {
 /// tanh(s) / s - 1 for |s| <= log(2)/4, in s², from tests/accuracy/coefficients.sollya.
 inline constexpr std::array<float, 2> kTanhNearZero = {-0x1.554fe8p-2F, 0x1.0c7f34p-3F};
 
+/// log(2) / 2 in 21 bits, so that n times it is exact for n below 8; beyond, tanh hardly changes.
+inline constexpr float kHalfLn2 = 0x1.62e43p-2F;
+
 /// Rounds as kRounder, but the low bits of x + kPowerRounder are those of n and the bias of 2^n, so
 /// that they need only be shifted to be that number.
 inline constexpr float kPowerRounder =
@@ -40,7 +43,7 @@ template <Floating R>
   using Constants = ExponentialConstants<float>;
   const R shifted = a * R(2.0F * Constants::kLog2E) + R(kPowerRounder);
   const R n = shifted - R(kPowerRounder);
-  const R s = (a - n * R(Constants::kLn2High / 2.0F)) - n * R(Constants::kLn2Low / 2.0F);
+  const R s = a - n * R(kHalfLn2);
   const R power = unbits(bits(shifted) << FloatFormat<float>::kMantissaBits);  // 2^n
   const R square = s * s;
   const R t = s + (square * s) * (square * R(kTanhNearZero[1]) + R(kTanhNearZero[0]));

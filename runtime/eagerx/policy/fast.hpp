@@ -37,8 +37,7 @@ template <std::size_t Count>
   const Lanes a = min(eagerx::abs(x), Lanes(detail::HyperbolicConstants<float>::kTanhIsOne));
   const Lanes shifted = fused(a, Lanes(2.0F * Exponential::kLog2E), rounder);
   const Lanes n = shifted - rounder;
-  const Lanes s = fused(n, Lanes(Exponential::kLn2Low / -2.0F),
-                        fused(n, Lanes(Exponential::kLn2High / -2.0F), a));
+  const Lanes s = fused(n, Lanes(-detail::kHalfLn2), a);
   const Lanes power = unbits(bits(shifted) << FloatFormat<float>::kMantissaBits);  // 2^n
   const Lanes square = s * s;
   const auto& c = detail::kTanhNearZero;
@@ -76,21 +75,24 @@ template <Activation A, std::size_t In, std::size_t Panels>
   FloatLanes<kPanel, Panels / kAtATime>::each([&](std::size_t batch) {
     const std::size_t first = batch * kAtATime;
     using Batch = FloatLanes<kPanel, kAtATime>;
-    fast_activated<A>(Batch::of([&](std::size_t v) { return sum.v[first + v]; }))
-        .store(y + first * kPanel);
+    fast_activated<A>(Batch::of([&](std::size_t v) {
+      return sum.v[first + v];
+    })).store(y + first * kPanel);
   });
   constexpr std::size_t kRest = Panels % kAtATime;
   if constexpr (kRest > 0) {
     constexpr std::size_t kFirst = Panels - kRest;
     using Batch = FloatLanes<kPanel, kRest>;
-    fast_activated<A>(Batch::of([&](std::size_t v) { return sum.v[kFirst + v]; }))
-        .store(y + kFirst * kPanel);
+    fast_activated<A>(Batch::of([&](std::size_t v) {
+      return sum.v[kFirst + v];
+    })).store(y + kFirst * kPanel);
   }
 }
 
 /// All whole panels of a layer.
 template <Activation A, std::size_t In, std::size_t Panels>
-[[gnu::always_inline]] inline void fused_panels_of_layer(const float* w, const float* b, const float* x, float* y) {
+[[gnu::always_inline]] inline void fused_panels_of_layer(const float* w, const float* b,
+                                                         const float* x, float* y) {
   constexpr std::size_t kRest = Panels % kRegistersAtATime;
   constexpr std::size_t kDone = (Panels - kRest) * kPanel;
   for (std::size_t k = 0; k < kDone; k += kRegistersAtATime * kPanel) {
@@ -122,8 +124,9 @@ namespace eagerx {
 
 /// y = A(W x + b); `x` [In] and `y` [Out] must not overlap.
 template <Activation A, std::size_t In, std::size_t Out>
-[[gnu::always_inline]] inline void fast_dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
-                       float slope = 0.0F) {
+[[gnu::always_inline]] inline void fast_dense(const DenseWeights<In, Out>& layer,
+                                              const float (&x)[In], float (&y)[Out],
+                                              float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;
   if constexpr (A == Activation::relu || A == Activation::tanh) {
@@ -149,8 +152,9 @@ namespace eagerx {
 
 /// y = A(W x + b), as eagerx::dense().
 template <Activation A, std::size_t In, std::size_t Out>
-[[gnu::always_inline]] inline void fast_dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
-                       float slope = 0.0F) {
+[[gnu::always_inline]] inline void fast_dense(const DenseWeights<In, Out>& layer,
+                                              const float (&x)[In], float (&y)[Out],
+                                              float slope = 0.0F) {
   dense<A>(layer, x, y, slope);
 }
 

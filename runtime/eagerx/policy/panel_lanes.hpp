@@ -87,7 +87,6 @@ class PanelBlock {
       for (std::size_t v = 0; v < kVectors; ++v) {
         const Vector product = row(w, first + j, v) * input;
         part[v] = j == 0 ? product : part[v] + product;
-        in_order(part[v]);
         part[v] = part[v] + row(w, first + j + 1, v) * next;
         in_order(part[v]);
       }
@@ -179,7 +178,8 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
 }
 
 template <std::size_t In, std::size_t Panels, Activation A>
-[[gnu::always_inline]] inline void panels_of_layer(const float* w, const float* b, const float* x, float* y) {
+[[gnu::always_inline]] inline void panels_of_layer(const float* w, const float* b, const float* x,
+                                                   float* y) {
   constexpr std::size_t kAtATime = kRegistersAtATime * kLanes / kPanel;
   constexpr std::size_t kRest = Panels % kAtATime;
   constexpr std::size_t kOutputs = kAtATime * kPanel;
@@ -229,7 +229,8 @@ inline void activate_all(float* y, float slope) {
 }
 
 template <Activation A, std::size_t In, std::size_t Panels>
-[[gnu::always_inline]] inline void full_panels(const float* w, const float* b, const float* x, float* y, float slope) {
+[[gnu::always_inline]] inline void full_panels(const float* w, const float* b, const float* x,
+                                               float* y, float slope) {
   if constexpr (A == Activation::relu || A == Activation::tanh) {
     panels_of_layer<In, Panels, A>(w, b, x, y);
   } else if constexpr (Panels > 0) {
