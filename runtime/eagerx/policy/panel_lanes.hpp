@@ -13,6 +13,10 @@ namespace eagerx::policy {
 /// Registers of sums at a time: as many as hide the latency of the additions. They need not fit
 /// into the machine's registers together with the sums of a group, which are used more often.
 inline constexpr std::size_t kRegistersAtATime = 8;
+/// The same for layers larger than the first cache: fewer panels, which are as many places far
+/// apart, push less of each other out of it.
+inline constexpr std::size_t kRegistersBeyondCache = 6;
+inline constexpr std::size_t kFirstCache = 32768;  // bytes
 /// Registers that an activation is applied to at a time: all of its numbers should be in registers.
 #if defined(__AVX512VL__) || defined(__aarch64__)
 inline constexpr std::size_t kActivatedAtATime = 8;
@@ -180,7 +184,9 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
 template <std::size_t In, std::size_t Panels, Activation A>
 [[gnu::always_inline]] inline void panels_of_layer(const float* w, const float* b, const float* x,
                                                    float* y) {
-  constexpr std::size_t kAtATime = kRegistersAtATime * kLanes / kPanel;
+  constexpr bool kFitsCache = In * Panels * kPanel * sizeof(float) <= kFirstCache;
+  constexpr std::size_t kRegisters = kFitsCache ? kRegistersAtATime : kRegistersBeyondCache;
+  constexpr std::size_t kAtATime = kRegisters * kLanes / kPanel;
   constexpr std::size_t kRest = Panels % kAtATime;
   constexpr std::size_t kOutputs = kAtATime * kPanel;
   for (std::size_t block = 0; block < Panels / kAtATime; ++block) {

@@ -1,87 +1,106 @@
 // Nanoseconds of one inference on this machine: ours, Eigen's fixed-size column-major product, and
 // a plain loop over rows. Build with the flags that are measured (see ./host).
-#include <Eigen/Dense>
+//   host                          all networks, all of them in turn
+//   host NETWORK WHICH CALLS      one of them, for tools that count instructions
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
+#include <string_view>
 
+#include "eigen.hpp"
 #include "networks.hpp"
 
 namespace {
 
-constexpr int kRounds = 25;
-
-/// ns a call. `run(x, y)` answers for x; x changes with y, so that no call can be left out.
-template <class Run>
-double ns(int calls, Run&& run) {
-  float x[3] = {0.5F, -0.25F, 1.5F};
-  float y[1] = {};
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < calls; ++i) {
-    run(x, y);
-    x[2] = 1.5F + y[0] * 0.125F;
-  }
-  const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
-  return spent.count() / calls;
-}
-
-template <int A, int B, bool Relu>
-struct EigenMlp {
-  Eigen::Matrix<float, A, 3> w1 = Eigen::Matrix<float, A, 3>::Random() * 0.25F;
-  Eigen::Matrix<float, B, A> w2 = Eigen::Matrix<float, B, A>::Random() * 0.25F;
-  Eigen::Matrix<float, 1, B> w3 = Eigen::Matrix<float, 1, B>::Random() * 0.25F;
-  Eigen::Matrix<float, A, 1> b1 = Eigen::Matrix<float, A, 1>::Random();
-  Eigen::Matrix<float, B, 1> b2 = Eigen::Matrix<float, B, 1>::Random();
-
-  template <class Vector>
-  static Vector activated(const Vector& y) {
-    if constexpr (Relu) return y.cwiseMax(0.0F);
-    return y.array().tanh().matrix();
-  }
-  [[gnu::noinline]] void run(const float (&x)[3], float (&y)[1]) const {
-    const Eigen::Map<const Eigen::Vector3f> in(x);
-    Eigen::Matrix<float, A, 1> h1 = b1;
-    h1.noalias() += w1 * in;
-    h1 = activated(h1);
-    Eigen::Matrix<float, B, 1> h2 = b2;
-    h2.noalias() += w2 * h1;
-    h2 = activated(h2);
-    const Eigen::Array<float, 1, 1> out = (w3 * h2).array().tanh();
-    y[0] = out(0);
-  }
-};
+constexpr int kRounds = 40;
+constexpr int kPlain = 4;
+constexpr std::array<std::string_view, 5> kNames = {"exact", "fast", "int8", "eigen", "plain"};
 
 template <class Network, int A, int B, bool Relu>
-void measure(const char* name, int calls) {
-  auto weights = std::make_unique<typename Network::Weights>(Network::make());
-  const auto eigen = std::make_unique<EigenMlp<A, B, Relu>>();
-  auto* volatile make_int8 = &Network::make_int8;  // g++ would take minutes to fold a call of it
-  const auto int8_weights = std::make_unique<typename Network::Int8>(make_int8());
-  double ours = 1e30;
-  double fast = 1e30;
-  double int8 = 1e30;
-  double theirs = 1e30;
-  double plain = 1e30;
-  // In turn, so that all of them meet the same disturbances.
-  for (int round = 0; round < kRounds; ++round) {
-    ours = std::min(ours, ns(calls, [&](auto& x, auto& y) { Network::run(*weights, x, y); }));
-    fast = std::min(fast, ns(calls, [&](auto& x, auto& y) { Network::run_fast(*weights, x, y); }));
-    int8 = std::min(int8,
-                    ns(calls, [&](auto& x, auto& y) { Network::run_int8(*int8_weights, x, y); }));
-    theirs = std::min(theirs, ns(calls, [&](auto& x, auto& y) { eigen->run(x, y); }));
-    plain =
-        std::min(plain, ns(calls / 8, [&](auto& x, auto& y) { Network::plain(*weights, x, y); }));
+class Contest {
+ public:
+  /// Answers `calls` times with the one of that index in kNames; x changes with y, so that no call
+  /// can be left out.
+  void run(std::size_t which, int calls) const {
+    float x[3] = {0.5F, -0.25F, 1.5F};
+    float y[1] = {};
+    const auto each = [&](auto&& answer) {
+      for (int i = 0; i < calls; ++i) {
+        answer();
+        x[2] = 1.5F + y[0] * 0.125F;
+      }
+    };
+    if (which == 0) each([&] { Network::run(*weights_, x, y); });
+    if (which == 1) each([&] { Network::run_fast(*weights_, x, y); });
+    if (which == 2) each([&] { Network::run_int8(*int8_, x, y); });
+    if (which == 3) each([&] { eigen_->run(x, y); });
+    if (which == 4) each([&] { Network::plain(*weights_, x, y); });
   }
-  std::printf("%s exact %.0f fast %.0f int8 %.0f eigen %.0f plain %.0f\n", name, ours, fast, int8,
-              theirs, plain);
-}
+
+  void print_times(const char* name, int calls) const {
+    std::array<double, kNames.size()> best;
+    best.fill(1e30);
+    // In turn, so that all of them meet the same disturbances.
+    for (int round = 0; round < kRounds; ++round) {
+      for (std::size_t which = 0; which < kNames.size(); ++which) {
+        best[which] = std::min(best[which], ns(which, which == kPlain ? calls / 8 : calls));
+      }
+    }
+    std::printf("%s", name);
+    for (std::size_t which = 0; which < kNames.size(); ++which) {
+      std::printf(" %s %.0f", kNames[which].data(), best[which]);
+    }
+    std::printf("\n");
+  }
+
+ private:
+  using Make = typename Network::Int8();
+
+  /// ns a call.
+  double ns(std::size_t which, int calls) const {
+    const auto start = std::chrono::steady_clock::now();
+    run(which, calls);
+    const std::chrono::duration<double, std::nano> spent = std::chrono::steady_clock::now() - start;
+    return spent.count() / calls;
+  }
+  static typename Network::Int8 int8_weights() {
+    Make* volatile make = &Network::make_int8;  // g++ would take minutes to fold a call of it
+    return make();
+  }
+
+  std::unique_ptr<typename Network::Weights> weights_ =
+      std::make_unique<typename Network::Weights>(Network::make());
+  std::unique_ptr<typename Network::Int8> int8_ =
+      std::make_unique<typename Network::Int8>(int8_weights());
+  std::unique_ptr<bench::EigenMlp<A, B, Relu>> eigen_ =
+      std::make_unique<bench::EigenMlp<A, B, Relu>>();
+};
 
 }  // namespace
 
-int main() {
-  measure<bench::Relu64, 64, 64, true>("relu_64_64", 4000);
-  measure<bench::Tanh64, 64, 64, false>("tanh_64_64", 4000);
-  measure<bench::Relu256, 256, 256, true>("relu_256_256", 400);
-  measure<bench::Relu400, 400, 300, true>("relu_400_300", 400);
+int main(int argc, char** argv) {
+  const Contest<bench::Relu64, 64, 64, true> relu64;
+  const Contest<bench::Tanh64, 64, 64, false> tanh64;
+  const Contest<bench::Relu256, 256, 256, true> relu256;
+  const Contest<bench::Relu400, 400, 300, true> relu400;
+  if (argc == 1) {
+    relu64.print_times("relu_64_64", 4000);
+    tanh64.print_times("tanh_64_64", 4000);
+    relu256.print_times("relu_256_256", 400);
+    relu400.print_times("relu_400_300", 400);
+    return 0;
+  }
+  if (argc != 4) return 2;
+  const auto which = std::find(kNames.begin(), kNames.end(), std::string_view(argv[2]));
+  if (which == kNames.end()) return 2;
+  const auto index = static_cast<std::size_t>(which - kNames.begin());
+  const std::string_view network = argv[1];
+  const int calls = std::atoi(argv[3]);
+  if (network == "relu_64_64") relu64.run(index, calls);
+  if (network == "tanh_64_64") tanh64.run(index, calls);
+  if (network == "relu_256_256") relu256.run(index, calls);
+  if (network == "relu_400_300") relu400.run(index, calls);
 }
