@@ -85,7 +85,7 @@ template <Activation A, class R>
     constexpr float kSqrtTwoOverPi = 0x1.988454p-1F;
     constexpr float kCubic = 0.044715F;
     const R inner = R(kSqrtTwoOverPi) * (x + R(kCubic) * ((x * x) * x));
-    return (R(0.5F) * x) * (R(1.0F) + eagerx::tanh(inner));
+    return x * eagerx::sigmoid(inner + inner);  // (1 + tanh(y)) / 2 without its cancellation
   } else if constexpr (A == Activation::softplus) {
     return softplus(x);
   } else if constexpr (A == Activation::sigmoid) {

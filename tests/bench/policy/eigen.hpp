@@ -4,7 +4,7 @@
 
 #include <Eigen/Dense>
 
-#include "networks.hpp"
+#include "draw.hpp"
 
 namespace bench {
 

@@ -7,19 +7,9 @@
 #include <eagerx/policy/fast.hpp>
 #include <eagerx/policy/int8.hpp>
 
+#include "draw.hpp"
+
 namespace bench {
-
-/// Numbers in -1/4…1/4 that are exact in float32.
-class Draw {
- public:
-  constexpr float next() {
-    state_ = state_ * 1664525U + 1013904223U;
-    return static_cast<float>(state_ >> 16U) * 0x1p-17F - 0.25F;
-  }
-
- private:
-  std::uint32_t state_ = 1;
-};
 
 template <std::size_t In, std::size_t Out>
 constexpr eagerx::DenseWeights<In, Out> drawn(Draw& draw) {

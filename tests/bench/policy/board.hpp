@@ -1,0 +1,43 @@
+// Counts instructions on an emulated board: with `-icount shift=0` an instruction takes a
+// nanosecond, and SysTick counts in steps of 40 of them.
+#pragma once
+
+#include <cstdint>
+#include <targets/common/bare-metal/semihosting.hpp>
+
+namespace bench {
+
+using eagerx::board::semihosting_write;
+
+inline constexpr std::uint32_t kTimes = 200;
+inline constexpr std::uint32_t kInstructionsATick = 40;  // 25 MHz
+
+inline volatile std::uint32_t& system_tick(std::uintptr_t offset) {
+  return *reinterpret_cast<volatile std::uint32_t*>(0xE000E010U + offset);
+}
+
+inline void print(std::uint32_t number) {
+  char text[12];
+  char* at = text + sizeof text;
+  *--at = '\0';
+  do {
+    *--at = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  semihosting_write(at);
+}
+
+template <class Run>
+[[gnu::noinline]] std::uint32_t instructions(Run&& run) {
+  constexpr std::uint32_t kMost = 0xffffff;
+  system_tick(4) = kMost;
+  system_tick(8) = 0;
+  system_tick(0) = 5;  // processor clock, no interrupt
+  const std::uint32_t start = system_tick(8);
+  for (std::uint32_t i = 0; i < kTimes; ++i) run();
+  const std::uint32_t end = system_tick(8);
+  return static_cast<std::uint32_t>(std::uint64_t{(start - end) & kMost} * kInstructionsATick /
+                                    kTimes);
+}
+
+}  // namespace bench
