@@ -245,14 +245,14 @@ SizeReport example() {
 }
 
 TEST(Report, AsText) {
-  EXPECT_EQ(
-      size_text(example()),
-      "bytes                           flash      RAM\n"
-      "smooth                             60       16\n"
-      "other                              40        4\n"
-      "all                               100       20\n\n"
-      "stack: 64 bytes at most, through 1 calls; not counted are calls of step through pointers, or "
-      "of themselves; interrupts come on top\n");
+  EXPECT_EQ(size_text(example()),
+            "bytes                           flash      RAM\n"
+            "smooth                             60       16\n"
+            "other                              40        4\n"
+            "all                               100       20\n\n"
+            "stack: 64 bytes at most, through 1 calls; not counted are calls of step through "
+            "pointers, or "
+            "of themselves; interrupts come on top\n");
 }
 
 TEST(Report, AsJson) {
