@@ -3,11 +3,11 @@
 
 namespace eagerx::linux_sim {
 
-/// From now on SIGINT and SIGTERM only set a flag, and a closed pipe is a write error. A second
-/// SIGINT ends the program at once.
+/// From now on SIGINT, SIGTERM and SIGHUP only set a flag, and a closed pipe is a write error. A
+/// second SIGINT ends the program at once.
 void catch_interrupts();
 
-/// True after a SIGINT or SIGTERM.
+/// True after one of them.
 bool interrupted();
 
 }  // namespace eagerx::linux_sim
