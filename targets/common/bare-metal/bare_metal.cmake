@@ -10,6 +10,7 @@ set(EAGERX_BARE_METAL_FLAGS
     -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -ffunction-sections -fdata-sections
     -g -fcallgraph-info=su)
 
+set(EAGERX_ARGUMENTS "" CACHE STRING "Options of programs that start without a debugger, such as --pace")
 option(EAGERX_TRACE "Programs for boards know --trace, which takes some kB of flash" OFF)
 
 # eagerx_configure_bare_metal(<executable> FOLDER <the board's> LINKER_SCRIPT <file> STARTUP <source>
@@ -40,6 +41,9 @@ function(eagerx_configure_bare_metal executable)
     target_compile_options(eagerx_board PRIVATE ${EAGERX_BARE_METAL_FLAGS})
     eagerx_board_number(clock_hz ${arg_FOLDER} clock_hz)
     target_compile_definitions(eagerx_board PRIVATE EAGERX_CLOCK_HZ=${clock_hz})
+    if(EAGERX_ARGUMENTS)
+      target_compile_definitions(eagerx_board PRIVATE "EAGERX_ARGUMENTS=\"${EAGERX_ARGUMENTS}\"")
+    endif()
     # The start-up code copies and clears memory itself.
     set_source_files_properties(${arg_STARTUP} PROPERTIES COMPILE_OPTIONS -fno-tree-loop-distribute-patterns)
   endif()
