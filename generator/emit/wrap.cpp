@@ -111,7 +111,7 @@ std::string wrapped_comment(std::string_view line, std::size_t indent) {
     const std::size_t blank = rest.rfind(' ', kColumns);
     if (blank == kNone || blank < mark.size()) break;
     result += rest.substr(0, blank) + "\n";
-    rest = mark + rest.substr(blank + 1);
+    rest.replace(0, blank + 1, mark);
   }
   return result + rest;
 }
