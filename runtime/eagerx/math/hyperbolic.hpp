@@ -24,7 +24,8 @@ struct HyperbolicConstants<double> {
   static constexpr double kOverflow = 710.5;
 };
 
-/// tanh(s) / s - 1 for |s| <= log(2)/4, in s², from tests/accuracy/coefficients.sollya.
+/// tanh(s) / s - 1 = s² (c[0] + c[1] s²) for |s| <= log(2)/4; see
+/// tests/accuracy/coefficients.sollya.
 inline constexpr std::array<float, 2> kTanhNearZero = {-0x1.554fe8p-2F, 0x1.0c7f34p-3F};
 
 /// log(2) / 2 in 21 bits, so that n times it is exact for n below 8; beyond, tanh hardly changes.

@@ -60,8 +60,8 @@ inline constexpr std::size_t kInputs = 2;
 inline constexpr std::size_t kOutputs = 1;
 
 // clang-format off
-// Each table: weights of eight outputs at a time, one line an input (eight values a line where there
-// are fewer outputs); then the biases.
+// Each table: weights of eight outputs at a time, one line an input (eight values a line where
+// there are fewer outputs); then the biases.
 inline constexpr eagerx::DenseWeights<2, 3> kLayer1 = {
     {
       // outputs 0 to 2
