@@ -24,6 +24,13 @@ namespace fs = std::filesystem;
 void check_target(Run& run, const Target& target) {
   const bool split = run.graph->placement.has_value();
   check_system(*run.graph, split ? Part::host : Part::whole, target, run.library, run.diagnostics);
+  if (target.system.empty() && run.spec->agent.kind == AgentSpec::Kind::csv) {
+    run.diagnostics
+        .error("E0337", run.spec->agent.file.span,
+               fmt::format("the agent reads a file, but target `{}` has no operating system",
+                           target.id.value))
+        .help = "for boards an agent is `zero`, `random` or `{policy: FILE}`";
+  }
   if (!split) return;
   const Placement& placement = *run.graph->placement;
   if (target.system != "linux") {
