@@ -41,6 +41,7 @@ class Emitter {
     program.set("group", partial("cpp/group.mustache"));
     program.set("has_memory", network_ && network_->has_memory());
     program.set("begin", partial("cpp/begin.mustache"));
+    program.set("advance", partial("cpp/advance.mustache"));
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());

@@ -15,11 +15,13 @@ ProgramNames::ProgramNames(const Plan& plan, Part part)
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
   for (const char* taken : {"slot_", "due_", "kind_", "countdown_", "warm_", "started_",
-                            "resetting_", "reset_timeouts_", "refused_delays_"})
+                            "resetting_", "reset_timeouts_", "refused_delays_", "arrivals_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
     node_member.push_back(members.unique(snake(node.name) + "_"));
+    const std::string owner = node.role == NodeRole::environment ? "action" : snake(node.name);
+    sent.push_back(graph.asynchronous ? members.unique(owner + "_sent_") : "");
   }
   for (const auto& ring : plan.rings) {
     const GraphNode& node = graph.nodes[ring.node];
@@ -64,9 +66,11 @@ ProgramNames::ProgramNames(const Plan& plan, Part part)
       const std::string port = owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
       input_processor[n].push_back(input.processor ? type(camel(port) + "Processor") : "");
       const auto count = plan.nodes[n].receptions[i].count;
-      const bool counted = count == Reception::Count::delayed || count == Reception::Count::skipped;
+      const bool counted = count == Reception::Count::delayed ||
+                           count == Reception::Count::skipped || count == Reception::Count::arrived;
       cursor[n].push_back(counted ? members.unique(port + "_cursor_") : "");
-      fresh[n].push_back(input.window == 0 ? members.unique(port + "_new_") : "");
+      fresh[n].push_back(input.window == 0 && !graph.asynchronous ? members.unique(port + "_new_")
+                                                                  : "");
       delay_member[n].push_back(input.max_delay_s ? members.unique(port + "_delay_s_") : "");
       const bool settable = input.max_delay_s && (input.random_delay || !input.entity_sets_delay);
       delay_state[n].push_back(settable ? fields.unique(port + "_delay_s") : "");

@@ -23,8 +23,9 @@ struct ProgramNames {
   std::vector<std::string> simulator_type, simulator_member;  // of objects
   std::vector<std::vector<std::string>> engine_state_type;    // of objects' states
   std::vector<std::vector<std::string>> output_processor,
-      input_processor;                                             // types, by node and port
-  std::vector<std::vector<std::string>> cursor, fresh;             // members, by node and input
+      input_processor;                                  // types, by node and port
+  std::vector<std::vector<std::string>> cursor, fresh;  // members, by node and input
+  std::vector<std::string> sent;  // of nodes, where inputs go by the clock: "smooth_sent_"
   std::vector<std::vector<std::string>> node_state, object_state;  // fields of States
   std::vector<std::vector<std::string>> node_state_processor, object_state_processor,
       target_processor;                                  // types, by owner and state or target
@@ -41,6 +42,10 @@ struct ProgramNames {
   [[nodiscard]] bool runs(std::size_t node) const { return runs_here(*plan_.graph, part_, node); }
   [[nodiscard]] bool receives(std::size_t node) const {
     return receives_here(*plan_.graph, part_, node);
+  }
+  /// The number of the message that a node sends next.
+  [[nodiscard]] std::string seq_of(std::size_t node) const {
+    return sent[node].empty() ? counter[plan_.nodes[node].rate] + " - 1" : sent[node] + ".count()";
   }
   [[nodiscard]] bool has_engine() const { return runs(Graph::kEngine); }
   [[nodiscard]] bool has_ring(std::size_t ring) const;

@@ -41,6 +41,7 @@ class ProgramView {
                      : names_.is_split() ? "What runs on Linux of the graph"
                                          : "The whole graph");
     add_observation(view);
+    add_arrivals(view);
     add_memory(view);
     add_split(view);
     return view;
@@ -48,7 +49,8 @@ class ProgramView {
 
  private:
   std::size_t environment_rate() const { return plan_.nodes[Graph::kEnvironment].rate; }
-  std::string seq_of(std::size_t n) const { return names_.counter[plan_.nodes[n].rate] + " - 1"; }
+  std::string seq_of(std::size_t n) const { return names_.seq_of(n); }
+  std::string tick_of(std::size_t n) const { return names_.counter[plan_.nodes[n].rate] + " - 1"; }
 
   void add_rates(View& view) const {
     View rates = list(), counters = list();
@@ -185,6 +187,10 @@ class ProgramView {
     view.set("place", names_.place(node.span));
     view.set("member", names_.node_member[n]);
     view.set("seq", seq_of(n));
+    view.set("now", tick_of(n));
+    view.set("is_asynchronous", graph_.asynchronous);
+    view.set("sent", names_.sent[n]);
+    view.set("clock", names_.node_member[Graph::kEngine] + ".now_ns()");
     view.set("counter", names_.counter[plan_.nodes[n].rate]);
     view.set("io", names_.io[n]);
     view.set("only_in_episodes", graph_.has_reset_nodes() && node.waits_during_reset);
@@ -229,7 +235,7 @@ class ProgramView {
   }
 
   void add_engine(View& view, std::size_t n) const {
-    std::vector<std::string> simulators = {fmt::format("eagerx::Tick{{{}}}", seq_of(n))};
+    std::vector<std::string> simulators = {fmt::format("eagerx::Tick{{{}}}", tick_of(n))};
     simulators.insert(simulators.end(), names_.simulator_member.begin(),
                       names_.simulator_member.end());
     view.set("simulators", joined(simulators));
@@ -286,7 +292,8 @@ class ProgramView {
     view["slots"] = std::move(slots);
     view["raw"] = std::move(raw);
     view["published"] = std::move(published);
-    view.set("tick", fmt::format("eagerx::Tick{{{}}}", seq_of(n)));
+    view.set("tick", fmt::format("eagerx::Tick{{{}}}", tick_of(n)));
+    view.set("lacks", lacks_messages(n));
     view.set("simulator_argument", simulator_argument(plan_, names_, n));
     add_feedthroughs(view, n);
   }
@@ -318,6 +325,43 @@ class ProgramView {
     for (std::size_t i = 0; observes && i < graph_.environment().inputs.size(); ++i)
       windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
     view.set("observation", braced(windows, 4, 33));  // const Observation observation
+  }
+
+  /// Whether a window has no message yet; a skipped one may be empty until the first callback.
+  std::string lacks_messages(std::size_t n) const {
+    std::vector<std::string> terms;
+    for (const auto& input : graph_.nodes[n].inputs) {
+      if (input.window == 0 || input.feedthrough) continue;
+      const std::string empty = fmt::format("in.{}.empty()", input.name);
+      terms.push_back(input.skip ? fmt::format("({}.count() > 0 && {})", names_.sent[n], empty)
+                                 : empty);
+    }
+    return terms.empty() ? "false" : fmt::format("{}", fmt::join(terms, " || "));
+  }
+
+  /// Inputs that go by the clock.
+  void add_arrivals(View& view) const {
+    view.set("is_asynchronous", graph_.asynchronous);
+    view.set("is_synchronous", !graph_.asynchronous);
+    view.set("environment_sent", names_.sent[Graph::kEnvironment]);
+    view.set("clock", names_.node_member[Graph::kEngine] + ".now_ns()");
+    std::vector<std::string> missing;
+    for (const auto& input : graph_.environment().inputs) {
+      if (input.window > 0 && !input.skip)
+        missing.push_back(fmt::format("seen.{}.received() == 0", input.name));
+    }
+    view.set("missing", missing.empty() ? "false" : fmt::format("{}", fmt::join(missing, " || ")));
+    View senders = list();
+    for (std::size_t n = 0; graph_.asynchronous && n < graph_.nodes.size(); ++n) {
+      std::uint64_t capacity = 1;
+      for (const auto& ring : plan_.rings)
+        if (ring.node == n) capacity = std::max(capacity, ring.capacity);
+      View sender = object();
+      sender.set("type", fmt::format("eagerx::Sent<{}>", capacity));
+      sender.set("member", names_.sent[n]);
+      senders.push_back(sender);
+    }
+    view["senders"] = std::move(senders);
   }
 
   void add_memory(View& view) const {

@@ -175,6 +175,12 @@ class ResetView {
                           reception.off),
               x);
         }
+        if (reception.count == Reception::Count::arrived) {
+          add(names_.cursor[n][i],
+              fmt::format("eagerx::ArrivalCursor<{}, {}>", plan_.rings[reception.ring].capacity,
+                          reception.max_size),
+              reception.changing ? x : fmt::format("{}", reception.delay_ns));
+        }
         if (!names_.fresh[n][i].empty()) add(names_.fresh[n][i], "eagerx::NewMessages", "");
       }
     }

@@ -81,7 +81,7 @@ class ScheduleView {
     constexpr std::size_t kMostSpecialisations = 600;  // nodes times kinds: text and compile time
     constexpr std::size_t kMostKinds = 32;
     const std::size_t kinds = kinds_of_slots().size();
-    return !plan_.graph->has_reset_nodes() && kinds <= kMostKinds &&
+    return !plan_.graph->has_reset_nodes() && !plan_.graph->asynchronous && kinds <= kMostKinds &&
            kinds * plan_.graph->nodes.size() <= kMostSpecialisations;
   }
 

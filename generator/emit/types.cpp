@@ -32,6 +32,10 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
     case Reception::Count::skipped:
       total = names.cursor[node][input] + ".take()";
       break;
+    case Reception::Count::arrived:
+      return fmt::format("{{{}, {}.{}({}, now_ns, arrivals_)}}", names.ring_member[reception.ring],
+                         names.cursor[node][input], port.window == 0 ? "take_new" : "take",
+                         names.sent[port.source_node]);
   }
   if (port.window == 0) total = fmt::format("{}.take({})", names.fresh[node][input], total);
   return fmt::format("{{{}, {}}}", names.ring_member[reception.ring], total);

@@ -91,6 +91,7 @@ struct Entity {
   CppClass simulator;                // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
   std::vector<std::string> runs;     // engines: others whose implementations of objects they run
+  bool asynchronous = false;         // engines: whether they have a clock for inputs
   std::vector<Parameter> config;
   std::vector<Requirement> requirements;
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;

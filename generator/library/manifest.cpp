@@ -258,6 +258,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   if (const Node* system = root.find("system")) entity.system = {system->text, system->span};
   if (const Node* family = root.find("family")) entity.family = {family->text, family->span};
   entity.runs = texts_at(root, "runs");
+  if (const Node* clock = root.find("asynchronous")) entity.asynchronous = clock->text == "true";
   entity.config = read_parameters(root, diagnostics);
   entity.inputs = read_ports(root, "inputs");
   complete_tick(entity.inputs);

@@ -209,6 +209,8 @@ const Format* manifest_format(std::string_view kind) {
                       common("engine") + cpp() + config() + states() +
                           Fields{{"runs", texts(), false,
                                   "engines whose implementations of objects it runs, too"},
+                                 {"asynchronous", format::boolean(), false,
+                                  "its class has now_ns(), a clock that inputs can go by"},
                                  {"simulator",
                                   format::record("a simulator",
                                                  {{"class", format::text("a C++ class template"),

@@ -35,8 +35,9 @@ class Planner {
     add_channels();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) receive(n);
     size_rings();
-    plan_.schedule = make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate,
-                                   graph_.nodes.size(), graph_.has_reset_nodes());
+    plan_.schedule =
+        make_schedule(plan_.rates, plan_.nodes[Graph::kEnvironment].rate, graph_.nodes.size(),
+                      graph_.has_reset_nodes() || graph_.asynchronous);
     if (diagnostics_.error_count() != errors_before) return std::nullopt;
     if (graph_.placement) plan_.split = make_split(plan_);
     return std::move(plan_);
@@ -94,7 +95,7 @@ class Planner {
                                         !node.outputs[input.source_output].processor;
       const bool source_first = place_[input.source_node] < place_[n] || writes_what_it_reads;
       auto reception = plan_reception(input, graph_.nodes[input.source_node].rate_hz, node.rate_hz,
-                                      source_first, needed, diagnostics_);
+                                      source_first, needed, diagnostics_, graph_.asynchronous);
       if (!reception) reception.emplace();
       reception->ring = input.processor ? add_converted_ring(n, i)
                                         : plan_.nodes[input.source_node].rings[input.source_output];

@@ -36,6 +36,7 @@ struct Reception {
     ticks_before,  // all that were sent before this slot (skip, one rate divides the other)
     delayed,       // max(1, floor((a n - x) / b) + 1) at tick n
     skipped,       // the sum of max(0, min(cum(n + off) - cum(n + off - 1), cum(n) + 1))
+    arrived,       // all that were sent at least the delay ago, by the engine's clock
   };
   Count count = Count::ticks;
   std::size_t ring = 0;
@@ -46,6 +47,7 @@ struct Reception {
     std::int64_t num = 0, den = 1, first_ns = 0, longest_ns = 0;
   };
   std::optional<Changing> changing;
+  std::int64_t delay_ns = 0;   // of `arrived`; num = den = 1 there
   std::uint64_t max_size = 1;  // most messages in the window
   bool always_full = true;
 };

@@ -161,16 +161,49 @@ void report_starving(const Input& input, const Counts& counts, const Rational& s
   problem.help = advice(counts, source_rate);
 }
 
+/// By the clock: a slot may be late by up to a period, and the next one then follows at once, so
+/// one message more than by counting may be on its way or come at once; and the sender writes one
+/// more while the window is read. What a stop of the machine brings beyond that is dropped and
+/// counted.
+std::optional<Reception> arrived(const Input& input, const Counts& longest, std::uint64_t& needed,
+                                 Diagnostics& diagnostics) {
+  const Rational delay_ns = input.max_delay_s.value_or(input.delay_s) * Rational(kNsPerSecond);
+  if (delay_ns.overflowed()) {
+    diagnostics.error(
+        "E0402", input.span,
+        fmt::format("the delay of `{}` is too long to count in nanoseconds", input.written));
+    return std::nullopt;
+  }
+  const std::int64_t on_their_way = ceil_div(longest.x, longest.b) + 1;
+  const std::int64_t between_ticks = ceil_div(longest.a, longest.b) + 1;
+  const std::int64_t window = input.window > 0 ? input.window : on_their_way + between_ticks;
+  Reception reception;
+  reception.count = Reception::Count::arrived;
+  reception.a = longest.a;
+  reception.b = longest.b;
+  reception.x = longest.x;
+  reception.delay_ns = nanoseconds(input.delay_s);
+  if (input.max_delay_s) {
+    reception.changing = {1, 1, reception.delay_ns, nanoseconds(*input.max_delay_s)};
+  }
+  reception.max_size = static_cast<std::uint64_t>(window);
+  reception.always_full = false;
+  needed = static_cast<std::uint64_t>(window + on_their_way + between_ticks + 1);
+  return reception;
+}
+
 }  // namespace
 
 std::optional<Reception> plan_reception(const Input& input, const Rational& source_rate_hz,
                                         const Rational& rate_hz, bool source_first,
-                                        std::uint64_t& needed, Diagnostics& diagnostics) {
+                                        std::uint64_t& needed, Diagnostics& diagnostics,
+                                        bool asynchronous) {
   const auto counts = counts_of(input, source_rate_hz, rate_hz, diagnostics);
   if (!counts) return std::nullopt;
   Counts longest = *counts;
   if (input.max_delay_s)
     longest.x = (Rational(counts->b) * source_rate_hz * *input.max_delay_s).ceil();
+  if (asynchronous) return arrived(input, longest, needed, diagnostics);
   if (starves(longest, input.window)) {
     report_starving(input, longest, source_rate_hz, diagnostics);
     return std::nullopt;

@@ -143,6 +143,9 @@ void resolve_spaces(Draft& draft);   // spaces and processors; fills the graph's
 void resolve_safety(Draft& draft);   // safe actions, in the spaces of the actions
 void resolve_states(Draft& draft);   // how states are drawn
 void resolve_targets(Draft& draft);  // which states the reset nodes bring about
+/// `sync: false` (E0338 what does not go together with it).
+void check_sync(Draft& draft);
+
 /// What runs on a board (E0332 what cannot, E0333 two boards, E0334 boards that are no partners).
 void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement);
 

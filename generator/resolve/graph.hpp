@@ -188,6 +188,7 @@ struct Graph {
   Agent agent;
   Safety safety;
   std::optional<Placement> placement;  // without: one program
+  bool asynchronous = false;           // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
   Span span;

@@ -113,6 +113,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_safety(draft);
   if (spec.reset_timeout_s) draft.graph.reset_timeout_s = spec.reset_timeout_s->value;
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
+  check_sync(draft);
   check_limits(draft);
   if (diagnostics.has_errors()) return std::nullopt;
   return std::move(draft.graph);

@@ -287,7 +287,10 @@ const Format& graph_format() {
                                       config_field(),
                                       states_field(),
                                       {"simulate_delays", format::boolean(), false,
-                                       "false: every delay counts as 0 (default true)"}}),
+                                       "false: every delay counts as 0 (default true)"},
+                                      {"sync", format::boolean(), false,
+                                       "false: inputs take what has arrived when their node "
+                                       "begins (default true: messages are counted)"}}),
         true, "what the objects run on"},
        {"objects", format::map("objects", object_format()), false,
         "robots, things, sensors, actuators"},

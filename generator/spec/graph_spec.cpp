@@ -282,6 +282,7 @@ std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& pa
                                    [](const Node::Entry& entry) { return entry.key == "engine"; });
   spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
   spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
+  spec.sync = optional_of<bool>(engine->value, "sync", bool_of);
   spec.reset_timeout_s = optional_of<Rational>(root, "reset_timeout", rational_of);
   const auto read_all = [&](const char* key, std::vector<EntitySpec>& into) {
     const Node* map = root.find(key);

@@ -133,6 +133,7 @@ struct GraphSpec {
   std::vector<Spanned<std::string>> library;
   std::optional<Spanned<Rational>> reset_timeout_s;  // of reset nodes
   std::optional<Spanned<bool>> simulate_delays;      // of the engine; default true
+  std::optional<Spanned<bool>> sync;                 // of the engine; default true
   EntitySpec engine;
   std::vector<EntitySpec> objects;
   std::vector<EntitySpec> nodes;

@@ -80,6 +80,8 @@ class HardwareEngine {
     link_.close();
   }
 
+  /// The clock that inputs go by with `sync: false`.
+  static std::int64_t now_ns() { return Clock::now_ns(); }
   bool is_safe() const { return is_safe_; }
   const Lateness& lateness() const { return lateness_; }
   const Link& link() const { return link_; }
