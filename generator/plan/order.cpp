@@ -23,6 +23,13 @@ class Sorter {
         readers_[input.source_node].push_back(n);
       }
     }
+    if (!graph.asynchronous) return;
+    // The engine waits for a slot's instant; nobody who goes by its clock begins before that.
+    for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+      if (n == Graph::kEngine || n == Graph::kEnvironment) continue;
+      ++waits_for_[n];
+      readers_[Graph::kEngine].push_back(n);
+    }
   }
 
   /// Runs every ready node of `phase` until none is left.
