@@ -21,8 +21,9 @@ gtest_discover_tests(ftdi_link_test TEST_PREFIX ftdi. DISCOVERY_TIMEOUT 60)
 # RealEngine on it. tests/ftdi/soak is the long run with faults.
 eagerx_add_graph(TARGET ftdi_swing_up GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml ENGINE RealEngine)
 eagerx_add_graph(TARGET ftdi_soak GRAPH ${CMAKE_CURRENT_LIST_DIR}/soak.yaml)
+eagerx_add_graph(TARGET ftdi_asynchronous GRAPH ${CMAKE_CURRENT_LIST_DIR}/asynchronous.yaml)
 eagerx_add_graph(TARGET ftdi_fast GRAPH ${CMAKE_CURRENT_LIST_DIR}/fast.yaml)
 eagerx_add_graph(TARGET ftdi_no_alloc GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml ENGINE RealEngine)
 target_sources(ftdi_no_alloc PRIVATE ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
 add_test(NAME ftdi COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:emulated_ftdi> $<TARGET_FILE:ftdi_swing_up>
-                           $<TARGET_FILE:ftdi_no_alloc> $<TARGET_FILE:ftdi_soak>)
+                           $<TARGET_FILE:ftdi_no_alloc> $<TARGET_FILE:ftdi_soak> $<TARGET_FILE:ftdi_asynchronous>)
