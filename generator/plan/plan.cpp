@@ -125,7 +125,8 @@ class Planner {
 
   void size_rings() {
     for (auto& ring : plan_.rings) {
-      const std::uint64_t bytes = bytes_of(ring.space);
+      // With a time for each message where inputs go by the clock.
+      const std::uint64_t bytes = bytes_of(ring.space) + (graph_.asynchronous ? 8 : 0);
       const std::uint64_t power = std::bit_ceil(ring.needed);
       ring.capacity = (power - ring.needed) * bytes <= kMaxWastedBytes ? power : ring.needed;
       if (ring.capacity <= kMaxRingBytes / bytes && ring.capacity < (std::uint64_t{1} << 31U))

@@ -40,6 +40,7 @@ class HardwareEngine {
     (simulators.begin(), ...);
     (simulators.queue_action(true), ...);
     (simulators.queue_request(), ...);
+    began_ns_ = Clock::now_ns();
     const BusError error = link_.run();
     start_ns_ = Clock::now_ns();
     (simulators.collect(error, start_ns_), ...);
@@ -55,6 +56,7 @@ class HardwareEngine {
     const bool bad_action = (simulators.has_bad_action() || ...);
     (simulators.queue_action(was_safe || bad_action), ...);
     BusError error = link_.post();
+    latency_.add(Clock::now_ns() - began_ns_);
     const std::int64_t due_ns = start_ns_ + ns_of(tick.n);
     const bool in_time = wait_until(due_ns);
     (simulators.queue_request(), ...);
@@ -91,6 +93,7 @@ class HardwareEngine {
   void for_each_count(F&& f) const {
     constexpr std::int64_t kNsPerUs = 1'000;
     lateness_.for_each_count(f);
+    latency_.for_each_count(f);
     f("instants too late", overruns_);
     f("instants moved", moved_);
     f("instants with a sensor missing", missing_);
@@ -130,7 +133,8 @@ class HardwareEngine {
   /// False if it was too late, and so were as many before it as make safe.
   bool wait_until(std::int64_t due_ns) {
     if (Clock::now_ns() < due_ns) Clock::sleep_until(due_ns);
-    const std::int64_t late_ns = Clock::now_ns() - due_ns;
+    began_ns_ = Clock::now_ns();
+    const std::int64_t late_ns = began_ns_ - due_ns;
     lateness_.add(late_ns > 0 ? late_ns : 0);
     if (late_ns > kPeriodNs) {
       start_ns_ += late_ns;
@@ -166,10 +170,12 @@ class HardwareEngine {
   Link link_{};
   bool started_ = false;
   std::int64_t start_ns_ = 0;
+  std::int64_t began_ns_ = 0;  // the latest instant
   bool is_safe_ = false;
   std::uint32_t right_ = 0;  // instants in a row since the last wrong one, while safe
   std::uint32_t late_in_a_row_ = 0;
   Lateness lateness_{};
+  Latency latency_{};
   std::int64_t slowest_ns_ = 0;
   std::uint64_t overruns_ = 0;
   std::uint64_t moved_ = 0;

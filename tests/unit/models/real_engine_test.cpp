@@ -216,6 +216,17 @@ TEST_F(RealEngineTest, InstantsAreAbsolute) {
   EXPECT_EQ(count("instants too late"), 0U);
 }
 
+// From the beginning of an instant: 0.2 ms for its round trip, 3 ms of calculation, 0.2 ms to send.
+TEST_F(RealEngineTest, TheTimeToItsActionsIsCounted) {
+  begin();
+  FakeClock::now += 3 * kMs;
+  instant();
+  instant();
+  EXPECT_EQ(count("acted after 1 to 10 ms"), 1U);
+  EXPECT_EQ(count("acted after 200 to 500 us"), 1U);
+  EXPECT_EQ(count("slowest action after us"), 3400U);
+}
+
 TEST_F(RealEngineTest, LateWakeUpMakesSafeAtOnceAndIsReleased) {
   begin();
   instant();
