@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/emit/arrival_view.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/reset_view.hpp"
 #include "generator/emit/schedule_view.hpp"
@@ -41,7 +42,7 @@ class ProgramView {
                      : names_.is_split() ? "What runs on Linux of the graph"
                                          : "The whole graph");
     add_observation(view);
-    add_arrivals(view);
+    add_arrivals(plan_, names_, view);
     add_memory(view);
     add_split(view);
     return view;
@@ -293,7 +294,9 @@ class ProgramView {
     view["raw"] = std::move(raw);
     view["published"] = std::move(published);
     view.set("tick", fmt::format("eagerx::Tick{{{}}}", tick_of(n)));
-    view.set("lacks", lacks_messages(n));
+    const std::string lacks = graph_.asynchronous ? lacks_messages(plan_, names_, n) : "";
+    view.set("lacks", lacks);
+    view.set("can_drop", !lacks.empty());
     view.set("simulator_argument", simulator_argument(plan_, names_, n));
     add_feedthroughs(view, n);
   }
@@ -325,43 +328,6 @@ class ProgramView {
     for (std::size_t i = 0; observes && i < graph_.environment().inputs.size(); ++i)
       windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
     view.set("observation", braced(windows, 4, 33));  // const Observation observation
-  }
-
-  /// Whether a window has no message yet; a skipped one may be empty until the first callback.
-  std::string lacks_messages(std::size_t n) const {
-    std::vector<std::string> terms;
-    for (const auto& input : graph_.nodes[n].inputs) {
-      if (input.window == 0 || input.feedthrough) continue;
-      const std::string empty = fmt::format("in.{}.empty()", input.name);
-      terms.push_back(input.skip ? fmt::format("({}.count() > 0 && {})", names_.sent[n], empty)
-                                 : empty);
-    }
-    return terms.empty() ? "false" : fmt::format("{}", fmt::join(terms, " || "));
-  }
-
-  /// Inputs that go by the clock.
-  void add_arrivals(View& view) const {
-    view.set("is_asynchronous", graph_.asynchronous);
-    view.set("is_synchronous", !graph_.asynchronous);
-    view.set("environment_sent", names_.sent[Graph::kEnvironment]);
-    view.set("clock", names_.node_member[Graph::kEngine] + ".now_ns()");
-    std::vector<std::string> missing;
-    for (const auto& input : graph_.environment().inputs) {
-      if (input.window > 0 && !input.skip)
-        missing.push_back(fmt::format("seen.{}.received() == 0", input.name));
-    }
-    view.set("missing", missing.empty() ? "false" : fmt::format("{}", fmt::join(missing, " || ")));
-    View senders = list();
-    for (std::size_t n = 0; graph_.asynchronous && n < graph_.nodes.size(); ++n) {
-      std::uint64_t capacity = 1;
-      for (const auto& ring : plan_.rings)
-        if (ring.node == n) capacity = std::max(capacity, ring.capacity);
-      View sender = object();
-      sender.set("type", fmt::format("eagerx::Sent<{}>", capacity));
-      sender.set("member", names_.sent[n]);
-      senders.push_back(sender);
-    }
-    view["senders"] = std::move(senders);
   }
 
   void add_memory(View& view) const {
