@@ -50,8 +50,8 @@ inline void activate(float (&y)[N], float slope = 0.0F) {
 
 /// y = A(W x + b); `x` [In] and `y` [Out] must not overlap. No heap.
 template <Activation A, std::size_t In, std::size_t Out>
-[[gnu::always_inline]] inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In], float (&y)[Out],
-                  float slope = 0.0F) {
+[[gnu::always_inline]] inline void dense(const DenseWeights<In, Out>& layer, const float (&x)[In],
+                                         float (&y)[Out], float slope = 0.0F) {
   using Weights = DenseWeights<In, Out>;
   constexpr std::size_t kFull = Weights::kFullPanels * Weights::kPanel;
   policy::full_panels<A, In, Weights::kFullPanels>(layer.w, layer.b, x, y, slope);
