@@ -8,25 +8,43 @@ namespace {
 
 using kainjow::mustache::data;
 
+/// The rows of a matrix, with weights of eight bits or not.
+struct Rows {
+  const std::vector<float>& weights;
+  const std::vector<float>& bias;
+  const std::vector<std::int8_t>& rounded;
+  const std::vector<float>& scales;
+};
+
 /// The rows `first` to `last` of a matrix as a dense layer of their own.
-DenseLayer rows_of(const std::vector<float>& weights, const std::vector<float>& bias,
-                   std::size_t first, std::size_t last) {
-  const std::size_t inputs = weights.size() / bias.size();
-  const auto at = [](const std::vector<float>& values, std::size_t i) {
-    return values.begin() + static_cast<std::ptrdiff_t>(i);
+DenseLayer rows_of(const Rows& rows, std::size_t first, std::size_t last) {
+  const std::size_t inputs = rows.weights.size() / rows.bias.size();
+  const auto part_of = [](const auto& values, std::size_t begin, std::size_t end) {
+    using Values = std::decay_t<decltype(values)>;
+    const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
+    return values.empty() ? Values() : Values(at(begin), at(end));
   };
   DenseLayer part;
   part.inputs = static_cast<std::uint32_t>(inputs);
   part.outputs = static_cast<std::uint32_t>(last - first);
-  part.weights = {at(weights, first * inputs), at(weights, last * inputs)};
-  part.bias = {at(bias, first), at(bias, last)};
+  part.weights = part_of(rows.weights, first * inputs, last * inputs);
+  part.bias = part_of(rows.bias, first, last);
+  part.rounded = part_of(rows.rounded, first * inputs, last * inputs);
+  part.scales = part_of(rows.scales, first, last);
   return part;
 }
 
 void add_part(const DenseLayer& part, data& parts) {
+  const bool int8 = !part.rounded.empty();
   data item{data::type::object};
-  item.set("weights", weight_table(part));
-  item.set("biases", bias_table(part));
+  item.set("weights", int8 ? int8_table(part) : weight_table(part));
+  item.set("biases", int8 ? "      " + list_of(part.bias) : bias_table(part));
+  data scales{false};
+  if (int8) {
+    scales = data{data::type::object};
+    scales.set("values", list_of(part.scales));
+  }
+  item["scales"] = std::move(scales);
   parts.push_back(item);
 }
 
@@ -73,10 +91,10 @@ class Form {
     data parts{data::type::list};
     const std::size_t rows = form.channels / form.groups;
     for (std::size_t first = 0; first < form.channels; first += rows) {
-      add_part(rows_of(layer_.weights, layer_.bias, first, first + rows), parts);
+      add_part(rows_of(own_rows(), first, first + rows), parts);
     }
-    set_weights(fmt::format("eagerx::ConvolutionWeights<kKernel{}, {}, {}>", number_, form.channels,
-                            form.groups),
+    set_weights(fmt::format("eagerx::ConvolutionWeights<kKernel{}, {}, {}{}>", number_,
+                            form.channels, form.groups, storage()),
                 "{ {", "} }", std::move(parts));
     fused_ = !layer_.norm;
     const Activation activation = fused_ ? layer_.activation : Activation::identity;
@@ -99,11 +117,15 @@ class Form {
   void write(const Recurrence& cell) {
     data parts{data::type::list};
     const std::size_t rows = layer_.bias.size();
-    add_part(rows_of(layer_.weights, layer_.bias, 0, rows), parts);
-    add_part(rows_of(cell.hidden_weights, cell.hidden_bias, 0, rows), parts);
+    add_part(rows_of(own_rows(), 0, rows), parts);
+    add_part(
+        rows_of({cell.hidden_weights, cell.hidden_bias, cell.hidden_rounded, cell.hidden_scales}, 0,
+                rows),
+        parts);
     const char* name = cell.is_lstm ? "Lstm" : "Gru";
-    set_weights(fmt::format("eagerx::{}Weights<{}, {}>", name, layer_.inputs, layer_.outputs), "{",
-                "}", std::move(parts));
+    set_weights(
+        fmt::format("eagerx::{}Weights<{}, {}{}>", name, layer_.inputs, layer_.outputs, storage()),
+        "{", "}", std::move(parts));
     data memory{data::type::object};
     memory.set("member",
                fmt::format("eagerx::{}Memory<{}> layer{}", name, layer_.outputs, number_));
@@ -144,6 +166,10 @@ class Form {
     lines_.push_back(fmt::format("eagerx::activate<eagerx::Activation::{}>({}{});",
                                  to_string(layer_.activation), y_, slope_argument(layer_)));
   }
+
+  Rows own_rows() const { return {layer_.weights, layer_.bias, layer_.rounded, layer_.scales}; }
+  /// The last argument of a type of weights.
+  const char* storage() const { return layer_.rounded.empty() ? "" : ", eagerx::Int8Weights"; }
 
   void set_kernel(const KernelShape& kernel) {
     data item{data::type::object};

@@ -12,6 +12,8 @@ namespace eagerx::gen {
 /// Weights in panels of outputs: in a full panel, a line holds the weights of one input.
 std::string weight_table(const DenseLayer& layer);
 std::string bias_table(const DenseLayer& layer);
+/// Weights of eight bits, sixteen a line.
+std::string int8_table(const DenseLayer& layer);
 
 /// "1.0F, 0.5F".
 std::string list_of(const std::vector<float>& values);

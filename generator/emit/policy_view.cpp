@@ -67,7 +67,15 @@ class Table {
   std::size_t in_line_ = 0;
 };
 
-/// Weights of eight bits, sixteen a line.
+}  // namespace
+
+std::string list_of(const std::vector<float>& values) {
+  std::vector<std::string> literals;
+  literals.reserve(values.size());
+  for (const float value : values) literals.push_back(literal(value) + "F");
+  return fmt::format("{}", fmt::join(literals, ", "));
+}
+
 std::string int8_table(const DenseLayer& layer) {
   const std::vector<int> values = int8_stored(layer);
   constexpr std::size_t kInLine = 16;
@@ -77,15 +85,6 @@ std::string int8_table(const DenseLayer& layer) {
     text += std::to_string(values[i]);
   }
   return text;
-}
-
-}  // namespace
-
-std::string list_of(const std::vector<float>& values) {
-  std::vector<std::string> literals;
-  literals.reserve(values.size());
-  for (const float value : values) literals.push_back(literal(value) + "F");
-  return fmt::format("{}", fmt::join(literals, ", "));
 }
 
 std::string bias_table(const DenseLayer& layer) {
@@ -140,7 +139,7 @@ data layer_view(const Network& network, std::size_t i) {
   view.set("outputs", std::to_string(layer.outputs));
   view.set("activation", std::string(to_string(layer.activation)));
   view.set("slope", slope_argument(layer));
-  const bool int8 = !layer.rounded.empty();
+  const bool int8 = layer.is_dense() && !layer.rounded.empty();
   view.set("is_dense", layer.is_dense());
   view.set("int8", data{int8});
   view.set("float32", data{layer.is_dense() && !int8});

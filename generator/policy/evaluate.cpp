@@ -5,7 +5,6 @@
 #include <eagerx/policy.hpp>
 
 #include "generator/policy/forms.hpp"
-#include "generator/policy/int8.hpp"
 #include "generator/policy/sums.hpp"
 
 namespace eagerx::gen {
@@ -115,8 +114,7 @@ std::vector<float> evaluate(const Network& network, std::vector<float> input,
   memory->resize(network.layers.size());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const DenseLayer& layer = network.layers[i];
-    std::vector<float> y = layer.rounded.empty() ? evaluate_form(layer, input, (*memory)[i])
-                                                 : int8_product(layer, input);
+    std::vector<float> y = evaluate_form(layer, input, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     activate(layer.activation, layer.slope, y);
     input = std::move(y);

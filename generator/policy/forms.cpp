@@ -3,7 +3,9 @@
 #include <cmath>
 #include <eagerx/policy.hpp>
 #include <optional>
+#include <type_traits>
 
+#include "generator/policy/int8.hpp"
 #include "generator/policy/sums.hpp"
 
 namespace eagerx::gen {
@@ -25,10 +27,26 @@ double tanh_of(double x) {
   return std::tanh(x);
 }
 
+/// W x + b with weights of eight bits, if a program has them; float64 is never rounded.
+Values<float> rounded_product(const Int8Rows& rows, const Values<float>& x) {
+  return int8_product(rows, x);
+}
+Values<double> rounded_product(const Int8Rows& /*rows*/, const Values<double>& /*x*/) {
+  return {};
+}
+template <class Real>
+bool is_rounded(const std::vector<std::int8_t>& rounded) {
+  return std::is_same_v<Real, float> && !rounded.empty();
+}
+
 /// W x + b, row-major.
 template <class Real>
 Values<Real> product(const std::vector<float>& weights, const std::vector<float>& bias,
+                     const std::vector<std::int8_t>& rounded, const std::vector<float>& scales,
                      const Values<Real>& x) {
+  if (is_rounded<Real>(rounded)) {
+    return rounded_product({rounded.data(), scales.data(), bias.data(), bias.size()}, x);
+  }
   Values<Real> y(bias.size());
   for (std::size_t out = 0; out < y.size(); ++out) {
     const float* row = weights.data() + out * x.size();
@@ -42,8 +60,9 @@ template <class Real>
 Values<Real> gru(const DenseLayer& layer, const Recurrence& cell, const Values<Real>& x,
                  Values<Real>& h) {
   const std::size_t n = layer.outputs;
-  const Values<Real> a = product(layer.weights, layer.bias, x);
-  const Values<Real> b = product(cell.hidden_weights, cell.hidden_bias, h);
+  const Values<Real> a = product(layer.weights, layer.bias, layer.rounded, layer.scales, x);
+  const Values<Real> b =
+      product(cell.hidden_weights, cell.hidden_bias, cell.hidden_rounded, cell.hidden_scales, h);
   Values<Real> y(n);
   for (std::size_t k = 0; k < n; ++k) {
     const Real reset = sigmoid_of(a[k] + b[k]);
@@ -61,8 +80,9 @@ Values<Real> lstm(const DenseLayer& layer, const Recurrence& cell, const Values<
                   Values<Real>& memory) {
   const std::size_t n = layer.outputs;
   const Values<Real> h(memory.begin(), memory.begin() + static_cast<std::ptrdiff_t>(n));
-  const Values<Real> a = product(layer.weights, layer.bias, x);
-  const Values<Real> b = product(cell.hidden_weights, cell.hidden_bias, h);
+  const Values<Real> a = product(layer.weights, layer.bias, layer.rounded, layer.scales, x);
+  const Values<Real> b =
+      product(cell.hidden_weights, cell.hidden_bias, cell.hidden_rounded, cell.hidden_scales, h);
   Values<Real> y(n);
   for (std::size_t k = 0; k < n; ++k) {
     const Real input = sigmoid_of(a[k] + b[k]);
@@ -105,6 +125,15 @@ Values<Real> convolve(const DenseLayer& layer, const Convolution& form, const Va
       for (std::size_t i = 0; i < patch.size(); ++i) {
         const auto at = under(kernel, place, i % size);
         patch[i] = at ? x[(group * read + i / size) * area + *at] : Real(0);
+      }
+      if (is_rounded<Real>(layer.rounded)) {
+        const std::size_t first = group * made;
+        const auto values =
+            rounded_product({layer.rounded.data() + first * patch.size(),
+                             layer.scales.data() + first, layer.bias.data() + first, made},
+                            patch);
+        for (std::size_t k = 0; k < made; ++k) y[(first + k) * places + place] = values[k];
+        continue;
       }
       for (std::size_t out = group * made; out < (group + 1) * made; ++out) {
         const float* weights = layer.weights.data() + out * patch.size();
@@ -207,7 +236,7 @@ Values<Real> evaluate(const DenseLayer& layer, const Values<Real>& x, Values<Rea
     }
     return y;
   }
-  return product(layer.weights, layer.bias, x);
+  return product(layer.weights, layer.bias, layer.rounded, layer.scales, x);
 }
 
 }  // namespace

@@ -14,23 +14,33 @@ namespace {
 
 constexpr double kMost = 127.0;
 
-void round_layer(DenseLayer& layer) {
-  if (!layer.is_dense()) return;
-  layer.scales.assign(layer.outputs, 0.0F);
-  layer.rounded.assign(layer.weights.size(), 0);
-  for (std::size_t out = 0; out < layer.outputs; ++out) {
-    const float* weights = layer.weights.data() + out * layer.inputs;
+/// Rounds weights [scales][…] row by row.
+void round_rows(const std::vector<float>& weights, std::size_t rows,
+                std::vector<std::int8_t>& rounded, std::vector<float>& scales) {
+  const std::size_t columns = weights.size() / rows;
+  scales.assign(rows, 0.0F);
+  rounded.assign(weights.size(), 0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float* first = weights.data() + row * columns;
     float largest = 0.0F;
-    for (std::size_t i = 0; i < layer.inputs; ++i)
-      largest = std::max(largest, std::fabs(weights[i]));
+    for (std::size_t i = 0; i < columns; ++i) largest = std::max(largest, std::fabs(first[i]));
     const auto scale = static_cast<float>(static_cast<double>(largest) / kMost);
-    layer.scales[out] = scale;
+    scales[row] = scale;
     if (scale == 0.0F) continue;
-    for (std::size_t i = 0; i < layer.inputs; ++i) {
-      const double ratio = static_cast<double>(weights[i]) / static_cast<double>(scale);
-      layer.rounded[out * layer.inputs + i] =
+    for (std::size_t i = 0; i < columns; ++i) {
+      const double ratio = static_cast<double>(first[i]) / static_cast<double>(scale);
+      rounded[row * columns + i] =
           static_cast<std::int8_t>(std::clamp(std::nearbyint(ratio), -kMost, kMost));
     }
+  }
+}
+
+void round_layer(DenseLayer& layer) {
+  if (layer.weights.empty()) return;
+  round_rows(layer.weights, layer.bias.size(), layer.rounded, layer.scales);
+  if (auto* cell = std::get_if<Recurrence>(&layer.form)) {
+    round_rows(cell->hidden_weights, cell->hidden_bias.size(), cell->hidden_rounded,
+               cell->hidden_scales);
   }
 }
 
@@ -47,9 +57,14 @@ std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRo
     }
     return inputs;
   }
-  constexpr std::size_t kRows = 256;
+  constexpr std::size_t kMostRows = 256;
+  constexpr std::size_t kFewRows = 8;
+  constexpr std::size_t kWork = 500'000'000;  // products
+  std::size_t products = 1;
+  for (const DenseLayer& layer : network.layers) products += cost_of(layer).multiply_adds;
+  const std::size_t count = std::clamp(kWork / products, kFewRows, kMostRows);
   std::uint32_t state = 1;
-  for (std::size_t i = 0; i < kRows; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     inputs.emplace_back(network.inputs());
     for (float& value : inputs.back()) {
       state = state * 1664525U + 1013904223U;  // Numerical Recipes' generator
@@ -59,6 +74,13 @@ std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRo
   return inputs;
 }
 
+/// Whether row `i` begins an episode: as the golden rows say, else every 32 rows.
+bool starts_episode(const GoldenRows* rows, std::size_t i) {
+  constexpr std::size_t kEpisode = 32;
+  if (rows == nullptr) return i % kEpisode == 0;
+  return i == 0 || rows->starts.empty() || rows->starts[i].front() != 0.0;
+}
+
 }  // namespace
 
 Network with_int8_weights(Network network) {
@@ -66,17 +88,17 @@ Network with_int8_weights(Network network) {
   return network;
 }
 
-std::vector<float> int8_product(const DenseLayer& layer, const std::vector<float>& x) {
+std::vector<float> int8_product(const Int8Rows& rows, const std::vector<float>& x) {
   namespace policy = eagerx::policy;
-  std::vector<std::int16_t> q(policy::int8_row(layer.inputs));
-  const float step = policy::round_inputs(x.data(), layer.inputs, q.data());
-  std::vector<float> y(layer.outputs);
+  std::vector<std::int16_t> q(policy::int8_row(x.size()));
+  const float step = policy::round_inputs(x.data(), x.size(), q.data());
+  std::vector<float> y(rows.rows);
   for (std::size_t out = 0; out < y.size(); ++out) {
     std::int32_t sum = 0;
-    for (std::size_t i = 0; i < layer.inputs; ++i) {
-      sum += std::int32_t{layer.rounded[out * layer.inputs + i]} * std::int32_t{q[i]};
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      sum += std::int32_t{rows.rounded[out * x.size() + i]} * std::int32_t{q[i]};
     }
-    y[out] = policy::int8_output(layer.bias[out], layer.scales[out], step, sum);
+    y[out] = policy::int8_output(rows.bias[out], rows.scales[out], step, sum);
   }
   return y;
 }
@@ -94,9 +116,16 @@ std::vector<int> int8_stored(const DenseLayer& layer) {
 }
 
 std::size_t int8_bytes(const DenseLayer& layer) {
-  if (!layer.is_dense()) return cost_of(layer).bytes;
-  const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} * sizeof(float) : 0;
-  return norm + layer.outputs * (eagerx::policy::int8_row(layer.inputs) + 2 * sizeof(float));
+  if (layer.weights.empty()) return cost_of(layer).bytes;
+  const auto bytes = [](const std::vector<float>& weights, std::size_t rows) {
+    return rows * (eagerx::policy::int8_row(weights.size() / rows) + 2 * sizeof(float));
+  };
+  std::size_t sum = layer.norm ? 2 * std::size_t{layer.outputs} * sizeof(float) : 0;
+  sum += bytes(layer.weights, layer.bias.size());
+  if (const Recurrence* cell = layer.recurrence()) {
+    sum += bytes(cell->hidden_weights, cell->hidden_bias.size());
+  }
+  return sum;
 }
 
 RoundingError rounding_error(const Network& given, const Network& rounded, const GoldenRows* rows) {
@@ -104,9 +133,15 @@ RoundingError rounding_error(const Network& given, const Network& rounded, const
   error.golden = rows != nullptr;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
+  Memory<float> memory;  // each network goes on from its own
+  Memory<float> rounded_memory;
   for (const std::vector<float>& input : inputs_of(given, rows)) {
-    const std::vector<float> a = evaluate(given, input);
-    const std::vector<float> b = evaluate(rounded, input);
+    if (starts_episode(rows, error.rows)) {
+      memory.clear();
+      rounded_memory.clear();
+    }
+    const std::vector<float> a = evaluate(given, input, &memory);
+    const std::vector<float> b = evaluate(rounded, input, &rounded_memory);
     double largest = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i) {
       const double difference = std::fabs(static_cast<double>(a[i]) - static_cast<double>(b[i]));

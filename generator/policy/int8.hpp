@@ -9,17 +9,25 @@
 
 namespace eagerx::gen {
 
-/// The network with weights of eight bits in its dense layers: in each and for each output whole
-/// numbers in -127…127 times the largest magnitude over 127.
+/// The network with weights of eight bits in dense layers, convolutions, GRU and LSTM: for each row
+/// of weights whole numbers in -127…127 times the largest magnitude over 127.
 Network with_int8_weights(Network network);
 
-/// W x + b with the bits of the generated program, of a layer with weights of eight bits.
-std::vector<float> int8_product(const DenseLayer& layer, const std::vector<float>& x);
+/// Rows of weights of eight bits.
+struct Int8Rows {
+  const std::int8_t* rounded;  // [rows][inputs]
+  const float* scales;         // [rows]
+  const float* bias;           // [rows]
+  std::size_t rows;
+};
 
-/// Rounded weights in the order of eagerx::Int8Weights.
+/// W x + b with the bits of the generated program.
+std::vector<float> int8_product(const Int8Rows& rows, const std::vector<float>& x);
+
+/// Rounded weights of a dense layer in the order of eagerx::Int8Weights.
 std::vector<int> int8_stored(const DenseLayer& layer);
 
-/// Bytes that a layer takes in flash if the weights of dense layers have eight bits.
+/// Bytes that a layer takes in flash if its weights have eight bits.
 std::size_t int8_bytes(const DenseLayer& layer);
 
 /// The answers with rounded weights against those with the weights of the file.

@@ -68,8 +68,10 @@ struct Pooling {
 /// update, candidate; LSTM input, forget, candidate, output. The state is what it remembers.
 struct Recurrence {
   bool is_lstm = false;
-  std::vector<float> hidden_weights;  // [gates * outputs][outputs]
-  std::vector<float> hidden_bias;     // [gates * outputs]
+  std::vector<float> hidden_weights;          // [gates * outputs][outputs]
+  std::vector<float> hidden_bias;             // [gates * outputs]
+  std::vector<std::int8_t> hidden_rounded{};  // in place of hidden_weights; empty: float32
+  std::vector<float> hidden_scales{};         // [gates * outputs]
   [[nodiscard]] std::uint32_t gates() const { return is_lstm ? 4 : 3; }
 };
 /// x op c with one constant, or one for each number: `bias`. No other weights.
@@ -93,8 +95,8 @@ struct DenseLayer {
   float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
   std::optional<LayerNorm> norm{};
   std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder> form{};
-  std::vector<std::int8_t> rounded{};  // [outputs][inputs], in place of weights; empty: float32
-  std::vector<float> scales{};         // [outputs]: a weight is rounded times this
+  std::vector<std::int8_t> rounded{};  // as weights, in place of them; empty: float32
+  std::vector<float> scales{};         // as bias: a weight is rounded times this
 
   [[nodiscard]] bool is_dense() const { return std::holds_alternative<Dense>(form); }
   [[nodiscard]] const Recurrence* recurrence() const { return std::get_if<Recurrence>(&form); }

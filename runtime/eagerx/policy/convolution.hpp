@@ -55,22 +55,26 @@ inline void gather(const float* x, std::size_t down, std::size_t right,
 
 }  // namespace policy
 
-/// Weights of a convolution with `Out` channels: one dense layer for each of `Groups` groups.
-template <Kernel K, std::size_t Out, std::size_t Groups = 1>
+/// Weights of a convolution with `Out` channels: one dense layer for each of `Groups` groups;
+/// `Layer` is DenseWeights or, with weights of eight bits, Int8Weights (eagerx/policy/int8.hpp).
+template <Kernel K, std::size_t Out, std::size_t Groups = 1,
+          template <std::size_t, std::size_t> class Layer = DenseWeights>
 struct ConvolutionWeights {
   static_assert(K.channels % Groups == 0 && Out % Groups == 0, "groups divide the channels");
   static constexpr std::size_t kChannels = K.channels / Groups;  // that a group reads
   static constexpr std::size_t kOut = Out / Groups;
   static constexpr std::size_t kPatch = kChannels * K.rows * K.columns;
-  DenseWeights<kPatch, kOut> group[Groups];
+  Layer<kPatch, kOut> group[Groups];
 };
 
 /// y = A(x * w + b): cross-correlation, as torch has it. y [Out][out_height][out_width]; `x` and
 /// `y` must not overlap.
-template <Activation A, Kernel K, std::size_t Out, std::size_t Groups>
-inline void convolve(const ConvolutionWeights<K, Out, Groups>& layer, const float (&x)[K.inputs()],
-                     float (&y)[Out * K.places()], float slope = 0.0F) {
-  using Weights = ConvolutionWeights<K, Out, Groups>;
+template <Activation A, Kernel K, std::size_t Out, std::size_t Groups,
+          template <std::size_t, std::size_t> class Layer>
+inline void convolve(const ConvolutionWeights<K, Out, Groups, Layer>& layer,
+                     const float (&x)[K.inputs()], float (&y)[Out * K.places()],
+                     float slope = 0.0F) {
+  using Weights = ConvolutionWeights<K, Out, Groups, Layer>;
   for (std::size_t g = 0; g < Groups; ++g) {
     const float* channels = x + g * Weights::kChannels * K.height * K.width;
     float* out = y + g * Weights::kOut * K.places();

@@ -1,7 +1,8 @@
 // Recurrent layers of trained networks: GRU and LSTM, one observation at a time, in float32.
 //
 // Both products are dense layers (eagerx/policy.hpp) with their own biases, so their sums have the
-// same order and the same bits on every machine; what follows is element by element.
+// same order and the same bits on every machine; what follows is element by element. `Layer` is
+// DenseWeights or, with weights of eight bits, Int8Weights (eagerx/policy/int8.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,10 +11,11 @@
 namespace eagerx {
 
 /// Weights of a GRU with torch's gates: reset, update, candidate, `Hidden` rows each.
-template <std::size_t In, std::size_t Hidden>
+template <std::size_t In, std::size_t Hidden,
+          template <std::size_t, std::size_t> class Layer = DenseWeights>
 struct GruWeights {
-  DenseWeights<In, 3 * Hidden> input;
-  DenseWeights<Hidden, 3 * Hidden> hidden;
+  Layer<In, 3 * Hidden> input;
+  Layer<Hidden, 3 * Hidden> hidden;
 };
 
 /// What a GRU remembers; zero when an episode starts.
@@ -24,8 +26,8 @@ struct GruMemory {
 
 /// r = sigmoid(Wr x + Ur h), z = sigmoid(Wz x + Uz h), n = tanh(Wn x + r (Un h)), each product with
 /// its bias; h = n + z (h - n) is remembered and is the result. `x` and `y` must not overlap.
-template <std::size_t In, std::size_t Hidden>
-inline void gru(const GruWeights<In, Hidden>& layer, const float (&x)[In],
+template <std::size_t In, std::size_t Hidden, template <std::size_t, std::size_t> class Layer>
+inline void gru(const GruWeights<In, Hidden, Layer>& layer, const float (&x)[In],
                 GruMemory<Hidden>& memory, float (&y)[Hidden]) {
   float from_input[3 * Hidden];
   float from_hidden[3 * Hidden];
@@ -45,10 +47,11 @@ inline void gru(const GruWeights<In, Hidden>& layer, const float (&x)[In],
 }
 
 /// Weights of an LSTM with torch's gates: input, forget, candidate, output, `Hidden` rows each.
-template <std::size_t In, std::size_t Hidden>
+template <std::size_t In, std::size_t Hidden,
+          template <std::size_t, std::size_t> class Layer = DenseWeights>
 struct LstmWeights {
-  DenseWeights<In, 4 * Hidden> input;
-  DenseWeights<Hidden, 4 * Hidden> hidden;
+  Layer<In, 4 * Hidden> input;
+  Layer<Hidden, 4 * Hidden> hidden;
 };
 
 /// What an LSTM remembers; zero when an episode starts.
@@ -60,8 +63,8 @@ struct LstmMemory {
 
 /// i, f, o = sigmoid(W x + U h), g = tanh(Wg x + Ug h), each product with its bias;
 /// c = f c + i g and h = o tanh(c) are remembered, h is the result. `x` and `y` must not overlap.
-template <std::size_t In, std::size_t Hidden>
-inline void lstm(const LstmWeights<In, Hidden>& layer, const float (&x)[In],
+template <std::size_t In, std::size_t Hidden, template <std::size_t, std::size_t> class Layer>
+inline void lstm(const LstmWeights<In, Hidden, Layer>& layer, const float (&x)[In],
                  LstmMemory<Hidden>& memory, float (&y)[Hidden]) {
   float from_input[4 * Hidden];
   float from_hidden[4 * Hidden];
