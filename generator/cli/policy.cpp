@@ -1,6 +1,8 @@
 // eagerx-gen policy: what a weight file holds, and whether it answers as it should.
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "generator/cli/pipeline.hpp"
 #include "generator/policy/cost.hpp"
 #include "generator/policy/evaluate.hpp"
@@ -62,8 +64,13 @@ void print_contract(const Network& network) {
       "  observations   {}{}\n", network.inputs(),
       parts.empty() ? ", names not in the file" : fmt::format(": {}", fmt::join(parts, ", ")));
   if (const auto& statistics = network.normalization) {
-    fmt::print("  normalised     clip((x - mean) / sqrt(var + {:g}), -{:g}, {:g}), from {}\n",
-               statistics->epsilon, statistics->clip, statistics->clip, statistics->source);
+    const bool clips = statistics->clip < std::numeric_limits<double>::max();
+    const std::string value = fmt::format("(x - mean) / sqrt(var + {:g})", statistics->epsilon);
+    fmt::print("  normalised     {}, from {}\n",
+               clips
+                   ? fmt::format("clip({}, -{:g}, {:g})", value, statistics->clip, statistics->clip)
+                   : value,
+               statistics->source);
     fmt::print("                 mean {}, var {}\n", list_of(statistics->mean),
                list_of(statistics->variance));
   } else {
