@@ -65,4 +65,14 @@ class Pwm {
   std::uint32_t period_ = 0;
 };
 
+/// No timer drives a pin any more: outputs of general timers are low, those of advanced ones float
+/// (17.4.9, 17.4.18, 18.4.9). For when the program that wrote duties is lost.
+template <class Memory = MappedMemory>
+void stop_all_pwm() {
+  for (const TimerPort* port : {&kTimer1, &kTimer2, &kTimer3, &kTimer4, &kTimer5, &kTimer8}) {
+    Memory::write(port->base + timer::kChannelEnable, 0);
+    if (port->advanced) Memory::write(port->base + timer::kBreak, 0);
+  }
+}
+
 }  // namespace eagerx::board::stm32

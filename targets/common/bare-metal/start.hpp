@@ -19,6 +19,11 @@ extern void (*const eagerx_constructors_end[])();
 
 /// Clocks and pins, before the constructors. A board that needs it defines it.
 [[gnu::weak]] void eagerx_board_start();
+
+/// The first thing after a fault, whatever the state of the program: switches off what would go on
+/// driving actuators without it. A board with such outputs defines it. It must not use the stack
+/// much, nor wait.
+[[gnu::weak]] void eagerx_outputs_off();
 }
 
 namespace eagerx::board {

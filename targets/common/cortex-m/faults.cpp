@@ -1,9 +1,10 @@
-// Faults say what they are and end the program. Source: ARMv7-M Architecture Reference Manual (DDI
+// Faults switch outputs off, say what they are and end the program. Source: ARMv7-M Architecture Reference Manual (DDI
 // 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame); ARMv8-M (DDI 0553B).
 #include <cstdint>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
+#include <targets/common/bare-metal/start.hpp>
 
 extern "C" {
 void Fault_Handler();
@@ -61,6 +62,7 @@ const char* cause_of(std::uint32_t status) {
 }  // namespace
 
 void eagerx_report_exception(const std::uint32_t* frame, std::uint32_t number) {
+  if (eagerx_outputs_off != nullptr) eagerx_outputs_off();
   constexpr std::uintptr_t kFaultStatus = 0xE000ED28;
   constexpr std::uint32_t kStackedPc = 6;  // r0 r1 r2 r3 r12 lr pc psr
   constexpr std::uint32_t kFrameWords = 8;

@@ -1,10 +1,11 @@
-// Traps say what they are and end the program. Source: "The RISC-V Instruction Set Manual, Volume
-// II: Privileged Architecture", 20211203, 3.1.15 (mcause).
+// Traps switch outputs off, say what they are and end the program. Source: "The RISC-V Instruction
+// Set Manual, Volume II: Privileged Architecture", 20211203, 3.1.15 (mcause).
 #include <cstdint>
 #include <iterator>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
+#include <targets/common/bare-metal/start.hpp>
 
 extern "C" {
 void Trap_Handler();
@@ -46,6 +47,7 @@ bool below_stack(std::uint32_t address) {
 }  // namespace
 
 void eagerx_report_trap(std::uint32_t cause, std::uint32_t address, std::uint32_t value) {
+  if (eagerx_outputs_off != nullptr) eagerx_outputs_off();
   console.text((cause & kInterrupt) != 0 ? "error: unexpected interrupt (" : "error: trap (");
   console.number(cause & ~kInterrupt);
   console.text("): ");

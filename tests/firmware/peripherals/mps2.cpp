@@ -1,6 +1,7 @@
 // What QEMU emulates of the MPS2 boards' peripherals, through these boards' drivers.
 #include <models/links/immediate_link.hpp>
 #include <targets/common/bare-metal/board_time.hpp>
+#include <targets/common/bare-metal/start.hpp>
 #include <targets/common/mps2/gpio.hpp>
 #include <targets/common/mps2/i2c.hpp>
 #include <targets/common/mps2/spi.hpp>
@@ -66,6 +67,11 @@ int watchdog() {
 }
 
 }  // namespace
+
+/// These boards have nothing to switch off: that a fault asks is what is tried.
+void eagerx_outputs_off() {
+  console.text("outputs off\n");
+}
 
 int main() {
   const std::string_view word = last_word();

@@ -1,8 +1,10 @@
 // What QEMU emulates of the STM32F405's peripherals, through this board's drivers.
 #include <models/drivers/dynamixel/dynamixel.hpp>
 #include <targets/common/bare-metal/board_time.hpp>
+#include <targets/common/bare-metal/start.hpp>
 #include <targets/common/bare-metal/uart_line.hpp>
 #include <targets/stm32f405/adc.hpp>
+#include <targets/stm32f405/pwm.hpp>
 #include <targets/stm32f405/spi.hpp>
 #include <targets/stm32f405/timer.hpp>
 #include <targets/stm32f405/uart.hpp>
@@ -34,6 +36,17 @@ int timer() {
   return 0;
 }
 
+/// Channel 3 of TIM3 drives its pin, until a fault switches it off.
+int pwm() {
+  constexpr std::uintptr_t kChannelEnable = stm32::kTimer3.base + stm32::timer::kChannelEnable;
+  stm32::Pwm<> pwm;
+  if (!pwm.start(stm32::kTimer3, 20'000) || !pwm.add(2)) return 1;
+  say("enabled", static_cast<std::int32_t>(MappedMemory::read(kChannelEnable)));
+  eagerx_outputs_off();
+  say("after a fault", static_cast<std::int32_t>(MappedMemory::read(kChannelEnable)));
+  return 0;
+}
+
 int adc() {
   stm32::Adc<> adc;
   adc.start(3.3F);
@@ -61,6 +74,7 @@ int main() {
   const int code = word == "servo"   ? servo()
                    : word == "timer" ? timer()
                    : word == "adc"   ? adc()
+                   : word == "pwm"   ? pwm()
                    : word == "spi"   ? spi()
                                      : 1;
   console.flush();

@@ -138,6 +138,17 @@ TEST_F(Stm32, PwmDividesForLowFrequencies) {
   EXPECT_EQ(chip.at[0x40010044], 1U << 15U);  // an advanced timer's main output
 }
 
+TEST_F(Stm32, PwmOfAllTimersStops) {
+  Pwm<FakeMemory> general;
+  Pwm<FakeMemory> advanced;
+  ASSERT_TRUE(general.start(kTimer3, 20'000) && general.add(2));
+  ASSERT_TRUE(advanced.start(kTimer8, 20'000) && advanced.add(0));
+  stop_all_pwm<FakeMemory>();
+  EXPECT_EQ(chip.at[0x40000420], 0U);
+  EXPECT_EQ(chip.at[0x40010420], 0U);
+  EXPECT_EQ(chip.at[0x40010444], 0U);  // the main output of TIM8
+}
+
 TEST_F(Stm32, EncoderCountsBeyondSixteenBits) {
   Encoder<FakeMemory> encoder;
   std::int32_t counts = 0;
