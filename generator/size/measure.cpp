@@ -1,9 +1,8 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
+#include <cstdio>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 
 #include "generator/size/program_map.hpp"
 #include "generator/size/size.hpp"
@@ -31,8 +30,7 @@ class Measurement {
       : image_(image), prefix_(prefix) {}
 
   bool run(SizeReport& report) {
-    if (!read_total(report) || !read_symbols()) return false;
-    attribute_code(report);
+    if (!read_total(report) || !read_symbols() || !attribute_code(report)) return false;
     attribute_data(report);
     attribute_rest(report);
     return true;
@@ -80,20 +78,19 @@ class Measurement {
     return std::string_view("tTwW").find(symbol.type) != std::string_view::npos;
   }
 
-  void attribute_code(SizeReport& report) {
-    const std::string list =
-        (fs::temp_directory_path() / fmt::format("eagerx-gen.{}", getpid())).string();
-    {
-      std::ofstream out(list);
-      for (const auto& [address, symbol] : symbols_) {
-        if (!is_code(symbol)) continue;
-        for (std::uint64_t at = address; at < address + symbol.size; at += 2)
-          out << fmt::format("{:x}\n", at);
-      }
+  /// False if there is no room for a temporary file.
+  bool attribute_code(SizeReport& report) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> list(std::tmpfile(), std::fclose);
+    if (list == nullptr) return false;
+    for (const auto& [address, symbol] : symbols_) {
+      if (!is_code(symbol)) continue;
+      for (std::uint64_t at = address; at < address + symbol.size; at += 2)
+        fmt::print(list.get(), "{:x}\n", at);
     }
+    if (std::fflush(list.get()) != 0) return false;
     addresses_.clear();
     for_each_line({"sh", "-c", fmt::format("exec {}addr2line -a -i -e \"$1\" <\"$2\"", prefix_),
-                   "sh", image_, list},
+                   "sh", image_, fmt::format("/dev/fd/{}", fileno(list.get()))},
                   [&](std::string_view line) {
                     if (line.starts_with("0x")) {
                       addresses_.emplace_back();
@@ -103,8 +100,7 @@ class Measurement {
                   });
     find_program();
     for (const auto& frames : addresses_) usage(report, owner(frames)).flash += 2;
-    std::error_code ignored;
-    fs::remove(list, ignored);
+    return true;
   }
 
   using Frames = std::vector<std::string>;
