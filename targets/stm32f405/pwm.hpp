@@ -69,9 +69,13 @@ class Pwm {
 /// (17.4.9, 17.4.18, 18.4.9). For when the program that wrote duties is lost.
 template <class Memory = MappedMemory>
 void stop_all_pwm() {
-  for (const TimerPort* port : {&kTimer1, &kTimer2, &kTimer3, &kTimer4, &kTimer5, &kTimer8}) {
-    Memory::write(port->base + timer::kChannelEnable, 0);
-    if (port->advanced) Memory::write(port->base + timer::kBreak, 0);
+  // Not the ports themselves: their pins would take flash in every image.
+  for (const std::uintptr_t base : {kTimer1.base, kTimer8.base}) {
+    Memory::write(base + timer::kBreak, 0);
+    Memory::write(base + timer::kChannelEnable, 0);
+  }
+  for (const std::uintptr_t base : {kTimer2.base, kTimer3.base, kTimer4.base, kTimer5.base}) {
+    Memory::write(base + timer::kChannelEnable, 0);
   }
 }
 
