@@ -107,9 +107,8 @@ std::vector<int> int8_stored(const DenseLayer& layer) {
   std::vector<int> values(layer.outputs * eagerx::policy::int8_row(layer.inputs));
   for (std::size_t out = 0; out < layer.outputs; ++out) {
     for (std::size_t in = 0; in < layer.inputs; ++in) {
-      // NOLINTNEXTLINE(bugprone-signed-char-misuse): a number, no character
       values[eagerx::policy::int8_index(layer.inputs, layer.outputs, out, in)] =
-          layer.rounded[out * layer.inputs + in];
+          int{layer.rounded[out * layer.inputs + in]};
     }
   }
   return values;

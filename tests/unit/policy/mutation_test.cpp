@@ -9,9 +9,11 @@
 #include <random>
 #include <string>
 
+#include "generator/policy/archive.hpp"
 #include "generator/policy/cost.hpp"
 #include "generator/policy/evaluate.hpp"
 #include "generator/policy/formats.hpp"
+#include "tests/unit/policy/table_builder.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -55,9 +57,9 @@ std::string damaged(std::string bytes, std::mt19937& random) {
   return bytes;
 }
 
-void check(const std::string& bytes) {
+void check(const std::string& bytes, const ReadContext& context = {}) {
   Diagnostics diagnostics;
-  const auto network = read_policy_bytes(bytes, "damaged.onnx", {}, diagnostics);
+  const auto network = read_policy_bytes(bytes, "damaged.onnx", {}, diagnostics, context);
   ASSERT_EQ(diagnostics.all().size(), network ? 0U : 1U);
   if (!network) {
     EXPECT_EQ(diagnostics.all().front().code.substr(0, 3), "E06");
@@ -116,6 +118,36 @@ TEST(Mutation, DamagedFilesOfOtherArchitectures) {
     const std::string good = file_bytes((std::string("architectures/") + name).c_str());
     ASSERT_GT(good.size(), 1000U);
     for (int i = 0; i < 700; ++i) check(damaged(good, random));
+  }
+}
+
+/// One entry damaged, at any depth, under the right checksum.
+std::string damaged_archive(const std::string& bytes, std::mt19937& random) {
+  PolicyProblem problem;
+  const auto archive = Archive::open(bytes, problem);
+  if (!archive) return damaged(bytes, random);
+  const std::vector<std::string> names = archive->names();
+  const std::size_t which = random() % names.size();
+  std::vector<test::ZipEntry> entries;
+  for (const std::string& name : names) {
+    std::string buffer;
+    const auto content = archive->read(name, buffer, problem);
+    entries.push_back({name, std::string(content.value_or(""))});
+    if (entries.size() - 1 != which) continue;
+    entries.back().content = damaged_archive(std::string(entries.back().content), random);
+  }
+  return test::zip(entries);
+}
+
+TEST(Mutation, DamagedEntriesOfArchives) {
+  std::mt19937 random(5);
+  for (const char* name : {"ppo_cnn.zip", "crossq.zip", "qrdqn.zip", "ars_linear.zip", "rsl_rl.pt",
+                           "rl_games.pth", "skrl.pt", "cleanrl_td3.pth"}) {
+    const std::string good = file_bytes((std::string("libraries/") + name).c_str());
+    ASSERT_GT(good.size(), 1000U);
+    ReadContext context;
+    if (!std::string(name).ends_with("zip")) context.activation = Activation::elu;
+    for (int i = 0; i < 400; ++i) check(damaged_archive(good, random), context);
   }
 }
 
