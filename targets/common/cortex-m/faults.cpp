@@ -1,5 +1,6 @@
-// Faults switch outputs off, say what they are and end the program. Source: ARMv7-M Architecture Reference Manual (DDI
-// 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame); ARMv8-M (DDI 0553B).
+// Faults switch outputs off, say what they are and end the program. Source: ARMv7-M Architecture
+// Reference Manual (DDI 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame);
+// ARMv8-M (DDI 0553B).
 #include <cstdint>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
