@@ -61,9 +61,11 @@ Node list_of(const std::vector<double>& values, Span span) {
 const Setting* of_connected_action(const GraphSpec& spec, const std::string& object,
                                    const std::string& actuator) {
   constexpr std::string_view kActions = "actions.";
+  const std::string short_name = object + "." + actuator;
+  const std::string long_name = object + ".actuators." + actuator;
   for (const auto& connection : spec.connections) {
     const std::string& to = connection.to.value;
-    if (to != object + "." + actuator && to != object + ".actuators." + actuator) continue;
+    if (to != short_name && to != long_name) continue;
     if (connection.processor || !connection.from.value.starts_with(kActions)) return nullptr;
     return find_setting(spec.safety->actions, connection.from.value.substr(kActions.size()));
   }
