@@ -59,8 +59,9 @@ class Measurement {
   /// "address size type name", or "address type name".
   void read_symbol(std::string_view line) {
     const auto first = line.find(' ');
-    const auto second = first == line.npos ? line.npos : line.find(' ', first + 1);
-    if (second == line.npos) return;
+    if (first == std::string_view::npos) return;
+    const auto second = line.find(' ', first + 1);
+    if (second == std::string_view::npos) return;
     if (second == first + 2) {
       ends_[std::string(line.substr(second + 1))] = hex(line.substr(0, first));
       return;
@@ -130,7 +131,7 @@ class Measurement {
       if (node != map_.node_of_line.end()) return node->second;
     }
     for (const auto& frame : frames) {
-      const std::string owner = owner_of_file(frame);
+      std::string owner = owner_of_file(frame);
       if (!owner.empty()) return owner;
     }
     return "libraries";
