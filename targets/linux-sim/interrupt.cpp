@@ -14,16 +14,15 @@ void on_signal(int /*signal*/) {
 
 void catch_interrupts() {
   struct sigaction action {};
-  action.sa_handler = on_signal;
-  // Without SA_RESTART a sleep ends early; with SA_RESETHAND a second Ctrl-C is the usual one.
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
+  action.sa_handler = on_signal;  // without SA_RESTART: a sleep ends early
   sigaction(SIGTERM, &action, nullptr);
   // A terminal that is closed, or a connection that is lost, must not leave a motor running;
-  // `nohup` has the signal ignored.
+  // `nohup` has the signal ignored. It comes twice: from the shell, and when the shell has ended.
   struct sigaction before {};
   if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
     sigaction(SIGHUP, &action, nullptr);
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second Ctrl-C is the usual one
+  sigaction(SIGINT, &action, nullptr);
   std::signal(SIGPIPE, SIG_IGN);
 }
 
