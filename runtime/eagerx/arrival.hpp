@@ -68,10 +68,13 @@ class ArrivalCursor {
   template <std::uint32_t Stamps>
   constexpr Received take_new(const Sent<Stamps>& source, std::int64_t now_ns, Arrivals& arrivals) {
     const Seq before = total_;
+    const std::uint64_t overtaken = arrivals.overtaken;
     const Seq total = take(source, now_ns, arrivals);
     const Seq fresh = total - before;
     if (fresh <= MaxSize) return {total, fresh};
-    arrivals.overtaken += fresh - MaxSize;
+    // The oldest of the new ones, which take() may have counted.
+    const std::uint64_t lost = overtaken + fresh - MaxSize;
+    if (lost > arrivals.overtaken) arrivals.overtaken = lost;
     return {total, MaxSize};
   }
 

@@ -46,6 +46,24 @@ TEST(ArrivalCursor, NewMessagesOfWindowZero) {
   EXPECT_EQ(arrivals.overtaken, 1U);
 }
 
+TEST(ArrivalCursor, AMessageIsOvertakenOnce) {
+  Sent<8> source;
+  Arrivals arrivals;
+  ArrivalCursor<8, 3> input;
+  source.reset();
+  input.reset(10);
+  for (int i = 0; i < 20; ++i) source.add(0);
+  const Received soon = input.take_new(source, 5, arrivals);
+  EXPECT_EQ(soon.end, 16U) << "four may be on their way";
+  EXPECT_EQ(soon.held, 3U);
+  EXPECT_EQ(arrivals.overtaken, 16U);
+  for (int i = 0; i < 20; ++i) source.add(20);
+  const Received late = input.take_new(source, 100, arrivals);
+  EXPECT_EQ(late.end, 40U);
+  EXPECT_EQ(late.held, 3U);
+  EXPECT_EQ(arrivals.overtaken, 16U + 24U - 3U) << "all but those that a window held";
+}
+
 // Whatever is sent and however late it is looked at, a window's messages are all still in the ring.
 TEST(ArrivalCursor, NeverReadsWhatWasOverwritten) {
   constexpr Seq kCapacity = 8;
