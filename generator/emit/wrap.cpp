@@ -70,29 +70,46 @@ std::size_t find_comment(std::string_view line) {
 struct Break {
   std::size_t at = kNone;  // what follows goes to the next line
   std::size_t indent = 0;
+  bool continues = true;  // the same statement
 };
 
-/// The last place with the fewest brackets open, behind a comma, `=`, `&&`, `{` or the condition of
-/// an `if`.
-Break find_break(std::string_view line, std::size_t indent) {
-  constexpr std::size_t kContinuation = 4;
+/// Whether a line may end behind the two characters at `at`: `, `, `= `, `& ` or `| `, where they
+/// are no comparison and no bits.
+bool ends_line(std::string_view line, std::size_t at) {
+  const char before = line[at - 1];
+  if (line[at + 1] != ' ') return false;
+  switch (line[at]) {
+    case ',':
+      return true;
+    case '=':
+      return before != '=' && before != '!' && before != '<' && before != '>';
+    case '&':
+    case '|':
+      return before == line[at];
+    default:
+      return false;
+  }
+}
+
+/// The last place with the fewest brackets open, behind a comma, `=`, `&&`, `||`, `{` or the
+/// condition of an `if`. `continued`: the line is the rest of one that was broken.
+Break find_break(std::string_view line, std::size_t indent, bool continued) {
+  const std::size_t deeper = indent + (continued ? 0 : 4);
   constexpr std::size_t kBody = 2;
   Break best;
   int least = std::numeric_limits<int>::max();
-  const bool is_if = line.substr(indent).starts_with("if (");
+  const bool is_if = !continued && line.substr(indent).starts_with("if (");
   for (Scanner scan(line); scan.next() && scan.at() < kColumns;) {
     const std::size_t at = scan.at();
     if (scan.in_literal() || at <= indent || at + 2 >= line.size()) continue;
     const std::string_view rest = line.substr(at);
     const bool ends_condition = is_if && scan.depth() == 0 && rest.starts_with(") ");
-    const bool breaks = ends_condition || rest.starts_with(", ") || rest.starts_with("= ") ||
-                        (line[at - 1] == '&' && rest.starts_with("& "));
-    if (breaks && scan.depth() <= least) {
+    if ((ends_condition || ends_line(line, at)) && scan.depth() <= least) {
       least = scan.depth();
-      best = {at + 2, indent + (ends_condition ? kBody : kContinuation)};
+      best = {at + 2, ends_condition ? indent + kBody : deeper, !ends_condition};
     } else if (line[at] == '{' && line[at + 1] != '}' && scan.depth() - 1 < least) {
       least = scan.depth() - 1;
-      best = {at + 1, indent + kContinuation};
+      best = {at + 1, deeper};
     }
   }
   return best;
@@ -116,6 +133,25 @@ std::string wrapped_comment(std::string_view line, std::size_t indent) {
   return result + rest;
 }
 
+/// Only the beginning of a line is looked at: some have a million numbers.
+std::string wrapped_code(std::string_view line, std::size_t indent) {
+  constexpr std::size_t kSeen = 4 * kColumns;
+  std::string result;
+  std::string_view rest = line.substr(indent);
+  for (bool continued = false;;) {
+    const std::string begin = std::string(indent, ' ') + std::string(rest.substr(0, kSeen));
+    const Break place =
+        columns_of(begin) > kColumns ? find_break(begin, indent, continued) : Break{};
+    if (place.at == kNone) return result + std::string(indent, ' ') + std::string(rest);
+    const std::string_view head = std::string_view(begin).substr(0, place.at);
+    result += head.substr(0, head.find_last_not_of(' ') + 1);
+    result += '\n';
+    rest.remove_prefix(place.at - indent);
+    indent = place.indent;
+    continued = place.continues;
+  }
+}
+
 std::string wrapped_line(std::string_view line) {
   const std::size_t indent = std::min(line.find_first_not_of(' '), line.size());
   if (columns_of(line) <= kColumns || line.substr(indent).starts_with('#'))
@@ -125,12 +161,7 @@ std::string wrapped_line(std::string_view line) {
     const std::string above = std::string(indent, ' ') + std::string(line.substr(comment + 2));
     return wrapped_line(above) + "\n" + wrapped_line(line.substr(0, comment));
   }
-  const Break place = find_break(line, indent);
-  if (place.at == kNone) return std::string(line);
-  std::string head(line.substr(0, place.at));
-  while (head.ends_with(' ')) head.pop_back();
-  return head + "\n" +
-         wrapped_line(std::string(place.indent, ' ') + std::string(line.substr(place.at)));
+  return wrapped_code(line, indent);
 }
 
 }  // namespace

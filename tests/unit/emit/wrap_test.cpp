@@ -21,6 +21,27 @@ TEST(Wrapped, BreaksWhereTheFewestBracketsAreOpen) {
             "Array<float, 3> " + kLong + "{\n    .low = {{1}}, .high = {{" + kLong + "}}};");
 }
 
+TEST(Wrapped, AllLinesOfAStatementHaveTheSameIndent) {
+  std::string list = "  f(0";
+  for (int i = 0; i < 20'000; ++i) list += ", 1234567";
+  const std::string text = wrapped(list + ");\n");
+  for (std::size_t begin = 0, end = 0; begin < text.size(); begin = end + 1) {
+    end = text.find('\n', begin);
+    const std::string line = text.substr(begin, end - begin);
+    ASSERT_LE(line.size(), 100U);
+    ASSERT_EQ(line.find_first_not_of(' '), begin == 0 ? 2U : 6U) << line;
+  }
+}
+
+TEST(Wrapped, ComparisonsStayWhole) {
+  const std::string word(30, 'a');
+  const std::string term = word + ".received() == 0";
+  EXPECT_EQ(wrapped("x = " + term + " || " + term + " || " + term + ";"),
+            "x = " + term + " ||\n    " + term + " ||\n    " + term + ";");
+  const std::string less = kLong + " <= " + kLong;
+  EXPECT_EQ(wrapped(less), less);
+}
+
 TEST(Wrapped, ABodyGoesBelowItsIf) {
   EXPECT_EQ(wrapped("if (a && (" + kLong + ")) f(" + kLong + ");"),
             "if (a && (" + kLong + "))\n  f(" + kLong + ");");
