@@ -82,7 +82,7 @@ class Writer {
           !fs::is_regular_file(folder_ / file.path, ignored))
         continue;
       const auto text = read(folder_ / file.path);
-      if (!text || *text == file.text) continue;
+      if (text == file.text) continue;
       diagnostics_
           .io_error(
               "E0903", {},

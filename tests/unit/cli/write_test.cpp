@@ -118,6 +118,16 @@ TEST_F(WriteFiles, NeverOverwritesWhatSomebodyElseWrote) {
   EXPECT_EQ(listing(), (std::vector<std::string>{"CMakeLists.txt"}));
 }
 
+TEST_F(WriteFiles, NeverOverwritesWhatItMayNotRead) {
+  if (geteuid() == 0) GTEST_SKIP() << "root may read everything";
+  put("out/one.txt", "mine");
+  fs::permissions(folder_ / "out/one.txt", fs::perms::none);
+  EXPECT_FALSE(write({{"one.txt", "one"}}));
+  EXPECT_EQ(diagnostics_.all().front().code, "E0903");
+  fs::permissions(folder_ / "out/one.txt", fs::perms::owner_all);
+  EXPECT_EQ(text("one.txt"), "mine");
+}
+
 TEST_F(WriteFiles, TakesAFileOfTheSameTextForItsOwn) {
   put("out/a.txt", "same");
   ASSERT_TRUE(write({{"a.txt", "same"}}));
