@@ -103,7 +103,8 @@ Break find_break(std::string_view line, std::size_t indent, bool continued) {
     const std::size_t at = scan.at();
     if (scan.in_literal() || at <= indent || at + 2 >= line.size()) continue;
     const std::string_view rest = line.substr(at);
-    const bool ends_condition = is_if && scan.depth() == 0 && rest.starts_with(") ");
+    const bool ends_condition =
+        is_if && scan.depth() == 0 && rest.starts_with(") ") && line[at + 2] != '{';
     if ((ends_condition || ends_line(line, at)) && scan.depth() <= least) {
       least = scan.depth();
       best = {at + 2, ends_condition ? indent + kBody : deeper, !ends_condition};

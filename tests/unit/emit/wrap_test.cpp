@@ -45,6 +45,8 @@ TEST(Wrapped, ComparisonsStayWhole) {
 TEST(Wrapped, ABodyGoesBelowItsIf) {
   EXPECT_EQ(wrapped("if (a && (" + kLong + ")) f(" + kLong + ");"),
             "if (a && (" + kLong + "))\n  f(" + kLong + ");");
+  EXPECT_EQ(wrapped("if (" + kLong + " || (b && " + std::string(28, 'c') + ")) {"),
+            "if (" + kLong + " ||\n    (b && " + std::string(28, 'c') + ")) {");
 }
 
 TEST(Wrapped, LiteralsStayWhole) {
