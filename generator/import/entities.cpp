@@ -135,7 +135,8 @@ class EntityTranslator {
     if (sync != nullptr && sync->text == "false") {
       t_.diagnostics
           .warning("E0806", sync->span, "EAGERx ran this graph asynchronously (`sync: false`)")
-          .help = "the program runs it synchronously: every message is waited for";
+          .help =
+          "the program counts messages; on an engine of real hardware write `sync: false` yourself";
     }
   }
 
