@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace eagerx::gen {
 namespace {
@@ -38,10 +40,28 @@ std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
   return result;
 }
 
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
 /// Whether two manifests are the same file, or copies of it: in a clone of this repository
-/// `--path targets` has all that an installed eagerx-gen has, too.
-bool same_text(const Span& first, const Span& second, const SourceMap& sources) {
-  return sources.text(first.file) == sources.text(second.file);
+/// `--path targets` has all that an installed eagerx-gen has, too. A copy with a header of its own
+/// is none.
+bool are_copies(const Span& first, const Span& second, const SourceMap& sources) {
+  if (sources.text(first.file) != sources.text(second.file)) return false;
+  const fs::path one = fs::path(sources.name(first.file)).parent_path();
+  const fs::path two = fs::path(sources.name(second.file)).parent_path();
+  std::error_code error;
+  fs::recursive_directory_iterator walk(two, error);
+  for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
+    std::error_code ignored;
+    const fs::path other = one / walk->path().lexically_relative(two);
+    if (!walk->is_regular_file(ignored) || !fs::is_regular_file(other, ignored)) continue;
+    if (walk->path().filename() != "README.md" && content(walk->path()) != content(other))
+      return false;
+  }
+  return true;
 }
 
 /// Of two copies the first one counts.
@@ -49,7 +69,7 @@ template <class Item>
 void add(std::map<std::string, Item>& items, Item item, const SourceMap& sources,
          Diagnostics& diagnostics) {
   const auto [place, added] = items.try_emplace(item.id.value, item);
-  if (added || same_text(place->second.id.span, item.id.span, sources)) return;
+  if (added || are_copies(place->second.id.span, item.id.span, sources)) return;
   auto& problem =
       diagnostics.error("E0302", item.id.span, fmt::format("`{}` is defined twice", item.id.value));
   problem.notes.push_back({"first here", place->second.id.span, ""});
@@ -93,7 +113,7 @@ void add_to_object(Library& library, Implementation implementation, const Source
     return each.engine.value == engine.engine.value;
   });
   if (first != engines.end()) {
-    if (same_text(first->engine.span, engine.engine.span, sources)) return;
+    if (are_copies(first->engine.span, engine.engine.span, sources)) return;
     diagnostics
         .error("E0302", engine.engine.span,
                fmt::format("`{}` is implemented for `{}` twice", object.value, engine.engine.value))
