@@ -90,7 +90,11 @@ class Assembly {
 
   /// Pixels become numbers from 0 to 1, and features if there is a network for them.
   bool add_observation() {
-    if (facts_.scales_pixels && facts_.observations && *facts_.observations < kMaxPixels) {
+    if (facts_.scales_pixels && facts_.observations) {
+      if (*facts_.observations > kMaxPixels) {
+        return fail("E0619", fmt::format("takes images of more than {} values", kMaxPixels),
+                    "use smaller images");
+      }
       DenseLayer layer;
       layer.inputs = layer.outputs = static_cast<std::uint32_t>(*facts_.observations);
       layer.form = Elementwise{Elementwise::Operation::divide};

@@ -9,6 +9,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr const char* kSaveAgain = "the file is damaged: save it again";
+constexpr std::int64_t kMostValues = std::int64_t{1} << 22U;  // between two layers
 
 /// The finite numbers of tensor `name`, as many as `count`. E0618 and those of `floats_of`.
 std::optional<std::vector<float>> numbers(const ActorParts& parts, const std::string& name,
@@ -40,6 +41,19 @@ bool is_image_size(const Dims& image) {
   return image.size() == 3 && std::all_of(image.begin(), image.end(), [](std::int64_t size) {
            return size >= 1 && size <= kLargest;
          });
+}
+
+/// E0619 for images and results that no robot keeps, and that 32 bits may not count.
+bool has_room(const ActorParts& parts, const std::string& name, std::int64_t channels,
+              std::int64_t places, std::int64_t products = 1) {
+  constexpr std::int64_t kMostProducts = std::int64_t{1} << 30U;
+  if (channels <= kMostValues / places && products <= kMostProducts / (channels * places)) {
+    return true;
+  }
+  return parts.fail("E0619",
+                    fmt::format("has more than {} values or {} products at `{}`", kMostValues,
+                                kMostProducts, printable(name)),
+                    "use smaller images, or a smaller network");
 }
 
 /// One convolution of NatureCNN; `shape` [channels, rows, columns] becomes that of its result.
@@ -74,6 +88,11 @@ bool add_convolution(const ActorParts& parts, const std::string& base, std::uint
   form.kernel.stride_down = form.kernel.stride_right = stride;
   form.kernel.out_height = (height - size) / stride + 1;
   form.kernel.out_width = (width - size) / stride + 1;
+  const std::int64_t places =
+      std::int64_t{form.kernel.out_height} * std::int64_t{form.kernel.out_width};
+  if (!has_room(parts, name, weight->shape[0], places, std::int64_t{channels} * size * size)) {
+    return false;
+  }
   DenseLayer layer;
   layer.inputs = channels * height * width;
   layer.outputs = form.channels * form.kernel.places();
@@ -102,6 +121,9 @@ bool add_nature_cnn(const ActorParts& parts, const std::string& prefix) {
   std::array<std::uint32_t, 3> shape{};
   for (std::size_t i = 0; i < shape.size(); ++i) {
     shape[i] = static_cast<std::uint32_t>((*parts.facts.image)[i]);
+  }
+  if (!has_room(parts, prefix + "cnn", shape[0], std::int64_t{shape[1]} * std::int64_t{shape[2]})) {
+    return false;
   }
   Network& network = parts.network;
   network.input_shape.assign(shape.begin(), shape.end());

@@ -25,7 +25,7 @@ struct ActorParts {
 
 /// Stable-Baselines3's NatureCNN whose tensors start with `prefix`, in front of everything else:
 /// kernels of 8, 4 and 3 with strides of 4, 2 and 1, then a dense layer, each with relu. E0618,
-/// E0628.
+/// E0619, E0628.
 bool add_nature_cnn(const ActorParts& parts, const std::string& prefix);
 
 /// Whether `base` is a BatchNorm1d of torch, or sb3-contrib's BatchRenorm1d.

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "generator/policy/actor.hpp"
+#include "generator/policy/containers.hpp"
 #include "generator/policy/evaluate.hpp"
 #include "tests/unit/policy/onnx_builder.hpp"
 #include "tests/unit/policy/table_builder.hpp"
@@ -100,6 +102,39 @@ TEST(NatureCnn, NeedsTheSizeOfTheImage) {
   const Diagnostic diagnostic = read_bad(safetensors(tensors));
   EXPECT_EQ(diagnostic.code, "E0628");
   EXPECT_THAT(diagnostic.message, HasSubstr("does not say of which size"));
+}
+
+/// The problem with the NatureCNN in `tensors` for images of `shape`.
+PolicyProblem cnn_problem(const std::vector<NamedValues>& tensors, const Dims& shape, bool scales) {
+  const std::string bytes = safetensors(tensors);
+  TensorTable table;
+  PolicyProblem problem;
+  EXPECT_TRUE(read_safetensors_table(bytes, table, problem)) << problem.message;
+  PolicyFacts facts;
+  facts.image = shape;
+  facts.observations = element_count(shape);
+  facts.scales_pixels = scales;
+  EXPECT_FALSE(make_actor(table, facts, {}, problem).has_value());
+  return problem;
+}
+
+TEST(NatureCnn, ItsSizesFitInto32Bits) {
+  constexpr int kChannels = 4200;  // times 1023 * 1023 places
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "action_net", 1, 1);
+  const std::string part = "features_extractor.";
+  tensors.push_back(
+      {part + "cnn.0.weight", {kChannels, 1, 8, 8}, std::vector<float>(kChannels * 64)});
+  tensors.push_back({part + "cnn.0.bias", {kChannels}, std::vector<float>(kChannels)});
+  tensors.push_back(
+      {part + "cnn.2.weight", {1, kChannels, 4, 4}, std::vector<float>(kChannels * 16)});
+  tensors.push_back({part + "cnn.2.bias", {1}, {0}});
+  tensors.push_back({part + "cnn.4.weight", {1, 1, 3, 3}, std::vector<float>(9)});
+  tensors.push_back({part + "cnn.4.bias", {1}, {0}});
+  add_linear(tensors, part + "linear.0", 508 * 508, 1);
+  EXPECT_EQ(cnn_problem(tensors, {1, 4096, 4096}, false).code, "E0619");
+  EXPECT_EQ(cnn_problem(tensors, {1, 4096, 4096}, true).code, "E0619") << "once not scaled";
+  EXPECT_EQ(cnn_problem(tensors, {1, 2048, 2048}, false).code, "E0619");
 }
 
 TEST(Statistics, OfQuantilesOneMustKnowTheActions) {
