@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int64_t kMostObjects = 500'000;
 constexpr std::int64_t kMostNumbers = 16 * kMostObjects;
-constexpr std::size_t kDeepest = 100;  // as protobuf
+constexpr std::size_t kDeepest = 100;  // messages in the model, as protobuf
 
 enum class Message : std::uint8_t {
   leaf,  // has no messages in it
@@ -155,7 +155,7 @@ class Walk {
     if (!varint(value) || at_ > open_.back().end || value > open_.back().end - at_) return false;
     const auto inside = message_in(open_.back().message, tag >> 3U);
     if (!inside) return skip(value);
-    if (open_.size() >= kDeepest) return false;
+    if (open_.size() > kDeepest) return false;
     open_.push_back({*inside, at_ + static_cast<std::size_t>(value)});
     return true;
   }

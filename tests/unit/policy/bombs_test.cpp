@@ -81,6 +81,23 @@ TEST(Bombs, OnnxOfEmptyNodes) {
   expect(read_bad("\x08\x08\x3a" + length + nodes), "E0619", "more parts");
 }
 
+/// `content` as field `tag`.
+std::string field(char tag, const std::string& content) {
+  std::string bytes(1, tag);
+  std::size_t left = content.size();
+  for (; left >= 0x80; left >>= 7U) bytes += static_cast<char>(0x80 | (left & 0x7f));
+  return bytes + static_cast<char>(left) + content;
+}
+
+TEST(Bombs, OnnxOfEmptyNodesBehindTheDeepestMessage) {
+  std::string graph;  // graph, node, attribute, graph, …: protobuf reads 100 of them
+  for (int i = 0; i < 33; ++i) graph = field('\x0a', field('\x2a', field('\x32', graph)));
+  for (int i = 0; i < 600'000; ++i) graph += std::string("\x0a\x00", 2);
+  const std::string bytes = "\x08\x08" + field('\x3a', graph);
+  EXPECT_TRUE(onnx::ModelProto().ParseFromString(bytes));
+  expect(read_bad(bytes), "E0619", "more parts");
+}
+
 TEST(Bombs, OneArrayNamedOften) {
   const std::string bytes(std::size_t{8} * 20'000, '\0');
   const std::string type = "cnumpy\ndtype\n" + text("f8") + "\x89\x88\x87R";
