@@ -180,6 +180,26 @@ TEST(Statistics, OfABatchNormFitItsLayer) {
   EXPECT_NEAR(evaluate(network, {1, 2}).front(), 1 + 3 + 3, 1e-4);
 }
 
+TEST(Squash, FollowsTheMeanOfRecurrentPpoToo) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "action_net", 1, 1);
+  for (const char* side : {"i", "h"}) {
+    const std::string name = std::string("lstm_actor.weight_") + side + "h_l0";
+    tensors.push_back({name, {4, 1}, std::vector<float>(4, 0.5F)});
+    tensors.push_back({std::string("lstm_actor.bias_") + side + "h_l0", {4}, {0, 0, 0, 0}});
+  }
+  const std::string bytes = safetensors(tensors);
+  TensorTable table;
+  PolicyProblem problem;
+  ASSERT_TRUE(read_safetensors_table(bytes, table, problem)) << problem.message;
+  PolicyFacts facts;
+  facts.squash = true;  // as `policy_kwargs` says with use_sde
+  const auto network = make_actor(table, facts, {}, problem);
+  ASSERT_TRUE(network.has_value()) << problem.message;
+  EXPECT_EQ(network->action_kind(), ActionKind::squashed);
+  EXPECT_EQ(network->layers.back().activation, Activation::tanh);
+}
+
 TEST(Torch, AProgramIsNotItsTensors) {
   const Diagnostic diagnostic =
       read_bad(test::zip({{"policy/data.pkl", "x"}, {"policy/constants.pkl", "x"}}));
