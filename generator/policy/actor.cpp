@@ -166,6 +166,9 @@ class Assembly {
   }
 
   bool add(const ActorModule& module) {
+    if (network_.layers.size() >= kMaxLayers) {
+      return fail("E0619", fmt::format("has more than {} layers", kMaxLayers));
+    }
     if (module.recurrent) return add_recurrent(module);
     if (is_batch_norm(table_, module.base)) {
       if (!add_batch_norm({table_, facts_, network_, used_, problem_}, module.base)) return false;
@@ -173,9 +176,6 @@ class Assembly {
     }
     const StoredTensor* weight = table_.find(module.base + ".weight");
     if (weight == nullptr) return missing(module.base + ".weight");
-    if (network_.layers.size() >= kMaxLayers) {
-      return fail("E0619", fmt::format("has more than {} layers", kMaxLayers));
-    }
     const bool added = weight->shape.size() == 1 ? add_norm(module.base, *weight)
                                                  : add_dense(module.base, *weight);
     if (!added) return false;

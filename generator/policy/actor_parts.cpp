@@ -217,7 +217,7 @@ bool average_quantiles(const ActorParts& parts) {
     return parts.fail("E0628", "gives quantiles, but does not say of how many actions",
                       "give Stable-Baselines3's zip, or export the actor to ONNX");
   }
-  if (!layer.is_dense() || layer.outputs % actions != 0) {
+  if (!layer.is_dense() || layer.norm || layer.outputs % actions != 0) {
     return parts.fail(
         "E0626",
         fmt::format("says that it has {} actions, but gives {} quantiles", actions, layer.outputs),
