@@ -69,11 +69,12 @@ OnnxValue add(const OnnxCall& call) {
     return same;
   }
   if (data.step >= 0 && fits_as_bias(operands->constant, *data.shape, outputs)) {
-    const OnnxStep step = call.state().steps[static_cast<std::size_t>(data.step)];
+    // Not copied whole: it may be a Reorder of millions.
+    const OnnxStep& step = call.state().steps[static_cast<std::size_t>(data.step)];
     if (const auto* dense = std::get_if<OnnxDense>(&step.what); dense != nullptr && !dense->bias) {
       OnnxDense biased = *dense;
       biased.bias = operands->constant.constant;
-      return call.data_after(step.before, std::move(biased), *sum);
+      return call.data_after(std::int32_t{step.before}, std::move(biased), *sum);
     }
   }
   return with_constant(call, Operation::add);

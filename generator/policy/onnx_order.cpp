@@ -165,6 +165,8 @@ OnnxValue joined_state(const OnnxCall& call) {
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const auto& part = call.input(i).remembered;
     if (part.empty()) return call.misused("of states and other values");
+    constexpr std::size_t kMostLayers = 1024;  // each Concat may double them
+    if (all.size() + part.size() > kMostLayers) return call.misused("of too many states");
     all.insert(all.end(), part.begin(), part.end());
   }
   if (call.integer("axis", 0) != 0) return call.misused("that does not put layers one by one");
@@ -311,6 +313,11 @@ OnnxValue split_part(const OnnxCall& call, int i) {
   const auto place = static_cast<std::size_t>(axis);
   const std::int64_t size = (*x.shape)[place];
   const std::int64_t parts = call.integer("num_outputs", call.node().output_size());
+  // Every output looks at the sizes of all.
+  const onnx::AttributeProto* given = call.attribute("split");
+  const std::int64_t looked_at =
+      given != nullptr ? given->ints_size() : std::clamp(parts, std::int64_t{1}, size);
+  if (!call.spend(looked_at + call.node().attribute_size())) return call.too_much();
   auto sizes = call.integers(1, "split");
   if (!sizes && parts >= 1 && parts <= size) {
     const std::int64_t each = (size + parts - 1) / parts;

@@ -209,6 +209,10 @@ class DataReader {
       if (spaces == nullptr) return fail("whose `observation_space` cannot be read");
       for (std::size_t i = 0; i + 1 < spaces->items.size(); i += 2) {
         const PickleValue& box = pickle->at(spaces->items[i + 1]);
+        constexpr std::size_t kLongestName = 4096;  // one may be there often
+        if (pickle->at(spaces->items[i]).text.size() > kLongestName) {
+          return fail("whose `observation_space` has a name of impossible length");
+        }
         const auto size = is_space(*pickle, box, ".Box") ? size_of_box(*pickle, box) : std::nullopt;
         if (!size) return fail("whose `observation_space` has parts that are not a Box");
         facts_.contract.observations.push_back(

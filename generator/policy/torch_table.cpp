@@ -14,6 +14,7 @@ constexpr std::string_view kPickleName = "data.pkl";
 constexpr const char* kHelp = "save it again with `torch.save`, or with Stable-Baselines3";
 constexpr int kDeepest = 8;
 constexpr std::size_t kMostVisits = 500'000;
+constexpr std::size_t kLongestName = 4096;
 
 std::optional<ElementType> storage_type(std::string_view name) {
   struct Row {
@@ -96,6 +97,8 @@ class TorchReader {
       const PickleValue& key = pickle_.at(dictionary.items[i]);
       const PickleValue* item = &pickle_.at(dictionary.items[i + 1]);
       if (key.kind != Kind::text) continue;
+      // One key of megabytes may be in a dictionary half a million times.
+      if (key.text.size() > kLongestName) return fail("a name of impossible length");
       const std::string name = prefix + std::string(key.text);
       if (pickle_.made_by(*item, "torch._utils._rebuild_parameter")) {
         const PickleValue& arguments = pickle_.at(item->arguments);

@@ -42,6 +42,13 @@ TEST(Bombs, DictionariesOfDictionaries) {
   expect(read_bad(test::zip({{"a/data.pkl", pickle + "."}})), "E0623", "too many dictionaries");
 }
 
+TEST(Bombs, OneLongNameOften) {
+  std::string pickle =
+      "\x80\x02}(" + text(std::string(5000, 'x')) + "q" + std::string(1, '\0') + "N";
+  for (int i = 0; i < 10; ++i) pickle += std::string("h\0N", 3);
+  expect(read_bad(test::zip({{"a/data.pkl", pickle + "u."}})), "E0623", "impossible length");
+}
+
 TEST(Bombs, LayersOfTheSameBytes) {
   constexpr std::uint32_t kSide = 1450;
   std::string pickle = "\x80\x02}(";
@@ -96,6 +103,16 @@ TEST(Bombs, OnnxOfEmptyNodesBehindTheDeepestMessage) {
   const std::string bytes = "\x08\x08" + field('\x3a', graph);
   EXPECT_TRUE(onnx::ModelProto().ParseFromString(bytes));
   expect(read_bad(bytes), "E0619", "more parts");
+}
+
+TEST(Bombs, OnnxSplitOfManyParts) {
+  constexpr int kParts = 20'000;  // each output once looked at all of them
+  test::OnnxBuilder builder(kParts, 18);
+  onnx::NodeProto& node = builder.add_node("Split", {"observation"}, "p0");
+  test::OnnxBuilder::set(node, "axis", std::int64_t{1});
+  for (int i = 1; i < kParts; ++i) node.add_output("p" + std::to_string(i));
+  builder.add_node("Relu", {"p19999"}, "action");
+  expect(read_bad(builder.bytes()), "E0619", "too many values");
 }
 
 TEST(Bombs, OneArrayNamedOften) {
