@@ -2,8 +2,9 @@
 //
 // On x86 with AVX and FMA products and sums are fused, each output is one chain, and tanh is fused
 // as well; outputs that do not fill a panel are those of the exact profile. Errors stay those of
-// float32: they are no larger than in the exact profile, but not the same. On other machines these
-// are the exact layers.
+// float32, but one chain rounds more than groups: with 8 inputs they are 0.9 times those of the
+// exact profile, with 64 1.8 times, with 1024 2.7 times (root mean square, normal numbers). On
+// other machines these are the exact layers.
 #pragma once
 
 #include <cstddef>
