@@ -81,7 +81,10 @@ OnnxValue cast(const OnnxCall& call) {
       return made_constant(call, {integers->begin(), integers->end()}, *x.shape);
     }
   }
-  if (x.kind == Kind::data && to != onnx::TensorProto::FLOAT) {
+  const bool is_real = x.kind == Kind::constant && !integers_of(x) &&
+                       to != x.constant.tensor->data_type() &&
+                       to != onnx::TensorProto::DOUBLE;  // else its numbers are rounded
+  if ((x.kind == Kind::data || is_real) && to != onnx::TensorProto::FLOAT) {
     const int type = to > 0 && to < 100 ? static_cast<int>(to) : 0;
     return call.misused(
         fmt::format("to {}", onnx::TensorProto::DataType_IsValid(type)

@@ -44,6 +44,17 @@ TEST(OnnxOperators, GemmWithFactorsAndWithoutBias) {
   EXPECT_THAT(network.layers[1].bias, ElementsAre(0));
 }
 
+TEST(OnnxOperators, CastsOfConstantsRound) {
+  OnnxBuilder builder(2);
+  builder.add_tensor("c", {1}, {1.75F});
+  OnnxBuilder::set(builder.add_node("Cast", {"c"}, "whole"), "to",
+                   std::int64_t{onnx::TensorProto::INT64});
+  OnnxBuilder::set(builder.add_node("Cast", {"whole"}, "factor"), "to",
+                   std::int64_t{onnx::TensorProto::FLOAT});
+  builder.add_node("Mul", {"observation", "factor"}, "action");
+  EXPECT_EQ(read_bad(builder.bytes()).code, "E0613") << "once times 1.75";
+}
+
 TEST(OnnxOperators, GemmOnAColumn) {
   OnnxBuilder builder(2);
   builder.add_node("Transpose", {"observation"}, "column");
