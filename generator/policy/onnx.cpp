@@ -76,6 +76,7 @@ bool is_recurrent(const onnx::NodeProto& node) {
 }
 
 using Inputs = std::vector<const onnx::ValueInfoProto*>;
+using InputSet = std::unordered_set<const onnx::ValueInfoProto*>;
 
 /// The observation: the needed inputs in the order of the file. With a memory the first one, and
 /// others are states.
@@ -87,9 +88,9 @@ std::optional<Inputs> find_observation(const onnx::GraphProto& graph,
     return refuse(problem, "E0620", "has a first output that depends on no input", kExportHelp);
   }
   Inputs found;
+  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
-    const bool is_needed =
-        std::find(needed.inputs.begin(), needed.inputs.end(), &input) != needed.inputs.end();
+    const bool is_needed = wanted.contains(&input);
     if (is_needed && (found.empty() || !has_memory)) found.push_back(&input);
   }
   return found;
@@ -152,12 +153,12 @@ bool set_parts(const Inputs& inputs, OnnxCall::State& state, Values& values, Net
 bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
                 const OnnxDependencies& needed, const onnx::ValueInfoProto& observation,
                 Values& values, PolicyProblem& problem) {
+  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
     if (&input == &observation || !names.inputs.contains(input.name())) continue;
     PolicyProblem why;
     auto value = state_value(input, why);
-    const bool needs =
-        std::find(needed.inputs.begin(), needed.inputs.end(), &input) != needed.inputs.end();
+    const bool needs = wanted.contains(&input);
     if (!value && needs) {
       problem = why;
       return false;
@@ -245,10 +246,9 @@ std::vector<std::string> ignored_parts(const onnx::GraphProto& graph,
     const Dims dims(tensor.dims().begin(), tensor.dims().end());
     ignored.push_back(fmt::format("tensor `{}` {}", printable(tensor.name()), show(dims)));
   }
+  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
-    const bool taken =
-        std::find(needed.inputs.begin(), needed.inputs.end(), &input) != needed.inputs.end();
-    if (taken || tensors.contains(input.name())) continue;
+    if (wanted.contains(&input) || tensors.contains(input.name())) continue;
     ignored.push_back(fmt::format("input `{}`", printable(input.name())));
   }
   return ignored;
@@ -324,9 +324,14 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   }
   std::vector<const OnnxValue*> others;
   for (int i = 1; has_memory && i < graph.output_size(); ++i) {
+    constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
     PolicyProblem ignored;
-    const auto more = walk_back(graph.output(i).name(), *names, ignored);
-    if (more) evaluate_nodes(*more, state, values, done);
+    const auto more = state.budget >= 0 ? walk_back(graph.output(i).name(), *names, ignored)
+                                        : std::optional<OnnxDependencies>();
+    if (more) {
+      state.budget -= kSteps * static_cast<std::int64_t>(more->nodes.size());
+      evaluate_nodes(*more, state, values, done);
+    }
     others.push_back(values.get(graph.output(i).name()));
   }
   if (!check_states(state.steps, result.step, others, problem)) return std::nullopt;

@@ -100,7 +100,11 @@ std::optional<OnnxValue> folded(const OnnxCall& call) {
   const auto shape = unary ? a.shape : broadcast(a.shape, b.shape);
   const std::int64_t count = shape ? element_count(*shape).value_or(kMaxElements) : kMaxElements;
   if (count > kMaxValues) return std::nullopt;
-  if (!call.spend(8 * count)) return call.too_much();
+  // A result without numbers may be of many: [1000000, 1] and [1, 0].
+  const auto read = [](const OnnxValue& value) {
+    return value.kind == Kind::constant ? element_count(value.constant.dims).value_or(0) : 0;
+  };
+  if (!call.spend(8 * count + read(a) + read(b))) return call.too_much();
   auto left = numbers_of(a);
   auto right = unary ? std::optional(std::vector<float>{0.0F}) : numbers_of(b);
   if (!left || !right || left->empty() || right->empty()) return std::nullopt;

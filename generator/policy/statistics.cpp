@@ -45,6 +45,8 @@ bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   if (rms.kind != PickleValue::Kind::dictionary) return append_rms(pickle, rms, statistics);
   std::map<std::string, const PickleValue*> parts;
   for (std::size_t i = 0; i + 1 < rms.items.size(); i += 2) {
+    constexpr std::size_t kLongestName = 4096;  // one may be there often
+    if (pickle.at(rms.items[i]).text.size() > kLongestName) return false;
     parts[std::string(pickle.at(rms.items[i]).text)] = &pickle.at(rms.items[i + 1]);
   }
   bool good = !parts.empty();

@@ -115,6 +115,14 @@ TEST(Bombs, OnnxSplitOfManyParts) {
   expect(read_bad(builder.bytes()), "E0619", "too many values");
 }
 
+TEST(Bombs, StatisticsOfALongName) {
+  const std::string pickle = "\x80\x04" + std::string("}(") + text("obs_rms") + "}(" +
+                             text(std::string(5000, 'x')) + "}uu.";
+  PolicyProblem problem;
+  EXPECT_FALSE(read_statistics(pickle, problem).has_value());
+  EXPECT_EQ(problem.code, "E0627");
+}
+
 TEST(Bombs, OneArrayNamedOften) {
   const std::string bytes(std::size_t{8} * 20'000, '\0');
   const std::string type = "cnumpy\ndtype\n" + text("f8") + "\x89\x88\x87R";
