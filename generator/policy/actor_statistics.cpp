@@ -2,6 +2,7 @@
 // actions.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -108,6 +109,9 @@ bool add_scaled_bounds(const ActorParts& parts) {
                                   "actions",
                                   scales->size(), centres->size(), parts.network.outputs()),
                       kSaveAgain);
+  }
+  if (std::any_of(scales->begin(), scales->end(), [](double scale) { return scale < 0; })) {
+    return parts.fail("E0626", "has an `action_scale` below zero", kSaveAgain);
   }
   PolicyContract& contract = parts.network.contract;
   contract.action_low.clear();

@@ -14,7 +14,8 @@ constexpr std::int64_t kMaxStateLayers = 64;
 constexpr const char* kExportHelp =
     "export the actor alone with `torch.onnx.export`: one observation in, the action first";
 
-/// Types whose numbers float32 holds, so that an observation comes through unchanged.
+/// Types that a float32 observation stands for: it holds all numbers of the short integers, and a
+/// double's to its own precision.
 bool is_number(int type) {
   return type == onnx::TensorProto::FLOAT || type == onnx::TensorProto::DOUBLE ||
          type == onnx::TensorProto::UINT8 || type == onnx::TensorProto::INT8;

@@ -129,7 +129,7 @@ function(_eagerx_generate stamp_variable target graph output sources board engin
   add_custom_command(
     OUTPUT ${stamp}
     BYPRODUCTS ${sources}/CMakeLists.txt ${sources}/${board}/main.cpp
-    COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} ${options}
+    COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} --quiet ${options}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${sources} -DSTAMP=${stamp} -P ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${graph} eagerx::eagerx-gen $<TARGET_FILE:eagerx::eagerx-gen>

@@ -69,6 +69,18 @@ TEST(TableErrors, MissingTensors) {
   expect(read_bad(safetensors(tensors)), "E0624", "`actor.latent_pi.2.weight`");
 }
 
+TEST(TableErrors, BoundsOfActionsThatAreTurnedRound) {
+  std::vector<NamedValues> tensors;  // CleanRL's TD3
+  add_linear(tensors, "fc1", 3, 4);
+  add_linear(tensors, "fc2", 4, 4);
+  add_linear(tensors, "fc_mu", 4, 1);
+  tensors.push_back({"action_scale", {1}, {2.0F}});
+  tensors.push_back({"action_bias", {1}, {0.0F}});
+  EXPECT_EQ(read_good(safetensors(tensors)).contract.action_low, (std::vector<double>{-2.0}));
+  tensors[tensors.size() - 2].values[0] = -2.0F;
+  expect(read_bad(safetensors(tensors)), "E0626", "`action_scale` below zero");
+}
+
 TEST(TableErrors, TwoActors) {
   auto tensors = sac();
   add_linear(tensors, "mlp_extractor.policy_net.0", 3, 4);
