@@ -110,7 +110,7 @@ bool add_scaled_bounds(const ActorParts& parts) {
                                   scales->size(), centres->size(), parts.network.outputs()),
                       kSaveAgain);
   }
-  if (std::any_of(scales->begin(), scales->end(), [](double scale) { return scale < 0; })) {
+  if (std::any_of(scales->begin(), scales->end(), [](double value) { return value < 0; })) {
     return parts.fail("E0626", "has an `action_scale` below zero", kSaveAgain);
   }
   PolicyContract& contract = parts.network.contract;
