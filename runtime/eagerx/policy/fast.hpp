@@ -1,12 +1,14 @@
 // Profile fast: layers whose bits differ from machine to machine, for the sake of speed.
 //
-// On x86 with AVX and FMA products and sums are fused, each output is one chain, and tanh is fused
-// as well; outputs that do not fill a panel are those of the exact profile. Errors stay those of
-// float32, but one chain rounds more than groups: with 8 inputs they are 0.9 times those of the
-// exact profile, with 64 1.8 times, with 1024 2.7 times (root mean square, normal numbers). On
-// other machines these are the exact layers.
+// On x86 with AVX and FMA products and sums are fused, an output is one chain (1, 2, 4 or 8 if few
+// outputs are side by side, as in layers beyond the first cache), and tanh is fused as well;
+// outputs that do not fill a panel are those of the exact profile. Errors stay those of float32,
+// but a long chain rounds more than groups: with 8 inputs they are 0.9 times those of the exact
+// profile, with 64 1.7 times, with 128 2.1 times, beyond the first cache 1.3 times (root mean
+// square, normal numbers). On other machines these are the exact layers.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <eagerx/policy.hpp>
 
@@ -58,20 +60,49 @@ template <Activation A, std::size_t Count>
   }
 }
 
+/// Chains of each output, so that those of `panels` panels together hide the latency of the
+/// additions. Chain c takes the inputs c, c + chains, …; few inputs are one chain.
+constexpr std::size_t chains_of_panel(std::size_t inputs, std::size_t panels) {
+  constexpr std::size_t kFew = 32;
+  return inputs < kFew ? 1 : std::bit_floor(kRegistersAtATime / panels);
+}
+
+/// Adds the products of input `j`.
+template <std::size_t In, std::size_t Panels>
+[[gnu::always_inline]] inline void add_input(const float* w, const float* x, std::size_t j,
+                                             FloatLanes<kPanel, Panels>& sum) {
+  using Vector = FloatVector<kPanel>;
+  const Vector input = x[j] - Vector{};
+#pragma GCC unroll 8
+  for (std::size_t v = 0; v < Panels; ++v) {
+    sum.v[v] = fused(load<Vector>(w + (v * In + j) * kPanel), input, sum.v[v]);
+  }
+}
+
 /// y = A(sums): `Panels` panels eight wide at a time, w [Panels][In][8].
 template <Activation A, std::size_t In, std::size_t Panels>
 [[gnu::always_inline]] inline void fused_panels(const float* w, const float* b, const float* x,
                                                 float* y) {
-  using Vector = FloatVector<kPanel>;
-  FloatLanes<kPanel, Panels> sum = FloatLanes<kPanel, Panels>::load(b);
-#pragma GCC unroll 4
-  for (std::size_t j = 0; j < In; ++j) {
-    const Vector input = x[j] - Vector{};
+  constexpr std::size_t kChains = chains_of_panel(In, Panels);
+  constexpr std::size_t kWhole = In - In % kChains;
+  using Sums = FloatLanes<kPanel, Panels>;
+  Sums chain[kChains];
+  chain[0] = Sums::load(b);
 #pragma GCC unroll 8
-    for (std::size_t v = 0; v < Panels; ++v) {
-      sum.v[v] = fused(load<Vector>(w + (v * In + j) * kPanel), input, sum.v[v]);
-    }
+  for (std::size_t c = 1; c < kChains; ++c) chain[c] = Sums(0.0F);
+#pragma GCC unroll 4
+  for (std::size_t j = 0; j < kWhole; j += kChains) {
+#pragma GCC unroll 8
+    for (std::size_t c = 0; c < kChains; ++c) add_input<In>(w, x, j + c, chain[c]);
   }
+#pragma GCC unroll 8
+  for (std::size_t j = kWhole; j < In; ++j) add_input<In>(w, x, j, chain[j - kWhole]);
+#pragma GCC unroll 4
+  for (std::size_t half = kChains / 2; half > 0; half /= 2) {
+#pragma GCC unroll 4
+    for (std::size_t c = 0; c < half; ++c) chain[c] = chain[c] + chain[c + half];
+  }
+  const Sums& sum = chain[0];
   constexpr std::size_t kAtATime = std::min(Panels, kActivatedAtATime);
   FloatLanes<kPanel, Panels / kAtATime>::each([&](std::size_t batch) {
     const std::size_t first = batch * kAtATime;
@@ -94,10 +125,12 @@ template <Activation A, std::size_t In, std::size_t Panels>
 template <Activation A, std::size_t In, std::size_t Panels>
 [[gnu::always_inline]] inline void fused_panels_of_layer(const float* w, const float* b,
                                                          const float* x, float* y) {
-  constexpr std::size_t kRest = Panels % kRegistersAtATime;
+  constexpr std::size_t kAtATime =
+      kFitsCache<In, Panels> ? kRegistersAtATime : kRegistersBeyondCache;
+  constexpr std::size_t kRest = Panels % kAtATime;
   constexpr std::size_t kDone = (Panels - kRest) * kPanel;
-  for (std::size_t k = 0; k < kDone; k += kRegistersAtATime * kPanel) {
-    fused_panels<A, In, kRegistersAtATime>(w + k * In, b + k, x, y + k);
+  for (std::size_t k = 0; k < kDone; k += kAtATime * kPanel) {
+    fused_panels<A, In, kAtATime>(w + k * In, b + k, x, y + k);
   }
   if constexpr (kRest > 0) {
     fused_panels<A, In, kRest>(w + kDone * In, b + kDone, x, y + kDone);

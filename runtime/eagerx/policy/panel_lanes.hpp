@@ -13,10 +13,20 @@ namespace eagerx::policy {
 /// Registers of sums at a time: as many as hide the latency of the additions. They need not fit
 /// into the machine's registers together with the sums of a group, which are used more often.
 inline constexpr std::size_t kRegistersAtATime = 8;
-/// The same for layers larger than the first cache: fewer panels, which are as many places far
-/// apart, push less of each other out of it.
+/// The same for layers larger than the first cache: each panel is a place of its own in memory, and
+/// the second cache delivers fastest from few of them. Narrower registers wait for the sums
+/// instead.
+#if defined(__AVX__)
+inline constexpr std::size_t kRegistersBeyondCache = 2;
+#else
 inline constexpr std::size_t kRegistersBeyondCache = 6;
+#endif
 inline constexpr std::size_t kFirstCache = 32768;  // bytes
+
+/// True if the weights of `Panels` panels stay in the first cache from one inference to the next.
+template <std::size_t In, std::size_t Panels>
+inline constexpr bool kFitsCache = In* Panels* kPanel * sizeof(float) <= kFirstCache;
+
 /// Registers that an activation is applied to at a time: all of its numbers should be in registers.
 #if defined(__AVX512VL__) || defined(__aarch64__)
 inline constexpr std::size_t kActivatedAtATime = 8;
@@ -186,8 +196,8 @@ inline void tail_panel(const float* w, const float* b, const float* x, float* y)
 template <std::size_t In, std::size_t Panels, Activation A>
 [[gnu::always_inline]] inline void panels_of_layer(const float* w, const float* b, const float* x,
                                                    float* y) {
-  constexpr bool kFitsCache = In * Panels * kPanel * sizeof(float) <= kFirstCache;
-  constexpr std::size_t kRegisters = kFitsCache ? kRegistersAtATime : kRegistersBeyondCache;
+  constexpr std::size_t kRegisters =
+      kFitsCache<In, Panels> ? kRegistersAtATime : kRegistersBeyondCache;
   constexpr std::size_t kAtATime = kRegisters * kLanes / kPanel;
   constexpr std::size_t kRest = Panels % kAtATime;
   constexpr std::size_t kOutputs = kAtATime * kPanel;
