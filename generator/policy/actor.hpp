@@ -23,6 +23,7 @@ struct PolicyFacts {
   std::optional<Dims> image;   // of the observation: [channels, rows, columns]
   bool scales_pixels = false;  // by 1 / 255
   std::optional<bool> squash;  // whether a tanh follows the mean
+  double norm_epsilon = 1e-3;  // of CrossQ's batch norms; sb3-contrib's default
   double limit = 2.0;          // of the mean, where the layout has one
   PolicyContract contract;
 };

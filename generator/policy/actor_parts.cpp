@@ -167,8 +167,7 @@ bool is_batch_norm(const TensorTable& table, const std::string& base) {
 }
 
 bool add_batch_norm(const ActorParts& parts, const std::string& base) {
-  constexpr double kRenormEpsilon = 1e-3;  // sb3-contrib's default
-  constexpr double kNormEpsilon = 1e-5;    // torch's
+  constexpr double kNormEpsilon = 1e-5;  // torch's default
   const bool renorm = parts.table.find(base + ".ra_mean") != nullptr;
   const StoredTensor* first = parts.table.find(base + (renorm ? ".ra_mean" : ".running_mean"));
   Network& network = parts.network;
@@ -195,7 +194,7 @@ bool add_batch_norm(const ActorParts& parts, const std::string& base) {
   if (!scale || !bias) return false;
   for (std::size_t i = 0; i < scale->size(); ++i) {
     const double sum =
-        static_cast<double>((*variance)[i]) + (renorm ? kRenormEpsilon : kNormEpsilon);
+        static_cast<double>((*variance)[i]) + (renorm ? parts.facts.norm_epsilon : kNormEpsilon);
     if (!(sum > 0.0)) {
       return parts.fail(
           "E0616", fmt::format("has a variance below zero in batch norm `{}`", printable(base)),

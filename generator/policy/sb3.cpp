@@ -112,6 +112,10 @@ class DataReader {
         limit != nullptr && limit->is_number()) {
       facts_.limit = limit->get<double>();
     }
+    if (const json* epsilon = member(*keywords, "batch_norm_eps");
+        epsilon != nullptr && epsilon->is_number()) {
+      facts_.norm_epsilon = epsilon->get<double>();
+    }
     if (const json* scales = member(*keywords, "normalize_images");
         scales != nullptr && scales->is_boolean()) {
       scales_pixels_ = scales->get<bool>();

@@ -1,8 +1,14 @@
 // Policies as libraries save them (tests/data/policy/make_stable_baselines.py), against torch.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
 #include "generator/policy/actor.hpp"
+#include "generator/policy/archive.hpp"
 #include "generator/policy/containers.hpp"
 #include "generator/policy/evaluate.hpp"
 #include "tests/unit/policy/onnx_builder.hpp"
@@ -84,6 +90,38 @@ INSTANTIATE_TEST_SUITE_P(
       }
       return name;
     });
+
+/// crossq.zip with `epsilon` for its batch norms.
+std::string crossq_with_epsilon(std::string_view epsilon) {
+  std::ifstream file(kData + "crossq.zip", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  PolicyProblem problem;
+  const auto archive = Archive::open(bytes, problem);
+  if (!archive) return {};
+  std::vector<test::ZipEntry> entries;
+  for (const std::string& name : archive->names()) {
+    std::string buffer;
+    entries.push_back({name, std::string(archive->read(name, buffer, problem).value_or(""))});
+    if (name != "data") continue;
+    constexpr std::string_view kKeywords = "\"policy_kwargs\": {";
+    std::string& data = entries.back().content;
+    data.insert(data.find(kKeywords) + kKeywords.size(),
+                fmt::format("\"batch_norm_eps\": {}", epsilon));
+  }
+  return test::zip(entries);
+}
+
+TEST(CrossQ, EpsilonOfItsBatchNorms) {
+  const Network usual = read_good(crossq_with_epsilon("1e-3"));
+  const Network large = read_good(crossq_with_epsilon("1.0"));
+  const std::vector<float>& known = usual.layers.at(1).weights;  // scales of the first batch norm
+  const std::vector<float>& scaled = large.layers.at(1).weights;
+  ASSERT_EQ(scaled.size(), known.size());
+  for (std::size_t i = 0; i < scaled.size(); ++i)
+    EXPECT_LT(std::abs(scaled[i]), std::abs(known[i]));
+  const std::vector<float> observation(usual.inputs(), 0.5F);
+  EXPECT_EQ(evaluate(usual, observation), evaluate(read("crossq.zip"), observation));
+}
 
 TEST(NatureCnn, KnowsTheSizeOfTheImage) {
   const Network network = read("ppo_cnn.zip");
