@@ -1,0 +1,3 @@
+# Readers of policies with a fixed number of inputs, under sanitizers. Longer, and all readers: tests/fuzz/run.
+add_test(NAME fuzz COMMAND ${CMAKE_CURRENT_LIST_DIR}/run --short ${CMAKE_CURRENT_BINARY_DIR}/fuzz)
+set_tests_properties(fuzz PROPERTIES COST 1000) # long: first
