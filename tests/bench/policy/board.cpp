@@ -1,11 +1,10 @@
 // Instructions of one inference on an emulated board, after a comparison with plain loops.
-#include "board.hpp"
-
 #include <bit>
 #include <cstdint>
 #include <targets/common/bare-metal/semihosting.hpp>
 
 #include "networks.hpp"
+#include "tests/bench/instructions.hpp"
 #include "tests/support/plain_sum.hpp"
 
 namespace {

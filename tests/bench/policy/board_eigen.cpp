@@ -1,7 +1,7 @@
 // Instructions of one inference with Eigen's fixed-size products on an emulated board, weights by
 // column and by row.
-#include "board.hpp"
 #include "eigen.hpp"
+#include "tests/bench/instructions.hpp"
 
 namespace {
 

@@ -1,10 +1,10 @@
-// Instructions of a slot besides the callbacks, on an emulated board: with `-icount shift=0` an
-// instruction takes a nanosecond, and SysTick counts in steps of 40 of them. GRAPH is the graph,
-// the other macros say how often its callbacks run in STEPS of its steps.
+// Instructions of a slot besides the callbacks, on an emulated board. GRAPH is the graph, the other
+// macros say how often its callbacks run in STEPS of its steps.
 #include <cstdint>
 #include <eagerx/window.hpp>
 #include <models/mix/mix.hpp>
-#include <targets/common/bare-metal/semihosting.hpp>
+
+#include "tests/bench/instructions.hpp"
 
 #define EAGERX_WORD(x) #x
 #define EAGERX_TEXT(x) EAGERX_WORD(x)
@@ -12,39 +12,10 @@
 
 namespace {
 
+using bench::hundredths;
+using bench::print;
 using eagerx::board::semihosting_write;
 using graphs::GRAPH::Graph;
-
-constexpr std::uint32_t kInstructionsATick = 40;  // 25 MHz
-
-volatile std::uint32_t& system_tick(std::uintptr_t offset) {
-  return *reinterpret_cast<volatile std::uint32_t*>(0xE000E010U + offset);
-}
-
-void print(std::uint32_t number) {
-  char text[12];
-  char* at = text + sizeof text;
-  *--at = '\0';
-  do {
-    *--at = static_cast<char>('0' + number % 10);
-    number /= 10;
-  } while (number != 0);
-  semihosting_write(at);
-}
-
-/// In hundredths, of each of `times` runs.
-template <class Run>
-[[gnu::noinline]] std::uint32_t hundredths(std::uint32_t times, Run&& run) {
-  constexpr std::uint32_t kMost = 0xffffff;
-  system_tick(4) = kMost;
-  system_tick(8) = 0;
-  system_tick(0) = 5;  // processor clock, no interrupt
-  const std::uint32_t start = system_tick(8);
-  for (std::uint32_t i = 0; i < times; ++i) run(i);
-  const std::uint32_t end = system_tick(8);
-  return static_cast<std::uint32_t>(std::uint64_t{(start - end) & kMost} * kInstructionsATick *
-                                    100 / times);
-}
 
 constexpr std::uint32_t kMostWindow = 8;
 constexpr int kNodes = 12;
