@@ -47,6 +47,17 @@ constexpr bool runs_engine(const Trace& trace) {
   }
 }
 
+/// A trace that hears when somebody wants the run to end has `bool is_interrupted() const`: a reset
+/// that waits for something waits no longer, so that the run's end can make a robot safe.
+template <class Trace>
+constexpr bool is_interrupted(const Trace& trace) {
+  if constexpr (requires { trace.is_interrupted(); }) {
+    return trace.is_interrupted();
+  } else {
+    return static_cast<void>(trace), false;
+  }
+}
+
 /// Costs nothing.
 struct NoTrace {
   void episode(std::uint32_t /*index*/) {}

@@ -241,7 +241,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     hash = program.trace.hash();
     note_faults(program);
   } else {
-    auto& program = target::program_of_run<typename ProgramOf<Graph, NoTrace>::Type>;
+    auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>;
     if constexpr (is_split<Graph>) program.link = &link;
     run_program(options, table, program, watch, guard);
     note_faults(program);

@@ -1,4 +1,4 @@
-// Ctrl-C ends a run after the current step.
+// Ctrl-C ends a run after the current step, or slot of a reset that waits for something.
 #pragma once
 
 namespace eagerx::linux_sim {

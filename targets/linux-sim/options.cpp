@@ -272,7 +272,8 @@ std::string options_help(const Options& defaults) {
 A FILE of actions has a row of numbers for each step, in the order above; every episode starts at its
 first row. A first row with the names of the columns and lines that begin with # are skipped.
 `-` writes to the standard output; the summary then goes to the standard error.
-Ctrl-C ends the run after the current step, with files complete and the summary.
+Ctrl-C ends the run after the current step, or after the current slot of a reset that waits for something, with files
+complete and the summary.
 
 Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test or diverged from the log, 2 wrong
 usage, 3 cannot read or write.

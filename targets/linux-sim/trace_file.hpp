@@ -9,10 +9,16 @@
 #include <targets/common/replay.hpp>
 #include <targets/common/trace_text.hpp>
 #include <targets/linux-sim/experiment.hpp>
+#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
+
+/// No trace, but an end to resets that wait when there was a signal.
+struct Untraced : NoTrace {
+  static bool is_interrupted() { return interrupted(); }
+};
 
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
 /// compares them with a log or takes them from it.
@@ -31,6 +37,7 @@ class TraceRecorder {
   void follow(trace_log::Replay* replay) { replay_ = replay; }
   /// Every run is one of the experiment's from now on.
   void measure(Experiment* experiment) { experiment_ = experiment; }
+  static bool is_interrupted() { return interrupted(); }
   bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 

@@ -120,5 +120,23 @@ TEST_F(ByTheClock, EpisodesDoNotKnowOfEachOther) {
   EXPECT_EQ(rows[0].all, (Numbers{1, 2, 3, 4, 5}));
 }
 
+/// Somebody who wants the run to end from the start.
+struct Interrupted : eagerx::NoTrace {
+  static bool is_interrupted() { return true; }
+};
+
+TEST(Interrupt, EndsTheWaitForAnObservation) {
+  Clock::now_ns = 0;
+  Clock::late_tick = 0;
+  graph::Program<Interrupted> program{};
+  program.reset({});
+  EXPECT_LT(Clock::now_ns, 50 * kMs) << "as soon as it was seen";
+  program.for_each_count([](const char* name, std::uint64_t value) {
+    if (std::strcmp(name, "episodes without an observation") == 0) {
+      EXPECT_EQ(value, 0U);
+    }
+  });
+}
+
 }  // namespace
 }  // namespace async_test
