@@ -106,8 +106,11 @@ std::string depfile_text(const Run& run, const Options& options) {
   return text + "\n";
 }
 
+/// Before the output: if it cannot be written, the output stays as it was.
 bool write_depfile(Run& run, const Options& options) {
   if (options.depfile.empty()) return true;
+  std::error_code ignored;  // fopen() says what is wrong
+  fs::create_directories(fs::absolute(options.depfile).parent_path(), ignored);
   std::FILE* file = std::fopen(options.depfile.c_str(), "wb");
   const std::string text = depfile_text(run, options);
   const bool written =
@@ -191,8 +194,9 @@ int generate_command(const Options& options) {
             : emit(*run.plan, run.network, node_policies(run), emit_options, run.diagnostics);
   if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
+  if (!write_depfile(run, options)) return finish(run, options);
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
-  if (!result || !write_depfile(run, options)) return finish(run, options);
+  if (!result) return finish(run, options);
   if (!options.quiet) {
     fmt::print("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
     fmt::print("{}", next_steps(run, options, targets, folder));
