@@ -2,6 +2,7 @@
 // in onnx.proto.
 #include "generator/policy/onnx_guard.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -92,6 +93,18 @@ std::optional<Message> message_in(Message in, std::uint64_t number) {
   return std::nullopt;
 }
 
+/// Fields in which a byte of the file may become a number of eight bytes.
+constexpr std::array kPackedNumbers = {
+    Field{Message::tensor, 1, Message::leaf},    Field{Message::tensor, 5, Message::leaf},
+    Field{Message::tensor, 7, Message::leaf},    Field{Message::tensor, 11, Message::leaf},
+    Field{Message::attribute, 8, Message::leaf},
+};
+
+bool is_packed(Message in, std::uint64_t number) {
+  return std::any_of(kPackedNumbers.begin(), kPackedNumbers.end(),
+                     [&](const Field& field) { return field.in == in && field.number == number; });
+}
+
 class Walk {
  public:
   explicit Walk(std::string_view bytes) : bytes_(bytes) {
@@ -154,6 +167,7 @@ class Walk {
     ++objects_;
     if (!varint(value) || at_ > open_.back().end || value > open_.back().end - at_) return false;
     const auto inside = message_in(open_.back().message, tag >> 3U);
+    if (is_packed(open_.back().message, tag >> 3U)) numbers_ += static_cast<std::int64_t>(value);
     if (!inside) return skip(value);
     if (open_.size() > kDeepest) return false;
     open_.push_back({*inside, at_ + static_cast<std::size_t>(value)});

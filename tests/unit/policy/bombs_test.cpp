@@ -105,6 +105,12 @@ TEST(Bombs, OnnxOfEmptyNodesBehindTheDeepestMessage) {
   expect(read_bad(bytes), "E0619", "more parts");
 }
 
+TEST(Bombs, OnnxOfPackedNumbers) {
+  const std::string numbers(9'000'000, '\x01');                     // each becomes eight bytes
+  const std::string graph = field('\x2a', field('\x3a', numbers));  // initializer.int64_data
+  expect(read_bad("\x08\x08" + field('\x3a', graph)), "E0619", "more parts");
+}
+
 TEST(Bombs, OnnxSplitOfManyParts) {
   constexpr int kParts = 20'000;  // each output once looked at all of them
   test::OnnxBuilder builder(kParts, 18);
