@@ -47,7 +47,10 @@ void add_known_answers(Run& run, Network& network, const AgentSpec& policy,
   }
   const std::string path = (folder / golden->value).string();
   const auto rows = read_golden(path, golden->value, golden->span, run.diagnostics);
-  if (rows && compare(network, *rows, golden->value, golden->span, run.diagnostics)) {
+  if (!rows || !check_normalized(network, *rows, golden->value, golden->span, run.diagnostics)) {
+    return;
+  }
+  if (compare(network, *rows, golden->value, golden->span, run.diagnostics)) {
     network.self_test = self_test_rows(network, &*rows);
     round_weights(run, network, policy, &*rows);
   }

@@ -103,6 +103,9 @@ int test(Run& run, const Options& options, const Network& network) {
       rows ? compare(network, *rows, options.golden, {}, run.diagnostics) : std::nullopt;
   if (!result) return finish(run, options);
   fmt::print("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
+  if (!network.normalization && !rows->normalized.empty()) {
+    fmt::print("normalised     as the rows say; without `--normalize` the policy does not\n");
+  }
   fmt::print("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
   fmt::print("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);
   fmt::print("with int8      off by {}\n",

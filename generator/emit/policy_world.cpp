@@ -116,7 +116,7 @@ class WorldCheck {
   }
 
   /// "angle (2), theta_dot"
-  static std::string listed(const std::vector<PolicyContract::Part>& parts) {
+  static std::string listed(const std::vector<NamedPart>& parts) {
     std::vector<std::string> texts;
     texts.reserve(parts.size());
     for (const auto& part : parts) {
@@ -127,14 +127,15 @@ class WorldCheck {
 
   void check_observations() {
     const auto& theirs = network_.contract.observations;
-    if (theirs.empty() || use_.inputs.empty()) return;
-    std::vector<PolicyContract::Part> ours;
+    if (use_.inputs.empty()) return;
+    if (theirs.empty()) return check_observation_bounds();
+    std::vector<NamedPart> ours;
     for (const Input* input : use_.inputs)
       ours.push_back({input->name, input->window * input->space.size()});
     // Where each name starts and how long it is. Names that only one side has may be spelt
     // otherwise.
     const auto place =
-        [](const std::vector<PolicyContract::Part>& parts,
+        [](const std::vector<NamedPart>& parts,
            const std::string& name) -> std::optional<std::pair<std::uint64_t, std::uint64_t>> {
       std::uint64_t start = 0;
       for (const auto& part : parts) {
@@ -151,21 +152,78 @@ class WorldCheck {
       differ = differ || (here && *here != *place(theirs, part.name));
     }
     if (common && !differ) return;
-    const Span where = use_.place;
     const std::string both =
         fmt::format("`{}` takes {}; the graph gives {}", use_.file, listed(theirs), listed(ours));
     if (!common) {
       auto& warning = diagnostics_.warning(
           "E0706", use_.span, "the names of the policy's observations are not the graph's");
-      warning.notes.push_back({both, where, ""});
+      warning.notes.push_back({both, use_.place, ""});
       warning.help = "their order was not checked: give the observations the names of the training";
       return;
     }
+    wrong_order(both);
+  }
+
+  void wrong_order(const std::string& both) {
     auto& problem = error("E0706", "the policy's observations are not in the graph's order");
-    problem.notes.push_back({both, where, ""});
+    problem.notes.push_back({both, use_.place, ""});
     problem.help = use_.is_agent
                        ? "say the order of the training: `agent: {policy: …, observations: […]}`"
                        : "write the node's inputs in the order of the training";
+  }
+
+  struct BoundsOf {
+    std::string name;  // "theta_dot", "angle[1]"
+    float low, high;   // the file may hold them in float32
+    bool operator<(const BoundsOf& other) const {
+      return std::pair(low, high) < std::pair(other.low, other.high);
+    }
+  };
+
+  /// Bounds of the graph's observations, one for each number; empty if one has none.
+  std::vector<BoundsOf> our_bounds() const {
+    std::vector<BoundsOf> result;
+    for (const Input* input : use_.inputs) {
+      const auto size = static_cast<std::size_t>(input->space.size());
+      for (std::size_t i = 0; i < input->window * size; ++i) {
+        const auto low = bound(input->space.low, i % size, size);
+        const auto high = bound(input->space.high, i % size, size);
+        if (!low || !high) return {};
+        result.push_back({size == 1 ? input->name : fmt::format("{}[{}]", input->name, i % size),
+                          static_cast<float>(*low), static_cast<float>(*high)});
+      }
+    }
+    return result;
+  }
+
+  /// A file without names has bounds. Those of training may be others than the robot's; but the
+  /// same ones at other places are another order.
+  void check_observation_bounds() {
+    const PolicyContract& contract = network_.contract;
+    const std::vector<BoundsOf> ours = our_bounds();
+    if (ours.size() != contract.observation_low.size() ||
+        ours.size() != contract.observation_high.size()) {
+      return;
+    }
+    std::vector<BoundsOf> theirs;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      theirs.push_back({"", static_cast<float>(contract.observation_low[i]),
+                        static_cast<float>(contract.observation_high[i])});
+    }
+    const auto equal = [](const BoundsOf& a, const BoundsOf& b) { return !(a < b) && !(b < a); };
+    const auto first = std::mismatch(ours.begin(), ours.end(), theirs.begin(), equal);
+    if (first.first == ours.end()) return;
+    const BoundsOf here = *first.first;
+    const BoundsOf there = *first.second;
+    const auto index = first.first - ours.begin();
+    auto sorted = ours;
+    std::sort(sorted.begin(), sorted.end());
+    std::sort(theirs.begin(), theirs.end());
+    if (!std::equal(sorted.begin(), sorted.end(), theirs.begin(), equal)) return;
+    wrong_order(
+        fmt::format("observation {} of `{}` goes from {:g} to {:g}; the graph's is `{}`, "
+                    "from {:g} to {:g}",
+                    index, use_.file, there.low, there.high, here.name, here.low, here.high));
   }
 
   template <class Size>

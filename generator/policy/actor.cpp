@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -68,22 +69,32 @@ class Assembly {
     return true;
   }
 
-  /// Tensors between observation and action that nothing has read.
+  /// Whether a tensor that nothing has read is for training only.
+  bool may_be_left(std::string_view name) const {
+    const auto has = [&](std::string_view part) { return name.find(part) != name.npos; };
+    constexpr std::array kParts = {"critic",  "value",         "vf_",    "target",
+                                   "logstd",  "sigma",         "rnd.",   "num_batches_tracked",
+                                   "ret_rms", "discriminator", ".steps", "memory_c",
+                                   ".c_rnn",  ".c_layer_norm"};
+    if (std::any_of(kParts.begin(), kParts.end(), has)) return true;
+    if (has("std") && !has("obs") && !has("norm") && !has("mean")) return true;
+    constexpr std::array kNotes = {"low",      "high",  "rate",  "squash",
+                                   "clip_obs", "gamma", "count", "epsilon"};
+    if (std::find(kNotes.begin(), kNotes.end(), name) != kNotes.end()) return true;
+    // PPO's extractor is there under several names; skrl's critic may see more than its actor.
+    const bool again = !layout_.extractor.empty() && !network_.input_shape.empty() &&
+                       name.starts_with("features_extractor.");
+    return again || (name.starts_with("state_preprocessor.") &&
+                     table_.find("observation_preprocessor.running_mean") != nullptr);
+  }
+
+  /// What nobody has read may stand between observation and action: it is not left out silently.
   bool check_rest() {
     for (const auto& [name, tensor] : table_.tensors) {
-      const bool critic = name.find("critic") != std::string::npos ||
-                          name.find("value") != std::string::npos || name.starts_with("vf_") ||
-                          name.find("_target.") != std::string::npos;
-      // PPO's are there under several names.
-      const bool again = !layout_.extractor.empty() && !network_.input_shape.empty() &&
-                         name.starts_with("features_extractor.");
-      if (used_.count(name) > 0 || critic || again) continue;
-      for (const char* part : {"features_extractor.", "normalizer.", "running_mean"}) {
-        if (name.find(part) == std::string::npos) continue;
-        return fail("E0628", fmt::format("has parts that are not supported: `{}`", printable(name)),
-                    "layers are Linear, LayerNorm, BatchNorm and NatureCNN; give statistics as "
-                    "`normalize`");
-      }
+      if (used_.count(name) > 0 || may_be_left(name)) continue;
+      return fail("E0628", fmt::format("has parts that are not supported: `{}`", printable(name)),
+                  "layers are Linear, LayerNorm, BatchNorm, GRU, LSTM and NatureCNN; give "
+                  "statistics as `normalize`, or export the actor to ONNX");
     }
     return true;
   }
@@ -133,8 +144,10 @@ class Assembly {
                     [](const ActorModule& module) { return module.activation_after; });
     const auto said = facts_.activation ? facts_.activation : context_.activation;
     if (!said && !layout_.activation && needed) {
-      return fail("E0629", "does not say which activation follows its hidden layers",
-                  "say it in the graph: `agent: {policy: …, activation: elu}`");
+      return fail(
+          "E0629", "does not say which activation follows its hidden layers",
+          "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy`: `--activation "
+          "elu`");
     }
     activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
     return true;
@@ -258,12 +271,36 @@ class Assembly {
       return fail("E0618", fmt::format("has tensor `{}` of shape {} for {} values", printable(name),
                                        show(weight.shape), layer->outputs));
     }
+    if (table_.find(base + ".bias") == nullptr) {
+      return fail("E0628",
+                  fmt::format("has a norm without a bias, which may be a LayerNorm or an RMSNorm: "
+                              "`{}`",
+                              printable(name)),
+                  "export the actor to ONNX");
+    }
     auto gamma = floats_of(name, weight, problem_);
     if (!gamma) return false;
-    auto beta = bias_of(base, layer->outputs, false);
+    auto beta = bias_of(base, layer->outputs, true);
     if (!beta) return false;
     used_.insert(name);
     layer->norm = LayerNorm{std::move(*gamma), std::move(*beta)};
+    return true;
+  }
+
+  /// Whether a tanh follows the last layer. Nothing, and a problem, if nobody says so.
+  std::optional<bool> is_squashed() {
+    if (layout_.squash == Squash::never) return false;
+    if (facts_.squash) return facts_.squash;
+    if (layout_.squash == Squash::unless_linear && facts_.action) {
+      return *facts_.action == ActionKind::squashed;
+    }
+    if (layout_.squash == Squash::if_said || layout_.modules.size() == 1) {
+      const std::string last = layout_.modules.back().base + ".bias";
+      if (layout_.squash == Squash::if_said || table_.find(last) == nullptr) return false;
+      fail("E0626", "does not say whether its one layer is of ARS's LinearPolicy or MlpPolicy",
+           "use the .zip of Stable-Baselines3, or say `squash` in the file");
+      return std::nullopt;
+    }
     return true;
   }
 
@@ -274,11 +311,9 @@ class Assembly {
     }
     ActionKind action = layout_.action;
     Activation output = layout_.output;
-    const std::string last = layout_.modules.back().base + ".bias";
-    const bool squashes = (layout_.squash == Squash::if_said && facts_.squash.value_or(false)) ||
-                          (layout_.squash == Squash::unless_no_bias &&
-                           facts_.squash.value_or(table_.find(last) != nullptr));
-    if (squashes && facts_.action != ActionKind::argmax) {
+    const auto squashes = is_squashed();
+    if (!squashes) return false;
+    if (*squashes && facts_.action != ActionKind::argmax) {
       action = ActionKind::squashed;
       output = Activation::tanh;
     }
@@ -338,6 +373,7 @@ bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
     const double sum = statistics.variance[i] + statistics.epsilon;
     if (statistics.variance[i] < 0.0 || !(sum > 0.0)) return fail("with a variance below zero");
   }
+  if (!(statistics.epsilon >= 0.0)) return fail("whose epsilon is below zero");
   if (!(statistics.clip > 0.0)) return fail("whose clip is not above zero");
   statistics.clip = std::min(statistics.clip, std::numeric_limits<double>::max());
   return true;

@@ -49,9 +49,12 @@ bool check_statistics(Normalization& statistics, PolicyProblem& problem);
 /// When a tanh follows the last layer besides `ActorLayout::output`.
 enum class Squash : std::uint8_t {
   never,
-  if_said,         // PolicyFacts::squash
-  unless_no_bias,  // sb3-contrib's ARS: its LinearPolicy has none of the two
+  if_said,        // PolicyFacts::squash
+  unless_linear,  // sb3-contrib's ARS: its LinearPolicy, one layer, has none
 };
+
+/// Where a library puts its GRU or LSTM if the sizes fit in several places.
+enum class MemoryPlace : std::uint8_t { unknown, first, before_head };
 
 /// The modules of an actor in the order of evaluation.
 struct ActorModule {
@@ -69,7 +72,8 @@ struct ActorLayout {
   Activation output = Activation::identity;  // after the last layer
   bool has_bias = false;                     // always
   std::string memory;                        // "lstm_actor": a GRU or LSTM before the modules
-  std::string extractor;                     // what names in front of the modules start with
+  MemoryPlace memory_place = MemoryPlace::unknown;
+  std::string extractor;  // what names in front of the modules start with
   Squash squash = Squash::never;
   bool has_quantiles = false;
 };

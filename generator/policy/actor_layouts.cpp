@@ -6,7 +6,7 @@
 #include <array>
 #include <charconv>
 
-#include "generator/policy/actor.hpp"
+#include "generator/policy/actor_parts.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -41,6 +41,11 @@ Sequences find_sequences(const TensorTable& table) {
   return sequences;
 }
 
+bool is_critic(std::string_view name) {
+  return name.find("critic") != name.npos || name.find("value") != name.npos ||
+         name.find("qf") != name.npos || name.find("vf") != name.npos;
+}
+
 /// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
 struct Known {
   const char* about;
@@ -54,7 +59,8 @@ struct Known {
   std::optional<Activation> activation;
   Activation output = Activation::identity;
   bool has_bias = false;
-  const char* memory = "";                     // a GRU or LSTM before the bodies
+  const char* memory = "";  // a GRU or LSTM before the bodies
+  MemoryPlace memory_place = MemoryPlace::unknown;
   std::array<const char*, 2> extractors = {};  // the first that is there
   Squash squash = Squash::never;
   bool has_quantiles = false;
@@ -119,7 +125,7 @@ constexpr std::array kKnown = {
           .action = ActionKind::raw,
           .activation = Activation::relu,
           .extractors = {"features_extractor."},
-          .squash = Squash::unless_no_bias},
+          .squash = Squash::unless_linear},
     Known{.about = "Stable-Baselines3's DQN",
           .algorithms = "DQN",
           .bodies = {},
@@ -151,7 +157,8 @@ constexpr std::array kKnown = {
           .must_have = {"a2c_network.actor_mlp."},
           .must_not_have = nullptr,
           .action = ActionKind::raw,
-          .activation = std::nullopt},
+          .activation = std::nullopt,
+          .memory_place = MemoryPlace::before_head},
     Known{.about = "rsl_rl",
           .algorithms = "",
           .bodies = {},
@@ -160,7 +167,8 @@ constexpr std::array kKnown = {
           .must_have = {"actor.0."},
           .must_not_have = nullptr,
           .action = ActionKind::raw,
-          .activation = std::nullopt},
+          .activation = std::nullopt,
+          .memory_place = MemoryPlace::first},
     Known{.about = "skrl",
           .algorithms = "",
           .bodies = {"net_container."},
@@ -254,19 +262,40 @@ class Layouts {
             fmt::format("{}{}.weight", prefix, dotted && before >= 0 ? before + 2 : before + 1));
         return false;
       }
+      const bool had_gap = before >= 0 && it->first - before > 1;
       before = it->first;
       const auto next = std::next(it);
       const bool last = next == sequence.end();
       const bool gap = !dotted || (!last && next->first - it->first > 1);
-      layout.modules.push_back({it->second, last ? last_activates : gap, {}});
+      if (!gap && !last && is_linear(it->second) && is_linear(next->second)) {
+        return nothing_between(it->second, next->second);
+      }
+      // CrossQ's last batch norm follows an activation, and nothing follows it.
+      const bool activates = last_activates && !(had_gap && is_batch_norm(table_, it->second));
+      layout.modules.push_back({it->second, last ? activates : gap, {}});
     }
     return true;
+  }
+  bool is_linear(const std::string& base) const {
+    const StoredTensor* weight = table_.find(base + std::string(kWeight));
+    return weight != nullptr && weight->shape.size() == 2;
+  }
+  /// Of a ModuleList only its owner knows what comes between; in a Sequential nobody puts a Linear
+  /// behind another.
+  bool nothing_between(const std::string& a, const std::string& b) {
+    problem_ = {"E0628",
+                fmt::format("has nothing between the layers `{}` and `{}`, as a ModuleList, which "
+                            "does not say what follows its layers",
+                            printable(a), printable(b)),
+                "export the actor to ONNX, or save it as a `Sequential` with its activations"};
+    return false;
   }
 
   std::optional<ActorLayout> make(const Known& known) {
     ActorLayout layout{
-        known.about,    known.algorithms, {}, known.action, known.activation,   known.output,
-        known.has_bias, known.memory,     "", known.squash, known.has_quantiles};
+        known.about,  known.algorithms,   {},           known.action,       known.activation,
+        known.output, known.has_bias,     known.memory, known.memory_place, "",
+        known.squash, known.has_quantiles};
     for (const char* prefix : known.extractors) {
       if (prefix == nullptr || !layout.extractor.empty()) continue;
       if (any_starts_with(prefix)) layout.extractor = prefix;
@@ -323,6 +352,13 @@ class Layouts {
                     "known are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN) and "
                     "sb3-contrib (ARS, CrossQ, QR-DQN, RecurrentPPO, TQC, TRPO), rsl_rl, rl_games, "
                     "skrl, CleanRL, and one torch `Sequential` alone");
+    }
+    const std::string critic = sequences_.begin()->first;
+    std::erase_if(sequences_, [](const auto& item) { return is_critic(item.first); });
+    if (sequences_.empty()) {
+      return refuse(problem_, "E0624",
+                    fmt::format("holds a critic (`{}…`) and no actor", printable(critic)),
+                    "save the tensors of the actor");
     }
     if (sequences_.size() > 1) {
       const auto second = std::next(sequences_.begin());

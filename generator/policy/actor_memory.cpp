@@ -40,16 +40,32 @@ std::int64_t size_of(const TensorTable& table, const std::string& name, std::siz
   return tensor != nullptr && tensor->shape.size() == 2 ? tensor->shape[axis] : 0;
 }
 
-/// The place among the modules whose neighbours have the memory's sizes.
-std::optional<std::size_t> place_of(const TensorTable& table, const ActorLayout& layout,
-                                    std::int64_t inputs, std::int64_t hidden) {
-  for (std::size_t i = 0; i <= layout.modules.size(); ++i) {
+/// The places among the modules whose neighbours have the memory's sizes.
+std::vector<std::size_t> places_of(const TensorTable& table, const ActorLayout& layout,
+                                   std::int64_t inputs, std::int64_t hidden) {
+  std::vector<std::size_t> places;
+  // In known layouts the head is the last.
+  const bool may_be_last = layout.memory_place == MemoryPlace::unknown;
+  for (std::size_t i = 0; i < layout.modules.size() + (may_be_last ? 1 : 0); ++i) {
     const auto weight = [&](std::size_t at) { return layout.modules[at].base + ".weight"; };
     const bool before = i == 0 || size_of(table, weight(i - 1), 0) == inputs;
     const bool after = i == layout.modules.size() || size_of(table, weight(i), 1) == hidden;
-    if (before && after) return i;
+    if (before && after) places.push_back(i);
   }
-  return std::nullopt;
+  return places;
+}
+
+/// The place of the memory; if sizes fit in several, that of the library. Nothing: several, or
+/// none.
+std::optional<std::size_t> place_of(const ActorLayout& layout,
+                                    const std::vector<std::size_t>& places) {
+  if (!layout.memory.empty()) return 0;
+  if (places.size() == 1) return places.front();
+  const std::size_t wanted =
+      layout.memory_place == MemoryPlace::first ? 0 : layout.modules.size() - 1;
+  const bool fits = std::find(places.begin(), places.end(), wanted) != places.end();
+  if (layout.memory_place == MemoryPlace::unknown || !fits) return std::nullopt;
+  return wanted;
 }
 
 }  // namespace
@@ -74,8 +90,16 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
   while (count < kMaxLayers && table.find(name_of(base, "weight_ih", count)) != nullptr) ++count;
   const std::int64_t inputs = size_of(table, name_of(base, "weight_ih", 0), 1);
   const std::int64_t hidden = size_of(table, name_of(base, "weight_hh", count - 1), 1);
-  const auto place = layout.memory.empty() ? place_of(table, layout, inputs, hidden)
-                                           : std::optional<std::size_t>(0);
+  const std::vector<std::size_t> places = places_of(table, layout, inputs, hidden);
+  const auto place = place_of(layout, places);
+  if (!place && places.size() > 1) {
+    problem = {"E0625",
+               fmt::format("has a memory `{}` from {} to {} values, which fits before and behind "
+                           "other layers",
+                           printable(base), inputs, hidden),
+               "export the actor to ONNX, which says in which order they are"};
+    return false;
+  }
   if (!place) {
     problem = {
         "E0618",

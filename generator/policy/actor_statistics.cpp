@@ -30,10 +30,11 @@ constexpr std::array kKnown = {
     Known{"actor_obs_normalizer._mean", "actor_obs_normalizer._std", true, false, 1e-2, kNoClip},
     Known{"obs_normalizer._mean", "obs_normalizer._std", true, false, 1e-2, kNoClip},
     Known{"obs_norm_state_dict._mean", "obs_norm_state_dict._std", true, false, 1e-2, kNoClip},
-    Known{"state_preprocessor.running_mean", "state_preprocessor.running_variance", false, false,
-          1e-8, 5.0},
     Known{"observation_preprocessor.running_mean", "observation_preprocessor.running_variance",
           false, false, 1e-8, 5.0},
+    // In skrl 2 that of the critic, if there are both.
+    Known{"state_preprocessor.running_mean", "state_preprocessor.running_variance", false, false,
+          1e-8, 5.0},
 };
 
 /// As many numbers as the network has inputs, whatever axes of one there are.

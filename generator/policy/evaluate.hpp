@@ -67,6 +67,11 @@ struct GoldenResult {
   }
 };
 
+/// For a program, which gets observations as they are: false, and E0633, if the rows were
+/// normalised and the network has no statistics.
+bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,
+                      Span mention, Diagnostics& diagnostics);
+
 /// E0632 if the rows do not fit the network, E0633 if they belong to another function.
 std::optional<GoldenResult> compare(const Network& network, const GoldenRows& rows,
                                     const std::string& name, Span mention,

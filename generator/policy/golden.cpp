@@ -90,7 +90,8 @@ std::optional<GoldenRows> from_csv(std::string_view text, PolicyProblem& problem
     const auto cells = cells_of(line);
     if (roles.empty()) {
       for (const std::string_view cell : cells) roles.push_back(role_of(cell));
-      continue;
+      if (std::count(roles.begin(), roles.end(), Role::observation) > 0) continue;
+      return fail(fmt::format("has no column `obs0` in line {}: `{}`", number, printable(line)));
     }
     if (cells.size() != roles.size()) {
       return fail(fmt::format("has {} cells in line {}, but {} columns", cells.size(), number,
@@ -111,6 +112,10 @@ std::optional<GoldenRows> from_csv(std::string_view text, PolicyProblem& problem
         return fail(
             fmt::format("has `{}` in line {}, which is no number", printable(cells[i]), number));
       }
+      if (!std::isfinite(value)) {
+        return fail(fmt::format("has `{}` in line {}, column {}, which is no finite number",
+                                printable(cells[i]), number, i + 1));
+      }
       rows->back().push_back(value);
     }
   }
@@ -126,6 +131,10 @@ std::optional<GoldenRows> from_npz(std::string_view bytes, PolicyProblem& proble
     auto* rows = rows_of(golden, role_of(name));
     if (rows == nullptr || tensor.shape.empty()) continue;
     const std::vector<double> values = values_of(tensor);
+    if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
+      return refuse(problem, "E0632",
+                    fmt::format("has NaN or infinity in array `{}`", printable(name)), kHelp);
+    }
     const auto count = static_cast<std::size_t>(tensor.shape[0]);
     if (count == 0 || count > kMaxRows) continue;
     const std::size_t width = values.size() / count;
@@ -245,6 +254,29 @@ std::vector<std::vector<float>> self_test_rows(const Network& network, const Gol
   return result;
 }
 
+bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,
+                      Span mention, Diagnostics& diagnostics) {
+  constexpr double kRounding = 1e-6;
+  if (network.normalization || rows.normalized.empty()) return true;
+  if (!misfit(network, rows).empty()) return true;  // compare() says so
+  for (std::size_t row = 0; row < rows.normalized.size(); ++row) {
+    for (std::size_t i = 0; i < rows.normalized[row].size(); ++i) {
+      const double given = rows.observations[row][i];
+      const double normalized = rows.normalized[row][i];
+      if (std::fabs(given - normalized) <= kRounding * std::max(1.0, std::fabs(given))) continue;
+      diagnostics
+          .error("E0633", mention,
+                 fmt::format("golden rows `{}` were normalised (row {}: obs{} is {:.3g}, nobs{} is "
+                             "{:.3g}), but the policy `{}` gets observations as they are",
+                             name, row + 1, i, given, i, normalized, network.file))
+          .help =
+          "name the statistics as `normalize`; if a node normalises, give what it sends as obs";
+      return false;
+    }
+  }
+  return true;
+}
+
 std::optional<GoldenResult> compare(const Network& network, const GoldenRows& rows,
                                     const std::string& name, Span mention,
                                     Diagnostics& diagnostics) {
@@ -307,13 +339,18 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
   if (!(result.theirs <= kOtherFunction * largest_output) ||
       !(result.ours <= kOtherFunction * largest_output) || !result.passed()) {
     diagnostics
-        .error("E0633", mention,
-               fmt::format("the policy `{}` does not answer the golden rows `{}`: row {} is "
-                           "{:.2g} off, and an action is {:.2g} off",
-                           network.file, name, farthest_row + 1, farthest,
-                           result.action.value_or(0.0)))
+        .error(
+            "E0633", mention,
+            fmt::format(
+                "the policy `{}` does not answer the golden rows `{}`: row {} is "
+                "{:.2g} off{}",
+                network.file, name, farthest_row + 1, farthest,
+                result.action ? fmt::format(", and an action is {:.2g} off", *result.action) : ""))
         .help = network.normalization || rows.normalized.empty()
-                    ? "these rows are of another policy, or of other statistics"
+                    ? network.has_memory() && rows.starts.empty()
+                          ? "these rows are of another policy, or follow one another: add a column "
+                            "`episode_start`"
+                          : "these rows are of another policy, or of other statistics"
                     : "give the statistics of its observations as `normalize`";
     return std::nullopt;
   }

@@ -111,13 +111,20 @@ struct DenseLayer {
   }
 };
 
+/// A part of an observation.
+struct NamedPart {
+  std::string name;
+  std::uint64_t size = 1;
+};
+
 /// clip((x - mean) / sqrt(variance + epsilon), -clip, clip) in float64: VecNormalize.
 struct Normalization {
   std::vector<double> mean;      // [inputs]
   std::vector<double> variance;  // [inputs]
   double clip = 10.0;
   double epsilon = 1e-8;
-  std::string source;  // file, as the user wrote it
+  std::string source;              // file, as the user wrote it
+  std::vector<NamedPart> parts{};  // of a Dict, in order; else empty
 };
 
 /// How the network's outputs become an action.
@@ -130,15 +137,12 @@ const char* to_string(ActionKind kind);
 
 /// What the file says of the world that it was trained in; empty where it says nothing.
 struct PolicyContract {
-  struct Part {
-    std::string name;
-    std::uint64_t size = 1;
-  };
-  std::string algorithm;                        // "SAC"
-  std::vector<Part> observations;               // in the order of the inputs
-  std::vector<double> action_low, action_high;  // one for each output, or for all
-  std::optional<std::int64_t> first_choice;     // argmax: the action of output 0
-  std::optional<double> rate_hz;                // steps a second in training
+  std::string algorithm;                                  // "SAC"
+  std::vector<NamedPart> observations;                    // in the order of the inputs
+  std::vector<double> action_low, action_high;            // one for each output, or for all
+  std::vector<double> observation_low, observation_high;  // one for each input, or empty
+  std::optional<std::int64_t> first_choice;               // argmax: the action of output 0
+  std::optional<double> rate_hz;                          // steps a second in training
 };
 
 /// How a program calculates a policy: with the same bits on every machine, or as fast as this one

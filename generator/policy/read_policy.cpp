@@ -49,6 +49,22 @@ void report(const PolicyProblem& problem, const char* what, const std::string& n
       .help = problem.help;
 }
 
+/// "`angle` (2), `speed` (1)"
+std::string listed(const std::vector<NamedPart>& parts) {
+  std::string text;
+  for (const NamedPart& part : parts) {
+    text += fmt::format("{}`{}` ({})", text.empty() ? "" : ", ", printable(part.name), part.size);
+  }
+  return text;
+}
+
+/// True also if one of them does not say.
+bool same_order(const std::vector<NamedPart>& a, const std::vector<NamedPart>& b) {
+  return a.empty() || b.empty() ||
+         std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const NamedPart& x, const NamedPart& y) { return x.name == y.name; });
+}
+
 /// Adds the statistics that the graph names. False if they cannot be read or do not fit.
 bool add_normalization(const PolicyRequest& request, Network& network, Diagnostics& diagnostics) {
   const auto bytes = read_bytes(request.normalize_path, request.normalize_name,
@@ -61,6 +77,13 @@ bool add_normalization(const PolicyRequest& request, Network& network, Diagnosti
                fmt::format("normalise {} numbers, but the policy `{}` takes {}",
                            statistics->mean.size(), request.name, network.inputs()),
                "name the statistics that were saved with this policy"};
+    statistics.reset();
+  }
+  if (statistics && !same_order(statistics->parts, network.contract.observations)) {
+    problem = {"E0627",
+               fmt::format("are of {}, but the policy `{}` takes {}", listed(statistics->parts),
+                           request.name, listed(network.contract.observations)),
+               "save them with all parts of the observation, in the order of its space"};
     statistics.reset();
   }
   if (statistics && network.normalization &&

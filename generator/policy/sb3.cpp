@@ -99,6 +99,14 @@ class DataReader {
     if (facts_.contract.algorithm == "A2C" && member(data_, "cg_max_steps") != nullptr) {
       facts_.contract.algorithm = "TRPO";
     }
+    if (facts_.contract.algorithm == "ARS" && policy != nullptr) read_class(*policy);
+  }
+  /// ARS's two policies differ by a tanh. The name of the class is in a pickle of nothing else.
+  void read_class(const json& policy) {
+    const auto pickled = from_base64(text_of(member(policy, ":serialized:")));
+    if (!pickled) return;
+    if (pickled->find("ARSPolicy") != std::string::npos) facts_.squash = true;
+    if (pickled->find("ARSLinearPolicy") != std::string::npos) facts_.squash = false;
   }
 
   bool read_keywords() {
@@ -208,6 +216,9 @@ class DataReader {
       if (!size) return fail("whose `observation_space` has no shape");
       total = *size;
       read_image(*pickle, top);
+      facts_.contract.observation_low = bounds(*pickle, top, "low").value_or(std::vector<double>());
+      facts_.contract.observation_high =
+          bounds(*pickle, top, "high").value_or(std::vector<double>());
     } else if (is_space(*pickle, top, ".Dict")) {
       const PickleValue* spaces = pickle->find(top, "spaces");
       if (spaces == nullptr) return fail("whose `observation_space` cannot be read");

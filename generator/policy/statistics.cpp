@@ -1,6 +1,9 @@
 // Statistics of observations that lie in a file of their own.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+
 #include "generator/policy/actor.hpp"
 #include "generator/policy/archive.hpp"
 #include "generator/policy/containers.hpp"
@@ -40,18 +43,19 @@ bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   return true;
 }
 
-/// Of a Box, or of a Dict of them in the order of its names, which is the policy's.
+/// Of a Box, or of a Dict of them in the order of the pickle, which is that of the space's names:
+/// gymnasium sorts those of a plain dict only.
 bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
   if (rms.kind != PickleValue::Kind::dictionary) return append_rms(pickle, rms, statistics);
-  std::map<std::string, const PickleValue*> parts;
   for (std::size_t i = 0; i + 1 < rms.items.size(); i += 2) {
     constexpr std::size_t kLongestName = 4096;  // one may be there often
-    if (pickle.at(rms.items[i]).text.size() > kLongestName) return false;
-    parts[std::string(pickle.at(rms.items[i]).text)] = &pickle.at(rms.items[i + 1]);
+    const std::string_view name = pickle.at(rms.items[i]).text;
+    const std::size_t before = statistics.mean.size();
+    if (name.size() > kLongestName) return false;
+    if (!append_rms(pickle, pickle.at(rms.items[i + 1]), statistics)) return false;
+    statistics.parts.push_back({std::string(name), statistics.mean.size() - before});
   }
-  bool good = !parts.empty();
-  for (const auto& [name, part] : parts) good = good && append_rms(pickle, *part, statistics);
-  return good;
+  return !rms.items.empty();
 }
 
 std::optional<Normalization> from_pickle(std::string_view bytes, PolicyProblem& problem) {
@@ -96,11 +100,24 @@ std::optional<Normalization> from_npz(std::string_view bytes, PolicyProblem& pro
   return checked(std::move(statistics), problem);
 }
 
+/// A key that would be read as if it were not there.
+std::optional<std::string> unknown_key(const nlohmann::json& object) {
+  constexpr std::array kKnown = {"mean", "var", "count", "clip_obs", "epsilon", "obs_rms"};
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return key;
+  }
+  return std::nullopt;
+}
+
 std::optional<Normalization> from_json(std::string_view bytes, PolicyProblem& problem) {
   const auto value = parse_json(bytes);
   if (!value || !value->is_object()) return unusable(problem, "is not one JSON object");
   const nlohmann::json* rms = member(*value, "obs_rms");
-  const nlohmann::json& from = rms != nullptr ? *rms : *value;
+  const nlohmann::json& from = rms != nullptr && rms->is_object() ? *rms : *value;
+  for (const nlohmann::json* object : {&*value, &from}) {
+    const auto key = unknown_key(*object);
+    if (key) return unusable(problem, fmt::format("has an unknown `{}`", printable(*key)));
+  }
   const nlohmann::json* mean = member(from, "mean");
   const nlohmann::json* variance = member(from, "var");
   const auto means = mean != nullptr ? numbers_of(*mean) : std::nullopt;
@@ -111,7 +128,8 @@ std::optional<Normalization> from_json(std::string_view bytes, PolicyProblem& pr
   statistics.variance = *variances;
   for (const auto& [key, target] :
        {std::pair{"clip_obs", &statistics.clip}, std::pair{"epsilon", &statistics.epsilon}}) {
-    const nlohmann::json* number = member(*value, key);
+    const nlohmann::json* inner = member(from, key);
+    const nlohmann::json* number = inner != nullptr ? inner : member(*value, key);
     if (number == nullptr) continue;
     if (!number->is_number())
       return unusable(problem, fmt::format("has a `{}` that is no number", key));

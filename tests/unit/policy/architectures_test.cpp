@@ -215,6 +215,29 @@ TEST(Architectures, MemoriesAreFoundWhereTheirSizesFit) {
   EXPECT_EQ(network.outputs(), 2U);
 }
 
+TEST(Architectures, MemoriesThatFitTwiceGoWhereTheirLibraryPutsThem) {
+  std::vector<test::NamedValues> tensors;
+  add_memory(tensors, "a2c_network.rnn.rnn", 4, 4, 4);
+  test::add_linear(tensors, "a2c_network.actor_mlp.0", 4, 4);
+  test::add_linear(tensors, "a2c_network.mu", 4, 2);
+  const std::string elu = R"("activation":"elu")";
+  EXPECT_NE(test::read_good(test::safetensors(tensors, elu)).layers[1].recurrence(), nullptr);
+  tensors.push_back({"a2c_network.layer_norm.weight", {4}, {1, 1, 1, 1}});
+  EXPECT_EQ(test::read_bad(test::safetensors(tensors, elu)).code, "E0628");
+
+  tensors.clear();
+  add_memory(tensors, "memory_a.rnn", 4, 4, 4);
+  test::add_linear(tensors, "actor.0", 4, 4);
+  test::add_linear(tensors, "actor.2", 4, 4);
+  EXPECT_NE(test::read_good(test::safetensors(tensors, elu)).layers[0].recurrence(), nullptr);
+
+  tensors.clear();
+  test::add_linear(tensors, "encoder", 4, 4);
+  test::add_linear(tensors, "head", 4, 4);
+  add_memory(tensors, "gru", 4, 4, 3);
+  EXPECT_EQ(test::read_bad(test::safetensors(tensors, elu)).code, "E0625");
+}
+
 TEST(Architectures, MemoriesThatDoNotFitAreRefused) {
   std::vector<test::NamedValues> tensors;
   add_memory(tensors, "gru", 5, 4, 3);

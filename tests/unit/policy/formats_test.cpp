@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -102,6 +103,42 @@ TEST(Statistics, NormaliseWithNumPysBits) {
     for (const double x : rows->normalized[i]) wanted.push_back(static_cast<float>(x));
     EXPECT_EQ(normalized(network, observation), wanted) << "row " << i;
   }
+}
+
+TEST(Statistics, JsonSaysEverythingOrIsRefused) {
+  PolicyProblem problem;
+  const auto nested =
+      read_statistics(R"({"obs_rms":{"mean":[0,1],"var":[1,2],"clip_obs":3}})", problem);
+  ASSERT_TRUE(nested.has_value()) << problem.message;
+  EXPECT_EQ(nested->clip, 3.0);
+  for (const char* text : {R"({"mean":[0],"var":[1],"clip":3})", R"({"mean":[0],"std":[1]})",
+                           R"({"mean":[0],"var":[1],"epsilon":-0.5})"}) {
+    EXPECT_FALSE(read_statistics(text, problem).has_value()) << text;
+    EXPECT_EQ(problem.code, "E0627");
+  }
+}
+
+TEST(Golden, RowsWithoutNumbersAreRefused) {
+  const std::string path = testing::TempDir() + "/rows.csv";
+  for (const char* text :
+       {"obs0,network_out\n1,nan\n", "obs0,network_out\ninf,1\n", "cos,out\n1,2\n", "1,2\n3,4\n"}) {
+    std::ofstream(path) << text;
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_golden(path, "rows.csv", {}, diagnostics).has_value()) << text;
+    ASSERT_EQ(diagnostics.all().size(), 1U);
+    EXPECT_EQ(diagnostics.all().front().code, "E0632");
+  }
+}
+
+TEST(Golden, RowsThatWereNormalisedNeedStatistics) {
+  Diagnostics diagnostics;
+  const auto rows = read_golden(kData + "ppo_64_sb3.csv", "rows.csv", {}, diagnostics);
+  ASSERT_TRUE(rows.has_value());
+  const Network with = read("ppo_64.zip", "ppo_64_vecnormalize.pkl");
+  EXPECT_TRUE(check_normalized(with, *rows, "rows.csv", {}, diagnostics));
+  EXPECT_FALSE(check_normalized(read("ppo_64.zip"), *rows, "rows.csv", {}, diagnostics));
+  ASSERT_EQ(diagnostics.all().size(), 1U);
+  EXPECT_EQ(diagnostics.all().front().code, "E0633");
 }
 
 TEST(Golden, RowsOfAnotherPolicyAreRefused) {

@@ -123,6 +123,18 @@ TEST(CrossQ, EpsilonOfItsBatchNorms) {
   EXPECT_EQ(evaluate(usual, observation), evaluate(read("crossq.zip"), observation));
 }
 
+TEST(CrossQ, NothingFollowsItsLastBatchNorm) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "actor.latent_pi.0", 3, 2);  // 1 is the activation
+  for (const char* part : {"ra_mean", "ra_var", "scale", "bias"}) {
+    tensors.push_back({std::string("actor.latent_pi.2.") + part, {2}, {1.0F, 1.0F}});
+  }
+  add_linear(tensors, "actor.mu", 2, 1);
+  const Network network = read_good(safetensors(tensors));
+  EXPECT_EQ(network.layers.front().activation, Activation::relu);
+  EXPECT_EQ(network.layers.at(network.layers.size() - 2).activation, Activation::identity);
+}
+
 TEST(NatureCnn, KnowsTheSizeOfTheImage) {
   const Network network = read("ppo_cnn.zip");
   EXPECT_THAT(network.input_shape, ElementsAre(3, 36, 36));

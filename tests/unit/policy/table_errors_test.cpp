@@ -181,5 +181,60 @@ TEST(Archive, DamageIsRefused) {
          "`data` is missing");
 }
 
+TEST(TableErrors, WhatNobodyReadMayBePartOfTheFunction) {
+  for (const char* name :
+       {"encoder.0.weight", "actor.latent_pi.0.weight_g", "obs_mean", "actor.layer_norm.weight"}) {
+    auto tensors = sac();
+    tensors.push_back({name, {1}, {1.0F}});
+    expect(read_bad(safetensors(tensors)), "E0628", name);
+  }
+  for (const char* name : {"critic.qf0.0.weight", "actor.log_std.weight", "actor_target.mu.weight",
+                           "log_std", "std", "rate"}) {
+    auto tensors = sac();
+    tensors.push_back({name, {1}, {1.0F}});
+    EXPECT_EQ(read_good(safetensors(tensors)).ignored.size(), 1U) << name;
+  }
+}
+
+TEST(TableErrors, ModuleListsDoNotSayWhatStandsBetween) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "layers.0", 3, 4);
+  add_linear(tensors, "layers.1", 4, 1);
+  expect(read_bad(safetensors(tensors, R"("activation":"relu")")), "E0628",
+         "nothing between the layers `layers.0` and `layers.1`");
+}
+
+TEST(TableErrors, CriticsAreNoActors) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "critic.qf0.0", 3, 4);
+  add_linear(tensors, "critic.qf0.2", 4, 1);
+  const std::string relu = R"("activation":"relu")";
+  expect(read_bad(safetensors(tensors, relu)), "E0624", "a critic (`critic.qf0.…`) and no actor");
+  add_linear(tensors, "net.0", 3, 2);
+  EXPECT_EQ(read_good(safetensors(tensors, relu)).outputs(), 2U) << "the one that is none";
+}
+
+TEST(TableErrors, NormsWithoutABiasMayBeOfTwoKinds) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "net.0", 3, 4);
+  tensors.push_back({"net.1.weight", {4}, {1, 1, 1, 1}});
+  add_linear(tensors, "net.3", 4, 1);
+  expect(read_bad(safetensors(tensors, R"("activation":"relu")")), "E0628", "an RMSNorm: `net.1");
+}
+
+TEST(TableErrors, OneLayerOfArs) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "action_net.0", 3, 1);
+  expect(read_bad(safetensors(tensors)), "E0626", "LinearPolicy or MlpPolicy");
+  EXPECT_EQ(read_good(safetensors(tensors, R"("squash":"false")")).action_kind(), ActionKind::raw);
+  tensors.pop_back();
+  EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::raw) << "no bias";
+  tensors.clear();
+  add_linear(tensors, "action_net.0", 3, 4);
+  add_linear(tensors, "action_net.2", 4, 1);
+  tensors.pop_back();
+  EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::squashed);
+}
+
 }  // namespace
 }  // namespace eagerx::gen
