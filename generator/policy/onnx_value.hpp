@@ -167,6 +167,9 @@ class OnnxCall {
   /// Integers of input `i` or, where there is no such input, of attribute `name`.
   [[nodiscard]] std::optional<std::vector<std::int64_t>> integers(std::size_t i,
                                                                   std::string_view name) const;
+  /// Whether input `i` is given, but is no list of integers that are known: what it leaves open
+  /// must not become what the operator does without it.
+  [[nodiscard]] bool is_unreadable(std::size_t i) const;
 
   /// "operator `Gemm` (node `/mu/Gemm`)".
   [[nodiscard]] std::string who() const;
@@ -197,7 +200,8 @@ std::optional<std::vector<std::int64_t>> integers_of(const OnnxValue& value);
 
 inline constexpr std::size_t kMaxOnnxRank = 8;
 
-/// A computed shape.
+/// A computed shape, or a part of one: a scalar has no axis, a list one.
+OnnxValue integers_value(std::vector<std::int64_t> integers, Dims shape);
 OnnxValue integers_value(std::vector<std::int64_t> integers);
 
 /// The same values in the same order under another shape.
