@@ -158,11 +158,12 @@ OnnxValue lstm(const OnnxCall& call) {
 }  // namespace
 
 OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
-  if (call.node().op_type() == "Split") return split_part(call, i);
+  if (call.node().op_type() == "Split") return along_time(call, split_part(call, i));
   const bool is_lstm = call.node().op_type() == "LSTM";
   const bool is_state = (is_lstm && i <= 2) || (call.node().op_type() == "GRU" && i == 1);
   if (!is_state || first.kind != Kind::data) return call.misused("whose second output is used");
   OnnxValue value = first;
+  value.time = 0;  // the last step's
   if (i == 2) value = call.misused("whose cell state is used");
   value.shape = Dims{1, 1, first.shape->back()};
   value.remembered = {{first.step, i == 2}};

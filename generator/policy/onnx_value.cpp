@@ -203,7 +203,7 @@ OnnxValue evaluate(const OnnxCall& call) {
   const auto found = kTable.find(call.node().op_type());
   const bool known = domain.empty() || domain == "ai.onnx";
   if (auto value = known ? folded(call) : std::nullopt) return *value;
-  if (known && found != kTable.end()) return found->second(call);
+  if (known && found != kTable.end()) return along_time(call, found->second(call));
   return unsupported(call);
 }
 
