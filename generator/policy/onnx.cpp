@@ -303,6 +303,8 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
     OnnxValue first;
     first.kind = Kind::data;
     first.shape = observed;
+    state.follows_time = has_memory && state.is_sequence && needed->inputs.size() == 1;
+    first.time = state.follows_time ? 3 : 0;  // [batch, time, …] or [time, batch, …]
     values.set(observation->front()->name(), std::move(first));
   }
   if (has_memory && !set_states(graph, *names, *needed, *observation->front(), values, problem)) {

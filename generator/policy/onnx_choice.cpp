@@ -70,10 +70,11 @@ OnnxValue arg_max(const OnnxCall& call) {
 OnnxValue reduction(const OnnxCall& call) {
   const OnnxValue& x = call.input(0);
   const auto axes = call.integers(1, "axes");
-  if (!x.shape) return call.misused("on the way to the action");
+  if (!x.shape || call.is_unreadable(1)) return call.misused("on the way to the action");
   const auto rank = static_cast<std::int64_t>(x.shape->size());
   Dims shape = *x.shape;
-  if (!axes) shape.assign(shape.size(), 1);
+  const bool all = !axes || axes->empty();
+  if (all && call.integer("noop_with_empty_axes", 0) == 0) shape.assign(shape.size(), 1);
   for (const std::int64_t axis : axes.value_or(std::vector<std::int64_t>{})) {
     if (axis < -rank || axis >= rank) return call.misused("with axes that are not there");
     shape[static_cast<std::size_t>(axis < 0 ? axis + rank : axis)] = 1;

@@ -269,7 +269,8 @@ OnnxValue pad(const OnnxCall& call) {
   const onnx::AttributeProto* mode = call.attribute("mode");
   const bool constant = mode == nullptr || mode->s() == "constant";
   const OnnxValue& filling = call.input(2);
-  const bool zeros = filling.kind == Kind::absent || scalar_of(filling) == 0.0F;
+  const bool zeros = (filling.kind == Kind::absent || scalar_of(filling) == 0.0F) &&
+                     call.real("value", 0.0F) == 0.0F;  // an attribute before opset 11
   if (x.kind != Kind::data || !pads || pads->size() != 2 * x.shape->size() || !constant || !zeros ||
       call.input(3).kind != Kind::absent) {
     return call.misused("other than with zeros", x.shape);

@@ -116,18 +116,21 @@ OnnxValue multiply(const OnnxCall& call) {
   const OnnxValue& a = call.input(0);
   const OnnxValue& b = call.input(1);
   if (a.kind != Kind::data || b.kind != Kind::data) return with_constant(call, Operation::multiply);
+  const auto shape = broadcast(a.shape, b.shape);
+  const bool each = shape && element_count(*shape) == element_count(*a.shape);  // no outer product
   for (const auto& [x, gate] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-    if (gate->step < 0) continue;
+    if (gate->step < 0 || !each) continue;
     const OnnxStep& step = call.state().steps[static_cast<std::size_t>(gate->step)];
     const auto* work = std::get_if<OnnxActivation>(&step.what);
     if (work != nullptr && work->kind == Activation::sigmoid && step.before == x->step) {
-      return call.data_after(x->step, OnnxActivation{Activation::silu}, *x->shape);
+      return call.data_after(x->step, OnnxActivation{Activation::silu}, *shape);
     }
   }
-  return call.misused("that is not x times sigmoid(x)", broadcast(a.shape, b.shape));
+  return call.misused("that is not x times sigmoid(x)", shape);
 }
 
-/// One bound of a Clip: nothing if there is none, or NaN-free value; `known` is false if computed.
+/// One bound of a Clip, which may be infinite; nothing if there is none; `known` is false if it is
+/// computed.
 struct Bound {
   std::optional<float> value;
   bool known = true;
@@ -143,6 +146,7 @@ Bound bound_of(const OnnxCall& call, std::size_t i, std::string_view name) {
   if (input.kind == Kind::absent) return {};
   PolicyProblem ignored;
   if (input.kind != Kind::constant || element_count(input.constant.dims) != 1) return {{}, false};
+  if (const auto infinite = infinity_of(input.constant)) return {infinite, true};
   const auto values = read_floats(input.constant, ignored);
   return values ? Bound{values->front(), true} : Bound{{}, false};
 }
@@ -173,10 +177,12 @@ OnnxValue clip(const OnnxCall& call) {
 }
 
 OnnxValue maximum(const OnnxCall& call) {
+  if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
   return with_constant(call, Operation::at_least);
 }
 OnnxValue minimum(const OnnxCall& call) {
+  if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
   return with_constant(call, Operation::at_most);
 }

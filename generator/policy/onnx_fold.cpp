@@ -25,6 +25,10 @@ std::optional<float> calculated(std::string_view name, float a, float b) {
   return std::nullopt;
 }
 
+bool takes_one(std::string_view name) {
+  return name == "Neg" || name == "Sqrt" || name == "Reciprocal";
+}
+
 /// The same of integers: sizes that are calculated from a shape.
 std::optional<std::int64_t> calculated(std::string_view name, std::int64_t a, std::int64_t b) {
   constexpr std::int64_t kLargest = std::int64_t{1} << 30U;
@@ -47,6 +51,8 @@ std::optional<OnnxValue> folded_integers(const OnnxCall& call) {
   if ((a->size() != 1 && a->size() != count) || (b->size() != 1 && b->size() != count)) {
     return std::nullopt;
   }
+  const auto shape = broadcast(call.input(0).shape, call.input(1).shape);
+  if (!shape || element_count(*shape) != static_cast<std::int64_t>(count)) return std::nullopt;
   std::vector<std::int64_t> result;
   for (std::size_t i = 0; i < count; ++i) {
     const auto value = calculated(call.node().op_type(), (*a)[a->size() == 1 ? 0 : i],
@@ -54,7 +60,7 @@ std::optional<OnnxValue> folded_integers(const OnnxCall& call) {
     if (!value) return std::nullopt;
     result.push_back(*value);
   }
-  return integers_value(std::move(result));
+  return integers_value(std::move(result), *shape);
 }
 
 std::optional<std::vector<float>> numbers_of(const OnnxValue& value) {
@@ -94,7 +100,7 @@ std::optional<OnnxValue> folded(const OnnxCall& call) {
   const bool unary = call.input_count() == 1;
   if (auto value = folded_integers(call)) return value;
   if (call.input_count() > 2 || a.kind != Kind::constant || !calculated(name, 1.0F, 1.0F) ||
-      (!unary && b.kind != Kind::constant)) {
+      takes_one(name) != unary || (!unary && b.kind != Kind::constant)) {
     return std::nullopt;
   }
   const auto shape = unary ? a.shape : broadcast(a.shape, b.shape);

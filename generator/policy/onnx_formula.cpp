@@ -26,20 +26,38 @@ class Formula {
       : call_(call), a_(call.input(0)), b_(call.input(1)), type_(call.node().op_type()) {}
 
   std::optional<OnnxValue> next() {
+    if (type_ != "Add" && type_ != "Sub" && type_ != "Mul" && type_ != "Div" && type_ != "Pow") {
+      return of_one();
+    }
+    const std::optional<Dims> shape = broadcast(a_.shape, b_.shape);
+    if (!shape || !is_each_with_each(*shape)) return std::nullopt;
+    auto value = of_two();
+    if (value && value->shape) value->shape = shape;
+    return value;
+  }
+
+ private:
+  using Result = std::optional<OnnxValue>;
+
+  /// Number by number, or all with the same one: no outer product of a row and a column.
+  bool is_each_with_each(const Dims& shape) const {
+    const auto count = element_count(shape);
+    return count == element_count(*a_.shape) || count == element_count(*b_.shape);
+  }
+  Result of_two() const {
     if (type_ == "Add") return add();
     if (type_ == "Sub") return subtract();
     if (type_ == "Mul") return multiply();
     if (type_ == "Div") return divide();
-    if (type_ == "Pow") return power();
+    return power();
+  }
+  Result of_one() const {
     if (type_ == "Sqrt") return is(a_, Role::variance) ? change(a_, Role::deviation) : std::nullopt;
     if (type_ == "Erf") return erf();
     if (type_ == "Tanh" && is(a_, Role::gelu_inner)) return by_tanh();
     if (type_ == "ReduceMean") return mean();
     return std::nullopt;
   }
-
- private:
-  using Result = std::optional<OnnxValue>;
 
   static bool is(const OnnxValue& value, Role role) {
     return value.kind == Kind::other && value.part.role == role;
@@ -136,7 +154,7 @@ class Formula {
       const auto epsilon = scalar_of(*rest);
       if (!epsilon || *epsilon < 0.0F) return std::nullopt;
       Result value = change(*found, Role::variance);
-      value->part.epsilon = *epsilon;
+      value->part.epsilon += *epsilon;
       return value;
     }
     if (pick(Role::erf, found, rest) && near(scalar_of(*rest), 1.0F)) {

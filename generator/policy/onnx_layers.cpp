@@ -63,7 +63,6 @@ OnnxValue gemm(const OnnxCall& call) {
   OnnxDense dense;
   dense.weights = transposed ? transpose(matrix.constant) : matrix.constant;
   dense.scale = call.real("alpha", 1.0F);
-  dense.bias_scale = call.real("beta", 1.0F);
   const std::int64_t outputs = dense.weights.dims[0];
   Dims result = data_left ? Dims{1, outputs} : Dims{outputs, 1};
   if (c.kind != Kind::absent) {
@@ -76,6 +75,7 @@ OnnxValue gemm(const OnnxCall& call) {
                          "the layers of the file do not fit together: export the actor again"});
     }
     dense.bias = c.constant;
+    dense.bias_scale = call.real("beta", 1.0F);  // not of a bias that a later Add brings
   }
   return product(call, data, std::move(dense), std::move(result));
 }

@@ -13,6 +13,11 @@ namespace {
 using Kind = OnnxValue::Kind;
 using Integers = std::vector<std::int64_t>;
 
+/// Integers with one axis, as those of a shape.
+bool is_list(const OnnxValue& integers) {
+  return integers.shape && integers.shape->size() == 1;
+}
+
 std::int64_t count_of(const Dims& dims) {
   return element_count(dims).value_or(0);
 }
@@ -129,14 +134,13 @@ OnnxValue gather_values(const OnnxCall& call, const OnnxValue& x) {
   const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
   std::int64_t axis = call.integer("axis", 0);
   if (axis < 0) axis += rank;
-  if (!which || which->size() != 1 || axis < 0 || axis >= rank) {
-    return call.misused("of several values");
-  }
+  const std::optional<Dims>& form = call.input(1).shape;
+  const bool one = which && which->size() == 1 && form && form->size() <= 1;
+  if (!one || axis < 0 || axis >= rank) return call.misused("of several values");
   const std::int64_t size = (*x.shape)[static_cast<std::size_t>(axis)];
   const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
   if (index < 0 || index >= size) return call.misused("with an index that is not there");
-  const bool keeps_axis = call.input(1).shape && !call.input(1).shape->empty();
-  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, keeps_axis);
+  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, !form->empty());
 }
 
 OnnxValue gather(const OnnxCall& call) {
@@ -146,7 +150,8 @@ OnnxValue gather(const OnnxCall& call) {
   }
   const std::optional<Integers> from = integers_of(x);
   const std::optional<Integers> indices = integers_of(call.input(1));
-  if (!from || !indices || call.integer("axis", 0) != 0) {
+  const std::int64_t axis = call.integer("axis", 0);
+  if (!from || !indices || !is_list(x) || !call.input(1).shape || (axis != 0 && axis != -1)) {
     return call.misused("on values that are not a shape");
   }
   Integers picked;
@@ -155,7 +160,7 @@ OnnxValue gather(const OnnxCall& call) {
     if (index < -size || index >= size) return call.misused("with an index that is not there");
     picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
   }
-  return integers_value(std::move(picked));
+  return integers_value(std::move(picked), *call.input(1).shape);
 }
 
 /// The new states of several layers, one after the other.
@@ -249,7 +254,9 @@ OnnxValue concat(const OnnxCall& call) {
   Integers all;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const std::optional<Integers> part = integers_of(call.input(i));
-    if (!part || all.size() + part->size() > kMaxOnnxRank) return call.misused("of several values");
+    if (!part || !is_list(call.input(i)) || all.size() + part->size() > kMaxOnnxRank) {
+      return call.misused("of several values");
+    }
     all.insert(all.end(), part->begin(), part->end());
   }
   return integers_value(std::move(all));
@@ -269,11 +276,14 @@ OnnxValue slice(const OnnxCall& call) {
   if (!starts || !ends || starts->size() != 1 || ends->size() != 1) {
     return call.misused("of more than one axis, or without constant ends", std::nullopt);
   }
+  if (call.is_unreadable(3) || call.is_unreadable(4)) {
+    return call.misused("with axes or steps that are not constant");
+  }
   if (!axes) axes = Integers{0};
   const std::int64_t step = steps ? (steps->size() == 1 ? steps->front() : 0) : 1;
   const auto from = integers_of(x);
-  const Dims dims = from && x.kind != Kind::data ? Dims{static_cast<std::int64_t>(from->size())}
-                                                 : x.shape.value_or(Dims{});
+  if (from && !is_list(x)) return call.misused("on values that are not a shape");
+  const Dims dims = x.shape.value_or(Dims{});
   const auto rank = static_cast<std::int64_t>(dims.size());
   if (axes->size() != 1 || axes->front() < -rank || axes->front() >= rank || step < 1) {
     return call.misused("with axes or steps that are not there");
@@ -288,7 +298,7 @@ OnnxValue slice(const OnnxCall& call) {
   const std::int64_t last = place(ends->front());
   if (last <= first || step > size) return call.misused("that leaves nothing");
   const std::int64_t count = (last - first + step - 1) / step;
-  if (from && x.kind != Kind::data) {
+  if (from) {
     Integers some;
     for (std::int64_t i = first; i < last; i += step) {
       some.push_back((*from)[static_cast<std::size_t>(i)]);
@@ -318,6 +328,7 @@ OnnxValue split_part(const OnnxCall& call, int i) {
   const std::int64_t looked_at =
       given != nullptr ? given->ints_size() : std::clamp(parts, std::int64_t{1}, size);
   if (!call.spend(looked_at + call.node().attribute_size())) return call.too_much();
+  if (call.is_unreadable(1)) return call.misused("into sizes that are not constant, or too many");
   auto sizes = call.integers(1, "split");
   if (!sizes && parts >= 1 && parts <= size) {
     const std::int64_t each = (size + parts - 1) / parts;

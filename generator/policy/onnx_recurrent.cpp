@@ -42,9 +42,14 @@ std::string unusual(const OnnxCall& call, bool is_lstm) {
   return {};
 }
 
-bool is_zero(const OnnxValue& value) {
+/// Whether a state is zeros. Its shape comes first and its values count: a file of a few bytes may
+/// name the same large tensor in each of many nodes.
+bool is_zero(const OnnxCall& call, const OnnxValue& value, std::int64_t hidden) {
   if (value.kind == Kind::absent || value.is_zero) return true;
-  if (value.kind != Kind::constant) return false;
+  if (value.kind != Kind::constant || value.constant.dims != Dims{1, 1, hidden} ||
+      !call.spend(hidden)) {
+    return false;
+  }
   PolicyProblem ignored;
   const auto numbers = read_floats(value.constant, ignored);
   return numbers &&
@@ -61,8 +66,9 @@ class Recurrent {
       return call_.misused("that does not take one observation at a time");
     }
     if (const std::string how = unusual(call_, is_lstm_); !how.empty()) return call_.misused(how);
-    if (call_.input(4).kind != Kind::absent && !integers_of(call_.input(4))) {
-      return call_.misused("with lengths of sequences that are not constant");
+    const auto lengths = integers_of(call_.input(4));
+    if (call_.input(4).kind != Kind::absent && lengths != std::vector<std::int64_t>{1}) {
+      return call_.misused("with lengths of sequences that are not one step");
     }
     work_.is_lstm = is_lstm_;
     if (auto problem = take_weights((*x.shape)[2])) return call_.other(*problem);
@@ -120,8 +126,10 @@ class Recurrent {
       source = state.state;
       return std::nullopt;
     }
-    if (is_zero(state) && call_.state().is_sequence) return std::nullopt;
-    if (is_zero(state)) {
+    const bool zero = is_zero(call_, state, hidden_);
+    if (call_.state().budget < 0) return call_.too_much().problem;
+    if (zero && call_.state().is_sequence) return std::nullopt;
+    if (zero) {
       return PolicyProblem{
           "E0640",
           fmt::format("starts from zeros at every observation in {}: it remembers nothing",
@@ -150,11 +158,12 @@ OnnxValue lstm(const OnnxCall& call) {
 }  // namespace
 
 OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
-  if (call.node().op_type() == "Split") return split_part(call, i);
+  if (call.node().op_type() == "Split") return along_time(call, split_part(call, i));
   const bool is_lstm = call.node().op_type() == "LSTM";
   const bool is_state = (is_lstm && i <= 2) || (call.node().op_type() == "GRU" && i == 1);
   if (!is_state || first.kind != Kind::data) return call.misused("whose second output is used");
   OnnxValue value = first;
+  value.time = 0;  // the last step's
   if (i == 2) value = call.misused("whose cell state is used");
   value.shape = Dims{1, 1, first.shape->back()};
   value.remembered = {{first.step, i == 2}};

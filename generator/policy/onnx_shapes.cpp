@@ -15,12 +15,17 @@ using Integers = std::vector<std::int64_t>;
 
 }  // namespace
 
-OnnxValue integers_value(Integers integers) {
+OnnxValue integers_value(Integers integers, Dims shape) {
   OnnxValue value;
   value.kind = Kind::integers;
-  value.shape = Dims{static_cast<std::int64_t>(integers.size())};
+  value.shape = std::move(shape);
   value.integers = std::move(integers);
   return value;
+}
+
+OnnxValue integers_value(Integers integers) {
+  Dims shape = {static_cast<std::int64_t>(integers.size())};
+  return integers_value(std::move(integers), std::move(shape));
 }
 
 namespace {
@@ -43,7 +48,7 @@ OnnxValue reshaped(const OnnxCall& call, const OnnxValue& x, const std::optional
       element_count(*shape) != element_count(*x.shape)) {
     return call.misused("that changes the number of values", shape);
   }
-  if (x.kind == Kind::integers || x.kind == Kind::absent) return x;
+  if (x.kind == Kind::absent) return x;
   if (x.kind == Kind::constant && x.constant.transposed) {
     return call.misused("on a transposed constant", shape);
   }
@@ -60,40 +65,61 @@ OnnxValue identity(const OnnxCall& call) {
   return call.input(0);
 }
 
-/// To the type of the second input.
-OnnxValue cast_like(const OnnxCall& call) {
+std::string name_of_type(std::int64_t type) {
+  const int number = type > 0 && type < 100 ? static_cast<int>(type) : 0;
+  return onnx::TensorProto::DataType_IsValid(number)
+             ? onnx::TensorProto::DataType_Name(static_cast<onnx::TensorProto::DataType>(number))
+             : "an unknown type";
+}
+
+/// Integers become reals where they can be read as such: what is calculated from them afterwards
+/// is not rounded. In half precision it would be, and in short integers they would wrap.
+OnnxValue cast_integers(const OnnxCall& call, const Integers& integers, std::int64_t to) {
   const OnnxValue& x = call.input(0);
-  const OnnxValue& like = call.input(1);
-  const bool same =
-      like.kind == Kind::data || (like.kind == Kind::constant &&
-                                  like.constant.tensor->data_type() == onnx::TensorProto::FLOAT);
-  if (x.kind == Kind::absent || !same) return call.misused("to an unknown type", x.shape);
+  if (to == onnx::TensorProto::FLOAT || to == onnx::TensorProto::DOUBLE) {
+    if (!call.spend(static_cast<std::int64_t>(integers.size()))) return call.too_much();
+    return made_constant(call, {integers.begin(), integers.end()}, *x.shape);
+  }
+  const bool stays = to == onnx::TensorProto::INT64 || to == onnx::TensorProto::INT32;
+  const bool is_truth = to == onnx::TensorProto::BOOL;
+  if (!stays && !is_truth) {
+    return call.misused(fmt::format("to {}", name_of_type(to)), x.shape);
+  }
+  Integers result = integers;
+  for (std::int64_t& value : result) {
+    if (is_truth) value = value != 0 ? 1 : 0;
+    const auto narrow = static_cast<std::int32_t>(value);
+    if (to == onnx::TensorProto::INT32 && narrow != value) {
+      return call.misused("of a number that does not fit", x.shape);
+    }
+  }
+  return integers_value(std::move(result), *x.shape);
+}
+
+OnnxValue cast_to(const OnnxCall& call, std::int64_t to) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind == Kind::absent) return call.misused("without an input");
+  if (const auto integers = integers_of(x); integers && x.shape) {
+    return cast_integers(call, *integers, to);
+  }
+  const bool is_real = x.kind == Kind::constant && to != x.constant.tensor->data_type() &&
+                       to != onnx::TensorProto::DOUBLE;  // else its numbers are rounded
+  if ((x.kind == Kind::data || is_real) && to != onnx::TensorProto::FLOAT) {
+    return call.misused(fmt::format("to {}", name_of_type(to)), x.shape);
+  }
   return x;
 }
 
 OnnxValue cast(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
-  if (x.kind == Kind::absent) return call.misused("without an input");
-  const std::int64_t to = call.integer("to", 0);
-  if (to == onnx::TensorProto::FLOAT && x.kind != Kind::data) {
-    if (const auto integers = integers_of(x); integers && x.shape) {
-      if (!call.spend(static_cast<std::int64_t>(integers->size()))) return call.too_much();
-      return made_constant(call, {integers->begin(), integers->end()}, *x.shape);
-    }
-  }
-  const bool is_real = x.kind == Kind::constant && !integers_of(x) &&
-                       to != x.constant.tensor->data_type() &&
-                       to != onnx::TensorProto::DOUBLE;  // else its numbers are rounded
-  if ((x.kind == Kind::data || is_real) && to != onnx::TensorProto::FLOAT) {
-    const int type = to > 0 && to < 100 ? static_cast<int>(to) : 0;
-    return call.misused(
-        fmt::format("to {}", onnx::TensorProto::DataType_IsValid(type)
-                                 ? onnx::TensorProto::DataType_Name(
-                                       static_cast<onnx::TensorProto::DataType>(type))
-                                 : "an unknown type"),
-        x.shape);
-  }
-  return x;
+  return cast_to(call, call.integer("to", 0));
+}
+
+/// To the type of the second input.
+OnnxValue cast_like(const OnnxCall& call) {
+  const OnnxValue& like = call.input(1);
+  if (like.kind == Kind::data) return cast_to(call, onnx::TensorProto::FLOAT);
+  if (like.kind == Kind::constant) return cast_to(call, like.constant.tensor->data_type());
+  return call.misused("to an unknown type", call.input(0).shape);
 }
 
 OnnxValue constant(const OnnxCall& call) {
@@ -104,7 +130,7 @@ OnnxValue constant(const OnnxCall& call) {
     return integers_value({ints->ints().begin(), ints->ints().end()});
   }
   if (const auto* integer = call.attribute("value_int"); integer != nullptr) {
-    return integers_value({integer->i()});
+    return integers_value({integer->i()}, {});
   }
   onnx::TensorProto tensor;
   tensor.set_name(call.node().output_size() > 0 ? call.node().output(0) : "");

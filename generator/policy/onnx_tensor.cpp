@@ -195,6 +195,15 @@ std::optional<std::vector<float>> read_floats(const OnnxConstant& constant,
   return values;
 }
 
+std::optional<float> infinity_of(const OnnxConstant& constant) {
+  const TensorProto& tensor = *constant.tensor;
+  const bool is_real = tensor.data_type() == TensorProto::FLOAT ||
+                       tensor.data_type() == TensorProto::DOUBLE || is_short(tensor);
+  if (!is_real || element_count(constant.dims) != 1) return std::nullopt;
+  const double value = value_at(tensor, 0);
+  return std::isinf(value) ? std::optional(static_cast<float>(value)) : std::nullopt;
+}
+
 std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant) {
   const int type = constant.tensor->data_type();
   const std::int64_t count = element_count(constant.dims).value_or(kMaxElements);

@@ -25,6 +25,9 @@ std::optional<OnnxConstant> make_constant(const onnx::TensorProto& tensor, Polic
 /// The values in row-major order of `constant.dims`, converted to float where that is exact.
 std::optional<std::vector<float>> read_floats(const OnnxConstant& constant, PolicyProblem& problem);
 
+/// Plus or minus infinity, if that is the only value.
+std::optional<float> infinity_of(const OnnxConstant& constant);
+
 /// The values of a small integer tensor (a shape, axes); nothing if it is something else.
 std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant);
 

@@ -88,14 +88,19 @@ const onnx::AttributeProto* OnnxCall::attribute(std::string_view name) const {
   return nullptr;
 }
 
+// Writers of proto3 leave a number out that is zero: the type says that it is meant.
 std::int64_t OnnxCall::integer(std::string_view name, std::int64_t otherwise) const {
   const onnx::AttributeProto* found = attribute(name);
-  return found != nullptr && found->has_i() ? found->i() : otherwise;
+  const bool given =
+      found != nullptr && (found->has_i() || found->type() == onnx::AttributeProto::INT);
+  return given ? found->i() : otherwise;
 }
 
 float OnnxCall::real(std::string_view name, float otherwise) const {
   const onnx::AttributeProto* found = attribute(name);
-  return found != nullptr && found->has_f() ? found->f() : otherwise;
+  const bool given =
+      found != nullptr && (found->has_f() || found->type() == onnx::AttributeProto::FLOAT);
+  return given ? found->f() : otherwise;
 }
 
 std::optional<std::vector<std::int64_t>> OnnxCall::integers(std::size_t i,
@@ -104,6 +109,10 @@ std::optional<std::vector<std::int64_t>> OnnxCall::integers(std::size_t i,
   const onnx::AttributeProto* found = attribute(name);
   if (found == nullptr) return std::nullopt;
   return std::vector<std::int64_t>(found->ints().begin(), found->ints().end());
+}
+
+bool OnnxCall::is_unreadable(std::size_t i) const {
+  return input(i).kind != OnnxValue::Kind::absent && !integers_of(input(i));
 }
 
 std::string OnnxCall::who() const {
@@ -194,7 +203,7 @@ OnnxValue evaluate(const OnnxCall& call) {
   const auto found = kTable.find(call.node().op_type());
   const bool known = domain.empty() || domain == "ai.onnx";
   if (auto value = known ? folded(call) : std::nullopt) return *value;
-  if (known && found != kTable.end()) return found->second(call);
+  if (known && found != kTable.end()) return along_time(call, found->second(call));
   return unsupported(call);
 }
 

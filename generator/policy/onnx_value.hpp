@@ -128,6 +128,7 @@ struct OnnxValue {
   };
   Kind kind = Kind::absent;
   std::optional<Dims> shape;  // where known
+  std::uint32_t time = 0;     // bit i: axis i may be the steps of a sequence
   OnnxConstant constant;
   std::vector<std::int64_t> integers;
   std::int32_t step = -1;
@@ -146,6 +147,7 @@ class OnnxCall {
     std::int64_t opset = 0;
     std::int64_t observed = 0;  // values of the observation
     bool is_sequence = false;   // the observation has time as an axis of any length
+    bool follows_time = false;  // and no state is an input: the sequence starts an episode
     std::int64_t budget = std::int64_t{64} << 20U;  // values that may still be looked at
     std::vector<OnnxStep> steps;
     std::deque<onnx::TensorProto> made;  // tensors written as plain attributes
@@ -167,6 +169,9 @@ class OnnxCall {
   /// Integers of input `i` or, where there is no such input, of attribute `name`.
   [[nodiscard]] std::optional<std::vector<std::int64_t>> integers(std::size_t i,
                                                                   std::string_view name) const;
+  /// Whether input `i` is given, but is no list of integers that are known: what it leaves open
+  /// must not become what the operator does without it.
+  [[nodiscard]] bool is_unreadable(std::size_t i) const;
 
   /// "operator `Gemm` (node `/mu/Gemm`)".
   [[nodiscard]] std::string who() const;
@@ -197,7 +202,8 @@ std::optional<std::vector<std::int64_t>> integers_of(const OnnxValue& value);
 
 inline constexpr std::size_t kMaxOnnxRank = 8;
 
-/// A computed shape.
+/// A computed shape, or a part of one: a scalar has no axis, a list one.
+OnnxValue integers_value(std::vector<std::int64_t> integers, Dims shape);
 OnnxValue integers_value(std::vector<std::int64_t> integers);
 
 /// The same values in the same order under another shape.
@@ -237,6 +243,10 @@ OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, 
 OnnxValue split_part(const OnnxCall& call, int i);
 /// Output `i` (from 1) of a node whose first one is `first`.
 OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i);
+
+/// `value`, a result of the call, with its axis of time; E0613 where steps of a sequence would be
+/// mixed, picked or lost.
+OnnxValue along_time(const OnnxCall& call, OnnxValue value);
 
 /// The first output of the node. Never fails: what cannot be represented is of kind `other`.
 OnnxValue evaluate(const OnnxCall& call);

@@ -121,6 +121,29 @@ TEST(Bombs, OnnxSplitOfManyParts) {
   expect(read_bad(builder.bytes()), "E0619", "too many values");
 }
 
+/// An LSTM over [time, batch, 1] with one value, which starts from `zeros`.
+onnx::NodeProto& add_lstm(test::OnnxBuilder& builder, const char* from, const char* to) {
+  onnx::NodeProto& node = builder.add_node("LSTM", {from, "w", "r", "", "", "zeros", "zeros"}, to);
+  test::OnnxBuilder::set(node, "hidden_size", std::int64_t{1});
+  return node;
+}
+
+TEST(Bombs, OnnxOfOneLargeStateOften) {
+  constexpr std::int64_t kMany = 1'000'000;  // each cell once looked at all of them, twice
+  test::OnnxBuilder builder(1);
+  auto& shape =
+      *builder.graph().mutable_input(0)->mutable_type()->mutable_tensor_type()->mutable_shape();
+  shape.clear_dim();
+  shape.add_dim()->set_dim_param("time");
+  shape.add_dim()->set_dim_param("batch");
+  shape.add_dim()->set_dim_value(1);
+  builder.add_tensor("w", {1, 4, 1}, std::vector<float>(4, 0.5F));
+  builder.add_tensor("r", {1, 4, 1}, std::vector<float>(4, 0.5F));
+  builder.add_tensor("zeros", {1, 1, kMany}, std::vector<float>(kMany, 0.0F));
+  add_lstm(builder, "observation", "action");
+  expect(read_bad(builder.bytes()), "E0640", "computes the state");
+}
+
 TEST(Bombs, StatisticsOfALongName) {
   const std::string pickle = "\x80\x04" + std::string("}(") + text("obs_rms") + "}(" +
                              text(std::string(5000, 'x')) + "}uu.";
