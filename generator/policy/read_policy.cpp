@@ -23,12 +23,19 @@ bool is_safetensors(std::string_view bytes) {
 
 /// What `bytes` are by their first few, or empty when only a parser can tell.
 std::string_view known_other_format(std::string_view bytes) {
+  if (bytes.starts_with("version https://git-lfs")) {
+    return "a Git LFS pointer, not the file itself: run `git lfs pull`";
+  }
   if (bytes.starts_with("\x93NUMPY")) return "one NumPy array, not an archive of them (npz)";
   if (bytes.starts_with("\x89HDF")) return "an HDF5 file";
   if (bytes.starts_with("\x80\x02") || bytes.starts_with("\x80\x04") ||
       bytes.starts_with("\x80\x05")) {
-    return "a Python pickle without tensors' files (torch before 1.6, or not torch)";
+    return "a Python pickle without tensors' files (torch before 1.6, or VecNormalize's "
+           "statistics, "
+           "which are named as `normalize`)";
   }
+  constexpr char kFirstLetter = ' ';
+  if (bytes.front() >= kFirstLetter) return "a text file";  // no format starts like this
   return {};
 }
 

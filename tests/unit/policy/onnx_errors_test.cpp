@@ -70,7 +70,7 @@ TEST(OnnxErrors, OtherFormatsAreNamed) {
 }
 
 TEST(OnnxErrors, GarbageIsNotOnnx) {
-  expect(read_bad("name: pendulum\nrate: 30\n"), "E0603", "is not an ONNX file");
+  expect(read_bad("name: pendulum\nrate: 30\n"), "E0603", "is a text file");
   expect(read_bad(std::string(1000, '\xff')), "E0603", "is not an ONNX file");
 }
 
