@@ -157,6 +157,10 @@ std::optional<Network> read_weights(Run& run, const AgentSpec& policy) {
   if (policy.activation) request.activation = activation_of(policy.activation->value);
   auto network = read_policy(request, run.diagnostics);
   if (!network) return network;
+  for (const auto& what : network->assumed) {
+    run.diagnostics.note(policy.file.span,
+                         fmt::format("not in `{}`, and assumed: {}", policy.file.value, what));
+  }
   if (policy.profile && policy.profile->value == "fast") network->profile = Profile::fast;
   add_known_answers(run, *network, policy, folder);
   return network;

@@ -131,6 +131,7 @@ int policy_command(const Options& options) {
   fmt::print("with int8      off by {}\n",
              to_string(rounding_error(*network, with_int8_weights(*network), nullptr)));
   print_contract(*network);
+  for (const std::string& part : network->assumed) fmt::print("assumed        {}\n", part);
   if (!network->ignored.empty()) fmt::print("not used\n");
   for (const std::string& part : network->ignored) fmt::print("  {}\n", part);
   return finish(run, options);

@@ -133,16 +133,19 @@ class Assembly {
   }
 
   bool choose_activation() {
-    if (context_.activation && facts_.activation && *context_.activation != *facts_.activation) {
+    // A zip of SB3 that names none has its class's.
+    const bool is_zip = facts_.format.starts_with("Stable-Baselines3");
+    const auto in_file = facts_.activation || !is_zip ? facts_.activation : layout_.activation;
+    if (context_.activation && in_file && *context_.activation != *in_file) {
       return fail("E0626",
                   fmt::format("says that its activation is {}, but the graph says {}",
-                              to_string(*facts_.activation), to_string(*context_.activation)),
+                              to_string(*in_file), to_string(*context_.activation)),
                   "leave the graph's `activation` out");
     }
     const bool needed =
         std::any_of(layout_.modules.begin(), layout_.modules.end(),
                     [](const ActorModule& module) { return module.activation_after; });
-    const auto said = facts_.activation ? facts_.activation : context_.activation;
+    const auto said = in_file ? in_file : context_.activation;
     if (!said && !layout_.activation && needed) {
       return fail(
           "E0629", "does not say which activation follows its hidden layers",
@@ -150,6 +153,12 @@ class Assembly {
           "elu`");
     }
     activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
+    if (!said && needed) {
+      network_.assumed.push_back(
+          fmt::format("activation {}, which is {}'s unless it was told "
+                      "otherwise",
+                      to_string(activation_), layout_.about));
+    }
     return true;
   }
 

@@ -156,6 +156,7 @@ struct Network {
   std::vector<DenseLayer> layers;  // at least one; sizes fit together
   std::vector<std::string>
       ignored;  // parts of the file that do not lead to the action, for the report
+  std::vector<std::string> assumed{};  // what the file does not say, for people
   std::optional<ActionKind> action{};  // if the file says it
   std::optional<Normalization> normalization{};
   Profile profile = Profile::exact;

@@ -123,6 +123,23 @@ TEST(CrossQ, EpsilonOfItsBatchNorms) {
   EXPECT_EQ(evaluate(usual, observation), evaluate(read("crossq.zip"), observation));
 }
 
+TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {
+  PolicyRequest request;
+  request.path = EAGERX_SOURCE_DIR "/tests/data/policy/ppo_64.zip";
+  request.name = "ppo_64.zip";
+  request.activation = Activation::relu;
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_policy(request, diagnostics).has_value());
+  EXPECT_EQ(diagnostics.all().front().code, "E0626") << "Stable-Baselines3's own is tanh";
+
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "mlp_extractor.policy_net.0", 3, 2);
+  add_linear(tensors, "action_net", 2, 1);
+  EXPECT_THAT(read_good(safetensors(tensors)).assumed, ElementsAre(HasSubstr("activation tanh")));
+  const std::string said = R"("activation":"elu")";
+  EXPECT_TRUE(read_good(safetensors(tensors, said)).assumed.empty());
+}
+
 TEST(CrossQ, NothingFollowsItsLastBatchNorm) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "actor.latent_pi.0", 3, 2);  // 1 is the activation
