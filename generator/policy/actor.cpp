@@ -147,10 +147,9 @@ class Assembly {
                     [](const ActorModule& module) { return module.activation_after; });
     const auto said = in_file ? in_file : context_.activation;
     if (!said && !layout_.activation && needed) {
-      return fail(
-          "E0629", "does not say which activation follows its hidden layers",
-          "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy`: `--activation "
-          "elu`");
+      return fail("E0629", "does not say which activation follows its hidden layers",
+                  "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy` with "
+                  "`--activation elu`");
     }
     activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
     if (!said && needed) {

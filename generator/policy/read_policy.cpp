@@ -31,8 +31,7 @@ std::string_view known_other_format(std::string_view bytes) {
   if (bytes.starts_with("\x80\x02") || bytes.starts_with("\x80\x04") ||
       bytes.starts_with("\x80\x05")) {
     return "a Python pickle without tensors' files (torch before 1.6, or VecNormalize's "
-           "statistics, "
-           "which are named as `normalize`)";
+           "statistics, which are named as `normalize`)";
   }
   constexpr char kFirstLetter = ' ';
   if (bytes.front() >= kFirstLetter) return "a text file";  // no format starts like this
