@@ -229,7 +229,10 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
   if (over.max_delay_s) base.max_delay_s = over.max_delay_s;
   // A delay that is written replaces one that is drawn, and the other way round.
   if (over.delay_s) base.random_delay.reset();
-  if (over.random_delay) base.random_delay = over.random_delay;
+  if (over.random_delay) {
+    base.random_delay = over.random_delay;
+    if (!over.delay_s) base.delay_s.reset();
+  }
   return base;
 }
 

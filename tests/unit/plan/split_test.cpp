@@ -30,7 +30,7 @@ std::unique_ptr<Planned> planned(const std::string& placement, const std::string
                                  const std::string& to_filter = "actions.voltage") {
   auto result = std::make_unique<Planned>();
   const std::string text =
-      "name: test\nrate: 30\nengine: {type: OdeEngine, rate: 60}\n"
+      "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 60}\n"
       "objects:\n  arm: {type: Pendulum, sensors: {theta: {rate: 60}}}\n"
       "nodes:\n  smooth: {type: ButterworthFilter, rate: " +
       filter_hz +

@@ -30,7 +30,7 @@ std::unique_ptr<Resolved> resolved(const std::string& objects_and_more,
                                    const ResolveOptions& options = {}) {
   auto result = std::make_unique<Resolved>();
   const std::string head =
-      "name: test\nrate: 30\nengine: {type: OdeEngine, rate: 30, config: {method: rk4, substeps: "
+      "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 30, config: {method: rk4, substeps: "
       "7}}\n";
   const Node tree =
       read_yaml_text("graph.yaml", head + objects_and_more, result->sources, result->diagnostics);
@@ -177,6 +177,20 @@ TEST(Resolve, AStateOfAnObjectMayBeThatOfAnEngineNode) {
   const State& model_state = result->graph->objects[0].states[0];
   EXPECT_EQ(model_state.random->first, (std::vector<double>{-1.0, -1.0}));
   EXPECT_EQ(model_state.random->second, (std::vector<double>{1.0, 1.0}));
+}
+
+TEST(Resolve, ADrawnDelayReplacesAWrittenOne) {
+  const auto result = resolved(
+      "objects:\n  arm: {type: Pendulum}\n"
+      "nodes:\n  smooth: {type: ButterworthFilter, rate: 30, config: {cutoff_hz: 5}, inputs: "
+      "{signal: {delay: 0.1}}}\n"
+      "actions: {voltage: {space: {like: arm.u}}}\nobservations: [angle]\n"
+      "connections:\n  - {from: actions.voltage, to: smooth.signal, delay: {uniform: {low: 0, "
+      "high: 0.05}}}\n"
+      "  - {from: smooth.filtered, to: arm.u}\n  - {from: arm.theta, to: observations.angle}\n");
+  const Input& input = node(*result, "smooth")->inputs[0];
+  EXPECT_EQ(input.delay_s, Rational());
+  EXPECT_EQ(input.max_delay_s, Rational::parse("0.05"));
 }
 
 }  // namespace
