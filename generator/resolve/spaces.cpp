@@ -225,6 +225,13 @@ class SpaceResolver {
     input.random_delay = read_random("delay", seconds, spec, diagnostics());
     if (!input.random_delay) return;
     const auto longest = longest_delay(*input.random_delay);
+    const bool ranged =
+        spec.kind == RandomSpec::Kind::uniform || spec.kind == RandomSpec::Kind::log_uniform;
+    if (ranged && !spec.first && !input.max_delay_s) {
+      diagnostics().error("E0327", spec.span, "this delay has no range to be drawn from").help =
+          "give `max_delay` beside it, or the range: `{low: …, high: …}`";
+      return;
+    }
     if (!input.max_delay_s) input.max_delay_s = longest;
     if (!input.max_delay_s) {
       diagnostics().error("E0327", spec.span, "this delay has no longest value").help =
