@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "generator/read/scalar.hpp"
@@ -45,6 +46,12 @@ bool in_range(const Parameter& parameter, const ConditionNumber& value, const No
   return false;
 }
 
+/// What is no number is no value of a parameter either.
+std::optional<double> number_of(const Node& node) {
+  const auto number = parse_number(node.text);
+  return number && std::isnan(*number) ? std::nullopt : number;
+}
+
 class Reader {
  public:
   Reader(const Parameter& parameter, const Node& node, Diagnostics& diagnostics)
@@ -55,7 +62,7 @@ class Reader {
       case Parameter::Type::integer:
         return one<std::int64_t>([](const Node& n) { return parse_whole(n.text); });
       case Parameter::Type::number:
-        return one<double>([](const Node& n) { return parse_number(n.text); });
+        return one<double>(number_of);
       case Parameter::Type::boolean:
         return one<bool>([](const Node& n) { return parse_bool(n.text); });
       case Parameter::Type::text:
@@ -65,7 +72,7 @@ class Reader {
       case Parameter::Type::integers:
         return list<std::int64_t>([](const Node& n) { return parse_whole(n.text); });
       case Parameter::Type::numbers:
-        return list<double>([](const Node& n) { return parse_number(n.text); });
+        return list<double>(number_of);
     }
     return std::nullopt;
   }

@@ -31,6 +31,8 @@ class RandomReader {
     random.kind = spec_.kind;
     random.span = spec_.span;
     switch (spec_.kind) {
+        require(random.first, is_finite, "`mean` must be finite");
+        require(random.second, is_finite, "`std` must be finite");
       case RandomSpec::Kind::value:
         random.first = values(*spec_.first, true);
         break;
@@ -106,6 +108,8 @@ class RandomReader {
     }
     for (std::size_t i = 0; good_ && i < random.first.size(); ++i) {
       if (!std::isfinite(random.first[i]) || !std::isfinite(random.second[i])) {
+  static bool is_finite(double number) { return std::isfinite(number); }
+
         fail("E0327", spec_.span, "a range to draw from must be finite");
       } else if (random.first[i] > random.second[i]) {
         fail("E0327", spec_.span,
