@@ -73,13 +73,16 @@ PartialSpace partial_space(const SpaceSpec& spec, const References& references,
     result.like = spec.like->value;
     result.like_span = spec.like->span;
   }
-  const Span bounds = spec.low ? spec.low->span : spec.span;
+  const Span bounds = spec.low ? spec.low->span : spec.high ? spec.high->span : spec.span;
+  result.bounds_span = bounds;
   const bool scalar_bounds =
       result.low.size() <= 1 || result.high.size() <= 1 || result.low.size() == result.high.size();
   if (!scalar_bounds) {
     diagnostics.error(
         "E0326", bounds,
         fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
+    result.low.clear();  // told of; it need not be said again of what they are laid over
+    result.high.clear();
   }
   for (std::size_t i = 0; scalar_bounds && !result.low.empty() && !result.high.empty() &&
                           i < std::max(result.low.size(), result.high.size());
@@ -88,7 +91,8 @@ PartialSpace partial_space(const SpaceSpec& spec, const References& references,
     const double high = result.high[result.high.size() == 1 ? 0 : i];
     if (low <= high) continue;
     diagnostics.error("E0326", bounds, fmt::format("`low` ({}) is above `high` ({})", low, high));
-    break;
+    result.low.clear();
+    result.high.clear();
   }
   return result;
 }
@@ -102,6 +106,7 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over) {
     base.like = over.like;
     base.like_span = over.like_span;
   }
+  if (!over.low.empty() || !over.high.empty()) base.bounds_span = over.bounds_span;
   base.span = over.span;
   return base;
 }

@@ -19,6 +19,7 @@ struct PartialSpace {
   std::vector<double> low, high;
   std::optional<std::string> like;  // an input of the same node; for actions a port of the graph
   Span span, like_span;
+  Span bounds_span;  // of the bound that was written last
 };
 
 /// Settings of a connection; later ones win over earlier ones.
@@ -113,6 +114,16 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
 /// The space if dtype and shape are known.
 std::optional<Space> complete(const PartialSpace& partial);
 PartialSpace partial_of(const Space& space);
+/// Bounds must be one number or one for each element, fit the dtype, and leave something between
+/// them (E0326 at `place`). Nothing else may look at bounds that were not checked.
+bool check_bounds(const Space& space, Span place, Diagnostics& diagnostics);
+/// Where the bounds are written, if that is in the file of `otherwise`.
+Span place_of_bounds(const PartialSpace& space, Span otherwise);
+/// The bound of an element; `otherwise` if there is none.
+double bound_of(const std::vector<double>& bounds, std::size_t element, double otherwise);
+/// float32 bounds are written as decimals: 3.14 is allowed where the bound is float32(3.14), and
+/// back.
+double rounded(const Space& space, double value);
 /// Whether what arrives has the dtype and shape that are declared, where they are.
 bool fits(const PartialSpace& declared, const Space& arriving);
 /// Applies what is said of an output beside its manifest: a processor, and the space of what is

@@ -15,16 +15,11 @@ const Setting* find_setting(const std::vector<Setting>& settings, std::string_vi
   return found == settings.end() ? nullptr : &*found;
 }
 
-double bound(const std::vector<double>& bounds, std::size_t i, double otherwise) {
-  if (bounds.empty()) return otherwise;
-  return bounds.size() == 1 ? bounds[0] : bounds[i];
-}
-
 std::vector<double> zero_in(const Space& space) {
   std::vector<double> zero;
   for (std::size_t i = 0; i < space.size(); ++i) {
-    const double low = bound(space.low, i, lowest_of(space.dtype));
-    const double high = bound(space.high, i, highest_of(space.dtype));
+    const double low = bound_of(space.low, i, lowest_of(space.dtype));
+    const double high = bound_of(space.high, i, highest_of(space.dtype));
     zero.push_back(std::min(std::max(0.0, low), high));
   }
   return zero;
@@ -131,8 +126,9 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
       if (set != object.actuators->end() && set->space)
         partial = overlay(partial, partial_space(*set->space, {}, quiet));
     }
-    const auto space = complete(partial);
+    auto space = complete(partial);
     if (!space || quiet.has_errors()) continue;
+    if (!check_bounds(*space, {}, quiet)) space->low = space->high = {};
     std::vector<double> safe = zero_in(*space);
     Span span = object.name.span;
     if (draft.spec.safety) {

@@ -110,7 +110,8 @@ class SpaceResolver {
     if (!raw) return false;
     slot.settled = true;
     Output output{draft.name, draft.sensor, *raw, *raw, std::nullopt, draft.span};
-    if (!check_bounds(*raw, draft.declared.span)) return true;
+    if (!check_bounds(*raw, place_of_bounds(*declared, draft.declared.span), diagnostics()))
+      return true;
     if (draft.processor) {
       output.processor = make_processor(draft_, *draft.processor, *raw, draft.span);
       if (!output.processor) return true;
@@ -133,7 +134,8 @@ class SpaceResolver {
     }
     if (!draft.published.low.empty()) output.space.low = draft.published.low;
     if (!draft.published.high.empty()) output.space.high = draft.published.high;
-    return check_bounds(output.space, draft.published.span);
+    return check_bounds(output.space, place_of_bounds(draft.published, draft.published.span),
+                        diagnostics());
   }
 
   /// The declared space with what it takes from an input of the same node; nullopt while that is
@@ -195,7 +197,8 @@ class SpaceResolver {
     // The receiver's own bounds, where it has some, say more about what it takes.
     if (!draft.declared.low.empty()) input.space.low = draft.declared.low;
     if (!draft.declared.high.empty()) input.space.high = draft.declared.high;
-    if (!check_bounds(input.space, draft.span)) return true;
+    if (!check_bounds(input.space, place_of_bounds(draft.declared, draft.span), diagnostics()))
+      return true;
     slot.port = std::move(input);
     return true;
   }
@@ -222,9 +225,6 @@ class SpaceResolver {
   void draw_delay(const RandomSpec& spec, Input& input) {
     Space seconds{Dtype::float64, {}, {0.0}, {}};
     if (input.max_delay_s) seconds.high = {input.max_delay_s->to_double()};
-    input.random_delay = read_random("delay", seconds, spec, diagnostics());
-    if (!input.random_delay) return;
-    const auto longest = longest_delay(*input.random_delay);
     const bool ranged =
         spec.kind == RandomSpec::Kind::uniform || spec.kind == RandomSpec::Kind::log_uniform;
     if (ranged && !spec.first && !input.max_delay_s) {
@@ -232,6 +232,9 @@ class SpaceResolver {
           "give `max_delay` beside it, or the range: `{low: …, high: …}`";
       return;
     }
+    input.random_delay = read_random("delay", seconds, spec, diagnostics());
+    if (!input.random_delay) return;
+    const auto longest = longest_delay(*input.random_delay);
     if (!input.max_delay_s) input.max_delay_s = longest;
     if (!input.max_delay_s) {
       diagnostics().error("E0327", spec.span, "this delay has no longest value").help =
@@ -280,35 +283,6 @@ class SpaceResolver {
     problem.notes.push_back(
         {"this is where it comes from", draft.edge->span, input.space.describe()});
     problem.help = "put a `processor` on the connection, or connect something that fits";
-  }
-
-  /// Bounds must be one number or one for each element, and fit the dtype.
-  bool check_bounds(const Space& space, Span span) {
-    return check_bounds(space, space.low, "low", span) &&
-           check_bounds(space, space.high, "high", span);
-  }
-
-  bool check_bounds(const Space& space, const std::vector<double>& bounds, std::string_view name,
-                    Span span) {
-    if (bounds.size() > 1 && bounds.size() != space.size()) {
-      diagnostics().error(
-          "E0326", span,
-          fmt::format("`{}` has {} values, but {} has {} element{}", name, bounds.size(),
-                      space.describe(), space.size(), space.size() == 1 ? "" : "s"));
-      return false;
-    }
-    for (const double bound : bounds) {
-      const bool floating = is_floating(space.dtype);
-      if (floating && std::isinf(bound)) continue;
-      const bool inside = bound >= lowest_of(space.dtype) && bound <= highest_of(space.dtype);
-      if (inside && (floating || bound == std::trunc(bound))) continue;
-      diagnostics().error(
-          "E0326", span,
-          fmt::format("`{}` is no bound of {} {}", bound,
-                      to_string(space.dtype).front() == 'i' ? "an" : "a", to_string(space.dtype)));
-      return false;
-    }
-    return true;
   }
 
   /// Everything is connected and no space was refused, so what is missing was never written.

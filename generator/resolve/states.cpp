@@ -9,17 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-double bound(const std::vector<double>& bounds, std::size_t i, double otherwise) {
-  if (bounds.empty()) return otherwise;
-  return bounds.size() == 1 ? bounds[0] : bounds[i];
-}
-
-/// float32 bounds are written as decimals: 3.14 is allowed where the bound is float32(3.14), and
-/// back.
-double rounded(const Space& space, double value) {
-  return space.dtype == Dtype::float32 ? static_cast<double>(static_cast<float>(value)) : value;
-}
-
 class RandomReader {
  public:
   RandomReader(const std::string& name, const Space& space, const RandomSpec& spec,
@@ -31,8 +20,6 @@ class RandomReader {
     random.kind = spec_.kind;
     random.span = spec_.span;
     switch (spec_.kind) {
-        require(random.first, is_finite, "`mean` must be finite");
-        require(random.second, is_finite, "`std` must be finite");
       case RandomSpec::Kind::value:
         random.first = values(*spec_.first, true);
         break;
@@ -44,6 +31,8 @@ class RandomReader {
         random.second = values(*spec_.second, false);
         require(
             random.second, [](double std) { return std >= 0.0; }, "`std` must not be negative");
+        require(random.first, is_finite, "`mean` must be finite");
+        require(random.second, is_finite, "`std` must be finite");
         break;
       case RandomSpec::Kind::uniform:
       case RandomSpec::Kind::log_uniform:
@@ -75,8 +64,8 @@ class RandomReader {
                   fmt::format("`{}` is {} and takes whole numbers", name_, space_.describe()));
     for (std::size_t i = 0; in_space && i < size; ++i) {
       const double value = rounded(space_, (*result)[i]);
-      const double low = rounded(space_, bound(space_.low, i, lowest_of(space_.dtype)));
-      const double high = rounded(space_, bound(space_.high, i, highest_of(space_.dtype)));
+      const double low = rounded(space_, bound_of(space_.low, i, lowest_of(space_.dtype)));
+      const double high = rounded(space_, bound_of(space_.high, i, highest_of(space_.dtype)));
       if (value >= low && value <= high) continue;
       const Span place =
           node.is_sequence() && i < node.items.size() ? node.items[i].span : node.span;
@@ -102,14 +91,12 @@ class RandomReader {
       return;
     } else {
       for (std::size_t i = 0; i < space_.size(); ++i) {
-        random.first.push_back(bound(space_.low, i, 0.0));
-        random.second.push_back(bound(space_.high, i, 0.0));
+        random.first.push_back(bound_of(space_.low, i, 0.0));
+        random.second.push_back(bound_of(space_.high, i, 0.0));
       }
     }
     for (std::size_t i = 0; good_ && i < random.first.size(); ++i) {
       if (!std::isfinite(random.first[i]) || !std::isfinite(random.second[i])) {
-  static bool is_finite(double number) { return std::isfinite(number); }
-
         fail("E0327", spec_.span, "a range to draw from must be finite");
       } else if (random.first[i] > random.second[i]) {
         fail("E0327", spec_.span,
@@ -120,6 +107,8 @@ class RandomReader {
     require(
         random.first, [](double low) { return low > 0.0; }, "a log-uniform range begins above 0");
   }
+
+  static bool is_finite(double number) { return std::isfinite(number); }
 
   template <class Test>
   void require(const std::vector<double>& numbers, Test&& test, const char* message) {
@@ -165,7 +154,9 @@ std::optional<Space> state_space(const PortManifest& port, const References& ref
         .help = "give its dtype and shape in the manifest";
     return std::nullopt;
   }
-  return Space{*partial.dtype, *partial.shape, partial.low, partial.high};
+  auto space = complete(partial);
+  const Span place = place_of_bounds(partial, port.name.span);
+  return check_bounds(*space, place, diagnostics) ? std::move(space) : std::nullopt;
 }
 
 /// The states that the user named, each with its space and how it is drawn.
@@ -186,17 +177,19 @@ std::vector<State> read_states(Draft& draft, const Entity& entity, const EntityS
     }
     auto space = state_space(*port, references, diagnostics);
     if (!space) continue;
+    bool bounded = true;
     if (state_spec.space) {
-      space = complete(narrow(partial_of(*space), partial_space(*state_spec.space, {}, diagnostics),
-                              state_spec.name.value, diagnostics));
+      const PartialSpace own = partial_space(*state_spec.space, {}, diagnostics);
+      space = complete(narrow(partial_of(*space), own, state_spec.name.value, diagnostics));
+      bounded = check_bounds(*space, place_of_bounds(own, own.span), diagnostics);
     }
     State state;
     state.name = state_spec.name.value;
     state.space = *space;
     state.span = state_spec.name.span;
-    if (state_spec.random)
+    if (state_spec.random && bounded)
       state.random = read_random(state.name, *space, *state_spec.random, diagnostics);
-    if (state_spec.processor)
+    if (state_spec.processor && bounded)
       state.processor = make_processor(draft, *state_spec.processor, *space, port->name.span);
     result.push_back(std::move(state));
   }
