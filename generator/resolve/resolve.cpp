@@ -10,6 +10,25 @@ namespace {
 
 void check_names(Draft& draft) {
   const GraphSpec& spec = draft.spec;
+/// The graph's name is that of a target in its CMakeLists.txt, where CMake has some of its own.
+void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics) {
+  static constexpr std::array kOfCMake = {"all",
+                                          "clean",
+                                          "depend",
+                                          "edit_cache",
+                                          "help",
+                                          "install",
+                                          "list_install_components",
+                                          "package",
+                                          "package_source",
+                                          "preinstall",
+                                          "rebuild_cache",
+                                          "test"};
+  if (std::find(kOfCMake.begin(), kOfCMake.end(), name.value) == kOfCMake.end()) return;
+  diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
+      "CMake has a target of that name, and the program's is that of the graph: choose another one";
+}
+
   static constexpr std::array kTaken = {"actions", "observations", "environment", "engine",
                                         "agent"};
   std::vector<const EntitySpec*> seen;
@@ -120,3 +139,4 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
 }
 
 }  // namespace eagerx::gen
+  check_graph_name(spec.name, diagnostics);

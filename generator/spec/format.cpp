@@ -92,6 +92,46 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options) {
 }
 }  // namespace format
 
+namespace {
+
+/// Names that <cfloat>, <climits>, <cmath>, <cstdint>, <cstdio> and <cstdlib> define as macros.
+bool is_macro(std::string_view text) {
+  static constexpr std::array kMacros = {
+      "BUFSIZ",      "DECIMAL_DIG", "EXIT_FAILURE",     "EXIT_SUCCESS", "FILENAME_MAX",
+      "FOPEN_MAX",   "HUGE_VAL",    "HUGE_VALF",        "HUGE_VALL",    "L_tmpnam",
+      "MATH_ERRNO",  "MB_CUR_MAX",  "MATH_ERREXCEPT",   "MB_LEN_MAX",   "M_1_PI",
+      "M_2_PI",      "M_2_SQRTPI",  "math_errhandling", "M_E",          "M_LN10",
+      "M_LN2",       "M_LOG10E",    "M_LOG2E",          "M_PI",         "M_PI_2",
+      "M_PI_4",      "M_SQRT1_2",   "M_SQRT2",          "P_tmpdir",     "RAND_MAX",
+      "SEEK_CUR",    "SEEK_END",    "SEEK_SET",         "TMP_MAX",      "PTRDIFF_MAX",
+      "PTRDIFF_MIN", "SIZE_MAX",    "SIG_ATOMIC_MAX",   "SSIZE_MAX",    "SIG_ATOMIC_MIN",
+      "WCHAR_MAX",   "WCHAR_MIN",   "WINT_MAX",         "WINT_MIN",     "CHAR_BIT",
+      "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"};
+  if (std::find(kMacros.begin(), kMacros.end(), text) != kMacros.end()) return true;
+  const bool capitals = std::all_of(text.begin(), text.end(), [](char c) {
+    return c == '_' || std::isupper(static_cast<unsigned char>(c)) != 0 ||
+           std::isdigit(static_cast<unsigned char>(c)) != 0;
+  });
+  if (!capitals) return false;
+  // INT32_MAX and UINT32_MAX, LONG_MAX and ULONG_MAX
+  const std::string_view type = text.starts_with('U') ? text.substr(1) : text;
+  static constexpr std::array kTypes = {"INT_",    "INT8_",     "INT16_",  "INT32_", "INT64_",
+                                        "INTMAX_", "INTPTR_",   "LONG_",   "LLONG_", "SHRT_",
+                                        "CHAR_",   "INT_LEAST", "INT_FAST"};
+  static constexpr std::array kEnds = {"_MAX", "_MIN", "_WIDTH", "_C"};
+  const auto starts = [](std::string_view word) {
+    return [word](const char* prefix) { return word.starts_with(prefix); };
+  };
+  const auto ends = [&](const char* end) { return text.ends_with(end); };
+  if (std::any_of(kTypes.begin(), kTypes.end(), starts(type)) &&
+      std::any_of(kEnds.begin(), kEnds.end(), ends))
+    return true;
+  static constexpr std::array kFloating = {"FLT_", "DBL_", "LDBL_", "FP_"};
+  return std::any_of(kFloating.begin(), kFloating.end(), starts(text));
+}
+
+}  // namespace
+
 bool is_reserved_name(std::string_view text) {
   static constexpr std::array kReserved = {
       "alignas",      "alignof",     "and",          "asm",
@@ -121,8 +161,9 @@ bool is_reserved_name(std::string_view text) {
       "linux",        "unix",        "NULL",         "EOF",
       "NAN",          "INFINITY",    "errno",        "assert",
       "Action",       "Observation", "States",       "Inputs",
-      "Outputs",      "Config"};
-  return std::find(kReserved.begin(), kReserved.end(), text) != kReserved.end();
+      "Outputs",      "Config",      "for_each",     "stdin",
+      "stdout",       "stderr"};
+  return std::find(kReserved.begin(), kReserved.end(), text) != kReserved.end() || is_macro(text);
 }
 
 bool is_identifier(std::string_view text) {
