@@ -72,6 +72,17 @@ void check_class(const Node& name, Diagnostics& diagnostics) {
       .help = "write it with its namespaces: `mine::Gain`";
 }
 
+/// Options are enumerators of the class beside them.
+void check_options(const Node& options, Diagnostics& diagnostics) {
+  for (const auto& option : options.items) {
+    if (is_identifier(option.text)) continue;
+    diagnostics
+        .error("E0205", option.span,
+               fmt::format("{} is not the name of an enumerator", describe(option)))
+        .help = "options are the enumerators of `class`, as C++ has them";
+  }
+}
+
 std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
   const Node* map = root.find("config");
@@ -90,6 +101,7 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
     if (const Node* name = entry.value.find("class")) check_class(*name, diagnostics);
     const Node* eagerx = entry.value.find("eagerx");
     parameter.eagerx = eagerx != nullptr ? eagerx->text : entry.key;
+    if (const Node* options = entry.value.find("options")) check_options(*options, diagnostics);
     const bool keyword = parameter.type == Parameter::Type::keyword;
     if (keyword != !parameter.options.empty() || keyword != !parameter.cpp_class.empty()) {
       diagnostics.error(
