@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 #include "generator/resolve/draft.hpp"
@@ -8,8 +10,6 @@
 namespace eagerx::gen {
 namespace {
 
-void check_names(Draft& draft) {
-  const GraphSpec& spec = draft.spec;
 /// The graph's name is that of a target in its CMakeLists.txt, where CMake has some of its own.
 void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics) {
   static constexpr std::array kOfCMake = {"all",
@@ -29,6 +29,8 @@ void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics
       "CMake has a target of that name, and the program's is that of the graph: choose another one";
 }
 
+void check_names(Draft& draft) {
+  const GraphSpec& spec = draft.spec;
   static constexpr std::array kTaken = {"actions", "observations", "environment", "engine",
                                         "agent"};
   std::vector<const EntitySpec*> seen;
@@ -98,6 +100,36 @@ void resolve_agent(Draft& draft) {
             [&](std::size_t a, std::size_t b) { return inputs[a].name < inputs[b].name; });
 }
 
+/// A draw between bounds of which one is infinite is no number. Without bounds it is between the
+/// ends of the dtype.
+void check_random_agent(Draft& draft) {
+  if (draft.graph.agent.kind != AgentSpec::Kind::random || draft.graph.nodes.empty()) return;
+  const auto infinite = [](double bound) { return std::isinf(bound); };
+  for (const auto& action : draft.graph.environment().outputs) {
+    const Space& space = action.space;
+    if (std::none_of(space.low.begin(), space.low.end(), infinite) &&
+        std::none_of(space.high.begin(), space.high.end(), infinite))
+      continue;
+    auto& problem = draft.diagnostics.error(
+        "E0326", draft.graph.agent.span,
+        fmt::format("no random `{}` can be drawn: its bounds are not finite", action.name));
+    problem.notes.push_back({"this action", action.span, ""});
+    problem.help = fmt::format(
+        "give finite ones: `actions: {{{}: {{space: {{low: …, high: …}}}}}}`", action.name);
+  }
+}
+
+/// The program counts the ticks of the environment that a reset may take.
+void check_reset_timeout(Draft& draft) {
+  constexpr std::int64_t kMostTicks = std::int64_t{1} << 62;
+  if (!draft.spec.reset_timeout_s) return;
+  const Spanned<Rational>& timeout = *draft.spec.reset_timeout_s;
+  draft.graph.reset_timeout_s = timeout.value;
+  if (timeout.value * draft.spec.rate.value <= Rational(kMostTicks)) return;
+  draft.diagnostics.error("E0323", timeout.span, "`reset_timeout` is out of range").label =
+      "so many ticks of the environment cannot be counted";
+}
+
 /// `--engine` names no place in a file, so its problem is found before anything points at the
 /// graph's engine.
 bool check_engine_option(const Library& library, const ResolveOptions& options,
@@ -117,6 +149,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   draft.graph.double_precision = (options.real.empty() ? spec.real : options.real) == "double";
   draft.graph.span = spec.name.span;
   if (!check_engine_option(library, options, diagnostics)) return std::nullopt;
+  check_graph_name(spec.name, diagnostics);
   check_names(draft);
   add_environment(draft);
   add_engine(draft, options);
@@ -130,7 +163,8 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_safety(draft);
-  if (spec.reset_timeout_s) draft.graph.reset_timeout_s = spec.reset_timeout_s->value;
+  check_random_agent(draft);
+  check_reset_timeout(draft);
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
   check_sync(draft);
   check_limits(draft);
@@ -139,4 +173,3 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
 }
 
 }  // namespace eagerx::gen
-  check_graph_name(spec.name, diagnostics);
