@@ -57,9 +57,26 @@ class TargetResolver {
           .help = suggestion(name, known, "it has no targets");
       return;
     }
+    refuse_settings(connection);
     const auto state = find_state(owner, connection.from);
     if (!state || !is_free(*node, name, connection)) return;
     add(*node, *port, owner, *state, connection);
+  }
+
+  /// Nothing is sent along such a connection: the state is asked for once, when a reset begins.
+  void refuse_settings(const ConnectionSpec& connection) {
+    const auto refuse = [&](const char* key, const auto& setting) {
+      if (!setting) return;
+      diagnostics()
+          .error("E0318", setting->span,
+                 fmt::format("`{}` cannot have `{}`", connection.to.value, key))
+          .help = "a target gets its state when a reset begins; only `processor` can be set";
+    };
+    refuse("window", connection.window);
+    refuse("delay", connection.delay_s);
+    refuse("delay", connection.random_delay);
+    refuse("max_delay", connection.max_delay_s);
+    refuse("skip", connection.skip);
   }
 
   DraftNode* find_reset_node(const Spanned<std::string>& to) {
