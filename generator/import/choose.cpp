@@ -18,8 +18,11 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
   const auto has = [&](std::string_view section, const std::string& port) {
     const std::string name = fmt::format("{}.{}", section, port);
     if (section == "states") {
-      return std::any_of(implementation.states.begin(), implementation.states.end(),
-                         [&](const EntitySpec& s) { return s.name.value == port; });
+      const auto is_it = [&](const auto& state) { return state.name.value == port; };
+      const auto& own = implementation.states;
+      const auto& of_nodes = implementation.node_states;
+      return std::any_of(own.begin(), own.end(), is_it) ||
+             std::any_of(of_nodes.begin(), of_nodes.end(), is_it);
     }
     return std::any_of(inside.begin(), inside.end(), [&](const ConnectionSpec& c) {
       return c.from.value == name || c.to.value == name;
