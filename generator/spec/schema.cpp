@@ -72,10 +72,12 @@ Json schema_of(const Format& format) {
       if (format.min_items > 0) schema["minItems"] = format.min_items;
       return schema;
     }
-    case Format::Kind::map:
-      return {{"type", object_type(true)},
-              {"propertyNames", {{"pattern", kIdentifier}}},
-              {"additionalProperties", schema_of(*format.item)}};
+    case Format::Kind::map: {
+      Json schema = {{"type", object_type(true)}};
+      if (!format.file_names) schema["propertyNames"] = {{"pattern", kIdentifier}};
+      schema["additionalProperties"] = schema_of(*format.item);
+      return schema;
+    }
     case Format::Kind::record:
       return record_schema(format);
     case Format::Kind::one_of: {

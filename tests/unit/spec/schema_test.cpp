@@ -84,8 +84,11 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
   for (const auto& name : schema.value("required", Json::array())) {
     if (!value.contains(name)) return where + " misses " + name.get<std::string>();
   }
+  const Json names = schema.value("propertyNames", Json::object());
   for (const auto& [key, item] : value.items()) {
     const std::string place = where + "." + key;
+    if (auto problem = problem_in(key, names, place + " as a key"); !problem.empty())
+      return problem;
     const bool known = schema.contains("properties") && schema["properties"].contains(key);
     const Json other = schema.value("additionalProperties", Json(true));
     if (!known && other == Json(false)) return place + " is unknown";
@@ -116,6 +119,14 @@ TEST(Schema, AcceptsTheGraphsOfThisRepository) {
         "tests/programs/own_library.yaml", "tests/diagnostics/cases/base.yaml"}) {
     EXPECT_EQ(problem_in_graph(file_text(graph)), "") << graph;
   }
+}
+
+TEST(Schema, AcceptsNamesOfPartsAsKeys) {
+  const std::string graph = file_text("tests/diagnostics/cases/base.yaml");
+  const std::string parts =
+      "safety: {actuators: {pendulum.u: 0.0}}\nbudget: {nodes: {pendulum/u: {flash: 1000}}}\n";
+  EXPECT_EQ(problem_in_graph(graph + parts), "");
+  EXPECT_NE(problem_in_graph(graph + "safety: {actions: {pendulum.u: 0.0}}\n"), "");
 }
 
 TEST(Schema, RefusesWhatTheParserRefuses) {
