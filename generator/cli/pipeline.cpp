@@ -36,9 +36,11 @@ bool read_own_graph(Run& run, const Node& tree, const Options& options) {
   run.spec = read_graph_spec(tree, options.graph, run.diagnostics);
   std::vector<Spanned<std::string>> folders;
   if (run.spec) {
-    for (const auto& folder : run.spec->library)
-      folders.push_back(
-          {(fs::path(options.graph).parent_path() / folder.value).string(), folder.span});
+    for (const auto& folder : run.spec->library) {
+      const fs::path path = fs::path(options.graph).parent_path() / folder.value;
+      // One without a name is none, and not the graph's own.
+      folders.push_back({folder.value.empty() ? "" : path.string(), folder.span});
+    }
     if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
     if (options.engine_rate_hz)
       run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();

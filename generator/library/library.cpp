@@ -203,7 +203,15 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
   std::vector<std::string> done;
   std::vector<Implementation> implementations;
   for (const auto& folder : folders) {
-    const fs::path root = fs::absolute(folder.value).lexically_normal();
+    std::error_code error;
+    const fs::path root = fs::absolute(folder.value, error).lexically_normal();
+    if (folder.value.empty() || error) {
+      diagnostics.io_error("E0301", folder.span,
+                           folder.value.empty() ? "a folder of a library has no name"
+                                                : fmt::format("cannot read the folder `{}`: {}",
+                                                              folder.value, error.message()));
+      continue;
+    }
     const std::string key = (root.has_filename() ? root : root.parent_path()).string();
     if (std::find(done.begin(), done.end(), key) != done.end()) continue;
     done.push_back(key);
