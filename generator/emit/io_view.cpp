@@ -105,9 +105,11 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     port.set("type", window_type(plan, n, i));
     port.set("field", input.name);
     port.set("comment", fmt::format("  // {}", input.space.describe()));
-    port.set("longest", input.max_delay_s ? input.max_delay_s->to_string() : "");
+    port.set("longest", input.max_delay_s
+                            ? fmt::format("at most {}", input.max_delay_s->to_string())
+                            : "not used: the graph simulates no delays");
     (input.feedthrough ? feedthroughs : inputs).push_back(port);
-    if (input.entity_sets_delay && input.max_delay_s) delays.push_back(port);
+    if (input.entity_sets_delay) delays.push_back(port);
   }
   for (const auto& target : node.targets) {
     View port = object();

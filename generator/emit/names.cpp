@@ -71,7 +71,8 @@ ProgramNames::ProgramNames(const Plan& plan, Part part)
       cursor[n].push_back(counted ? members.unique(port + "_cursor_") : "");
       fresh[n].push_back(input.window == 0 && !graph.asynchronous ? members.unique(port + "_new_")
                                                                   : "");
-      delay_member[n].push_back(input.max_delay_s ? members.unique(port + "_delay_s_") : "");
+      delay_member[n].push_back(
+          input.max_delay_s || input.entity_sets_delay ? members.unique(port + "_delay_s_") : "");
       const bool settable = input.max_delay_s && (input.random_delay || !input.entity_sets_delay);
       delay_state[n].push_back(settable ? fields.unique(port + "_delay_s") : "");
     }

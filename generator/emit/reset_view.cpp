@@ -79,8 +79,7 @@ class ResetView {
       std::vector<std::string> states, delays;
       for (std::size_t s = 0; s < node.states.size(); ++s) states.push_back(state_argument(n, s));
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
-        if (node.inputs[i].entity_sets_delay && node.inputs[i].max_delay_s)
-          delays.push_back(names_.delay_member[n][i]);
+        if (node.inputs[i].entity_sets_delay) delays.push_back(names_.delay_member[n][i]);
       }
       View reset = object();
       reset.set("call", n == Graph::kEngine ? reset_engine(states) : reset_node(n, states, delays));
@@ -119,16 +118,20 @@ class ResetView {
   }
 
   void add_delays() {
-    View delays = list();
+    View delays = list(), idle = list();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
-        if (!reception.changing || !names_.receives(n)) continue;
+        if (names_.delay_member[n][i].empty() || !names_.receives(n)) continue;
         const Input& input = graph_.nodes[n].inputs[i];
         View delay = object();
         delay.set("member", names_.delay_member[n][i]);
-        delay.set("first", double_literal(input.delay_s.to_double()));
         delay.set("where", input.written);
+        if (!reception.changing) {  // an entity sets it, and delays are not simulated
+          idle.push_back(delay);
+          continue;
+        }
+        delay.set("first", double_literal(input.delay_s.to_double()));
         delay.set("quanta", quanta_type(*reception.changing));
         delay.set("state", names_.delay_state[n][i]);
         delay.set("settable", !names_.delay_state[n][i].empty());
@@ -139,6 +142,8 @@ class ResetView {
     has_delays_ = delays.is_non_empty_list();
     view_.set("has_changing_delays", has_delays_);
     view_["changing_delays"] = std::move(delays);
+    view_.set("has_idle_delays", idle.is_non_empty_list());
+    view_["idle_delays"] = std::move(idle);
   }
 
   static std::string quanta_type(const Reception::Changing& changing) {
