@@ -263,6 +263,15 @@ bool is_command(const std::string& word) {
                      [&](const Command& command) { return word == command.name; });
 }
 
+/// What is named twice is made once.
+void drop_repeats(std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const auto& name : names) {
+    if (std::find(once.begin(), once.end(), name) == once.end()) once.push_back(name);
+  }
+  names = std::move(once);
+}
+
 int run(std::vector<std::string> arguments) {
   Options options;
   CLI::App app("Checks an EAGERx graph and writes a C++ program for it.", "eagerx-gen");
@@ -291,6 +300,8 @@ int run(std::vector<std::string> arguments) {
   const auto parsed = std::find_if(kCommands.begin(), kCommands.end(), [&](const Command& command) {
     return app.got_subcommand(command.name);
   });
+  drop_repeats(options.targets);
+  drop_repeats(options.packages);
   return parsed->run(options);
 }
 

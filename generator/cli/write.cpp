@@ -37,6 +37,13 @@ std::vector<std::string> earlier_files(const fs::path& folder) {
   return result;
 }
 
+GeneratedFile list_of(std::set<std::string> names) {
+  names.erase(kList);
+  std::string text = std::string(kList) + "\n";
+  for (const auto& name : names) text += name + "\n";
+  return {kList, text};
+}
+
 class Writer {
  public:
   Writer(const fs::path& folder, Diagnostics& diagnostics)
@@ -50,8 +57,20 @@ class Writer {
 
   std::optional<WriteResult> run(const std::vector<GeneratedFile>& files) {
     const std::vector<std::string> earlier = earlier_files(folder_);
-    if (!spares_others(earlier, files) || !write(files)) return std::nullopt;
-    remove_stale(earlier, files);
+    if (!spares_others(earlier, files)) return std::nullopt;
+    std::set<std::string> made;
+    for (const auto& file : files) made.insert(file.path);
+    std::set<std::string> both = made;
+    both.insert(earlier.begin(), earlier.end());
+    const bool same = read(folder_ / kList) == list_of(made).text;
+    // At every moment the list names all that is ours: a run after one that was interrupted finds
+    // no file of somebody else's.
+    std::vector<GeneratedFile> all = {list_of(both)};
+    all.insert(all.end(), files.begin(), files.end());
+    if (!write(all)) return std::nullopt;
+    remove_stale(earlier, made);
+    if (!write({list_of(made)})) return std::nullopt;
+    ++(same ? result_.unchanged : result_.written);
     return result_;
   }
 
@@ -63,8 +82,8 @@ class Writer {
       std::error_code error;
       fs::rename(temporary, path, error);
       if (error) return fail(path, error.message()).has_value();
+      result_.written += path.filename() == kList ? 0U : 1U;
     }
-    result_.written = pending_.size();
     pending_.clear();
     return true;
   }
@@ -78,9 +97,7 @@ class Writer {
     bool good = true;
     for (const auto& file : files) {
       std::error_code ignored;
-      if (file.path == kList || ours.contains(file.path) ||
-          !fs::is_regular_file(folder_ / file.path, ignored))
-        continue;
+      if (ours.contains(file.path) || !fs::is_regular_file(folder_ / file.path, ignored)) continue;
       const auto text = read(folder_ / file.path);
       if (text == file.text) continue;
       diagnostics_
@@ -96,7 +113,7 @@ class Writer {
   bool prepare(const GeneratedFile& file) {
     const fs::path path = folder_ / file.path;
     if (read(path) == file.text) {
-      ++result_.unchanged;
+      result_.unchanged += file.path == kList ? 0U : 1U;
       return true;
     }
     std::error_code error;
@@ -112,13 +129,11 @@ class Writer {
     return out ? true : fail(path, std::strerror(errno)).has_value();
   }
 
-  void remove_stale(const std::vector<std::string>& earlier,
-                    const std::vector<GeneratedFile>& files) {
-    std::set<std::string> made;
-    for (const auto& file : files) made.insert(file.path);
+  void remove_stale(const std::vector<std::string>& earlier, const std::set<std::string>& made) {
     for (const auto& path : earlier) {
       std::error_code ignored;
-      if (!made.contains(path) && fs::remove(folder_ / path, ignored)) ++result_.removed;
+      if (path != kList && !made.contains(path) && fs::remove(folder_ / path, ignored))
+        ++result_.removed;
     }
   }
 
@@ -139,9 +154,6 @@ std::optional<WriteResult> write_files(const std::string& folder, std::vector<Ge
                                        Diagnostics& diagnostics) {
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& a, const GeneratedFile& b) { return a.path < b.path; });
-  std::string list = std::string(kList) + "\n";
-  for (const auto& file : files) list += file.path + "\n";
-  files.push_back({kList, list});
   return Writer(folder, diagnostics).run(files);
 }
 

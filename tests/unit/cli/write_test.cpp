@@ -144,6 +144,18 @@ TEST_F(WriteFiles, TakesAFileOfTheSameTextForItsOwn) {
   EXPECT_EQ(text("a.txt"), "changed");
 }
 
+TEST_F(WriteFiles, GoesOnAfterARunThatWasInterrupted) {
+  write({{"a.txt", "old"}, {"gone.txt", "old"}, {"z.txt", "old"}});
+  std::vector<GeneratedFile> files = {{"a.txt", "new"}, {"b.txt", "new"}, {"z.txt", "new"}};
+  files.push_back({"b.txt", "new"});  // its temporary is renamed away by the first of the two
+  EXPECT_FALSE(write(files));
+  EXPECT_EQ(text("b.txt"), "new");
+  files.pop_back();
+  ASSERT_TRUE(write(files)) << diagnostics_.all().front().message;
+  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "b.txt", "eagerx-gen.files", "z.txt"}));
+  EXPECT_EQ(text("eagerx-gen.files"), "eagerx-gen.files\na.txt\nb.txt\nz.txt\n");
+}
+
 TEST_F(WriteFiles, AFileWhereAFolderBelongsIsAnError) {
   put("out/sub", "a file");
   EXPECT_FALSE(write({{"a.txt", "new"}, {"sub/b.txt", "new"}}));
