@@ -113,11 +113,12 @@ class Ages {
 
 }  // namespace
 
-std::vector<DataAge> data_ages(const Plan& plan) {
+DataAges data_ages(const Plan& plan) {
   const WayFinder finder(plan);
   const Ages ages(plan);
-  std::vector<DataAge> result;
-  for (const auto& [pair, ways] : finder.ways()) result.push_back(ages.of(pair, ways));
+  DataAges result;
+  for (const auto& [pair, ways] : finder.ways()) result.known.push_back(ages.of(pair, ways));
+  result.unknown = finder.unknown();
   return result;
 }
 

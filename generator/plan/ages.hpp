@@ -28,8 +28,14 @@ struct DataAge {
   std::vector<AgeHop> way;           // the one with the least sum, from the sensor on
 };
 
+struct DataAges {
+  std::vector<DataAge> known;
+  std::vector<const Input*>
+      unknown;  // connections that are left out: too slow, or too long a delay
+};
+
 /// For every sensor whose data reach an actuator, sorted by names. Where there are more ways or
 /// longer hyperperiods than can be gone through, the ages are sums over connections.
-std::vector<DataAge> data_ages(const Plan& plan);
+DataAges data_ages(const Plan& plan);
 
 }  // namespace eagerx::gen

@@ -36,7 +36,13 @@ void WayFinder::make_hops() {
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     for (std::size_t i = 0; i < nodes[n].inputs.size(); ++i) {
       if (!passes_on(nodes[n], nodes[n].inputs[i])) continue;
-      if (auto hop = make_hop(plan_, n, i)) hops_[n].push_back(*hop);
+      const Input& input = nodes[n].inputs[i];
+      if (auto hop = make_hop(plan_, n, i)) {
+        hops_[n].push_back(*hop);
+      } else if (input.actuator || nodes[n].role == NodeRole::environment ||
+                 nodes[n].role == NodeRole::node) {
+        unknown_.push_back(&input);
+      }
     }
   }
 }

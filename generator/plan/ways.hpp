@@ -22,6 +22,9 @@ class WayFinder {
   explicit WayFinder(const Plan& plan);
   using Pair = std::pair<std::string, std::string>;  // sensor, actuator
   [[nodiscard]] const std::map<Pair, Ways>& ways() const { return ways_; }
+  /// Connections that a way may go over, but that are too slow or too long to say by how much data
+  /// age on them. No way goes over them.
+  [[nodiscard]] const std::vector<const Input*>& unknown() const { return unknown_; }
 
  private:
   void make_hops();
@@ -40,6 +43,7 @@ class WayFinder {
   std::vector<bool> on_way_;
   std::size_t steps_ = 0;
   std::map<Pair, Ways> ways_;
+  std::vector<const Input*> unknown_;
 };
 
 }  // namespace eagerx::gen

@@ -11,6 +11,13 @@ namespace {
 void check_ages(const PlanReport& report, const Node& entry, Diagnostics& diagnostics) {
   const auto limit = Rational::parse(entry.text);
   if (!limit) return;  // said when the graph was read
+  for (const Input* input : report.ages_unknown) {
+    diagnostics
+        .error("E0420", entry.span,
+               fmt::format("how old data become on the way to `{}` is not known", input->written))
+        .notes.push_back(
+            {"its delay is too long, or its rates are too far apart", input->span, ""});
+  }
   for (const auto& age : report.ages) {
     if (age.newest_s <= *limit) continue;
     auto& problem = diagnostics.error(
@@ -49,7 +56,8 @@ void check_link(const PlanReport& report, const Node& entry, Diagnostics& diagno
 }  // namespace
 
 PlanReport report_of(const Plan& plan) {
-  return {&plan, data_ages(plan), link_of(plan)};
+  DataAges ages = data_ages(plan);
+  return {&plan, std::move(ages.known), std::move(ages.unknown), link_of(plan)};
 }
 
 void check_plan_budget(const PlanReport& report, const Node& budget, Diagnostics& diagnostics) {

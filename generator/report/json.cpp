@@ -50,6 +50,8 @@ std::string report_json(const PlanReport& report) {
                      {"bytes", ring.capacity * bytes_of(ring.space)}});
   json["ages"] = Json::array();
   for (const auto& age : report.ages) json["ages"].push_back(json_of(age));
+  json["ages_unknown"] = Json::array();
+  for (const Input* input : report.ages_unknown) json["ages_unknown"].push_back(input->written);
   Json messages = Json::array();
   for (const auto& message : report.link.messages)
     messages.push_back({{"name", message.name},

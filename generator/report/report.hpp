@@ -11,6 +11,7 @@ namespace eagerx::gen {
 struct PlanReport {
   const Plan* plan = nullptr;
   std::vector<DataAge> ages;
+  std::vector<const Input*> ages_unknown;  // connections that `ages` leave out
   Link link;
 };
 

@@ -58,7 +58,10 @@ std::string plan_text(const PlanReport& report) {
 
 std::string timing_text(const PlanReport& report) {
   std::string text = "\nage of a sensor's data at an actuator's ticks, at most\n";
-  if (report.ages.empty()) text += "  no sensor's data reach an actuator\n";
+  if (report.ages.empty() && report.ages_unknown.empty())
+    text += "  no sensor's data reach an actuator\n";
+  for (const Input* input : report.ages_unknown)
+    text += fmt::format("  unknown over the connection to {}\n", input->written);
   for (const auto& age : report.ages) {
     text += fmt::format("  {} -> {}: newest {}, oldest {}{}\n", age.sensor, age.actuator,
                         milliseconds(age.newest_s),
