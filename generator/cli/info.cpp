@@ -35,6 +35,7 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
     if (port.window) more += fmt::format(", window {}", text_of(*port.window));
     if (port.skip.value_or(false)) more += ", skip";
+    if (port.optional) more += ", optional";
     if (port.max_delay)
       more += fmt::format(", sets its delay up to {} s", text_of(*port.max_delay));
     fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);

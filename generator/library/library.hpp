@@ -51,6 +51,7 @@ struct PortManifest {
   std::optional<Rational> delay_s;
   std::optional<bool> skip;
   std::optional<Node> max_delay;  // the entity sets the delay at its reset; may be `$(config x)`
+  bool optional = false;          // of a node: a graph may do without it
 };
 
 /// A C++ class and the header that defines it, as generated code includes it.

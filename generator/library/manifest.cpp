@@ -154,6 +154,7 @@ std::vector<PortManifest> read_ports(const Node& root, const char* key) {
     if (const Node* delay = entry.value.find("delay")) port.delay_s = Rational::parse(delay->text);
     if (const Node* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
     port.max_delay = node_at(entry.value, "max_delay");
+    port.optional = text_at(entry.value, "optional") == "true";
     result.push_back(std::move(port));
   }
   return result;

@@ -115,9 +115,12 @@ Fields node_ports() {
                                             {format::decimal("a delay in seconds", 0.0, false),
                                              format::text("`$(config NAME)`")}),
                              false, "the entity sets the delay at its reset, up to this"}};
-  return Fields{{"inputs", ports("inputs", port_fields() + connection_defaults() + max_delay),
+  const Fields optional = {
+      {"optional", format::boolean(), false, "whether a graph may leave it out (default: false)"}};
+  return Fields{{"inputs",
+                 ports("inputs", port_fields() + connection_defaults() + max_delay + optional),
                  false, "inputs"},
-                {"outputs", ports("outputs", port_fields()), false, "outputs"},
+                {"outputs", ports("outputs", port_fields() + optional), false, "outputs"},
                 {"counts", texts(), false,
                  "what its for_each_count() counts besides messages, for the summary"}} +
          states();

@@ -304,7 +304,8 @@ class Connector {
         } else {
           problem.help += n == Graph::kEnvironment ? ", or leave it out of `observations:`"
                           : input.feedthrough      ? ": what it sends when there is no reset"
-                                                   : ", or leave it out with `inputs:`";
+                          : input.optional         ? ", or leave it out with `inputs:`"
+                                                   : "";
         }
       }
     }

@@ -203,6 +203,7 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
   input.declared = partial_space(port.space, references, diagnostics);
   input.settings = manifest_settings(port, references, diagnostics);
   input.entity_sets_delay = port.max_delay.has_value();
+  input.optional = port.optional;
   if (!port.max_delay) return input;
   const Node longest = substitute(*port.max_delay, references, diagnostics);
   const auto seconds = longest.is_scalar() ? Rational::parse(longest.text) : std::nullopt;

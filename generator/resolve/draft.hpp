@@ -48,6 +48,7 @@ struct DraftInput {
   std::optional<DraftEdge> edge;
   std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
   bool entity_sets_delay = false;
+  bool optional = false;  // of a node: a graph may do without it
   bool feedthrough = false;
   bool actuator = false;
 };

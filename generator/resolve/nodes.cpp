@@ -52,6 +52,22 @@ bool is_selected(const std::optional<std::vector<ComponentSpec>>& components,
   return !components || find_component(components, name) != nullptr;
 }
 
+/// Reports ports that are left out and that the class cannot do without; true if there was any.
+bool report_left_out(const std::optional<std::vector<ComponentSpec>>& components,
+                     const std::vector<PortManifest>& ports, const EntitySpec& spec,
+                     std::string_view section, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  for (const auto& port : ports) {
+    const std::string& name = port.name.value;
+    if (port.optional || is_selected(components, name)) continue;
+    diagnostics
+        .error("E0310", spec.name.span,
+               fmt::format("`{}.{}` cannot be left out", spec.name.value, name))
+        .help = fmt::format("add it to `{}:`, as `{}` needs it", section, spec.type.value);
+  }
+  return diagnostics.error_count() != errors_before;
+}
+
 }  // namespace
 
 void add_environment(Draft& draft) {
@@ -122,7 +138,14 @@ void add_nodes(Draft& draft) {
           report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics);
       const bool outputs_unknown =
           report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics);
-      if (inputs_unknown || outputs_unknown) draft.doubtful.insert(spec.name.value);
+      const bool input_missing =
+          !inputs_unknown &&
+          report_left_out(spec.inputs, entity->inputs, spec, "inputs", draft.diagnostics);
+      const bool output_missing =
+          !outputs_unknown &&
+          report_left_out(spec.outputs, entity->outputs, spec, "outputs", draft.diagnostics);
+      if (inputs_unknown || outputs_unknown || input_missing || output_missing)
+        draft.doubtful.insert(spec.name.value);
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
         const std::string written = spec.name.value + "." + port.name.value;
