@@ -1,5 +1,6 @@
 // The environment, the engine and the nodes of the graph.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -94,9 +95,19 @@ void add_environment(Draft& draft) {
   draft.nodes.push_back(std::move(environment));
 }
 
+void note_left_out(const EntitySpec& spec, std::string_view engine, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const auto& setting : spec.config) names.push_back(setting.name);
+  for (const auto& state : spec.states) names.push_back(state.name.value);
+  if (names.empty()) return;
+  diagnostics.note(spec.type.span, fmt::format("{} of `{}` left out: `{}` takes its own defaults",
+                                               fmt::join(names, ", "), spec.type.value, engine));
+}
+
 void add_engine(Draft& draft, const ResolveOptions& options) {
   EntitySpec spec = draft.spec.engine;
   if (!options.engine.empty() && options.engine != spec.type.value) {
+    note_left_out(spec, options.engine, draft.diagnostics);
     spec.type.value = options.engine;  // another engine has other parameters: it takes its defaults
     spec.config.clear();
     spec.states.clear();
