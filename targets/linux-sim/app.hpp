@@ -59,9 +59,10 @@ class Watch {
   bool go_on() const { return !interrupted() && !csv_.failed() && !trace_.failed(); }
 
   void reset(std::uint32_t episode, const Observation& observation) {
+    pacer_.start();
     if (episode == 0) {
-      pacer_.start();
-      progress_.start(pacer_.start_ns());
+      began_ns_ = pacer_.start_ns();
+      progress_.start(began_ns_);
     }
     ++episodes_;
     if (!csv_.is_open()) return;
@@ -73,7 +74,7 @@ class Watch {
     ++steps_;
     if (csv_.is_open()) Table::row(csv_, episode, step, observation, &action);
     progress_.step(steps_);
-    if (pacer_.paces()) pacer_.wait_for(steps_);
+    if (pacer_.paces()) pacer_.wait_for(step);
   }
 
   /// Whether there is something that a safe action could stop.
@@ -87,7 +88,7 @@ class Watch {
     summary.steps = steps_;
     summary.simulated_s = static_cast<double>(steps_) * Graph::Rate::period_s;
     if (episodes_ > 0) {
-      summary.elapsed_s = static_cast<double>(now_ns() - pacer_.start_ns()) * kSecondsPerNs;
+      summary.elapsed_s = static_cast<double>(now_ns() - began_ns_) * kSecondsPerNs;
     }
     summary.paced = pacer_.paces();
     summary.overruns = pacer_.overruns();
@@ -102,6 +103,7 @@ class Watch {
   target::Agent agent_;
   Pacer pacer_;
   Progress progress_;
+  std::int64_t began_ns_ = 0;
   std::uint64_t episodes_ = 0;
   std::uint64_t steps_ = 0;
 };
@@ -115,12 +117,14 @@ inline int fail(const std::string& text, int exit_code) {
 /// Says that `path` cannot be written and why; returns false.
 inline bool cannot_write(const TextFile& file, const std::string& path) {
   const std::string name = path == "-" ? "the standard output" : "`" + path + "`";
-  fail("error: cannot write " + name + ": " + std::strerror(file.error()), kBadFile);
+  const char* const why =
+      file.error() == ETIMEDOUT ? "nobody reads it, or too slowly" : std::strerror(file.error());
+  fail("error: cannot write " + name + ": " + why, kBadFile);
   return false;
 }
 /// Written by a thread of its own: a disk that is slow for once must not make a step late.
-inline bool open_output(TextFile& file, const std::string& path) {
-  return path.empty() || file.open(path, Writing::background) || cannot_write(file, path);
+inline bool open_output(TextFile& file, const std::string& path, Writing writing) {
+  return path.empty() || file.open(path, writing) || cannot_write(file, path);
 }
 inline bool close_output(TextFile& file, const std::string& path) {
   return path.empty() || file.close() || cannot_write(file, path);
@@ -207,7 +211,15 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   using Recorder = TraceRecorder<Graph>;
   TextFile csv;
   TextFile trace;
-  if (!open_output(csv, options.csv) || !open_output(trace, options.trace)) return kBadFile;
+  const bool in_real_time =
+      options.real_time_factor > 0.0 ||
+      target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>.is_real();
+  const Writing writing = in_real_time ? Writing::real_time : Writing::background;
+  if (!open_output(csv, options.csv, writing) || !open_output(trace, options.trace, writing))
+    return kBadFile;
+  if (csv.is_same_file(trace)) {
+    return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
+  }
   const std::string_view agent = target::name_of(options.agent);
 
   Watch<Graph> watch(options, csv, trace, link);
@@ -230,7 +242,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   };
   if (options.hash || trace.is_open()) {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Recorder>::Type>;
-    if constexpr (is_split<Graph>) program.link = &link;
+    if constexpr (is_split<Graph>) set_link<Graph>(program, link);
     if (trace.is_open()) {
       Recorder::Text::head(trace, options.plan.seed, options.plan.environment, agent,
                            options.trace_time);
@@ -242,7 +254,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     note_faults(program);
   } else {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>;
-    if constexpr (is_split<Graph>) program.link = &link;
+    if constexpr (is_split<Graph>) set_link<Graph>(program, link);
     run_program(options, table, program, watch, guard);
     note_faults(program);
   }

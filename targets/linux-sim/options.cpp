@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <targets/linux-sim/options.hpp>
 #include <vector>
 
@@ -88,8 +88,13 @@ bool set_identify_delay(Options& options, std::string_view value) {
   return parse_number(value, 0.0, options.identify_delay_s) && options.identify_delay_s <= kLongest;
 }
 bool set_real_time_factor(Options& options, std::string_view value) {
-  return parse_number(value, 0.0, options.real_time_factor) &&
-         std::isfinite(options.real_time_factor);
+  constexpr double kSlowest = 1e-6;
+  constexpr double kFastest = 1e6;
+  double factor = 0.0;
+  if (!parse_number(value, 0.0, factor) || factor > kFastest) return false;
+  if (factor > 0.0 && factor < kSlowest) return false;
+  options.real_time_factor = factor;
+  return true;
 }
 bool set_link(Options& options, std::string_view value) {
   options.link = value;
@@ -161,7 +166,7 @@ constexpr std::array kOptions{
     Option{"--identify-delay", "S", "seconds from 0 to 10", "longest delay to try (0.1)",
            set_identify_delay},
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
-    Option{"--real-time-factor", "X", "a number of at least 0",
+    Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
     Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
            "where the board is: a serial line, HOST:PORT or unix:PATH", set_link, true},
@@ -174,6 +179,20 @@ constexpr std::array kOptions{
     Option{"--help", "", "", "show this text", set_help},
     Option{"--version", "", "", "show graph, engine and version", set_version},
 };
+
+/// The first means nothing without the second.
+constexpr std::array<std::array<std::string_view, 2>, 6> kNeeds{{
+    {"--trace-time", "--trace"},
+    {"--replay-given", "--replay"},
+    {"--identify-out", "--identify"},
+    {"--identify-sensors", "--identify"},
+    {"--identify-horizon", "--identify"},
+    {"--identify-delay", "--identify"},
+}};
+/// A log says all of these, or nothing is written.
+constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
+constexpr std::array<std::string_view, 6> kNotWithLogs{
+    "--csv", "--trace", "--seed", "--episodes", "--environment", "--real-time-factor"};
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -204,11 +223,34 @@ std::string quoted(std::string_view text) {
   return "`" + std::string(text) + "`";
 }
 
+/// Options that would do nothing together with the others that are given.
+std::optional<UsageError> find_idle_option(const std::vector<std::string_view>& given) {
+  const auto has = [&](std::string_view name) {
+    return std::find(given.begin(), given.end(), name) != given.end();
+  };
+  for (const auto& [option, other] : kNeeds) {
+    if (has(option) && !has(other))
+      return UsageError{quoted(option) + " does nothing without " + quoted(other), "leave it out"};
+  }
+  for (const std::string_view log : kReadLogs) {
+    for (const std::string_view option : kNotWithLogs) {
+      if (has(log) && has(option))
+        return UsageError{quoted(option) + " does nothing with " + quoted(log), "leave it out"};
+    }
+  }
+  if (has(kReadLogs[0]) && has(kReadLogs[1]))
+    return UsageError{
+        quoted(kReadLogs[0]) + " and " + quoted(kReadLogs[1]) + " are two things to do",
+        "give one of them"};
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::variant<Options, UsageError> parse_options(int count, const char* const* arguments,
                                                 Options defaults) {
   Options options = std::move(defaults);
+  std::vector<std::string_view> given;
   for (int i = 0; i < count; ++i) {
     const std::string_view argument = arguments[i];
     const std::size_t equals = argument.find('=');
@@ -222,6 +264,7 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
       }
       return UsageError{"unexpected argument " + quoted(argument), "`--help` lists all options"};
     }
+    given.push_back(option->name);
     std::string_view value;
     if (equals != std::string_view::npos) {
       if (option->value.empty())
@@ -242,6 +285,9 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
     return UsageError{"both `--csv` and `--trace` want the standard output",
                       "give one of them a file"};
   }
+  if (!options.csv.empty() && options.csv == options.trace)
+    return UsageError{"`--csv` and `--trace` are one file", "give each its own"};
+  if (const auto idle = find_idle_option(given)) return *idle;
   return options;
 }
 

@@ -8,8 +8,8 @@ namespace eagerx::linux_sim {
 /// Nanoseconds of CLOCK_MONOTONIC.
 std::int64_t now_ns();
 
-/// Holds the steps of a run to absolute deadlines, start + n·period, so that lateness does not add
-/// up.
+/// Holds the steps of an episode to absolute deadlines, start + n·period, so that lateness does not
+/// add up.
 class Pacer {
  public:
   /// `period_s` in simulated seconds, `factor` in simulated seconds a second of wall-clock; 0 does
@@ -17,9 +17,13 @@ class Pacer {
   Pacer(double period_s, double factor, std::int64_t max_lateness_ns);
 
   bool paces() const { return period_ns_ > 0.0; }
-  void start() { start_ns_ = now_ns(); }
-  /// Sleeps until the deadline of step `n` (from 1). A step that ends after it is an overrun, and
-  /// the next one starts at once. Returns early on a signal.
+  /// An episode begins: its reset took as long as it took.
+  void start() {
+    start_ns_ = now_ns();
+    late_in_a_row_ = 0;
+  }
+  /// Sleeps until the deadline of step `n` of the episode (from 1). A step that ends after it is an
+  /// overrun, and the next one starts at once. Returns early on a signal.
   void wait_for(std::uint64_t n);
 
   std::int64_t start_ns() const { return start_ns_; }

@@ -81,4 +81,16 @@ std::string connect(Link& link, const Options& options) {
   return {};
 }
 
+/// Gives a program its link. Real hardware is made safe when the board is silent.
+template <class Graph, class Program, class Link>
+void set_link(Program& program, Link& link) {
+  program.link = &link;
+  if constexpr (requires { program.make_safe(); }) {
+    if (!program.is_real()) return;
+    link.on_silence(
+        static_cast<std::uint64_t>(Graph::kSafety.link_timeout_ns),
+        [](void* context) { static_cast<Program*>(context)->make_safe(); }, &program);
+  }
+}
+
 }  // namespace eagerx::linux_sim

@@ -1,11 +1,17 @@
 #include <fcntl.h>
-#include <signal.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <climits>
+#include <csignal>
 #include <cstring>
+#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/text_file.hpp>
+#include <utility>
 
 namespace eagerx::linux_sim {
 
@@ -19,8 +25,13 @@ bool TextFile::open(const std::string& path, Writing writing) {
                             : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
                                      kReadWriteForAll);
   if (descriptor_ < 0) return error_ = errno, false;
-  const bool in_background = writing == Writing::background;
-  buffers_.resize(in_background ? kBackgroundBuffers : 1);
+  // What poll() promises of a pipe; a file on a disk takes everything.
+  struct stat status {};
+  const bool is_regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+  most_at_once_ = is_regular ? kBufferBytes : std::size_t{PIPE_BUF};
+  writing_ = writing;
+  const bool in_background = writing != Writing::direct;
+  buffers_.resize(in_background ? kBackgroundBuffers + 1 : 1);
   for (Buffer& buffer : buffers_) buffer.text = std::make_unique<char[]>(kBufferBytes);
   if (in_background) {
     empty_.release(kBackgroundBuffers - 1);  // all but the one that is being filled
@@ -34,11 +45,20 @@ bool TextFile::open(const std::string& path, Writing writing) {
   return true;
 }
 
+bool TextFile::is_same_file(const TextFile& other) const {
+  struct stat mine {
+  }, its{};
+  return is_open() && other.is_open() && fstat(descriptor_, &mine) == 0 &&
+         fstat(other.descriptor_, &its) == 0 && S_ISREG(mine.st_mode) &&
+         mine.st_dev == its.st_dev && mine.st_ino == its.st_ino;
+}
+
 bool TextFile::close() {
   if (!is_open()) return error() == 0;
+  writing_ = Writing::background;  // nothing is left that could be late
   flush();
   if (writer_.joinable()) {
-    flush();  // an empty buffer is the end
+    flush();  // an empty buffer is the end, and so is any after a failure
     writer_.join();
   }
   if (descriptor_ != STDOUT_FILENO && ::close(descriptor_) != 0 && error() == 0) error_ = errno;
@@ -57,19 +77,39 @@ void TextFile::text(std::string_view text) {
 }
 
 void TextFile::flush() {
-  buffers_[current_].used = used_;
-  used_ = 0;
-  if (!writer_.joinable()) return write(buffers_[current_]);
-  full_.release();
-  current_ = (current_ + 1) % buffers_.size();
-  empty_.acquire();
+  const std::size_t used = std::exchange(used_, 0);
+  if (!writer_.joinable()) {
+    buffers_[current_].used = used;
+    return write(buffers_[current_]);
+  }
+  if (current_ != kScratch) {
+    buffers_[current_].used = used;
+    current_ = (current_ + 1) % kBackgroundBuffers;
+    full_.release();
+  }
+  if (current_ != kScratch && !wait_for_room()) {
+    current_ = kScratch;
+    full_.release();  // the writer may be waiting for more
+  }
+}
+
+/// False if there will be none.
+bool TextFile::wait_for_room() {
+  using namespace std::chrono_literals;
+  if (empty_.try_acquire()) return true;
+  if (writing_ == Writing::real_time) return error_ = ETIMEDOUT, false;
+  while (!empty_.try_acquire_for(100ms)) {
+    if (failed()) return false;
+  }
+  return true;
 }
 
 void TextFile::write_in_background() {
-  for (std::size_t i = 0;; i = (i + 1) % buffers_.size()) {
+  for (std::size_t i = 0;; i = (i + 1) % kBackgroundBuffers) {
     full_.acquire();
     if (buffers_[i].used == 0) return;
     write(buffers_[i]);
+    if (failed()) return;
     empty_.release();
   }
 }
@@ -77,15 +117,29 @@ void TextFile::write_in_background() {
 void TextFile::write(const Buffer& buffer) {
   const char* from = buffer.text.get();
   std::size_t left = buffer.used;
-  while (left > 0 && error() == 0) {
-    const ssize_t written = ::write(descriptor_, from, left);
+  while (left > 0 && wait_for_reader()) {
+    const ssize_t written = ::write(descriptor_, from, std::min(left, most_at_once_));
     if (written < 0) {
-      if (errno != EINTR) error_ = errno;
+      if (errno != EINTR && errno != EAGAIN) error_ = errno;
       continue;
     }
     from += written;
     left -= static_cast<std::size_t>(written);
   }
+}
+
+/// False after a failure. A reader may take as long as it wants, until somebody wants the end.
+bool TextFile::wait_for_reader() {
+  constexpr int kPollMs = 100;
+  constexpr int kPatienceMs = 1'000;
+  int waited_ms = 0;
+  while (!failed()) {
+    pollfd item{descriptor_, POLLOUT, 0};
+    if (::poll(&item, 1, kPollMs) != 0) return true;  // what is wrong, write() says
+    waited_ms = interrupted() ? waited_ms + kPollMs : 0;
+    if (waited_ms >= kPatienceMs) error_ = ETIMEDOUT;
+  }
+  return false;
 }
 
 }  // namespace eagerx::linux_sim

@@ -17,7 +17,8 @@ namespace eagerx::linux_sim {
 
 /// Who waits for the disk: the caller, when a buffer is full, or a thread of the file's own. The
 /// caller then waits only when all of kBackgroundBuffers are full.
-enum class Writing : std::uint8_t { direct, background };
+/// In real time nobody waits for long: a reader that is too slow is an error.
+enum class Writing : std::uint8_t { direct, background, real_time };
 
 /// A file written through fixed buffers. The first failed write is remembered and everything after
 /// it is dropped, so that a full disk ends a run with one message.
@@ -32,10 +33,13 @@ class TextFile {
   /// error().
   bool open(const std::string& path, Writing writing = Writing::direct);
   bool is_open() const { return descriptor_ >= 0; }
+  /// Whether both write into one file of a disk, each over the other.
+  bool is_same_file(const TextFile& other) const;
   /// Writes what is left. False if anything was lost; see error().
   bool close();
   bool failed() const { return error() != 0; }
-  /// errno of the first failure, 0 without one.
+  /// errno of the first failure, 0 without one; ETIMEDOUT: the reader was too slow in real time, or
+  /// stood still when the run was interrupted.
   int error() const { return error_.load(std::memory_order_relaxed); }
 
   void text(std::string_view text);
@@ -59,6 +63,8 @@ class TextFile {
   static constexpr std::size_t kLongestNumber = 32;  // -2.2250738585072014e-308 has 24
 
   static constexpr std::size_t kBackgroundBuffers = 64;
+  // After a failure, with the writer at work on one of the others.
+  static constexpr std::size_t kScratch = kBackgroundBuffers;
 
   struct Buffer {
     std::unique_ptr<char[]> text;
@@ -67,6 +73,8 @@ class TextFile {
 
   char* buffer() { return buffers_[current_].text.get(); }
   void flush();
+  bool wait_for_room();
+  bool wait_for_reader();
   void write(const Buffer& buffer);
   void write_in_background();
 
@@ -74,9 +82,11 @@ class TextFile {
   std::size_t current_ = 0;
   std::size_t used_ = 0;  // of the current one
   int descriptor_ = -1;
+  Writing writing_ = Writing::direct;
+  std::size_t most_at_once_ = 0;
   std::atomic<int> error_ = 0;
-  std::counting_semaphore<kBackgroundBuffers> full_{0};
-  std::counting_semaphore<kBackgroundBuffers> empty_{0};
+  std::counting_semaphore<> full_{0};
+  std::counting_semaphore<> empty_{0};
   std::thread writer_;
 };
 

@@ -106,5 +106,26 @@ TEST(LinuxSimOptions, HelpNamesEveryOption) {
   }
 }
 
+TEST(LinuxSimOptions, RefusesWhatWouldDoNothing) {
+  EXPECT_EQ(error_of({"--trace-time"}),
+            "`--trace-time` does nothing without `--trace` / leave it out");
+  EXPECT_EQ(error_of({"--identify-delay", "0.1"}),
+            "`--identify-delay` does nothing without `--identify` / leave it out");
+  EXPECT_EQ(error_of({"--replay", "a", "--csv", "b"}),
+            "`--csv` does nothing with `--replay` / leave it out");
+  EXPECT_EQ(error_of({"--replay", "a", "--identify", "b"}),
+            "`--replay` and `--identify` are two things to do / give one of them");
+  EXPECT_EQ(error_of({"--csv", "a", "--trace", "a"}),
+            "`--csv` and `--trace` are one file / give each its own");
+  options_of({"--replay", "a", "--replay-given", "none", "--agent", "a.csv", "--steps", "5"});
+}
+
+TEST(LinuxSimOptions, RealTimeFactorsHaveDeadlines) {
+  EXPECT_EQ(options_of({"--real-time-factor", "0"}).real_time_factor, 0.0);
+  EXPECT_EQ(options_of({"--real-time-factor", "1e6"}).real_time_factor, 1e6);
+  for (const char* factor : {"1e-12", "1e7", "inf", "nan", "-1"})
+    EXPECT_NE(error_of({"--real-time-factor", factor}), "no error") << factor;
+}
+
 }  // namespace
 }  // namespace eagerx::linux_sim

@@ -1,7 +1,10 @@
 // Files of linux-sim programs: everything arrives, in order, whoever writes it.
 #include "targets/linux-sim/text_file.hpp"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -45,6 +48,32 @@ TEST(TextFile, FullDiskIsSaidOnceAndNothingWaits) {
     EXPECT_FALSE(file.close());
     EXPECT_EQ(file.error(), ENOSPC);
   }
+}
+
+TEST(TextFile, InRealTimeNobodyWaitsForAReaderThatStandsStill) {
+  const std::string path = ::testing::TempDir() + "text_file_test.fifo";
+  std::remove(path.c_str());
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  TextFile file;
+  ASSERT_TRUE(file.open(path, Writing::real_time));
+  std::string expected;
+  fill(file, expected, 1'500'000);  // more than there are buffers
+  EXPECT_EQ(file.error(), ETIMEDOUT);
+  EXPECT_FALSE(file.close());
+  ::close(reader);
+  std::remove(path.c_str());
+}
+
+TEST(TextFile, KnowsItsOwnFileByAnotherName) {
+  const std::string folder = ::testing::TempDir();
+  TextFile file, same, other, nowhere;
+  ASSERT_TRUE(file.open(folder + "text_file_test.a"));
+  ASSERT_TRUE(same.open(folder + "./text_file_test.a"));
+  ASSERT_TRUE(other.open(folder + "text_file_test.b"));
+  EXPECT_TRUE(file.is_same_file(same));
+  EXPECT_FALSE(file.is_same_file(other));
+  EXPECT_FALSE(file.is_same_file(nowhere));
 }
 
 }  // namespace
