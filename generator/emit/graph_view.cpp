@@ -299,8 +299,11 @@ class GraphView {
     view["safety_place"] = std::move(place);
     view.set("declared", flag(safety.declared));
     view.set("late", fmt::format("{}", safety.late));
-    view.set("max_lateness_ns",
-             fmt::format("{}", (safety.max_lateness_s * Rational(kNsPerSecond)).floor()));
+    const auto whole_ns = [](const Rational& seconds) {
+      return fmt::format("{}", (seconds * Rational(kNsPerSecond)).floor());
+    };
+    view.set("max_lateness_ns", whole_ns(safety.max_lateness_s));
+    view.set("link_timeout_ns", whole_ns(safety.link_timeout_s));
     view.set("missed", fmt::format("{}", safety.missed));
     view.set("recover", fmt::format("{}", safety.recover));
     view.set("clips", flag(safety.clips));

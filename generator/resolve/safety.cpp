@@ -170,6 +170,7 @@ void resolve_safety(Draft& draft) {
   safety.holds = text("not_finite") == "hold";
   const Rational lateness = Rational::parse(text("max_lateness")).value_or(Rational());
   safety.max_lateness_s = lateness == Rational() ? Rational(1) / environment.rate_hz : lateness;
+  safety.link_timeout_s = Rational::parse(text("link_timeout")).value_or(Rational());
   for (const auto& action : environment.outputs) safety.actions.push_back(zero_in(action.space));
   if (!draft.spec.safety) return;
   safety.declared = true;

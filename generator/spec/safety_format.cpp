@@ -40,7 +40,7 @@ FormatPtr safety_format() {
         "an action outside of its space is moved into it, or makes safe (default clip)"},
        {"not_finite", format::keyword({"safe", "hold"}), false,
         "an action that is NaN or infinite, or follows an observation that is, makes safe, or the "
-        "action before is held for up to `missed` instants (default safe)"},
+        "action before is held for `missed` - 1 instants in a row (default safe)"},
        {"link_timeout", time, false,
         "longest time that a link may take to answer, in seconds (default 0.01)"}});
 }

@@ -1,4 +1,4 @@
-// How a program starts, resets and stops its engine, and what everything counts.
+// How a program starts, resets, makes safe and stops its engine, and what everything counts.
 #pragma once
 
 #include <cstddef>
@@ -38,6 +38,13 @@ constexpr bool is_real(const Engine& /*engine*/, const Simulators&... /*simulato
   } else {
     return false;
   }
+}
+
+/// In the middle of a slot, when the rest of the graph is silent: engine.make_safe(simulators...)
+/// where the engine has one.
+template <class Engine, class... Simulators>
+void make_safe(Engine& engine, Simulators&... simulators) {
+  if constexpr (requires { engine.make_safe(simulators...); }) engine.make_safe(simulators...);
 }
 
 /// At the end of a run: engine.stop(simulators...) where the engine has one.

@@ -62,6 +62,16 @@ class Random {
   constexpr Random(EpisodeKey key, std::uint32_t entity, std::uint32_t block = 0)
       : key_(key), entity_(entity), draw_(block) {}
 
+  /// Those of step `step`, which has `blocks` of four words for itself.
+  static constexpr Random of_step(EpisodeKey key, std::uint32_t entity, std::uint64_t step,
+                                  std::uint32_t blocks) {
+    constexpr std::uint32_t kOdd = 0x9E3779B9U;
+    const std::uint64_t first = step * blocks;
+    // Another stream after 2^32 blocks.
+    return {key, entity + static_cast<std::uint32_t>(first >> 32U) * kOdd,
+            static_cast<std::uint32_t>(first)};
+  }
+
   /// The next 32 random bits.
   constexpr std::uint32_t bits32() {
     if (left_ == 0) {

@@ -50,12 +50,17 @@ class PacedTrace : public HashTrace {
   void slot(Rate /*rate*/, Seq tick) {
     if (pace_ == Pace::free) return;
     if (tick == 0) {
+      timing_.late_in_a_row = 0;
+      timing_.too_late_in_a_row = 0;
       start_ = Clock::ticks();
       begun_ = start_;
       deadline_ = start_;
       return;
     }
-    const std::uint64_t deadline = start_ + tick * Rate::den * Clock::hz() / Rate::num;
+    // In two parts: for centuries, whatever rate and clock.
+    const std::uint64_t periods = tick * Rate::den;
+    const std::uint64_t deadline =
+        start_ + periods / Rate::num * Clock::hz() + periods % Rate::num * Clock::hz() / Rate::num;
     if (deadline == deadline_) return;  // another rate of the same slot
     deadline_ = deadline;
     begin_slot(deadline);

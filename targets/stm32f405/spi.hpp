@@ -47,8 +47,9 @@ inline constexpr SpiPort kSpi3{0x40003C00,
                                {pin_of("PC10"), pin_of("PC11"), pin_of("PC12")}};
 
 /// Words of 8 bits, most significant bit first; the select lines are ordinary outputs.
-/// `Wait::at_least_ns(n)` keeps a select line high between two transfers: 400 ns, which the AS5048
-/// (350 ns) and all others here need. All bytes are zero until start().
+/// `Wait::at_least_ns(n)` keeps a select line high between two transfers, and low before the first
+/// edge of the clock: 400 ns, which the AS5048 (350 ns for both) and all others here need. All
+/// bytes are zero until start().
 template <class Wait, class Memory = MappedMemory>
 class Spi {
  public:
@@ -76,6 +77,7 @@ class Spi {
     Memory::write(port_->base + kControl1, control | kOn);
     static_cast<void>(Memory::read(port_->base + kData));  // whatever an error left there
     Gpio<Memory>::write(select, false);
+    Wait::at_least_ns(kSelectedNs);
     BusError error = BusError::none;
     for (std::size_t i = 0; i < n && error == BusError::none; ++i) {
       std::uint8_t answer = 0;
@@ -112,6 +114,7 @@ class Spi {
   static constexpr std::uint32_t kBusy = 1U << 7U;
   static constexpr std::uint32_t kDividers = 8;
   static constexpr std::uint32_t kHighNs = 400;
+  static constexpr std::uint32_t kSelectedNs = 400;
   // Reads of the status: some milliseconds, where a byte takes 0.05 at most.
   static constexpr std::uint32_t kPatience = 100'000;
 

@@ -4,13 +4,16 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/bus.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/random.hpp>
 
 namespace eagerx::models {
 
-/// At a reset: a random action for `action_time` s, then `rest_action` for `sleep_time` s.
-/// Source: eagerx_dcsc_setups, pendulum/real/engine_states.py.
+/// At a reset: a random action for `action_time` s, then `rest_action` for `sleep_time` s. An error
+/// of the link, or sensors without a value as often in a row as the engine bears, end it with the
+/// safe action (at the very first reset with `rest_action`). Source: eagerx_dcsc_setups,
+/// pendulum/real/engine_states.py.
 template <class Io>
 struct RandomActionAndSleep {
   using Simulator = typename Io::Simulator;
@@ -49,7 +52,13 @@ struct RandomActionAndSleep {
     return seed;
   }
 
-  /// False if a signal came.
+  static void rest_at_once(Simulator& simulator) {
+    for (std::size_t i = 0; i < kActuators; ++i)
+      simulator.act(i, static_cast<Real>(Io::Config::rest_action[i]), low(i), high(i));
+    simulator.make_safe();
+  }
+
+  /// False if a signal came or something was wrong.
   static bool hold(Simulator& simulator, const Real (&action)[kActuators], double seconds) {
     using Clock = typename Simulator::Clock;
     constexpr std::int64_t kPeriodNs = 10'000'000;
@@ -57,7 +66,8 @@ struct RandomActionAndSleep {
     const std::int64_t start = Clock::now_ns();
     for (std::int64_t at = 0; at < end; at += kPeriodNs) {
       for (std::size_t i = 0; i < kActuators; ++i) simulator.act(i, action[i], low(i), high(i));
-      simulator.exchange();
+      if (simulator.exchange() != BusError::none || simulator.is_stale())
+        return rest_at_once(simulator), false;
       if (!Clock::sleep_until(start + at + kPeriodNs)) return false;
       if (Clock::now_ns() > start + at + 2 * kPeriodNs) {
         simulator.note_late();

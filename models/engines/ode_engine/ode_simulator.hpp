@@ -30,6 +30,11 @@ class OdeSimulator {
   /// Engine ticks that could not be integrated as asked, since the start of the program; saturates.
   /// See OdeEngine for what happens to the state.
   std::uint32_t faults() const { return faults_; }
+  /// f(name, count) for the summary.
+  template <class F>
+  void for_each_count(F&& f) const {
+    f("integration faults", std::uint64_t{faults_});
+  }
   void add_fault() {
     if (faults_ != std::numeric_limits<std::uint32_t>::max()) ++faults_;
   }

@@ -31,7 +31,7 @@ class HardwareEngine {
     started_ = true;
     Platform::prepare();
     if (!Platform::open(link_)) ++failed_starts_;
-    (simulators.attach(link_), ...);
+    (simulators.attach(link_, kMissed), ...);
   }
 
   /// An episode begins with the sample of instant 0 and with safe actions.
@@ -63,7 +63,7 @@ class HardwareEngine {
     const BusError answer = link_.run();
     (simulators.collect(answer, Clock::now_ns()), ...);
     if (error == BusError::none) error = answer;
-    const bool stale = ((simulators.missed() >= kMissed) || ...);
+    const bool stale = (simulators.is_stale() || ...);
     missing_ += ((simulators.missed() > 0) || ...);
     stale_ += stale;
     link_errors_ += error != BusError::none;
@@ -71,14 +71,36 @@ class HardwareEngine {
     const bool right = in_time && error == BusError::none && !stale && !bad_action;
     note(right);
     safe_instants_ += is_safe();
-    if (!right && !was_safe) make_safe(due_ns, simulators...);
+    if (!right && !was_safe) apply_safe(due_ns, simulators...);
   }
 
-  /// The end of a run: safe actions, then the link is given back.
+  /// Between two instants, because what decides is silent: safe actions at once, and until
+  /// `recover` instants in a row were right.
+  template <class... Simulators>
+  void make_safe(Simulators&... simulators) {
+    note(false);
+    (simulators.queue_action(true), ...);
+    link_.post();  // an error is the next instant's
+    ++silences_;
+  }
+
+  /// The end of a run: safe actions, then the link is given back. A link that is lost may come
+  /// back: it is tried again for as long as an adapter takes to appear.
   template <class... Simulators>
   void stop(Simulators&... simulators) {
-    (simulators.queue_action(true), ...);
-    if (link_.post() != BusError::none) ++not_safe_at_end_;
+    constexpr std::int64_t kPatienceNs = kNsPerSecond;
+    constexpr std::int64_t kRetryNs = kNsPerSecond / 100;
+    const std::int64_t end_ns = Clock::now_ns() + kPatienceNs;
+    for (std::int64_t now_ns = Clock::now_ns();; now_ns = Clock::now_ns()) {
+      (simulators.queue_action(true), ...);
+      const BusError error = link_.post();
+      if (error == BusError::none) break;
+      if (error == BusError::unsupported || now_ns >= end_ns) {
+        ++not_safe_at_end_;
+        break;
+      }
+      Clock::sleep_until(now_ns + kRetryNs);
+    }
     link_.close();
   }
 
@@ -102,6 +124,7 @@ class HardwareEngine {
     f("instants with a bad action", bad_actions_);
     f("instants with safe actions", safe_instants_);
     f("safe actions", safe_actions_);
+    f("safe actions for want of an answer", silences_);
     f("slowest safe action us", static_cast<std::uint64_t>(slowest_ns_ / kNsPerUs));
     f("starts without hardware", failed_starts_);
     f("ends without a safe action", not_safe_at_end_);
@@ -159,7 +182,7 @@ class HardwareEngine {
   }
 
   template <class... Simulators>
-  void make_safe(std::int64_t due_ns, Simulators&... simulators) {
+  void apply_safe(std::int64_t due_ns, Simulators&... simulators) {
     (simulators.queue_action(true), ...);
     link_.post();  // an error is the next instant's
     ++safe_actions_;
@@ -185,6 +208,7 @@ class HardwareEngine {
   std::uint64_t bad_actions_ = 0;
   std::uint64_t safe_instants_ = 0;
   std::uint64_t safe_actions_ = 0;
+  std::uint64_t silences_ = 0;
   std::uint64_t failed_starts_ = 0;
   std::uint64_t not_safe_at_end_ = 0;
 };

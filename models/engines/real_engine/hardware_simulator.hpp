@@ -24,8 +24,10 @@ class HardwareSimulator {
   using Values = Array<Real, Model::kSensors>;
   using Action = Array<Real, Model::kActuators>;
 
-  void attach(Link& link) {
+  /// `most_missed`: instants in a row without a value that make it stale.
+  void attach(Link& link, std::uint32_t most_missed) {
     link_ = &link;
+    most_missed_ = most_missed;
     reset();
   }
   void reset() {
@@ -78,6 +80,13 @@ class HardwareSimulator {
     return error;
   }
   void note_late() { ++late_in_resets_; }
+  /// Ends what a reset does to the actuators, because something is wrong. At the very first reset
+  /// what is safe is not declared yet: then the last actions are sent.
+  void make_safe() {
+    queue_action(is_declared_);
+    link_->post();  // an error is the first instant's
+    ++safe_in_resets_;
+  }
 
   // For the engine.
 
@@ -107,6 +116,7 @@ class HardwareSimulator {
   }
   /// Instants in a row without a value.
   std::uint32_t missed() const { return missed_; }
+  bool is_stale() const { return missed_ >= most_missed_; }
   bool has_bad_action() const { return bad_action_; }
 
   /// f(name, count) for each; errors of the link are counted there.
@@ -116,6 +126,7 @@ class HardwareSimulator {
     f("actions out of limits", limited_);
     f("actions not finite", not_finite_);
     f("late in resets", late_in_resets_);
+    f("safe actions in resets", safe_in_resets_);
   }
 
  private:
@@ -155,10 +166,12 @@ class HardwareSimulator {
   bool is_safe_ = false;
   bool bad_action_ = false;
   std::uint32_t missed_ = 0;
+  std::uint32_t most_missed_ = 0;
   std::array<std::uint64_t, kBusErrors> errors_{};
   std::uint64_t limited_ = 0;
   std::uint64_t not_finite_ = 0;
   std::uint64_t late_in_resets_ = 0;
+  std::uint64_t safe_in_resets_ = 0;
 };
 
 }  // namespace eagerx::models

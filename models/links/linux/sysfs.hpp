@@ -93,8 +93,11 @@ class LinuxPwm {
     static_cast<void>(write_number(chip, "/export", channel));
     const Path folder(chip, Numbered("/pwm", channel, "").text());
     if (!duty_.open(Path(folder.text(), "/duty_cycle").text(), O_RDWR)) return false;
-    return duty_.write(0) == BusError::none &&
-           write_number(folder.text(), "/period", period_ns_) == BusError::none &&
+    // A period shorter than the duty is refused, and a duty while there is no period: as a channel
+    // is after its export (Linux before 6.11).
+    static_cast<void>(duty_.write(0));
+    return write_number(folder.text(), "/period", period_ns_) == BusError::none &&
+           duty_.write(0) == BusError::none &&
            write_number(folder.text(), "/enable", 1) == BusError::none;
   }
   void close() { duty_.close(); }

@@ -60,10 +60,11 @@ class LinuxUart {
     for (std::size_t done = 0; done < n;) {
       if (!file_.is_open()) return BusError::link_lost;
       const std::int64_t left_ns = end - LinuxClock::now_ns();
+      if (left_ns <= 0) return late(event, done);  // poll() would wait for ever
       pollfd wanted{file_.handle(), event, 0};
       const int ready = ::poll(&wanted, 1, static_cast<int>((left_ns + kNsPerMs - 1) / kNsPerMs));
       if (ready < 0 && errno == EINTR) continue;
-      if (ready == 0 || left_ns <= 0) return late(event, done);
+      if (ready == 0) return late(event, done);
       const ssize_t more = ready < 0 ? -1 : step(done);
       if (more > 0) {
         done += static_cast<std::size_t>(more);

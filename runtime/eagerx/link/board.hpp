@@ -81,13 +81,13 @@ class BoardLink : public Stream<BoardLink<Port, ToBoard, ToHost>> {
       if (in_.kind() == Kind::hello) {
         if (greet()) return false;
       } else if (in_.kind() == Kind::request && in_.intact(crc_start_) && (open_ || greeted_)) {
-        if (in_.number() == number_ + 1) break;
+        if (in_.number() == next_number(number_)) break;
         if (in_.number() == number_ && number_ > 0) send_again();
       } else {
         ++damaged_;
       }
     }
-    ++number_;
+    number_ = next_number(number_);
     read_ = 0;
     received_ = in_.size();
     return true;

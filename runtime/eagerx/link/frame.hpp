@@ -30,6 +30,11 @@ inline constexpr std::size_t kCrcBytes = 4;
 /// Bytes on the line of a frame with a payload of up to 245 bytes, besides the payload.
 inline constexpr std::size_t kFrameBytes = kHeaderBytes + kCrcBytes + 3;
 
+/// The number of the exchange after `number`: 0 is none.
+constexpr std::uint32_t next_number(std::uint32_t number) {
+  return number == UINT32_MAX ? 1 : number + 1;
+}
+
 template <class T>
 T read_as(const std::uint8_t* bytes) {
   T value;

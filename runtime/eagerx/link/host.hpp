@@ -45,6 +45,12 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   Port port;
 
   void set_time_limit(std::uint64_t ns) { limit_ns_ = ns; }
+  /// Calls `f(context)` once in every exchange that takes longer than `ns`, while it waits on.
+  void on_silence(std::uint64_t ns, void (*f)(void*), void* context) {
+    silence_ns_ = ns;
+    silent_ = f;
+    silent_context_ = context;
+  }
   /// Begins a session; `session` is a number that no earlier one had. False: see problem().
   bool open(Identity identity, std::uint32_t session) {
     Greeting hello;
@@ -128,7 +134,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
     if (!open_) problem_ = Problem::closed;
     if (ok() && read_ != received_) problem_ = Problem::out_of_step;
     if (!ok()) return;
-    ++number_;
+    number_ = next_number(number_);
     if (exchange(Kind::request, Kind::answer, crc_start_)) ++statistics_.exchanges;
   }
 
@@ -137,13 +143,20 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
     out_.seal(kind, number_, crc_start);
     const std::uint64_t begun = port.now_ns();
     const std::uint64_t end = begun + limit_ns_;
+    std::uint64_t silence = silent_ != nullptr ? begun + silence_ns_ : UINT64_MAX;
     std::uint64_t patience = repeat_ns_;
     for (bool again = false;; again = true) {
       std::uint64_t now = port.now_ns();
       if (now >= end) return problem_ = Problem::no_answer, false;
       send(again);
       const std::uint64_t until = now + patience < end ? now + patience : end;
-      if (wait_for(wanted, crc_start, until)) {
+      bool answered = wait_for(wanted, crc_start, silence < until ? silence : until);
+      if (!answered && ok() && port.now_ns() >= silence) {
+        silence = UINT64_MAX;
+        silent_(silent_context_);
+        answered = wait_for(wanted, crc_start, until);
+      }
+      if (answered) {
         now = port.now_ns();
         note_time(now - begun, again);
         break;
@@ -206,6 +219,9 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   Greeting other_;
   std::size_t read_ = 0, received_ = 0;
   std::uint64_t limit_ns_ = 5'000'000'000;
+  std::uint64_t silence_ns_ = 0;
+  void (*silent_)(void*) = nullptr;
+  void* silent_context_ = nullptr;
   std::uint64_t repeat_ns_ = kFirstRepeatNs;
   std::uint64_t typical_ns_ = 0;
   std::uint32_t number_ = 0;

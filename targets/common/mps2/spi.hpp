@@ -36,6 +36,7 @@ class Spi {
                     std::uint8_t* in, std::size_t n) const {
     if (base_ == 0 || device.mode > 3 || !set(device)) return BusError::unsupported;
     clear_bits<Memory>(kMisc, 1U << select);
+    Wait::at_least_ns(kSelectedNs);
     BusError error = BusError::none;
     for (std::size_t i = 0; i < n && error == BusError::none; ++i) {
       std::uint8_t answer = 0;
@@ -58,6 +59,7 @@ class Spi {
   static constexpr std::uint32_t kNotFull = 1U << 1U;
   static constexpr std::uint32_t kReceived = 1U << 2U;
   static constexpr std::uint32_t kHighNs = 400;
+  static constexpr std::uint32_t kSelectedNs = 400;
   static constexpr std::uint32_t kPatience = 100'000;  // reads of the status
 
   /// clock_hz / (prescaler · (1 + rate)), prescaler even, 2 to 254, rate 0 to 255.

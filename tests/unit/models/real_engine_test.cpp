@@ -34,6 +34,7 @@ struct FakeLink {
   static inline std::vector<std::string> sent;
   static inline std::vector<BusError> results;  // of the next calls of run()
   static inline BusError post_result = BusError::none;
+  static inline int post_errors = 0;  // of the next calls of post()
   static inline float measured = 0.0F;
   static inline BusError sensor = BusError::none;
   std::vector<std::string> queue;
@@ -42,6 +43,7 @@ struct FakeLink {
   BusError run() { return carry_out("run"); }
   BusError post() {
     const BusError error = carry_out("post");
+    if (post_errors > 0) return --post_errors, BusError::link_lost;
     return error == BusError::none ? post_result : error;
   }
   void close() { sent.emplace_back("close"); }
@@ -144,6 +146,7 @@ class RealEngineTest : public ::testing::Test {
     FakeLink::sent.clear();
     FakeLink::results.clear();
     FakeLink::post_result = BusError::none;
+    FakeLink::post_errors = 0;
     FakeLink::sensor = BusError::none;
     FakeLink::measured = 1.0F;
     FakePlatform::opens = true;
@@ -365,6 +368,30 @@ TEST_F(RealEngineTest, EndsSafe) {
   EXPECT_EQ(count("ends without a safe action"), 1U);
 }
 
+TEST_F(RealEngineTest, EndsSafeWhenTheLinkComesBack) {
+  begin();
+  instant();
+  FakeLink::sent.clear();
+  FakeLink::post_errors = 20;
+  engine.stop(simulator);
+  EXPECT_EQ(FakeLink::sent.size(), 22U);
+  EXPECT_EQ(FakeLink::sent.back(), "close");
+  EXPECT_EQ(count("ends without a safe action"), 0U);
+}
+
+TEST_F(RealEngineTest, SilenceBetweenTwoInstantsMakesSafe) {
+  begin();
+  instant();
+  FakeLink::sent.clear();
+  engine.make_safe(simulator);
+  EXPECT_EQ(FakeLink::sent, (Lines{"post act5"}));
+  EXPECT_TRUE(engine.is_safe());
+  EXPECT_EQ(instant(), (Lines{"post act5", "run measure"}));
+  EXPECT_EQ(instant(), (Lines{"post act5", "run measure"}));
+  EXPECT_FALSE(engine.is_safe()) << "two instants were right";
+  EXPECT_EQ(count("safe actions for want of an answer"), 1U);
+}
+
 struct PushIo {
   using Real = float;
   using Simulator = testing::Simulator;
@@ -392,6 +419,25 @@ TEST_F(RealEngineTest, RandomActionThenRest) {
   FakeLink::sent.clear();
   RandomActionAndSleep<PushIo>::reset({{1.0F, 2.1F}}, simulator);
   EXPECT_NE(push, FakeLink::sent[0]);
+}
+
+TEST_F(RealEngineTest, ErrorsOfTheLinkEndAPushAtOnce) {
+  begin();
+  FakeLink::sent.clear();
+  FakeLink::results = {BusError::none, BusError::timeout};
+  RandomActionAndSleep<PushIo>::reset({{1.0F, 2.0F}}, simulator);
+  ASSERT_EQ(FakeLink::sent.size(), 3U);
+  EXPECT_EQ(FakeLink::sent[2], "post act5");
+  EXPECT_EQ(count("safe actions in resets"), 1U);
+}
+
+TEST_F(RealEngineTest, SensorsThatSayNothingEndAPush) {
+  begin();
+  FakeLink::sent.clear();
+  FakeLink::sensor = BusError::parity;
+  RandomActionAndSleep<PushIo>::reset({{1.0F, 2.0F}}, simulator);
+  ASSERT_EQ(FakeLink::sent.size(), 3U) << "one is borne, the second is the last";
+  EXPECT_EQ(FakeLink::sent[2], "post act5");
 }
 
 TEST_F(RealEngineTest, NoHardwareAtTheStart) {

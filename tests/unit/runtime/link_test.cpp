@@ -277,6 +277,26 @@ TEST_F(Line, GivesUpWhenNothingComes) {
   EXPECT_EQ(host_->port.now - before, 5'000'000'000U);
 }
 
+TEST_F(Line, TellsOnceInAnExchangeThatTheBoardIsSilent) {
+  start();
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  int times = 0;
+  host_->on_silence(
+      10'000'000, [](void* context) { ++*static_cast<int*>(context); }, &times);
+  EXPECT_EQ(run_host(3), 3);
+  EXPECT_EQ(times, 0);
+  set_faults({100, 0, 0, 0, 0}, 1);
+  const std::uint64_t before = host_->port.now;
+  EXPECT_EQ(run_host(3), 0);
+  EXPECT_EQ(times, 1);
+  EXPECT_EQ(host_->port.now - before, 5'000'000'000U) << "it waits on";
+}
+
+TEST(Number, OfAnExchangeIsNeverThatOfNone) {
+  EXPECT_EQ(next_number(0), 1U);
+  EXPECT_EQ(next_number(UINT32_MAX), 1U);
+}
+
 TEST_F(Line, SaysWhenItIsClosed) {
   start();
   ASSERT_TRUE(host_->open(kIdentity, 1));

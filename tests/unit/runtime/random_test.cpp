@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <eagerx/random.hpp>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <vector>
@@ -48,6 +49,16 @@ TEST(Random, EveryPartOfTheKeyGivesOtherNumbers) {
     }
   }
   EXPECT_EQ(first_words.size(), 12U);
+}
+
+TEST(Random, StepsHaveBlocksOfTheirOwn) {
+  constexpr EpisodeKey kKey{5, 6, 7};
+  EXPECT_EQ(Random::of_step(kKey, 8, 3, 2).bits32(), Random(kKey, 8, 6).bits32());
+  std::set<std::uint32_t> first_words;
+  const std::uint64_t steps[] = {0, 1, 1ULL << 31U, (1ULL << 31U) + 1, 1ULL << 32U, 1ULL << 33U};
+  for (const std::uint64_t step : steps)
+    first_words.insert(Random::of_step(kKey, 8, step, 2).bits32());
+  EXPECT_EQ(first_words.size(), std::size(steps));
 }
 
 TEST(Random, CopiesDrawTheSame) {

@@ -41,6 +41,7 @@ struct FakeGraph {
 constexpr Safety kUsual{.declared = true,
                         .late = 2,
                         .max_lateness_ns = 0,
+                        .link_timeout_ns = 10'000'000,
                         .missed = 3,
                         .recover = 2,
                         .clips = true,

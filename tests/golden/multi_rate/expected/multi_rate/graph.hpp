@@ -124,6 +124,7 @@ struct Graph {
   static constexpr eagerx::Safety kSafety{.declared = false,
                                           .late = 1,
                                           .max_lateness_ns = 100000000,
+                                          .link_timeout_ns = 10000000,
                                           .missed = 2,
                                           .recover = 3,
                                           .clips = true,
@@ -133,7 +134,7 @@ struct Graph {
 
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
-    eagerx::Random random(key, eagerx::entity_id("agent"), static_cast<std::uint32_t>(step) * 4U);
+    auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
     return {kActionVoltage.sample(random), kActionPush.sample(random)};
   }
 

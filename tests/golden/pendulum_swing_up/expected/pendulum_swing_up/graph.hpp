@@ -87,6 +87,7 @@ struct Graph {
   static constexpr eagerx::Safety kSafety{.declared = false,
                                           .late = 1,
                                           .max_lateness_ns = 33333333,
+                                          .link_timeout_ns = 10000000,
                                           .missed = 2,
                                           .recover = 3,
                                           .clips = true,
@@ -96,7 +97,7 @@ struct Graph {
 
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
-    eagerx::Random random(key, eagerx::entity_id("agent"), static_cast<std::uint32_t>(step) * 2U);
+    auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 2U);
     return {kActionVoltage.sample(random)};
   }
 

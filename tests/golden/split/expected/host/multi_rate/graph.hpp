@@ -21,7 +21,7 @@ struct Graph {
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0xd6dfb6eb52f9131bU;  // of the sources of both
+    static constexpr std::uint64_t kGraph = 0xfe69332fb9437e46U;  // of the sources of both
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
@@ -132,6 +132,7 @@ struct Graph {
   static constexpr eagerx::Safety kSafety{.declared = false,
                                           .late = 1,
                                           .max_lateness_ns = 100000000,
+                                          .link_timeout_ns = 10000000,
                                           .missed = 2,
                                           .recover = 3,
                                           .clips = true,
@@ -141,7 +142,7 @@ struct Graph {
 
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
-    eagerx::Random random(key, eagerx::entity_id("agent"), static_cast<std::uint32_t>(step) * 4U);
+    auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
     return {kActionVoltage.sample(random), kActionPush.sample(random)};
   }
 
