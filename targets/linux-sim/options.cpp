@@ -285,8 +285,6 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
     return UsageError{"both `--csv` and `--trace` want the standard output",
                       "give one of them a file"};
   }
-  if (!options.csv.empty() && options.csv == options.trace)
-    return UsageError{"`--csv` and `--trace` are one file", "give each its own"};
   if (const auto idle = find_idle_option(given)) return *idle;
   return options;
 }

@@ -115,8 +115,6 @@ TEST(LinuxSimOptions, RefusesWhatWouldDoNothing) {
             "`--csv` does nothing with `--replay` / leave it out");
   EXPECT_EQ(error_of({"--replay", "a", "--identify", "b"}),
             "`--replay` and `--identify` are two things to do / give one of them");
-  EXPECT_EQ(error_of({"--csv", "a", "--trace", "a"}),
-            "`--csv` and `--trace` are one file / give each its own");
   options_of({"--replay", "a", "--replay-given", "none", "--agent", "a.csv", "--steps", "5"});
 }
 
