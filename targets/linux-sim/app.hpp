@@ -263,6 +263,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   std::string broken;
   if constexpr (is_split<Graph>) {
     link::Report report;
+    link.on_silence(0, nullptr, nullptr);  // the engine has stopped, and its hardware is given back
     if (link.ok())
       link.finish(report, [&](const char* name, std::uint64_t count) {
         note((std::string(name) + " on the board").c_str(), count);

@@ -45,7 +45,8 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   Port port;
 
   void set_time_limit(std::uint64_t ns) { limit_ns_ = ns; }
-  /// Calls `f(context)` once in every exchange that takes longer than `ns`, while it waits on.
+  /// Calls `f(context)` once in every exchange that takes longer than `ns`, while it waits on; with
+  /// nullptr nothing.
   void on_silence(std::uint64_t ns, void (*f)(void*), void* context) {
     silence_ns_ = ns;
     silent_ = f;

@@ -292,6 +292,20 @@ TEST_F(Line, TellsOnceInAnExchangeThatTheBoardIsSilent) {
   EXPECT_EQ(host_->port.now - before, 5'000'000'000U) << "it waits on";
 }
 
+TEST_F(Line, TellsNobodyOfSilenceAfterTheEnd) {
+  start();
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  int times = 0;
+  host_->on_silence(
+      10'000'000, [](void* context) { ++*static_cast<int*>(context); }, &times);
+  EXPECT_EQ(run_host(3), 3);
+  host_->on_silence(0, nullptr, nullptr);
+  set_faults({100, 0, 0, 0, 0}, 1);
+  Report report;
+  EXPECT_FALSE(host_->finish(report, [](const char*, std::uint64_t) {}));
+  EXPECT_EQ(times, 0);
+}
+
 TEST(Number, OfAnExchangeIsNeverThatOfNone) {
   EXPECT_EQ(next_number(0), 1U);
   EXPECT_EQ(next_number(UINT32_MAX), 1U);
