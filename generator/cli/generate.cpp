@@ -153,7 +153,7 @@ std::string counted(std::uint64_t count, std::string_view what) {
 /// What an image takes is checked by `size`; what the plan says, before there is one.
 void check_budget(Run& run) {
   if (!run.spec->budget) return;
-  const Node& budget = *run.spec->budget;
+  const YamlValue& budget = *run.spec->budget;
   if (budget.find("age") == nullptr && budget.find("link") == nullptr) return;
   check_plan_budget(report_of(*run.plan), budget, run.diagnostics);
 }

@@ -34,7 +34,7 @@ bool is_same_file(const std::string& a, const std::string& b) {
 
 int import_command(const Options& options) {
   Run run;
-  const Node tree = read_graph_file(run, options.graph);
+  const YamlValue tree = read_graph_file(run, options.graph);
   if (run.diagnostics.has_errors()) return finish(run, options);
   if (!is_saved_graph(tree)) {
     run.diagnostics

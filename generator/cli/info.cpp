@@ -10,10 +10,10 @@
 namespace eagerx::gen {
 namespace {
 
-std::string text_of(const Node& node) {
-  if (node.is_scalar()) return node.text;
+std::string text_of(const YamlValue& yaml) {
+  if (yaml.is_scalar()) return yaml.text;
   std::vector<std::string> items;
-  for (const auto& item : node.items) items.push_back(text_of(item));
+  for (const auto& item : yaml.items) items.push_back(text_of(item));
   return fmt::format("[{}]", fmt::join(items, ", "));
 }
 

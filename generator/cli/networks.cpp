@@ -56,24 +56,24 @@ void add_known_answers(Run& run, Network& network, const AgentSpec& policy,
   }
 }
 
-Node scalar(std::string text, Span span) {
-  Node node;
-  node.kind = NodeKind::scalar;
-  node.text = std::move(text);
-  node.span = span;
-  return node;
+YamlValue scalar(std::string text, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = std::move(text);
+  yaml.span = span;
+  return yaml;
 }
 
-Node list_of(const std::vector<std::string>& texts, Span span) {
-  Node node;
-  node.kind = NodeKind::sequence;
-  node.span = span;
-  for (const auto& text : texts) node.items.push_back(scalar(text, span));
-  return node;
+YamlValue list_of(const std::vector<std::string>& texts, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::sequence;
+  yaml.span = span;
+  for (const auto& text : texts) yaml.items.push_back(scalar(text, span));
+  return yaml;
 }
 
 /// One number for all, or one for each of the outputs.
-std::optional<Node> bounds_of(const std::vector<double>& bounds, Span span) {
+std::optional<YamlValue> bounds_of(const std::vector<double>& bounds, Span span) {
   if (bounds.empty()) return std::nullopt;
   std::vector<std::string> texts;
   texts.reserve(bounds.size());

@@ -32,7 +32,7 @@ void load_library_for(Run& run, const Options& options,
 }
 
 /// The spec of a graph in our own form, with the rates of the command line, and its library.
-bool read_own_graph(Run& run, const Node& tree, const Options& options) {
+bool read_own_graph(Run& run, const YamlValue& tree, const Options& options) {
   run.spec = read_graph_spec(tree, options.graph, run.diagnostics);
   std::vector<Spanned<std::string>> folders;
   if (run.spec) {
@@ -63,9 +63,9 @@ void load(Run& run, const Options& options) {
   load_library_for(run, options, {});
 }
 
-Node read_graph_file(Run& run, const std::string& path) {
+YamlValue read_graph_file(Run& run, const std::string& path) {
   Diagnostics strict;
-  Node tree = read_yaml_file(path, run.sources, strict);
+  YamlValue tree = read_yaml_file(path, run.sources, strict);
   if (strict.has_errors() && !strict.has_io_errors()) {
     // A file of EAGERx may have Python's tags; in a graph they are mistakes.
     const std::string& text = run.sources.text(strict.all().front().span.file);
@@ -76,7 +76,7 @@ Node read_graph_file(Run& run, const std::string& path) {
   return tree;
 }
 
-std::optional<ImportedGraph> import_file(Run& run, const Node& tree, const Options& options) {
+std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options) {
   load_library_for(run, options, {});
   if (run.diagnostics.has_errors()) return std::nullopt;
   return import_graph(tree, options.graph, run.library,
@@ -103,7 +103,7 @@ std::vector<PlacementSpec> placement_of(const Options& options) {
 }  // namespace
 
 bool make(Run& run, const Options& options) {
-  const Node tree = read_graph_file(run, options.graph);
+  const YamlValue tree = read_graph_file(run, options.graph);
   if (run.diagnostics.has_errors()) return false;
   if (is_saved_graph(tree)) {
     auto imported = import_file(run, tree, options);

@@ -35,9 +35,9 @@ struct Run {
 /// Loads the library for a command that has no graph.
 void load(Run& run, const Options& options);
 /// The graph file; of EAGERx's own too, with Python's tags.
-Node read_graph_file(Run& run, const std::string& path);
+YamlValue read_graph_file(Run& run, const std::string& path);
 /// EAGERx's file through the manifests of the library, which is loaded.
-std::optional<ImportedGraph> import_file(Run& run, const Node& tree, const Options& options);
+std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options);
 /// read → spec (or import) → resolve → plan, and the policy. True if there was no problem.
 bool make(Run& run, const Options& options);
 /// The weights that `policy` names, with the known answers that every program checks.

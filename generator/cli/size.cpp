@@ -57,22 +57,22 @@ class BudgetCheck {
   BudgetCheck(const SizeReport& report, const nlohmann::json& baseline, Diagnostics& diagnostics)
       : report_(report), baseline_(baseline), diagnostics_(diagnostics) {}
 
-  void run(const Node& budget) {
+  void run(const YamlValue& budget) {
     check(budget, "flash", "bytes of flash", report_.flash);
     check(budget, "ram", "bytes of RAM", report_.ram);
     check(budget, "stack", "bytes of stack", report_.stack.bytes);
     if (report_.instructions)
       check(budget, "instructions", "instructions in a slot", report_.instructions->most);
-    else if (const Node* entry = budget.find("instructions"))
+    else if (const YamlValue* entry = budget.find("instructions"))
       diagnostics_.error("E0422", entry->span, "instructions have a budget, but were not counted")
           .help = "give `--run TARGET`";
-    const Node* nodes = budget.find("nodes");
+    const YamlValue* nodes = budget.find("nodes");
     if (nodes == nullptr) return;
     for (const auto& entry : nodes->entries) check_node(entry);
   }
 
  private:
-  void check_node(const Node::Entry& entry) {
+  void check_node(const YamlValue::Entry& entry) {
     const Usage* usage = find(entry.key);
     if (usage == nullptr) {
       diagnostics_.error("E0421", entry.key_span,
@@ -90,16 +90,17 @@ class BudgetCheck {
     return nullptr;
   }
 
-  void check_part(const Node::Entry& node, const char* key, const char* unit, std::uint64_t used) {
-    const Node* entry = node.value.find(key);
+  void check_part(const YamlValue::Entry& node, const char* key, const char* unit,
+                  std::uint64_t used) {
+    const YamlValue* entry = node.value.find(key);
     if (entry == nullptr || used <= limit(*entry)) return;
     diagnostics_.error("E0420", entry->span,
                        fmt::format("`{}` takes {} {}, {} over its budget of {}", node.key, used,
                                    unit, used - limit(*entry), limit(*entry)));
   }
 
-  void check(const Node& budget, const char* key, const char* unit, std::uint64_t used) {
-    const Node* entry = budget.find(key);
+  void check(const YamlValue& budget, const char* key, const char* unit, std::uint64_t used) {
+    const YamlValue* entry = budget.find(key);
     if (entry == nullptr || used <= limit(*entry)) return;
     auto& problem =
         diagnostics_.error("E0420", entry->span,
@@ -108,7 +109,7 @@ class BudgetCheck {
     problem.help = who(key);
   }
 
-  static std::uint64_t limit(const Node& entry) {
+  static std::uint64_t limit(const YamlValue& entry) {
     return std::strtoull(entry.text.c_str(), nullptr, 10);
   }
 

@@ -8,10 +8,6 @@
 namespace eagerx::gen {
 namespace {
 
-Spanned<Node> rate_node(const Rational& rate, Span span) {
-  return {made_scalar(rate.to_string(), span), span};
-}
-
 /// Whether the implementation has every sensor, actuator and state of the object that is in use.
 bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine& implementation) {
   const auto& inside = implementation.connections;
@@ -64,8 +60,8 @@ void choose_type(Translation& t) {
   EntitySpec& engine = spec.engine;
   engine.name = {"engine", whole};
   if (t.saved.engine_id) {
-    Node none;
-    none.kind = NodeKind::map;
+    YamlValue none;
+    none.kind = YamlKind::map;
     const Entity* entity = t.counterparts.find(*t.saved.engine_id, none, Use::engine, "the engine");
     if (entity != nullptr) engine.type = {entity->id.value, t.saved.engine_id->span};
     return;
@@ -121,7 +117,7 @@ void take_option(Translation& t) {
 std::optional<Rational> port_rate(const Translation& t, const SavedEnd& end) {
   const SavedEntity* entity = t.saved.find(end.entity);
   const SavedPort* port = entity != nullptr ? entity->port(end.section, end.port) : nullptr;
-  const Node* rate = port != nullptr ? port->find("rate") : nullptr;
+  const YamlValue* rate = port != nullptr ? port->find("rate") : nullptr;
   // The reader of entities has reported what is no rate.
   return rate != nullptr && rate->is_scalar() ? Rational::parse(rate->text) : std::nullopt;
 }
@@ -147,7 +143,7 @@ void choose_engine_rate(Translation& t) {
   EntitySpec& engine = t.result.spec.engine;
   const Span whole{t.result.spec.file, 0, 0, 0};
   if (t.options.engine_rate_hz) {
-    engine.rate = rate_node(*t.options.engine_rate_hz, {});
+    engine.rate = made_rate(*t.options.engine_rate_hz, {});
     t.result.remarks["engine.rate"] = "from --engine-rate";
     return;
   }
@@ -158,7 +154,7 @@ void choose_engine_rate(Translation& t) {
         "give it with `--engine-rate`";
     return;
   }
-  engine.rate = rate_node(*fastest, whole);
+  engine.rate = made_rate(*fastest, whole);
   t.result.remarks["engine.rate"] = "that of the fastest sensor or actuator";
   t.diagnostics
       .note(whole, fmt::format("the file has no rate for the engine: {} Hz is taken, {}",
@@ -171,7 +167,7 @@ std::optional<Rational> rate_of(const Translation& t, const SavedEnd& end) {
   const SavedEntity* entity = t.saved.find(end.entity);
   if (entity == nullptr) return std::nullopt;
   if (entity->kind == SavedEntity::Kind::object) return port_rate(t, end);
-  const Node* rate = entity->parameter("rate");
+  const YamlValue* rate = entity->parameter("rate");
   return rate != nullptr && rate->is_scalar() ? Rational::parse(rate->text) : std::nullopt;
 }
 
@@ -195,7 +191,7 @@ void choose_rate(Translation& t) {
     t.result.remarks["rate"] = "from --rate";
     return;
   }
-  if (const Node* saved = environment.parameter("rate")) {
+  if (const YamlValue* saved = environment.parameter("rate")) {
     if (const auto value = saved_rate(*saved, t.diagnostics)) rate = {*value, saved->span};
     return;
   }

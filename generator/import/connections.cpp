@@ -130,13 +130,13 @@ class ConnectionTranslator {
         t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
     if (end.section == "targets") return;
     const Defaults defaults = defaults_of(end);
-    if (const Node* window = port->find("window")) take_window(*window, defaults, connection);
-    if (const Node* delay = port->find("delay")) {
+    if (const YamlValue* window = port->find("window")) take_window(*window, defaults, connection);
+    if (const YamlValue* delay = port->find("delay")) {
       const auto value = saved_delay(*delay, t_.diagnostics);
       if (value && *value != defaults.delay_s)
         connection.delay_s = Spanned<Rational>{*value, delay->span};
     }
-    if (const Node* skip = port->find("skip")) {
+    if (const YamlValue* skip = port->find("skip")) {
       const auto value = parse_bool(skip->text);
       if (!value || !skip->is_scalar()) {
         t_.diagnostics.error("E0802", skip->span,
@@ -147,7 +147,7 @@ class ConnectionTranslator {
     }
   }
 
-  void take_window(const Node& window, const Defaults& defaults, ConnectionSpec& connection) {
+  void take_window(const YamlValue& window, const Defaults& defaults, ConnectionSpec& connection) {
     constexpr std::int64_t kLargest = 1'000'000;
     const auto value = window.is_scalar() ? parse_int(window.text) : std::nullopt;
     if (!value || *value < 0 || *value > kLargest) {
@@ -195,7 +195,7 @@ void add_action(Translation& t, const SavedEntity& environment, const Spanned<st
   if (const SavedPort* port = environment.port("outputs", name.value)) {
     const auto space = saved_space(*port);
     if (space && !follows(t, name.value, *space)) action.space = space;
-    if (const Node* processor = port->find("processor")) {
+    if (const YamlValue* processor = port->find("processor")) {
       t.diagnostics
           .error("E0807", processor->span,
                  fmt::format("the action `{}` has a processor", name.value))

@@ -65,9 +65,9 @@ const char* to_string(Use use) {
   return "node";
 }
 
-bool holds(const std::vector<Setting>& when, const Node& config) {
+bool holds(const std::vector<Setting>& when, const YamlValue& config) {
   return std::all_of(when.begin(), when.end(), [&](const Setting& setting) {
-    const Node* value = config.find(setting.name);
+    const YamlValue* value = config.find(setting.name);
     return value != nullptr ? same_value(setting.value, *value) : setting.value.is_null();
   });
 }
@@ -91,7 +91,7 @@ std::pair<const Entity*, std::string> namesake(const Library& library, const std
 
 }  // namespace
 
-bool same_value(const Node& a, const Node& b) {
+bool same_value(const YamlValue& a, const YamlValue& b) {
   if (a.is_sequence() && a.items.size() == 1 && b.is_scalar()) return same_value(a.items[0], b);
   if (b.is_sequence() && b.items.size() == 1 && a.is_scalar()) return same_value(a, b.items[0]);
   if (a.kind != b.kind || a.items.size() != b.items.size() ||
@@ -101,7 +101,7 @@ bool same_value(const Node& a, const Node& b) {
     if (!same_value(a.items[i], b.items[i])) return false;
   }
   for (const auto& entry : a.entries) {
-    const Node* other = b.find(entry.key);
+    const YamlValue* other = b.find(entry.key);
     if (other == nullptr || !same_value(entry.value, *other)) return false;
   }
   if (!a.is_scalar()) return true;
@@ -110,7 +110,7 @@ bool same_value(const Node& a, const Node& b) {
   return left && right ? *left == *right : a.text == b.text;
 }
 
-const Entity* Counterparts::find(const Spanned<std::string>& id, const Node& config, Use use,
+const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue& config, Use use,
                                  const std::string& user) {
   const Entity* best = nullptr;
   std::size_t conditions = 0;
@@ -150,7 +150,7 @@ bool Counterparts::stands_for(const Entity& entity, const std::string& id) {
                      [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
 }
 
-std::vector<Setting> Counterparts::settings(const Entity& entity, const Node& config,
+std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValue& config,
                                             const std::string& user) {
   std::vector<Setting> result;
   std::vector<std::string> taken;
@@ -197,17 +197,17 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const Node& co
 
 std::optional<ProcessorSpec> Counterparts::processor(const SavedPort& port,
                                                      const std::string& user) {
-  const Node* saved = port.find("processor");
+  const YamlValue* saved = port.find("processor");
   if (saved == nullptr) return std::nullopt;
-  const Node* type = saved->find("processor_type");
+  const YamlValue* type = saved->find("processor_type");
   if (type == nullptr || !type->is_scalar()) {
     diagnostics_.error("E0802", saved->span,
                        fmt::format("the processor of {} has no `processor_type`", user));
     return std::nullopt;
   }
   // The parameters stand beside the type, or under `config`.
-  const Node* config = saved->find("config");
-  const Node& parameters = config != nullptr && config->is_map() ? *config : *saved;
+  const YamlValue* config = saved->find("config");
+  const YamlValue& parameters = config != nullptr && config->is_map() ? *config : *saved;
   const Entity* entity =
       find({type->text, type->span}, parameters, Use::processor, "the processor of " + user);
   if (entity == nullptr) return std::nullopt;

@@ -20,14 +20,15 @@ class Counterparts {
 
   /// Our entity for `id` with these parameters, or nullptr. `user`: who needs it, as messages say
   /// it ("the node `smooth`").
-  const Entity* find(const Spanned<std::string>& id, const Node& config, Use use,
+  const Entity* find(const Spanned<std::string>& id, const YamlValue& config, Use use,
                      const std::string& user);
   /// Whether our entity stands for this one of EAGERx, whatever its parameters.
   [[nodiscard]] static bool stands_for(const Entity& entity, const std::string& id);
 
   /// The parameters in our words, without those that have their default. What our entity does not
   /// have is noted; `user` as above.
-  std::vector<Setting> settings(const Entity& entity, const Node& config, const std::string& user);
+  std::vector<Setting> settings(const Entity& entity, const YamlValue& config,
+                                const std::string& user);
   /// The processor of a port, if it has one.
   std::optional<ProcessorSpec> processor(const SavedPort& port, const std::string& user);
 
@@ -49,6 +50,6 @@ class Counterparts {
 };
 
 /// Whether two values are the same: 1 and 1.0, [0] and 0.
-bool same_value(const Node& a, const Node& b);
+bool same_value(const YamlValue& a, const YamlValue& b);
 
 }  // namespace eagerx::gen

@@ -60,10 +60,6 @@ std::map<std::string, std::string> made_names(const std::vector<Spanned<std::str
   return result;
 }
 
-Spanned<Node> rate_node(const Rational& rate, Span span) {
-  return {made_scalar(rate.to_string(), span), span};
-}
-
 class EntityTranslator {
  public:
   explicit EntityTranslator(Translation& t) : t_(t) {}
@@ -95,11 +91,11 @@ class EntityTranslator {
       spec().objects.push_back(std::move(made));
       return;
     }
-    const Node* rate = saved.parameter("rate");
+    const YamlValue* rate = saved.parameter("rate");
     if (rate == nullptr) {
       t_.diagnostics.error("E0802", saved.name.span, fmt::format("{} has no rate", user));
     } else if (const auto value = saved_rate(*rate, t_.diagnostics)) {
-      made.rate = rate_node(*value, rate->span);
+      made.rate = made_rate(*value, rate->span);
     }
     made.inputs = node_ports(saved, *entity, "inputs", entity->inputs);
     made.outputs = node_ports(saved, *entity, "outputs", entity->outputs);
@@ -115,15 +111,15 @@ class EntityTranslator {
     engine.type = {entity->id.value, saved.id.span};
     engine.config = t_.counterparts.settings(*entity, saved.config, "the engine");
     add_states(saved, engine);
-    const Node* rate = saved.parameter("rate");
+    const YamlValue* rate = saved.parameter("rate");
     if (rate == nullptr && !t_.options.engine_rate_hz) {
       t_.diagnostics.error("E0804", saved.name.span, "the engine has no rate").help =
           "give it with `--engine-rate`";
     } else if (rate != nullptr) {
       if (const auto value = saved_rate(*rate, t_.diagnostics))
-        engine.rate = rate_node(*value, rate->span);
+        engine.rate = made_rate(*value, rate->span);
     }
-    const Node* delays = saved.parameter("simulate_delays");
+    const YamlValue* delays = saved.parameter("simulate_delays");
     if (delays != nullptr && delays->text == "false") {
       t_.diagnostics
           .note(delays->span,
@@ -131,7 +127,7 @@ class EntityTranslator {
           .help =
           "in a graph of your own, `simulate_delays: false` under `engine:` counts them as 0";
     }
-    const Node* sync = saved.parameter("sync");
+    const YamlValue* sync = saved.parameter("sync");
     if (sync != nullptr && sync->text == "false") {
       t_.diagnostics
           .warning("E0806", sync->span, "EAGERx ran this graph asynchronously (`sync: false`)")
@@ -205,7 +201,7 @@ class EntityTranslator {
   /// The rate, if it is not the manifest's.
   std::optional<Spanned<Rational>> rate_of(const SavedPort& port, const Entity& entity,
                                            const PortManifest& manifest, const EntitySpec& made) {
-    const Node* rate = port.find("rate");
+    const YamlValue* rate = port.find("rate");
     if (rate == nullptr) return std::nullopt;
     const auto value = saved_rate(*rate, t_.diagnostics);
     if (!value || manifest_rate(entity, manifest, made.config) == value) return std::nullopt;

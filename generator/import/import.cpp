@@ -4,14 +4,14 @@
 
 namespace eagerx::gen {
 
-bool is_saved_graph(const Node& root) {
+bool is_saved_graph(const YamlValue& root) {
   if (!root.is_map()) return false;
   const auto has = [&](const char* key) { return root.find(key) != nullptr; };
   // The first of them comes first in the file, so it is there when the rest is cut off.
   return has("backup") || (has("nodes") && has("connects") && has("gui_state"));
 }
 
-std::optional<ImportedGraph> import_graph(const Node& root, const std::string& path,
+std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::string& path,
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();

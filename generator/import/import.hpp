@@ -23,14 +23,14 @@ struct ImportedGraph {
 };
 
 /// Whether this is such a file: a mapping with `nodes`, `connects` and `gui_state`.
-bool is_saved_graph(const Node& root);
+bool is_saved_graph(const YamlValue& root);
 
 /// Translates the file through the manifests of `library`. Spans point into the saved file.
 /// Problems, all reported, nullopt: E0801 an entity without counterpart, E0802 not such a file,
 /// E0803 a Python object where a value is needed, E0804 an engine or rate that has to be given,
 /// E0805 an object that cannot be put back, E0807 what graphs here cannot say. Warnings: E0806
 /// differences between an object here and in the file.
-std::optional<ImportedGraph> import_graph(const Node& root, const std::string& path,
+std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::string& path,
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics);
 

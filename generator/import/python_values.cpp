@@ -48,16 +48,16 @@ std::optional<std::string> decode_base64(std::string_view text) {
   return result;
 }
 
-bool has_python_tag(const Node& node, std::string_view ending) {
-  return node.tag.starts_with(kYaml) && node.tag.ends_with(ending);
+bool has_python_tag(const YamlValue& yaml, std::string_view ending) {
+  return yaml.tag.starts_with(kYaml) && yaml.tag.ends_with(ending);
 }
 
 /// "f8", "i4", "b1", … of a numpy.dtype; empty if it is none that is written in digits. Big-endian
 /// ones say so in their state.
-std::string dtype_of(const Node& node) {
-  if (!has_python_tag(node, "apply:numpy.dtype")) return {};
-  const Node* arguments = node.find("args");
-  const Node* state = node.find("state");
+std::string dtype_of(const YamlValue& yaml) {
+  if (!has_python_tag(yaml, "apply:numpy.dtype")) return {};
+  const YamlValue* arguments = yaml.find("args");
+  const YamlValue* state = yaml.find("state");
   if (arguments == nullptr || arguments->items.empty() || state == nullptr ||
       state->items.size() < 2 || state->items[1].text == ">")
     return {};
@@ -97,27 +97,27 @@ std::pair<Decode, std::size_t> decoder(std::string_view dtype) {
   return {nullptr, 0};
 }
 
-Node scalar(std::string text, const Span& span) {
-  Node node;
-  node.kind = NodeKind::scalar;
-  node.text = std::move(text);
-  node.span = span;
-  return node;
+YamlValue scalar(std::string text, const Span& span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = std::move(text);
+  yaml.span = span;
+  return yaml;
 }
 
 /// numpy.float64(0.5): the dtype and the bytes.
-std::optional<Node> numpy_scalar(const Node& node) {
-  if (!has_python_tag(node, "multiarray.scalar") || node.items.size() != 2) return std::nullopt;
-  const auto [decode, size] = decoder(dtype_of(node.items[0]));
-  const auto bytes = decode_base64(node.items[1].text);
+std::optional<YamlValue> numpy_scalar(const YamlValue& yaml) {
+  if (!has_python_tag(yaml, "multiarray.scalar") || yaml.items.size() != 2) return std::nullopt;
+  const auto [decode, size] = decoder(dtype_of(yaml.items[0]));
+  const auto bytes = decode_base64(yaml.items[1].text);
   if (decode == nullptr || !bytes || bytes->size() != size) return std::nullopt;
-  return scalar(decode(bytes->data()), node.span);
+  return scalar(decode(bytes->data()), yaml.span);
 }
 
 /// numpy.array([1.0, 2.0]), one axis only: state (version, shape, dtype, order, bytes).
-std::optional<Node> numpy_array(const Node& node) {
-  if (!has_python_tag(node, "multiarray._reconstruct")) return std::nullopt;
-  const Node* state = node.find("state");
+std::optional<YamlValue> numpy_array(const YamlValue& yaml) {
+  if (!has_python_tag(yaml, "multiarray._reconstruct")) return std::nullopt;
+  const YamlValue* state = yaml.find("state");
   if (state == nullptr || state->items.size() != 5 || state->items[1].items.size() != 1)
     return std::nullopt;
   const auto [decode, size] = decoder(dtype_of(state->items[2]));
@@ -126,11 +126,11 @@ std::optional<Node> numpy_array(const Node& node) {
   if (decode == nullptr || !bytes || !length || *length < 0 ||
       bytes->size() / size != static_cast<std::size_t>(*length) || bytes->size() % size != 0)
     return std::nullopt;
-  Node list;
-  list.kind = NodeKind::sequence;
-  list.span = node.span;
+  YamlValue list;
+  list.kind = YamlKind::sequence;
+  list.span = yaml.span;
   for (std::size_t i = 0; i < bytes->size(); i += size)
-    list.items.push_back(scalar(decode(bytes->data() + i), node.span));
+    list.items.push_back(scalar(decode(bytes->data() + i), yaml.span));
   return list;
 }
 
@@ -141,27 +141,27 @@ std::string shown_tag(std::string_view tag) {
 
 }  // namespace
 
-bool is_python_object(const Node& node) {
-  return node.tag == kPythonObject;
+bool is_python_object(const YamlValue& yaml) {
+  return yaml.tag == kPythonObject;
 }
 
-Node plain_values(const Node& node) {
-  if (!is_plain(node.tag)) {
-    if (auto number = numpy_scalar(node)) return std::move(*number);
-    if (auto list = numpy_array(node)) return std::move(*list);
-    Node opaque = scalar(shown_tag(node.tag), node.span);
+YamlValue plain_values(const YamlValue& yaml) {
+  if (!is_plain(yaml.tag)) {
+    if (auto number = numpy_scalar(yaml)) return std::move(*number);
+    if (auto list = numpy_array(yaml)) return std::move(*list);
+    YamlValue opaque = scalar(shown_tag(yaml.tag), yaml.span);
     opaque.tag = kPythonObject;
     opaque.quoted = true;
     return opaque;
   }
-  Node result;
-  result.kind = node.kind;
-  result.span = node.span;
-  result.text = node.text;
-  result.quoted = node.quoted || has_python_tag(node, ":str") || has_python_tag(node, "/str");
-  if (has_python_tag(node, "python/none")) result.kind = NodeKind::null;
-  for (const auto& item : node.items) result.items.push_back(plain_values(item));
-  for (const auto& entry : node.entries)
+  YamlValue result;
+  result.kind = yaml.kind;
+  result.span = yaml.span;
+  result.text = yaml.text;
+  result.quoted = yaml.quoted || has_python_tag(yaml, ":str") || has_python_tag(yaml, "/str");
+  if (has_python_tag(yaml, "python/none")) result.kind = YamlKind::null;
+  for (const auto& item : yaml.items) result.items.push_back(plain_values(item));
+  for (const auto& entry : yaml.entries)
     result.entries.push_back({entry.key, entry.key_span, plain_values(entry.value)});
   return result;
 }

@@ -12,8 +12,8 @@
 namespace eagerx::gen {
 namespace {
 
-void set_entry(Node& map, const char* key, const Node& value) {
-  map.kind = NodeKind::map;
+void set_entry(YamlValue& map, const char* key, const YamlValue& value) {
+  map.kind = YamlKind::map;
   for (auto& entry : map.entries) {
     if (entry.key != key) continue;
     entry.value = value;
@@ -55,7 +55,7 @@ class Rebuilder {
     for (const auto& entity : saved_.entities) {
       for (const auto& [section, ports] : entity.ports) {
         for (const auto& port : ports) {
-          const Node* address = port.find("address");
+          const YamlValue* address = port.find("address");
           if (address == nullptr || !entity.is_selected(section, port.name.value) ||
               linked.contains({entity.name.value, section, port.name.value}))
             continue;
@@ -68,7 +68,7 @@ class Rebuilder {
   }
 
   /// "obj/states/st0", "obj/x/outputs/o0", where the names of ports have no slash.
-  static std::optional<SavedEnd> source_of(const Node& address) {
+  static std::optional<SavedEnd> source_of(const YamlValue& address) {
     const std::string& text = address.text;
     const std::size_t last = text.rfind('/');
     if (last == std::string::npos || last == 0) return std::nullopt;
@@ -170,7 +170,7 @@ class Rebuilder {
   void take_ports(Rebuilt& rebuilt) {
     for (const auto& [node, local] : rebuilt.matches) {
       const SavedEntity& saved = *saved_.find(node);
-      const Node* rate = saved.parameter("rate");
+      const YamlValue* rate = saved.parameter("rate");
       for (const auto& connection : rebuilt.implementation->connections) {
         const auto [from, from_port] = split_port(connection.from.value);
         const auto [to, to_port] = split_port(connection.to.value);
@@ -186,11 +186,12 @@ class Rebuilder {
   }
 
   static void take_port(SavedEntity& object, const char* section, const std::string& name,
-                        const SavedPort* from, const Node* rate, const ConnectionSpec& inside) {
+                        const SavedPort* from, const YamlValue* rate,
+                        const ConnectionSpec& inside) {
     if (from == nullptr) return;
     SavedPort port{{name, from->name.span}, from->settings};
     if (rate != nullptr) set_entry(port.settings, "rate", *rate);
-    if (inside.processor) set_entry(port.settings, "processor", Node{});  // the manifest's own
+    if (inside.processor) set_entry(port.settings, "processor", YamlValue{});  // the manifest's own
     auto& ports = object.ports[section];
     std::erase_if(ports, [&](const SavedPort& p) { return p.name.value == name; });
     ports.push_back(std::move(port));
@@ -200,7 +201,7 @@ class Rebuilder {
   void take_borrowed_rates(Rebuilt& rebuilt) {
     for (const auto& match : rebuilt.matches) {
       const std::string& node = match.first;
-      const Node* rate = saved_.find(node)->parameter("rate");
+      const YamlValue* rate = saved_.find(node)->parameter("rate");
       const auto spec =
           std::find_if(rebuilt.implementation->nodes.begin(), rebuilt.implementation->nodes.end(),
                        [&](const EntitySpec& n) { return n.name.value == match.second; });
@@ -279,11 +280,11 @@ class Rebuilder {
           fmt::format("`{}.{}` has {} {} in this file, but {} here", link.to.entity, link.to.port,
                       key, port->find(key)->text, ours));
     };
-    if (const Node* value = port->find("window"))
+    if (const YamlValue* value = port->find("window"))
       check("window", window, value->text == window || window.starts_with("$("));
-    if (const Node* value = port->find("delay"))
+    if (const YamlValue* value = port->find("delay"))
       check("delay", delay.to_string(), Rational::parse(value->text) == delay);
-    if (const Node* value = port->find("skip"))
+    if (const YamlValue* value = port->find("skip"))
       check("skip", skip ? "true" : "false", value->text == (skip ? "true" : "false"));
   }
 

@@ -15,14 +15,15 @@ constexpr std::array kSections = {"inputs",    "outputs", "states",      "sensor
 /// long list of references to a long list would otherwise grow without limit.
 class Substitution {
  public:
-  Node run(Node value, const Node& config) {
+  YamlValue run(YamlValue value, const YamlValue& config) {
     for (auto& item : value.items) item = run(std::move(item), config);
     for (auto& entry : value.entries) entry.value = run(std::move(entry.value), config);
     if (!value.is_scalar() || !value.text.starts_with("$(config ") || !value.text.ends_with(')'))
       return value;
     constexpr std::size_t kPrefix = std::string_view("$(config ").size();
     if (!spend(searches_, config.entries.size())) return value;
-    const Node* found = config.find(value.text.substr(kPrefix, value.text.size() - kPrefix - 1));
+    const YamlValue* found =
+        config.find(value.text.substr(kPrefix, value.text.size() - kPrefix - 1));
     return found != nullptr && afford(*found) ? *found : value;
   }
 
@@ -33,13 +34,13 @@ class Substitution {
     return enough;
   }
 
-  bool afford(const Node& node) {
+  bool afford(const YamlValue& yaml) {
     constexpr std::size_t kTextOfANode = 64;
-    return spend(nodes_, 1 + node.text.size() / kTextOfANode) &&
-           std::all_of(node.items.begin(), node.items.end(),
-                       [&](const Node& item) { return afford(item); }) &&
-           std::all_of(node.entries.begin(), node.entries.end(),
-                       [&](const Node::Entry& entry) { return afford(entry.value); });
+    return spend(nodes_, 1 + yaml.text.size() / kTextOfANode) &&
+           std::all_of(yaml.items.begin(), yaml.items.end(),
+                       [&](const YamlValue& item) { return afford(item); }) &&
+           std::all_of(yaml.entries.begin(), yaml.entries.end(),
+                       [&](const YamlValue::Entry& entry) { return afford(entry.value); });
   }
 
   std::size_t searches_ = 50'000'000;  // entries looked at
@@ -48,7 +49,7 @@ class Substitution {
 
 class SavedReader {
  public:
-  SavedReader(const Node& root, Diagnostics& diagnostics)
+  SavedReader(const YamlValue& root, Diagnostics& diagnostics)
       : root_(root), diagnostics_(diagnostics) {}
 
   std::optional<SavedGraph> read() {
@@ -60,10 +61,10 @@ class SavedReader {
     }
     if (diagnostics_.error_count() != errors_before) return std::nullopt;
     read_entities(member(root_, "nodes"), saved_.entities);
-    if (const Node* backup = root_.find("backup"); backup != nullptr && backup->is_map())
+    if (const YamlValue* backup = root_.find("backup"); backup != nullptr && backup->is_map())
       read_backup(*backup);
     read_links(*root_.find("connects"));
-    const Node* engine = root_.find("engine_id");
+    const YamlValue* engine = root_.find("engine_id");
     if (engine != nullptr && engine->is_scalar()) saved_.engine_id = {engine->text, engine->span};
     if (saved_.find("environment") == nullptr && diagnostics_.error_count() == errors_before)
       fail(member(root_, "nodes").span, "the graph has no node `environment`");
@@ -78,70 +79,70 @@ class SavedReader {
   }
 
   /// The mapping under `key`; reported and empty if it is something else.
-  const Node& member(const Node& map, const char* key) {
-    static const Node kEmpty = [] {
-      Node node;
-      node.kind = NodeKind::map;
-      return node;
+  const YamlValue& member(const YamlValue& map, const char* key) {
+    static const YamlValue kEmpty = [] {
+      YamlValue yaml;
+      yaml.kind = YamlKind::map;
+      return yaml;
     }();
-    const Node* value = map.find(key);
+    const YamlValue* value = map.find(key);
     if (value == nullptr || value->is_null()) return kEmpty;
     if (value->is_map()) return *value;
     fail(value->span, fmt::format("expected a mapping for `{}`, found {}", key, describe(*value)));
     return kEmpty;
   }
 
-  void read_entities(const Node& nodes, std::vector<SavedEntity>& into) {
+  void read_entities(const YamlValue& nodes, std::vector<SavedEntity>& into) {
     for (const auto& entry : nodes.entries) {
       if (auto entity = read_entity(entry)) into.push_back(std::move(*entity));
     }
   }
 
   /// Only objects: of everything else the nodes themselves say more.
-  void read_backup(const Node& backup) {
+  void read_backup(const YamlValue& backup) {
     for (const auto& entry : backup.entries) {
       if (!entry.value.is_map() || entry.value.find("entity_type") == nullptr) continue;
       if (auto entity = read_entity(entry)) saved_.backup.push_back(std::move(*entity));
     }
   }
 
-  std::optional<SavedEntity> read_entity(const Node::Entry& entry) {
-    const Node& node = entry.value;
-    if (!node.is_map()) {
-      fail(node.span, fmt::format("expected a mapping for the node `{}`, found {}", entry.key,
-                                  describe(node)));
+  std::optional<SavedEntity> read_entity(const YamlValue::Entry& entry) {
+    const YamlValue& yaml = entry.value;
+    if (!yaml.is_map()) {
+      fail(yaml.span, fmt::format("expected a mapping for the node `{}`, found {}", entry.key,
+                                  describe(yaml)));
       return std::nullopt;
     }
     SavedEntity entity;
     entity.name = {entry.key, entry.key_span};
-    entity.config = plain_values(member(node, "config"));
-    entity.kind = kind_of(entry.key, node);
+    entity.config = plain_values(member(yaml, "config"));
+    entity.kind = kind_of(entry.key, yaml);
     const char* type = entity.kind == SavedEntity::Kind::object ? "entity_type" : "node_type";
-    const Node* id = entity.config.find("entity_id");
-    if (id == nullptr || !id->is_scalar()) id = node.find(type);
+    const YamlValue* id = entity.config.find("entity_id");
+    if (id == nullptr || !id->is_scalar()) id = yaml.find(type);
     if (id == nullptr || !id->is_scalar()) {
       fail(entry.key_span, fmt::format("the node `{}` has no `entity_id`", entry.key));
       return std::nullopt;
     }
     entity.id = {id->text, id->span};
     for (const char* section : kSections) {
-      read_ports(node, section, entity);
+      read_ports(yaml, section, entity);
       entity.selected[section] = texts(entity.config.find(section));
     }
     // Feedthroughs are selected with the outputs that they are for.
     entity.selected["feedthroughs"] = entity.selected["outputs"];
-    if (entity.kind == SavedEntity::Kind::engine) read_objects(member(node, "objects"), entity);
+    if (entity.kind == SavedEntity::Kind::engine) read_objects(member(yaml, "objects"), entity);
     return entity;
   }
 
-  static SavedEntity::Kind kind_of(const std::string& name, const Node& node) {
-    if (node.find("entity_type") != nullptr) return SavedEntity::Kind::object;
+  static SavedEntity::Kind kind_of(const std::string& name, const YamlValue& yaml) {
+    if (yaml.find("entity_type") != nullptr) return SavedEntity::Kind::object;
     if (name == "environment") return SavedEntity::Kind::environment;
     return name == "engine" ? SavedEntity::Kind::engine : SavedEntity::Kind::node;
   }
 
-  void read_ports(const Node& node, const char* section, SavedEntity& entity) {
-    for (const auto& entry : member(node, section).entries) {
+  void read_ports(const YamlValue& yaml, const char* section, SavedEntity& entity) {
+    for (const auto& entry : member(yaml, section).entries) {
       if (!entry.value.is_map()) {
         fail(entry.value.span,
              fmt::format("expected a mapping for `{}.{}.{}`, found {}", entity.name.value, section,
@@ -154,7 +155,7 @@ class SavedReader {
     }
   }
 
-  std::vector<Spanned<std::string>> texts(const Node* list) {
+  std::vector<Spanned<std::string>> texts(const YamlValue* list) {
     std::vector<Spanned<std::string>> result;
     if (list == nullptr || list->is_null()) return result;
     if (!list->is_sequence()) {
@@ -176,7 +177,7 @@ class SavedReader {
     return result;
   }
 
-  void read_objects(const Node& objects, const SavedEntity& engine) {
+  void read_objects(const YamlValue& objects, const SavedEntity& engine) {
     for (const auto& entry : objects.entries) {
       if (!entry.value.is_map()) {
         fail(entry.value.span, fmt::format("expected a mapping for the object `{}`, found {}",
@@ -198,12 +199,12 @@ class SavedReader {
     }
   }
 
-  void read_links(const Node& connects) {
+  void read_links(const YamlValue& connects) {
     if (!connects.is_sequence() && !connects.is_null())
       fail(connects.span,
            fmt::format("expected a list of connections, found {}", describe(connects)));
     for (const auto& written : connects.items) {
-      const Node item = plain_values(written);
+      const YamlValue item = plain_values(written);
       const bool pair = item.is_sequence() && item.items.size() == 2;
       const auto from = pair ? end_of(item.items[0]) : std::nullopt;
       const auto to = pair ? end_of(item.items[1]) : std::nullopt;
@@ -215,15 +216,15 @@ class SavedReader {
     }
   }
 
-  static std::optional<SavedEnd> end_of(const Node& node) {
-    if (!node.is_sequence() || node.items.size() != 3) return std::nullopt;
-    for (const auto& item : node.items) {
+  static std::optional<SavedEnd> end_of(const YamlValue& yaml) {
+    if (!yaml.is_sequence() || yaml.items.size() != 3) return std::nullopt;
+    for (const auto& item : yaml.items) {
       if (!item.is_scalar()) return std::nullopt;
     }
-    return SavedEnd{node.items[0].text, node.items[1].text, node.items[2].text, node.items[2].span};
+    return SavedEnd{yaml.items[0].text, yaml.items[1].text, yaml.items[2].text, yaml.items[2].span};
   }
 
-  const Node& root_;
+  const YamlValue& root_;
   Diagnostics& diagnostics_;
   Substitution substitution_;
   SavedGraph saved_;
@@ -231,8 +232,8 @@ class SavedReader {
 
 }  // namespace
 
-const Node* SavedPort::find(std::string_view key) const {
-  const Node* value = settings.find(key);
+const YamlValue* SavedPort::find(std::string_view key) const {
+  const YamlValue* value = settings.find(key);
   return value == nullptr || value->is_null() ? nullptr : value;
 }
 
@@ -252,8 +253,8 @@ bool SavedEntity::is_selected(std::string_view section, std::string_view wanted)
                      [&](const Spanned<std::string>& s) { return s.value == wanted; });
 }
 
-const Node* SavedEntity::parameter(std::string_view key) const {
-  const Node* value = config.find(key);
+const YamlValue* SavedEntity::parameter(std::string_view key) const {
+  const YamlValue* value = config.find(key);
   return value == nullptr || value->is_null() ? nullptr : value;
 }
 
@@ -267,7 +268,7 @@ bool SavedGraph::flattened() const {
   return find("engine") != nullptr;
 }
 
-std::optional<SavedGraph> read_saved_graph(const Node& root, Diagnostics& diagnostics) {
+std::optional<SavedGraph> read_saved_graph(const YamlValue& root, Diagnostics& diagnostics) {
   return SavedReader(root, diagnostics).read();
 }
 

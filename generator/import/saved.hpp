@@ -16,10 +16,10 @@ namespace eagerx::gen {
 /// `$(config x)` is replaced.
 struct SavedPort {
   Spanned<std::string> name;
-  Node settings;
+  YamlValue settings;
 
   /// The setting, or nullptr if it is not there or null.
-  [[nodiscard]] const Node* find(std::string_view key) const;
+  [[nodiscard]] const YamlValue* find(std::string_view key) const;
 };
 
 /// Sections are "inputs", "outputs", "states", "sensors", "actuators", "targets", "feedthroughs".
@@ -28,14 +28,14 @@ struct SavedEntity {
   Kind kind = Kind::node;
   Spanned<std::string> name;
   Spanned<std::string> id;  // module/Class
-  Node config;
+  YamlValue config;
   std::map<std::string, std::vector<SavedPort>, std::less<>> ports;  // selected or not
   std::map<std::string, std::vector<Spanned<std::string>>, std::less<>> selected;
 
   [[nodiscard]] const SavedPort* port(std::string_view section, std::string_view wanted) const;
   [[nodiscard]] bool is_selected(std::string_view section, std::string_view wanted) const;
   /// The parameter, or nullptr if it is not there or null.
-  [[nodiscard]] const Node* parameter(std::string_view key) const;
+  [[nodiscard]] const YamlValue* parameter(std::string_view key) const;
 };
 
 struct SavedEnd {
@@ -50,7 +50,7 @@ struct SavedLink {
 /// What remains of an object in a flattened file: it has become engine nodes called object/….
 struct SavedObject {
   Spanned<std::string> name;
-  Node parameters;  // of the engine for this object
+  YamlValue parameters;  // of the engine for this object
   std::vector<Spanned<std::string>> states;
   std::vector<Spanned<std::string>> nodes;
 };
@@ -69,12 +69,12 @@ struct SavedGraph {
 };
 
 /// Typed form of the tree; nullopt after E0802 (it does not have the form of such a file).
-std::optional<SavedGraph> read_saved_graph(const Node& root, Diagnostics& diagnostics);
+std::optional<SavedGraph> read_saved_graph(const YamlValue& root, Diagnostics& diagnostics);
 
 /// The tree with Python's tuples, texts, numbers and numpy's scalars as plain YAML. What else has a
 /// Python tag becomes a scalar for which is_python_object() holds.
-Node plain_values(const Node& node);
-bool is_python_object(const Node& node);
+YamlValue plain_values(const YamlValue& yaml);
+bool is_python_object(const YamlValue& yaml);
 
 /// Our object in place of the engine nodes of each object, as Graph.save would have written it.
 /// False: it could not be done (E0801, E0805); the engine nodes are gone all the same.

@@ -36,8 +36,8 @@ void translate_connections(Translation& t);
 void translate_environment(Translation& t);  // actions and observations
 
 /// A rate in Hz, a delay in seconds; reported (E0802) and nullopt if the node is something else.
-std::optional<Rational> saved_rate(const Node& node, Diagnostics& diagnostics);
-std::optional<Rational> saved_delay(const Node& node, Diagnostics& diagnostics);
+std::optional<Rational> saved_rate(const YamlValue& yaml, Diagnostics& diagnostics);
+std::optional<Rational> saved_delay(const YamlValue& yaml, Diagnostics& diagnostics);
 
 /// The rate of a sensor or actuator as the manifest gives it with these settings, or nullopt.
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
@@ -58,6 +58,7 @@ const PortManifest* manifest_port(const Entity& entity, std::string_view section
                                   std::string_view name);
 
 /// A scalar that was not in the file, at `span`.
-Node made_scalar(std::string text, Span span);
+YamlValue made_scalar(std::string text, Span span);
+Spanned<YamlValue> made_rate(const Rational& rate_hz, Span span);
 
 }  // namespace eagerx::gen

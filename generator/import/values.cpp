@@ -13,24 +13,24 @@ namespace {
 
 /// Exact where the decimals fit; a double printed with all its digits may not, and is rounded to
 /// the twelve digits that EAGERx itself keeps of a time.
-std::optional<Rational> decimal(const Node& node) {
-  if (!node.is_scalar() || node.quoted) return std::nullopt;
-  if (const auto exact = Rational::parse(node.text)) return exact;
-  const auto number = parse_number(node.text);
+std::optional<Rational> decimal(const YamlValue& yaml) {
+  if (!yaml.is_scalar() || yaml.quoted) return std::nullopt;
+  if (const auto exact = Rational::parse(yaml.text)) return exact;
+  const auto number = parse_number(yaml.text);
   return number && std::isfinite(*number) ? Rational::parse(fmt::format("{:.12g}", *number))
                                           : std::nullopt;
 }
 
-std::optional<Rational> checked(const Node& node, const char* what, bool zero,
+std::optional<Rational> checked(const YamlValue& yaml, const char* what, bool zero,
                                 Diagnostics& diagnostics) {
-  const auto value = decimal(node);
+  const auto value = decimal(yaml);
   if (value && !value->overflowed() && (*value > Rational() || (zero && *value == Rational())))
     return value;
-  const bool object = is_python_object(node);
-  diagnostics.error(object ? "E0803" : "E0802", node.span,
+  const bool object = is_python_object(yaml);
+  diagnostics.error(object ? "E0803" : "E0802", yaml.span,
                     object
-                        ? fmt::format("expected {}, found a Python object, `{}`", what, node.text)
-                        : fmt::format("expected {}, found {}", what, describe(node)));
+                        ? fmt::format("expected {}, found a Python object, `{}`", what, yaml.text)
+                        : fmt::format("expected {}, found {}", what, describe(yaml)));
   return std::nullopt;
 }
 
@@ -43,51 +43,51 @@ bool is_unbounded(double bound, std::string_view dtype) {
   return dtype == "float32" && magnitude >= static_cast<double>(std::numeric_limits<float>::max());
 }
 
-bool all_unbounded(const Node& bound, std::string_view dtype) {
+bool all_unbounded(const YamlValue& bound, std::string_view dtype) {
   if (bound.is_sequence()) {
     return std::all_of(bound.items.begin(), bound.items.end(),
-                       [&](const Node& item) { return all_unbounded(item, dtype); });
+                       [&](const YamlValue& item) { return all_unbounded(item, dtype); });
   }
   const auto number = parse_number(bound.text);
   return number && is_unbounded(*number, dtype);
 }
 
 /// Nested lists (of matrices) in one, row by row; infinite where there is no bound.
-void flatten(const Node& bound, std::string_view dtype, std::vector<Node>& into) {
+void flatten(const YamlValue& bound, std::string_view dtype, std::vector<YamlValue>& into) {
   for (const auto& item : bound.items) flatten(item, dtype, into);
   if (bound.is_sequence()) return;
-  Node number = bound;
+  YamlValue number = bound;
   const auto value = parse_number(bound.text);
   if (value && dtype.starts_with("float") && is_unbounded(*value, dtype))
     number.text = *value < 0 ? "-.inf" : ".inf";
   into.push_back(std::move(number));
 }
 
-std::optional<Node> bound_of(const SavedPort& port, const Node* space, const char* key,
-                             std::string_view dtype) {
-  const Node* bound = space->find(key);
+std::optional<YamlValue> bound_of(const SavedPort& port, const YamlValue* space, const char* key,
+                                  std::string_view dtype) {
+  const YamlValue* bound = space->find(key);
   if (bound == nullptr || bound->is_null() || bound->is_map() || is_python_object(*bound) ||
       dtype == "bool" || all_unbounded(*bound, dtype))
     return std::nullopt;
   if (bound->is_scalar()) return *bound;
-  Node list = *bound;
+  YamlValue list = *bound;
   list.items.clear();
   flatten(*bound, dtype, list.items);
   for (auto& item : list.items) item.span = item.span.line == 0 ? port.name.span : item.span;
   return list;
 }
 
-bool same_shape(const Node& a, const Node& b) {
+bool same_shape(const YamlValue& a, const YamlValue& b) {
   return a.is_sequence() && b.is_sequence() && a.items.size() == b.items.size() &&
          std::equal(a.items.begin(), a.items.end(), b.items.begin(),
-                    [](const Node& x, const Node& y) { return x.text == y.text; });
+                    [](const YamlValue& x, const YamlValue& y) { return x.text == y.text; });
 }
 
 /// float32 bounds are saved with all the digits of the float: -3.140000104904175 is -3.14.
-bool same_bound(const std::optional<Node>& a, const std::optional<Node>& b, bool single) {
+bool same_bound(const std::optional<YamlValue>& a, const std::optional<YamlValue>& b, bool single) {
   if (!a || !b) return a.has_value() == b.has_value();
-  const auto count = [](const Node& n) { return n.is_sequence() ? n.items.size() : 1; };
-  const auto at = [](const Node& n, std::size_t i) -> const Node& {
+  const auto count = [](const YamlValue& n) { return n.is_sequence() ? n.items.size() : 1; };
+  const auto at = [](const YamlValue& n, std::size_t i) -> const YamlValue& {
     return n.is_sequence() ? n.items[n.items.size() == 1 ? 0 : i] : n;
   };
   if (count(*a) != count(*b) && count(*a) != 1 && count(*b) != 1) return false;
@@ -102,20 +102,24 @@ bool same_bound(const std::optional<Node>& a, const std::optional<Node>& b, bool
 
 }  // namespace
 
-Node made_scalar(std::string text, Span span) {
-  Node node;
-  node.kind = NodeKind::scalar;
-  node.text = std::move(text);
-  node.span = span;
-  return node;
+YamlValue made_scalar(std::string text, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = std::move(text);
+  yaml.span = span;
+  return yaml;
 }
 
-std::optional<Rational> saved_rate(const Node& node, Diagnostics& diagnostics) {
-  return checked(node, "a rate in Hz", false, diagnostics);
+Spanned<YamlValue> made_rate(const Rational& rate_hz, Span span) {
+  return {made_scalar(rate_hz.to_string(), span), span};
 }
 
-std::optional<Rational> saved_delay(const Node& node, Diagnostics& diagnostics) {
-  return checked(node, "a delay in seconds", true, diagnostics);
+std::optional<Rational> saved_rate(const YamlValue& yaml, Diagnostics& diagnostics) {
+  return checked(yaml, "a rate in Hz", false, diagnostics);
+}
+
+std::optional<Rational> saved_delay(const YamlValue& yaml, Diagnostics& diagnostics) {
+  return checked(yaml, "a delay in seconds", true, diagnostics);
 }
 
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
@@ -147,15 +151,15 @@ const PortManifest* manifest_port(const Entity& entity, std::string_view section
 }
 
 std::optional<SpaceSpec> saved_space(const SavedPort& port) {
-  const Node* saved = port.find("space");
+  const YamlValue* saved = port.find("space");
   if (saved == nullptr || !saved->is_map()) return std::nullopt;
   SpaceSpec space;
   space.span = port.name.span;
-  const Node* dtype = saved->find("dtype");
+  const YamlValue* dtype = saved->find("dtype");
   if (dtype != nullptr && dtype->is_scalar())
     space.dtype = Spanned<std::string>{dtype->text, dtype->span};
   const std::string_view name = space.dtype ? std::string_view(space.dtype->value) : "";
-  const Node* shape = saved->find("shape");
+  const YamlValue* shape = saved->find("shape");
   if (shape != nullptr && shape->is_sequence()) space.shape = *shape;
   space.low = bound_of(port, saved, "low", name);
   space.high = bound_of(port, saved, "high", name);
@@ -164,17 +168,17 @@ std::optional<SpaceSpec> saved_space(const SavedPort& port) {
 }
 
 bool check_space(const SpaceSpec& space, Diagnostics& diagnostics) {
-  Node node;
-  node.kind = NodeKind::map;
-  node.span = space.span;
-  const auto add = [&](const char* key, const std::optional<Node>& value) {
-    if (value) node.entries.push_back({key, value->span, *value});
+  YamlValue yaml;
+  yaml.kind = YamlKind::map;
+  yaml.span = space.span;
+  const auto add = [&](const char* key, const std::optional<YamlValue>& value) {
+    if (value) yaml.entries.push_back({key, value->span, *value});
   };
   if (space.dtype) add("dtype", made_scalar(space.dtype->value, space.dtype->span));
   add("shape", space.shape);
   add("low", space.low);
   add("high", space.high);
-  return check(node, *space_format(Reference::refuse, false), diagnostics);
+  return check(yaml, *space_format(Reference::refuse, false), diagnostics);
 }
 
 bool same_space(const SpaceSpec& saved, const SpaceSpec& manifest) {
@@ -191,8 +195,9 @@ std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& man
   const bool dtype = manifest.dtype && saved.dtype && manifest.dtype->value == saved.dtype->value;
   if (!dtype) result.dtype = saved.dtype;
   const bool literal =
-      manifest.shape && std::none_of(manifest.shape->items.begin(), manifest.shape->items.end(),
-                                     [](const Node& item) { return item.text.starts_with("$("); });
+      manifest.shape &&
+      std::none_of(manifest.shape->items.begin(), manifest.shape->items.end(),
+                   [](const YamlValue& item) { return item.text.starts_with("$("); });
   const bool shape =
       manifest.shape && saved.shape && (!literal || same_shape(*manifest.shape, *saved.shape));
   if (!shape) result.shape = saved.shape;

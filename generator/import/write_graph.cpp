@@ -42,18 +42,18 @@ std::string quoted(const std::string& text) {
   return "\"" + result + "\"";
 }
 
-std::string text_of(const Node& node) {
+std::string text_of(const YamlValue& yaml) {
   std::vector<std::string> items;
-  switch (node.kind) {
-    case NodeKind::null:
+  switch (yaml.kind) {
+    case YamlKind::null:
       return "null";
-    case NodeKind::scalar:
-      return !node.quoted && is_plain(node.text) ? node.text : quoted(node.text);
-    case NodeKind::sequence:
-      for (const auto& item : node.items) items.push_back(text_of(item));
+    case YamlKind::scalar:
+      return !yaml.quoted && is_plain(yaml.text) ? yaml.text : quoted(yaml.text);
+    case YamlKind::sequence:
+      for (const auto& item : yaml.items) items.push_back(text_of(item));
       return fmt::format("[{}]", fmt::join(items, ", "));
-    case NodeKind::map:
-      for (const auto& entry : node.entries) {
+    case YamlKind::map:
+      for (const auto& entry : yaml.entries) {
         items.push_back(fmt::format("{}: {}", is_plain(entry.key) ? entry.key : quoted(entry.key),
                                     text_of(entry.value)));
       }

@@ -23,7 +23,7 @@
 namespace eagerx::gen {
 
 struct Entity;
-struct Node;
+struct YamlValue;
 
 using ConditionNumber = std::variant<std::int64_t, double>;
 using ConditionValue =
@@ -69,7 +69,7 @@ using Condition = std::vector<ConditionStep>;
 
 /// A condition from its text; `entity` has its parameters and ports already. Problems, at their
 /// place in the text: E0207. nullopt then.
-std::optional<Condition> read_condition(const Node& text, const Entity& entity,
+std::optional<Condition> read_condition(const YamlValue& text, const Entity& entity,
                                         Diagnostics& diagnostics);
 
 /// Whether the condition holds; nullopt if it speaks of something that is not among the facts.

@@ -38,8 +38,8 @@ std::string_view to_string(Type::Kind kind) {
 
 class Parser : private ConditionText {
  public:
-  Parser(const Node& node, const Entity& entity, Diagnostics& diagnostics)
-      : ConditionText(node, diagnostics), entity_(entity) {}
+  Parser(const YamlValue& yaml, const Entity& entity, Diagnostics& diagnostics)
+      : ConditionText(yaml, diagnostics), entity_(entity) {}
 
   std::optional<Condition> read() {
     const Type type = disjunction();
@@ -325,7 +325,7 @@ class Parser : private ConditionText {
 
 }  // namespace
 
-std::optional<Condition> read_condition(const Node& text, const Entity& entity,
+std::optional<Condition> read_condition(const YamlValue& text, const Entity& entity,
                                         Diagnostics& diagnostics) {
   return Parser(text, entity, diagnostics).read();
 }

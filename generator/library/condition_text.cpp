@@ -34,8 +34,8 @@ constexpr std::array<Operator, 6> kComparisons = {{{"<=", Op::less_equal},
 
 }  // namespace
 
-ConditionText::ConditionText(const Node& node, Diagnostics& diagnostics)
-    : node_(node), text_(node.text), diagnostics_(diagnostics) {
+ConditionText::ConditionText(const YamlValue& yaml, Diagnostics& diagnostics)
+    : node_(yaml), text_(yaml.text), diagnostics_(diagnostics) {
   if (text_.size() > kLongest)
     fail(0, fmt::format("a condition has at most {} characters", kLongest));
 }

@@ -14,7 +14,7 @@ namespace eagerx::gen {
 /// After the first problem nothing can be taken any more, so that only that one is told of.
 class ConditionText {
  public:
-  ConditionText(const Node& node, Diagnostics& diagnostics);
+  ConditionText(const YamlValue& yaml, Diagnostics& diagnostics);
 
   [[nodiscard]] bool good() const { return good_; }
   /// Blanks aside: where the next piece begins, and whether there is none.
@@ -55,7 +55,7 @@ class ConditionText {
  private:
   [[nodiscard]] Span span_at(std::size_t place) const;
 
-  const Node& node_;
+  const YamlValue& node_;
   const std::string& text_;
   Diagnostics& diagnostics_;
   std::size_t at_ = 0;

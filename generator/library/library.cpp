@@ -216,9 +216,9 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
     if (std::find(done.begin(), done.end(), key) != done.end()) continue;
     done.push_back(key);
     for (const auto& path : find_manifests(folder, diagnostics)) {
-      const Node tree = read_yaml_file(path, sources, diagnostics);
+      const YamlValue tree = read_yaml_file(path, sources, diagnostics);
       if (tree.is_null()) continue;
-      const Node* kind = tree.find("kind");
+      const YamlValue* kind = tree.find("kind");
       if (kind != nullptr && kind->text == "target") {
         if (auto target = read_target_manifest(tree, path, diagnostics))
           add(library.targets, *target, sources, diagnostics);

@@ -26,7 +26,7 @@ struct Parameter {
   Spanned<std::string> name;
   Type type = Type::number;
   std::string unit, about;
-  std::optional<Node> fallback;  // `default:`; without it the parameter must be given
+  std::optional<YamlValue> fallback;  // `default:`; without it the parameter must be given
   std::optional<ConditionNumber> low, high;
   std::vector<std::string> options;  // keyword
   std::string cpp_class;             // keyword: the C++ enumeration
@@ -46,12 +46,13 @@ struct PortManifest {
   Spanned<std::string> name;
   SpaceSpec space;
   std::string unit, about;
-  std::optional<Node> rate;    // sensors and actuators; may be `$(config x)`
-  std::optional<Node> window;  // may be `$(config x)`
+  std::optional<YamlValue> rate;    // sensors and actuators; may be `$(config x)`
+  std::optional<YamlValue> window;  // may be `$(config x)`
   std::optional<Rational> delay_s;
   std::optional<bool> skip;
-  std::optional<Node> max_delay;  // the entity sets the delay at its reset; may be `$(config x)`
-  bool optional = false;          // of a node: a graph may do without it
+  std::optional<YamlValue>
+      max_delay;          // the entity sets the delay at its reset; may be `$(config x)`
+  bool optional = false;  // of a node: a graph may do without it
 };
 
 /// A C++ class and the header that defines it, as generated code includes it.
@@ -150,12 +151,12 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
                      Diagnostics& diagnostics);
 
 /// Typed form of one manifest.
-std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path,
+std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,
                                            Diagnostics& diagnostics);
-std::optional<Implementation> read_implementation_manifest(const Node& root,
+std::optional<Implementation> read_implementation_manifest(const YamlValue& root,
                                                            const std::string& path,
                                                            Diagnostics& diagnostics);
-std::optional<Target> read_target_manifest(const Node& root, const std::string& path,
+std::optional<Target> read_target_manifest(const YamlValue& root, const std::string& path,
                                            Diagnostics& diagnostics);
 
 /// The table for manifests of this kind ("node", "engine", …, "target"); nullptr if there is none.

@@ -13,22 +13,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_at(const Node& node, const char* key) {
-  const Node* value = node.find(key);
+std::string text_at(const YamlValue& yaml, const char* key) {
+  const YamlValue* value = yaml.find(key);
   return value != nullptr ? value->text : std::string();
 }
 
-std::vector<std::string> texts_at(const Node& node, const char* key) {
+std::vector<std::string> texts_at(const YamlValue& yaml, const char* key) {
   std::vector<std::string> result;
-  if (const Node* list = node.find(key)) {
+  if (const YamlValue* list = yaml.find(key)) {
     for (const auto& item : list->items) result.push_back(item.text);
   }
   return result;
 }
 
-std::optional<Node> node_at(const Node& node, const char* key) {
-  const Node* value = node.find(key);
-  return value != nullptr ? std::optional<Node>(*value) : std::nullopt;
+std::optional<YamlValue> node_at(const YamlValue& yaml, const char* key) {
+  const YamlValue* value = yaml.find(key);
+  return value != nullptr ? std::optional<YamlValue>(*value) : std::nullopt;
 }
 
 Parameter::Type parameter_type(const std::string& word) {
@@ -41,8 +41,8 @@ Parameter::Type parameter_type(const std::string& word) {
 }
 
 /// Whole numbers as such: not all of them are doubles.
-std::optional<ConditionNumber> bound_at(const Node& node, const char* key) {
-  const Node* value = node.find(key);
+std::optional<ConditionNumber> bound_at(const YamlValue& yaml, const char* key) {
+  const YamlValue* value = yaml.find(key);
   if (value == nullptr) return std::nullopt;
   if (const auto whole = parse_int(value->text)) return *whole;
   const auto number = parse_number(value->text);
@@ -56,7 +56,7 @@ bool is_cpp_name(std::string_view text) {
 }
 
 /// `mine::Gain`, which goes into generated code as it is.
-void check_class(const Node& name, Diagnostics& diagnostics) {
+void check_class(const YamlValue& name, Diagnostics& diagnostics) {
   std::string_view rest = name.text;
   if (rest.starts_with("::")) rest.remove_prefix(2);
   bool good = true;
@@ -73,7 +73,7 @@ void check_class(const Node& name, Diagnostics& diagnostics) {
 }
 
 /// Options are enumerators of the class beside them.
-void check_options(const Node& options, Diagnostics& diagnostics) {
+void check_options(const YamlValue& options, Diagnostics& diagnostics) {
   for (const auto& option : options.items) {
     if (is_identifier(option.text)) continue;
     diagnostics
@@ -83,9 +83,9 @@ void check_options(const Node& options, Diagnostics& diagnostics) {
   }
 }
 
-std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostics) {
+std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
-  const Node* map = root.find("config");
+  const YamlValue* map = root.find("config");
   if (map == nullptr) return result;
   for (const auto& entry : map->entries) {
     Parameter parameter;
@@ -98,10 +98,11 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
     parameter.high = bound_at(entry.value, "high");
     parameter.options = texts_at(entry.value, "options");
     parameter.cpp_class = text_at(entry.value, "class");
-    if (const Node* name = entry.value.find("class")) check_class(*name, diagnostics);
-    const Node* eagerx = entry.value.find("eagerx");
+    if (const YamlValue* name = entry.value.find("class")) check_class(*name, diagnostics);
+    const YamlValue* eagerx = entry.value.find("eagerx");
     parameter.eagerx = eagerx != nullptr ? eagerx->text : entry.key;
-    if (const Node* options = entry.value.find("options")) check_options(*options, diagnostics);
+    if (const YamlValue* options = entry.value.find("options"))
+      check_options(*options, diagnostics);
     const bool keyword = parameter.type == Parameter::Type::keyword;
     if (keyword != !parameter.options.empty() || keyword != !parameter.cpp_class.empty()) {
       diagnostics.error(
@@ -114,45 +115,46 @@ std::vector<Parameter> read_parameters(const Node& root, Diagnostics& diagnostic
 }
 
 /// Afterwards: conditions speak of parameters and ports.
-std::vector<Requirement> read_requirements(const Node& root, const Entity& entity,
+std::vector<Requirement> read_requirements(const YamlValue& root, const Entity& entity,
                                            Diagnostics& diagnostics) {
   std::vector<Requirement> result;
-  const Node* list = root.find("requires");
+  const YamlValue* list = root.find("requires");
   if (list == nullptr) return result;
   for (const auto& item : list->items) {
-    const Node& that = *item.find("that");
+    const YamlValue& that = *item.find("that");
     if (auto condition = read_condition(that, entity, diagnostics))
       result.push_back({std::move(*condition), that.text, text_at(item, "because"), that.span});
   }
   return result;
 }
 
-std::vector<EagerxId> read_eagerx_ids(const Node& root) {
+std::vector<EagerxId> read_eagerx_ids(const YamlValue& root) {
   std::vector<EagerxId> result;
-  const Node* list = root.find("eagerx");
+  const YamlValue* list = root.find("eagerx");
   if (list == nullptr) return result;
   for (const auto& item : list->items) {
-    const Node& id = item.is_map() ? *item.find("id") : item;
+    const YamlValue& id = item.is_map() ? *item.find("id") : item;
     result.push_back({{id.text, id.span}, read_config(item.find("when"))});
   }
   return result;
 }
 
-std::vector<PortManifest> read_ports(const Node& root, const char* key) {
+std::vector<PortManifest> read_ports(const YamlValue& root, const char* key) {
   std::vector<PortManifest> result;
-  const Node* map = root.find(key);
+  const YamlValue* map = root.find(key);
   if (map == nullptr) return result;
   for (const auto& entry : map->entries) {
     PortManifest port;
     port.name = {entry.key, entry.key_span};
     port.space.span = entry.key_span;
-    if (const Node* space = entry.value.find("space")) port.space = read_space(*space);
+    if (const YamlValue* space = entry.value.find("space")) port.space = read_space(*space);
     port.unit = text_at(entry.value, "unit");
     port.about = text_at(entry.value, "about");
     port.rate = node_at(entry.value, "rate");
     port.window = node_at(entry.value, "window");
-    if (const Node* delay = entry.value.find("delay")) port.delay_s = Rational::parse(delay->text);
-    if (const Node* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
+    if (const YamlValue* delay = entry.value.find("delay"))
+      port.delay_s = Rational::parse(delay->text);
+    if (const YamlValue* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
     port.max_delay = node_at(entry.value, "max_delay");
     port.optional = text_at(entry.value, "optional") == "true";
     result.push_back(std::move(port));
@@ -164,17 +166,18 @@ std::vector<PortManifest> read_ports(const Node& root, const char* key) {
 void complete_tick(std::vector<PortManifest>& inputs) {
   for (auto& input : inputs) {
     if (input.name.value != "tick") continue;
-    Node shape;
-    shape.kind = NodeKind::sequence;
+    YamlValue shape;
+    shape.kind = YamlKind::sequence;
     shape.span = input.name.span;
     input.space.dtype = Spanned<std::string>{"int64", input.name.span};
     input.space.shape = shape;
   }
 }
 
-std::vector<EntitySpec> read_entities(const Node& root, const char* key, Diagnostics& diagnostics) {
+std::vector<EntitySpec> read_entities(const YamlValue& root, const char* key,
+                                      Diagnostics& diagnostics) {
   std::vector<EntitySpec> result;
-  const Node* map = root.find(key);
+  const YamlValue* map = root.find(key);
   if (map == nullptr) return result;
   for (const auto& entry : map->entries) {
     result.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
@@ -183,11 +186,11 @@ std::vector<EntitySpec> read_entities(const Node& root, const char* key, Diagnos
 }
 
 /// The include is the header's full path here; load_library makes it relative to its root.
-CppClass read_cpp(const Node& node, const fs::path& folder, Diagnostics& diagnostics) {
+CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& diagnostics) {
   CppClass result;
-  if (const Node* name = node.find("class")) check_class(*name, diagnostics);
-  result.name = text_at(node, "class");
-  const std::string header = text_at(node, "header");
+  if (const YamlValue* name = yaml.find("class")) check_class(*name, diagnostics);
+  result.name = text_at(yaml, "class");
+  const std::string header = text_at(yaml, "header");
   if (!header.empty()) {
     result.include = (folder / header).lexically_normal().string();
   }
@@ -202,24 +205,24 @@ EntityKind entity_kind(const std::string& word) {
   return word == "processor" ? EntityKind::processor : EntityKind::node;
 }
 
-PortManifest only_port(const Node& root, const char* key) {
+PortManifest only_port(const YamlValue& root, const char* key) {
   PortManifest port;
   port.name = {key, root.span};
   port.space.span = root.span;
-  if (const Node* space = root.find(key)) port.space = read_space(*space);
+  if (const YamlValue* space = root.find(key)) port.space = read_space(*space);
   return port;
 }
 
-ObjectEngine read_implementation(const Spanned<std::string>& engine, const Node& node,
+ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlValue& yaml,
                                  const fs::path& folder, Diagnostics& diagnostics) {
   ObjectEngine result;
   result.engine = engine;
-  result.model = read_cpp(*node.find("model"), folder, diagnostics);
-  result.nodes = read_entities(node, "nodes", diagnostics);
-  result.connections = read_connections(node.find("connections"), diagnostics);
-  const Node* states = node.find("states");
-  for (const auto& entry : states != nullptr ? states->entries : std::vector<Node::Entry>{}) {
-    const Node* owner = entry.value.find("node");
+  result.model = read_cpp(*yaml.find("model"), folder, diagnostics);
+  result.nodes = read_entities(yaml, "nodes", diagnostics);
+  result.connections = read_connections(yaml.find("connections"), diagnostics);
+  const YamlValue* states = yaml.find("states");
+  for (const auto& entry : states != nullptr ? states->entries : std::vector<YamlValue::Entry>{}) {
+    const YamlValue* owner = entry.value.find("node");
     if ((owner != nullptr) == (entry.value.find("type") != nullptr)) {
       diagnostics.error("E0206", entry.key_span,
                         fmt::format("`{}` is an engine state with a `type`, or the state of a "
@@ -234,8 +237,8 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const Node&
   return result;
 }
 
-bool check_manifest(const Node& root, Diagnostics& diagnostics) {
-  const Node* kind = root.is_map() ? root.find("kind") : nullptr;
+bool check_manifest(const YamlValue& root, Diagnostics& diagnostics) {
+  const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
     auto& problem =
         kind == nullptr
@@ -253,7 +256,7 @@ bool check_manifest(const Node& root, Diagnostics& diagnostics) {
 
 }  // namespace
 
-std::optional<Entity> read_entity_manifest(const Node& root, const std::string& path,
+std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,
                                            Diagnostics& diagnostics) {
   if (!check_manifest(root, diagnostics)) return std::nullopt;
   const std::size_t errors_before = diagnostics.error_count();
@@ -268,10 +271,11 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   entity.cpp = read_cpp(root, folder, diagnostics);
   entity.counts = texts_at(root, "counts");
   entity.packages = texts_at(root, "pkg_config");
-  if (const Node* system = root.find("system")) entity.system = {system->text, system->span};
-  if (const Node* family = root.find("family")) entity.family = {family->text, family->span};
+  if (const YamlValue* system = root.find("system")) entity.system = {system->text, system->span};
+  if (const YamlValue* family = root.find("family")) entity.family = {family->text, family->span};
   entity.runs = texts_at(root, "runs");
-  if (const Node* clock = root.find("asynchronous")) entity.asynchronous = clock->text == "true";
+  if (const YamlValue* clock = root.find("asynchronous"))
+    entity.asynchronous = clock->text == "true";
   entity.config = read_parameters(root, diagnostics);
   entity.inputs = read_ports(root, "inputs");
   complete_tick(entity.inputs);
@@ -288,7 +292,7 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
     entity.inputs = {only_port(root, "input")};
     entity.outputs = {only_port(root, "output")};
   }
-  if (const Node* simulator = root.find("simulator"))
+  if (const YamlValue* simulator = root.find("simulator"))
     entity.simulator = read_cpp(*simulator, folder, diagnostics);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
     for (const auto& entry : root.find("engines")->entries) {
@@ -304,13 +308,13 @@ std::optional<Entity> read_entity_manifest(const Node& root, const std::string& 
   return entity;
 }
 
-std::optional<Implementation> read_implementation_manifest(const Node& root,
+std::optional<Implementation> read_implementation_manifest(const YamlValue& root,
                                                            const std::string& path,
                                                            Diagnostics& diagnostics) {
   if (!check_manifest(root, diagnostics)) return std::nullopt;
   const std::size_t errors_before = diagnostics.error_count();
-  const Node& object = *root.find("object");
-  const Node& engine = *root.find("engine");
+  const YamlValue& object = *root.find("object");
+  const YamlValue& engine = *root.find("engine");
   Implementation result{{object.text, object.span},
                         read_implementation({engine.text, engine.span}, root,
                                             fs::path(path).parent_path(), diagnostics)};
@@ -318,7 +322,7 @@ std::optional<Implementation> read_implementation_manifest(const Node& root,
   return result;
 }
 
-std::optional<Target> read_target_manifest(const Node& root, const std::string& path,
+std::optional<Target> read_target_manifest(const YamlValue& root, const std::string& path,
                                            Diagnostics& diagnostics) {
   if (!check_manifest(root, diagnostics)) return std::nullopt;
   Target target;
@@ -326,7 +330,7 @@ std::optional<Target> read_target_manifest(const Node& root, const std::string& 
   target.summary = text_at(root, "summary");
   target.description = text_at(root, "description");
   const auto read_templates = [&](const char* key, auto& into) {
-    const Node* templates = root.find(key);
+    const YamlValue* templates = root.find(key);
     if (templates == nullptr) return;
     for (const auto& entry : templates->entries)
       into.emplace_back((fs::path(path).parent_path() / entry.key).string(), entry.value.text);

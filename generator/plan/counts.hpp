@@ -10,6 +10,10 @@ namespace eagerx::gen {
 constexpr std::int64_t floor_div(std::int64_t x, std::int64_t y) {
   return x >= 0 ? x / y : -((-x + y - 1) / y);
 }
+/// ceil(x / y) for y > 0.
+constexpr std::int64_t ceil_div(std::int64_t x, std::int64_t y) {
+  return -floor_div(-x, y);
+}
 
 /// The counts of one connection: source rate / own rate = a/b, x = ceil(b · source rate · delay).
 struct Counts {

@@ -10,10 +10,6 @@ namespace {
 constexpr std::int64_t kMaxQuanta = std::int64_t{1} << 50;  // sums and products stay in 64 bits
 constexpr std::int64_t kMaxTicks = 1'000'000;               // that are gone through to settle
 
-std::int64_t ceil_div(std::int64_t x, std::int64_t y) {
-  return -floor_div(-x, y);
-}
-
 /// From the first ticks, which the formula treats apart, to the sum that goes on for ever.
 bool settle(Hop& hop, const Counts& counts) {
   std::int64_t total = 0;

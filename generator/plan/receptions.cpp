@@ -13,10 +13,6 @@ constexpr std::int64_t kMaxTerm = std::int64_t{1}
                                   << 40;  // of a and b: products with ticks stay in 64 bits
 constexpr std::int64_t kMaxSimulatedTicks = 2'000'000;  // to find the exact need of a ring
 
-std::int64_t ceil_div(std::int64_t x, std::int64_t y) {
-  return -floor_div(-x, y);
-}
-
 std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
                                 const Rational& rate, Diagnostics& diagnostics) {
   const Rational ratio = source_rate / rate;

@@ -14,10 +14,7 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::size_t kMaxLayers = 256;
-constexpr std::size_t kMaxParameters = std::size_t{16} << 20U;
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 22U;
-constexpr const char* kSaveAgain = "the file is damaged: save it again";
 
 class Assembly {
  public:
@@ -181,7 +178,7 @@ class Assembly {
       parameters += layer.weights.size() + layer.bias.size();
       if (layer.recurrence() != nullptr) parameters += layer.recurrence()->hidden_weights.size();
     }
-    return parameters <= kMaxParameters ||
+    return parameters <= static_cast<std::size_t>(kMaxParameters) ||
            fail("E0619", fmt::format("has more than {} parameters", kMaxParameters),
                 "use a smaller network");
   }

@@ -10,6 +10,11 @@
 
 namespace eagerx::gen {
 
+inline constexpr const char* kSaveAgain = "the file is damaged: save it again";
+
+/// Whether a module or tensor belongs to a critic, which has no part in the action.
+bool is_critic(std::string_view name);
+
 /// What a file says besides its tensors.
 struct PolicyFacts {
   std::string format;

@@ -11,17 +11,10 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::string_view kFirst = ".weight_ih_l0";
-constexpr int kMaxLayers = 16;
-constexpr const char* kSaveAgain = "the file is damaged: save it again";
+constexpr int kMaxMemoryLayers = 16;
 
 std::string name_of(const std::string& base, const char* what, int index) {
   return fmt::format("{}{}{}_l{}", base, base.empty() ? "" : ".", what, index);
-}
-
-/// Whether the name is of a critic, whose memory has no part in the action.
-bool is_critic(std::string_view base) {
-  return base.find("critic") != std::string_view::npos ||
-         base.find("value") != std::string_view::npos || base.starts_with("memory_c");
 }
 
 /// What stands before `.weight_ih_l0`.
@@ -87,7 +80,8 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
   }
   const std::string& base = bases.front();
   int count = 0;
-  while (count < kMaxLayers && table.find(name_of(base, "weight_ih", count)) != nullptr) ++count;
+  while (count < kMaxMemoryLayers && table.find(name_of(base, "weight_ih", count)) != nullptr)
+    ++count;
   const std::int64_t inputs = size_of(table, name_of(base, "weight_ih", 0), 1);
   const std::int64_t hidden = size_of(table, name_of(base, "weight_hh", count - 1), 1);
   const std::vector<std::size_t> places = places_of(table, layout, inputs, hidden);

@@ -8,7 +8,6 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kSaveAgain = "the file is damaged: save it again";
 constexpr std::int64_t kMostValues = std::int64_t{1} << 22U;  // between two layers
 
 /// The finite numbers of tensor `name`, as many as `count`. E0618 and those of `floats_of`.

@@ -12,11 +12,10 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kSaveAgain = "the file is damaged: save it again";
 constexpr double kNoClip = std::numeric_limits<double>::max();
 
 /// How a library names and uses its statistics.
-struct Known {
+struct KnownStatistics {
   const char* mean;
   const char* spread;    // variance, or deviation
   bool is_deviation;     // (x - mean) / (deviation + epsilon)
@@ -24,17 +23,20 @@ struct Known {
   double epsilon, clip;
 };
 
-constexpr std::array kKnown = {
-    Known{"obs_rms.mean", "obs_rms.var", false, true, 1e-8, 10.0},
-    Known{"running_mean_std.running_mean", "running_mean_std.running_var", false, true, 1e-5, 5.0},
-    Known{"actor_obs_normalizer._mean", "actor_obs_normalizer._std", true, false, 1e-2, kNoClip},
-    Known{"obs_normalizer._mean", "obs_normalizer._std", true, false, 1e-2, kNoClip},
-    Known{"obs_norm_state_dict._mean", "obs_norm_state_dict._std", true, false, 1e-2, kNoClip},
-    Known{"observation_preprocessor.running_mean", "observation_preprocessor.running_variance",
-          false, false, 1e-8, 5.0},
+constexpr std::array kKnownStatistics = {
+    KnownStatistics{"obs_rms.mean", "obs_rms.var", false, true, 1e-8, 10.0},
+    KnownStatistics{"running_mean_std.running_mean", "running_mean_std.running_var", false, true,
+                    1e-5, 5.0},
+    KnownStatistics{"actor_obs_normalizer._mean", "actor_obs_normalizer._std", true, false, 1e-2,
+                    kNoClip},
+    KnownStatistics{"obs_normalizer._mean", "obs_normalizer._std", true, false, 1e-2, kNoClip},
+    KnownStatistics{"obs_norm_state_dict._mean", "obs_norm_state_dict._std", true, false, 1e-2,
+                    kNoClip},
+    KnownStatistics{"observation_preprocessor.running_mean",
+                    "observation_preprocessor.running_variance", false, false, 1e-8, 5.0},
     // In skrl 2 that of the critic, if there are both.
-    Known{"state_preprocessor.running_mean", "state_preprocessor.running_variance", false, false,
-          1e-8, 5.0},
+    KnownStatistics{"state_preprocessor.running_mean", "state_preprocessor.running_variance", false,
+                    false, 1e-8, 5.0},
 };
 
 /// As many numbers as the network has inputs, whatever axes of one there are.
@@ -51,7 +53,7 @@ std::optional<std::vector<double>> one_for_each_input(const ActorParts& parts, c
   return finite_values_of(name, tensor, parts.problem);
 }
 
-bool add(const ActorParts& parts, const Known& known) {
+bool add(const ActorParts& parts, const KnownStatistics& known) {
   if (parts.table.find(known.mean) == nullptr || parts.table.find(known.spread) == nullptr) {
     return parts.fail("E0627",
                       fmt::format("has only one of `{}` and `{}`", known.mean, known.spread),
@@ -87,7 +89,7 @@ bool add(const ActorParts& parts, const Known& known) {
 }  // namespace
 
 bool add_statistics(const ActorParts& parts) {
-  for (const Known& known : kKnown) {
+  for (const KnownStatistics& known : kKnownStatistics) {
     if (parts.table.find(known.mean) == nullptr && parts.table.find(known.spread) == nullptr) {
       continue;
     }

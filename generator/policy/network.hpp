@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,6 +12,10 @@
 #include "generator/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
+
+/// The largest network that is read: as many parameters as the largest file can hold.
+inline constexpr std::size_t kMaxLayers = 256;
+inline constexpr std::int64_t kMaxParameters = std::int64_t{16} << 20U;
 
 /// As eagerx::Activation. `gelu` is the one with erf, torch's default.
 enum class Activation : std::uint8_t {

@@ -1,7 +1,6 @@
 // ONNX files: the whole model is untrusted, and only what leads to the first output is read.
 #include <fmt/core.h>
 #include <fmt/ranges.h>
-#include <onnx/onnx_pb.h>
 
 #include <algorithm>
 #include <limits>
@@ -11,6 +10,7 @@
 #include <utility>
 
 #include "generator/policy/formats.hpp"
+#include "generator/policy/onnx.pb.h"
 #include "generator/policy/onnx_graph.hpp"
 #include "generator/policy/onnx_guard.hpp"
 #include "generator/policy/onnx_inputs.hpp"

@@ -1,14 +1,13 @@
 // Names of an ONNX graph: who produces what, and what the action depends on, in order.
 #pragma once
 
-#include <onnx/onnx_pb.h>
-
 #include <optional>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "generator/policy/formats.hpp"
+#include "generator/policy/onnx.pb.h"
 
 namespace eagerx::gen {
 

@@ -1,10 +1,9 @@
 // What a graph's inputs are. Inside policy/ only.
 #pragma once
 
-#include <onnx/onnx_pb.h>
-
 #include <optional>
 
+#include "generator/policy/onnx.pb.h"
 #include "generator/policy/onnx_value.hpp"
 
 namespace eagerx::gen {

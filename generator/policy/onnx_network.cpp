@@ -10,9 +10,6 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::size_t kMaxLayers = 256;
-constexpr std::int64_t kMaxParameters = std::int64_t{16} << 20U;  // as many as the file can hold
-
 constexpr const char* kExportHelp =
     "export the actor alone: Linear layers with LayerNorm or not, and an activation after them";
 

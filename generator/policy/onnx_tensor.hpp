@@ -1,13 +1,12 @@
 // Tensors of an ONNX file: sizes checked before anything is believed, values read on demand.
 #pragma once
 
-#include <onnx/onnx_pb.h>
-
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "generator/policy/onnx.pb.h"
 #include "generator/policy/tensor.hpp"
 
 namespace eagerx::gen {

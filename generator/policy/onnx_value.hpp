@@ -2,8 +2,6 @@
 // values.
 #pragma once
 
-#include <onnx/onnx_pb.h>
-
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -13,6 +11,7 @@
 #include <vector>
 
 #include "generator/policy/network.hpp"
+#include "generator/policy/onnx.pb.h"
 #include "generator/policy/onnx_tensor.hpp"
 
 namespace eagerx::gen {

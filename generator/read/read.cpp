@@ -89,15 +89,15 @@ void parse(const Locator& locator, TreeBuilder& builder, Tags tags, Diagnostics&
   }
 }
 
-Node read_text(FileId file, std::string_view text, Diagnostics& diagnostics, Tags tags,
-               const ReadLimits& limits) {
+YamlValue read_text(FileId file, std::string_view text, Diagnostics& diagnostics, Tags tags,
+                    const ReadLimits& limits) {
   const std::size_t errors_before = diagnostics.error_count();
   const Locator locator(file, text);
   if (!check_brackets(locator, limits, diagnostics)) return {};
   TreeBuilder builder(locator, tags, limits, diagnostics);
   parse(locator, builder, tags, diagnostics);
   if (diagnostics.error_count() > errors_before) return {};
-  Node root = builder.take_root();
+  YamlValue root = builder.take_root();
   if (root.is_null()) {
     diagnostics.error("E0106", {file, 0, 0, 0}, "the file is empty").help =
         "comments alone do not count";
@@ -107,14 +107,14 @@ Node read_text(FileId file, std::string_view text, Diagnostics& diagnostics, Tag
 
 }  // namespace
 
-const Node* Node::find(std::string_view key) const {
+const YamlValue* YamlValue::find(std::string_view key) const {
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [key](const Entry& candidate) { return candidate.key == key; });
   return entry == entries.end() ? nullptr : &entry->value;
 }
 
-Node read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
-                    Diagnostics& diagnostics, Tags tags, const ReadLimits& limits) {
+YamlValue read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
+                         Diagnostics& diagnostics, Tags tags, const ReadLimits& limits) {
   if (text.size() > limits.max_bytes) {
     report_too_large(sources.add(name, {}), limits.max_bytes, diagnostics);
     return {};
@@ -125,8 +125,8 @@ Node read_yaml_text(const std::string& name, std::string text, SourceMap& source
   return read_text(file, sources.text(file), diagnostics, tags, limits);
 }
 
-Node read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
-                    Tags tags, const ReadLimits& limits) {
+YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
+                         Tags tags, const ReadLimits& limits) {
   LoadedFile file = load_file(path, limits.max_bytes);
   switch (file.status) {
     case LoadedFile::Status::loaded:

@@ -11,33 +11,33 @@
 
 namespace eagerx::gen {
 
-enum class NodeKind : std::uint8_t { null, scalar, sequence, map };
+enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
 /// A node of the tree. Maps keep their order and have no duplicate keys.
-struct Node {
+struct YamlValue {
   struct Entry;
 
-  NodeKind kind = NodeKind::null;
+  YamlKind kind = YamlKind::null;
   Span span;         // a scalar: its text; a map or sequence: its first token
   std::string tag;   // explicit tag such as "!!python/tuple" in full
                      // ("tag:yaml.org,2002:python/tuple"), else empty
   std::string text;  // scalars
   bool quoted = false;
-  std::vector<Node> items;     // sequences
-  std::vector<Entry> entries;  // maps
+  std::vector<YamlValue> items;  // sequences
+  std::vector<Entry> entries;    // maps
 
-  [[nodiscard]] bool is_null() const { return kind == NodeKind::null; }
-  [[nodiscard]] bool is_scalar() const { return kind == NodeKind::scalar; }
-  [[nodiscard]] bool is_sequence() const { return kind == NodeKind::sequence; }
-  [[nodiscard]] bool is_map() const { return kind == NodeKind::map; }
+  [[nodiscard]] bool is_null() const { return kind == YamlKind::null; }
+  [[nodiscard]] bool is_scalar() const { return kind == YamlKind::scalar; }
+  [[nodiscard]] bool is_sequence() const { return kind == YamlKind::sequence; }
+  [[nodiscard]] bool is_map() const { return kind == YamlKind::map; }
   /// The value under `key`, or nullptr.
-  [[nodiscard]] const Node* find(std::string_view key) const;
+  [[nodiscard]] const YamlValue* find(std::string_view key) const;
 };
 
-struct Node::Entry {
+struct YamlValue::Entry {
   std::string key;
   Span key_span;
-  Node value;
+  YamlValue value;
 };
 
 /// Limits on what is read; past them there is an error, not a long wait.
@@ -52,11 +52,11 @@ struct ReadLimits {
 /// not a plain scalar, unknown alias, more than one document, too deep, too many nodes, empty file.
 /// `tags`: whether explicit tags are accepted (EAGERx files carry Python's).
 enum class Tags : std::uint8_t { refuse, accept };
-Node read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
-                    Tags tags = Tags::refuse, const ReadLimits& limits = {});
+YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
+                         Tags tags = Tags::refuse, const ReadLimits& limits = {});
 /// The same for text in memory; `name` stands for the file name in messages.
-Node read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
-                    Diagnostics& diagnostics, Tags tags = Tags::refuse,
-                    const ReadLimits& limits = {});
+YamlValue read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
+                         Diagnostics& diagnostics, Tags tags = Tags::refuse,
+                         const ReadLimits& limits = {});
 
 }  // namespace eagerx::gen

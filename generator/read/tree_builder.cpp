@@ -112,12 +112,12 @@ void TreeBuilder::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
       written.end > written.begin && (key_expected() || !locator_.colon_follows(written.end));
   Built built;
   if (explicit_null) {
-    built.node.span = locator_.span(written);
-    built.node.text = locator_.text().substr(written.begin, written.end - written.begin);
+    built.yaml.span = locator_.span(written);
+    built.yaml.text = locator_.text().substr(written.begin, written.end - written.begin);
   } else {
-    built.node.span = implicit_null_span(offset_of(mark));
+    built.yaml.span = implicit_null_span(offset_of(mark));
   }
-  charge(1, 0, built.node.span);
+  charge(1, 0, built.yaml.span);
   attach(std::move(built), anchor);
 }
 
@@ -128,14 +128,14 @@ void TreeBuilder::OnScalar(const YAML::Mark& mark, const std::string& tag, YAML:
   check_closed(extent.begin);
   constexpr std::string_view kNotPlain = "'\"|>";
   Built built;
-  built.node.kind = NodeKind::scalar;
-  built.node.span = locator_.span(extent);
-  built.node.tag = checked_tag(properties, tag);
-  built.node.text = value;
-  built.node.quoted = extent.begin < extent.end &&
+  built.yaml.kind = YamlKind::scalar;
+  built.yaml.span = locator_.span(extent);
+  built.yaml.tag = checked_tag(properties, tag);
+  built.yaml.text = value;
+  built.yaml.quoted = extent.begin < extent.end &&
                       kNotPlain.find(locator_.text()[extent.begin]) != std::string_view::npos;
-  built.bytes = value.size() + built.node.tag.size();
-  charge(1, built.bytes, built.node.span);
+  built.bytes = value.size() + built.yaml.tag.size();
+  charge(1, built.bytes, built.yaml.span);
   attach(std::move(built), anchor);
 }
 
@@ -169,34 +169,34 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   check_depth(frames_.size() + found->second.height, span);
   charge(found->second.nodes, found->second.bytes, span);
   Built copy = found->second;
-  copy.node.span = span;
+  copy.yaml.span = span;
   attach(std::move(copy), 0);
 }
 
 void TreeBuilder::OnSequenceStart(const YAML::Mark& mark, const std::string& tag,
                                   YAML::anchor_t anchor, YAML::EmitterStyle::value style) {
-  open(NodeKind::sequence, mark, tag, anchor, style);
+  open(YamlKind::sequence, mark, tag, anchor, style);
 }
 
 void TreeBuilder::OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                              YAML::EmitterStyle::value style) {
-  open(NodeKind::map, mark, tag, anchor, style);
+  open(YamlKind::map, mark, tag, anchor, style);
 }
 
-void TreeBuilder::open(NodeKind kind, const YAML::Mark& mark, const std::string& tag,
+void TreeBuilder::open(YamlKind kind, const YAML::Mark& mark, const std::string& tag,
                        YAML::anchor_t anchor, YAML::EmitterStyle::value style) {
   const Properties properties = locator_.properties(offset_of(mark));
   Frame frame;
-  frame.open.map = kind == NodeKind::map;
+  frame.open.map = kind == YamlKind::map;
   frame.open.flow = style == YAML::EmitterStyle::Flow;
   const bool one_character = frame.open.flow || !frame.open.map;  // `[`, `{`, `-`
   const std::size_t begin = properties.content;
   frame.open.span = locator_.span(one_character ? Extent{begin, begin + 1} : locator_.word(begin));
   check_depth(frames_.size() + 1, frame.open.span);
-  frame.built.node.kind = kind;
-  frame.built.node.span = frame.open.span;
-  frame.built.node.tag = checked_tag(properties, tag);
-  frame.built.bytes = frame.built.node.tag.size();
+  frame.built.yaml.kind = kind;
+  frame.built.yaml.span = frame.open.span;
+  frame.built.yaml.tag = checked_tag(properties, tag);
+  frame.built.bytes = frame.built.yaml.tag.size();
   frame.built.height = 1;
   frame.anchor = anchor;
   charge(1, frame.built.bytes, frame.open.span);
@@ -212,11 +212,11 @@ void TreeBuilder::close() {
 void TreeBuilder::attach(Built built, YAML::anchor_t anchor) {
   if (anchor != 0) {
     // The copy counts: anchors inside anchors would otherwise multiply memory unseen.
-    charge(built.nodes, built.bytes, built.node.span);
+    charge(built.nodes, built.bytes, built.yaml.span);
     anchors_[anchor] = built;
   }
   if (frames_.empty()) {
-    root_ = std::move(built.node);
+    root_ = std::move(built.yaml);
     return;
   }
   Frame& parent = frames_.back();
@@ -224,15 +224,15 @@ void TreeBuilder::attach(Built built, YAML::anchor_t anchor) {
   parent.built.bytes += built.bytes;
   parent.built.height = std::max(parent.built.height, built.height + 1);
   if (!parent.open.map) {
-    parent.built.node.items.push_back(std::move(built.node));
+    parent.built.yaml.items.push_back(std::move(built.yaml));
   } else if (parent.has_key) {
     take_value(parent, std::move(built));
   } else {
-    take_key(parent, built.node);
+    take_key(parent, built.yaml);
   }
 }
 
-void TreeBuilder::report_bad_key(const Node& key) {
+void TreeBuilder::report_bad_key(const YamlValue& key) {
   if (!key.is_null()) {
     report("E0111", key.span, "a list or map cannot be a key").help =
         "put a text with brackets in quotes";
@@ -245,12 +245,12 @@ void TreeBuilder::report_bad_key(const Node& key) {
   }
 }
 
-void TreeBuilder::take_key(Frame& map, const Node& key) {
+void TreeBuilder::take_key(Frame& map, const YamlValue& key) {
   map.has_key = true;
   map.key_usable = false;
   map.key_span = key.span;
   const bool first_of_block = map.seen.empty() && !map.open.flow && key.span.file != FileId::none;
-  if (first_of_block && map.built.node.entries.empty()) map.built.node.span = key.span;
+  if (first_of_block && map.built.yaml.entries.empty()) map.built.yaml.span = key.span;
   if (key.span.file == FileId::none) return;  // an alias, reported already
   if (!key.is_scalar()) {
     report_bad_key(key);
@@ -280,7 +280,7 @@ void TreeBuilder::take_key(Frame& map, const Node& key) {
 void TreeBuilder::take_value(Frame& map, Built built) {
   map.has_key = false;
   if (!map.key_usable) return;
-  map.built.node.entries.push_back({std::move(map.key), map.key_span, std::move(built.node)});
+  map.built.yaml.entries.push_back({std::move(map.key), map.key_span, std::move(built.yaml)});
 }
 
 }  // namespace eagerx::gen

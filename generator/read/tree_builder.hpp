@@ -46,7 +46,7 @@ class TreeBuilder : public YAML::EventHandler {
   void OnAnchor(const YAML::Mark& mark, const std::string& name) override;
 
   /// The document; null when there was none.
-  Node take_root() { return std::move(root_); }
+  YamlValue take_root() { return std::move(root_); }
   /// The innermost collection not closed yet, for messages about syntax; nullptr at the top.
   [[nodiscard]] const OpenCollection* innermost() const;
   [[nodiscard]] const std::vector<std::string>& anchor_names() const { return anchor_names_; }
@@ -54,7 +54,7 @@ class TreeBuilder : public YAML::EventHandler {
  private:
   /// A finished node and what a copy of it would cost.
   struct Built {
-    Node node;
+    YamlValue yaml;
     std::size_t nodes = 1;
     std::size_t bytes = 0;   // of texts, tags and keys
     std::size_t height = 0;  // levels of collections
@@ -73,15 +73,15 @@ class TreeBuilder : public YAML::EventHandler {
   };
 
   [[nodiscard]] bool key_expected() const;
-  void open(NodeKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
+  void open(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
             YAML::EmitterStyle::value style);
   void close();
   /// Puts a finished node where it belongs: root, item, key or value.
   void attach(Built built, YAML::anchor_t anchor);
   /// yaml-cpp lets a quoted text go on to the end of the file.
   void check_closed(std::size_t begin);
-  void report_bad_key(const Node& key);
-  void take_key(Frame& map, const Node& key);
+  void report_bad_key(const YamlValue& key);
+  void take_key(Frame& map, const YamlValue& key);
   void take_value(Frame& map, Built built);
   [[nodiscard]] Span implicit_null_span(std::size_t offset) const;
   /// The tag of a node in full; reports it where tags are refused.
@@ -95,7 +95,7 @@ class TreeBuilder : public YAML::EventHandler {
   ReadLimits limits_;
   Diagnostics& diagnostics_;
   std::size_t first_error_;
-  Node root_;
+  YamlValue root_;
   std::vector<Frame> frames_;
   std::unordered_map<YAML::anchor_t, Built> anchors_;  // finished ones
   std::vector<std::string> anchor_names_;

@@ -8,7 +8,7 @@ namespace eagerx::gen {
 namespace {
 
 /// One problem for each pair of a sensor and an actuator.
-void check_ages(const PlanReport& report, const Node& entry, Diagnostics& diagnostics) {
+void check_ages(const PlanReport& report, const YamlValue& entry, Diagnostics& diagnostics) {
   const auto limit = Rational::parse(entry.text);
   if (!limit) return;  // said when the graph was read
   for (const Input* input : report.ages_unknown) {
@@ -34,7 +34,7 @@ void check_ages(const PlanReport& report, const Node& entry, Diagnostics& diagno
   }
 }
 
-void check_link(const PlanReport& report, const Node& entry, Diagnostics& diagnostics) {
+void check_link(const PlanReport& report, const YamlValue& entry, Diagnostics& diagnostics) {
   const auto limit = Rational::parse(entry.text);
   if (!limit || report.link.baud() <= *limit) return;
   auto& problem =
@@ -60,9 +60,10 @@ PlanReport report_of(const Plan& plan) {
   return {&plan, std::move(ages.known), std::move(ages.unknown), link_of(plan)};
 }
 
-void check_plan_budget(const PlanReport& report, const Node& budget, Diagnostics& diagnostics) {
-  if (const Node* entry = budget.find("age")) check_ages(report, *entry, diagnostics);
-  if (const Node* entry = budget.find("link")) check_link(report, *entry, diagnostics);
+void check_plan_budget(const PlanReport& report, const YamlValue& budget,
+                       Diagnostics& diagnostics) {
+  if (const YamlValue* entry = budget.find("age")) check_ages(report, *entry, diagnostics);
+  if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);
 }
 
 }  // namespace eagerx::gen

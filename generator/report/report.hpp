@@ -26,6 +26,6 @@ std::string report_json(const PlanReport& report);
 
 /// The keys `age` and `link` of a graph's `budget:`. Exceeded: E0420, with the connection that adds
 /// the most.
-void check_plan_budget(const PlanReport& report, const Node& budget, Diagnostics& diagnostics);
+void check_plan_budget(const PlanReport& report, const YamlValue& budget, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

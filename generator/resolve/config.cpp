@@ -35,42 +35,42 @@ std::string_view type_name(Parameter::Type type) {
   return "";
 }
 
-bool in_range(const Parameter& parameter, const ConditionNumber& value, const Node& node,
+bool in_range(const Parameter& parameter, const ConditionNumber& value, const YamlValue& yaml,
               Diagnostics& diagnostics) {
   const bool low = parameter.low && !at_most(*parameter.low, value);
   const bool high = parameter.high && !at_most(value, *parameter.high);
   if (!low && !high) return true;
-  diagnostics.error("E0323", node.span, fmt::format("`{}` is out of range", parameter.name.value))
+  diagnostics.error("E0323", yaml.span, fmt::format("`{}` is out of range", parameter.name.value))
       .label = low ? fmt::format("must be at least {}", to_string(*parameter.low))
                    : fmt::format("must be at most {}", to_string(*parameter.high));
   return false;
 }
 
 /// What is no number is no value of a parameter either.
-std::optional<double> number_of(const Node& node) {
-  const auto number = parse_number(node.text);
+std::optional<double> number_of(const YamlValue& yaml) {
+  const auto number = parse_number(yaml.text);
   return number && std::isnan(*number) ? std::nullopt : number;
 }
 
 class Reader {
  public:
-  Reader(const Parameter& parameter, const Node& node, Diagnostics& diagnostics)
-      : parameter_(parameter), node_(node), diagnostics_(diagnostics) {}
+  Reader(const Parameter& parameter, const YamlValue& yaml, Diagnostics& diagnostics)
+      : parameter_(parameter), node_(yaml), diagnostics_(diagnostics) {}
 
   std::optional<ConfigValue> read() {
     switch (parameter_.type) {
       case Parameter::Type::integer:
-        return one<std::int64_t>([](const Node& n) { return parse_whole(n.text); });
+        return one<std::int64_t>([](const YamlValue& n) { return parse_whole(n.text); });
       case Parameter::Type::number:
         return one<double>(number_of);
       case Parameter::Type::boolean:
-        return one<bool>([](const Node& n) { return parse_bool(n.text); });
+        return one<bool>([](const YamlValue& n) { return parse_bool(n.text); });
       case Parameter::Type::text:
         return node_.is_scalar() ? value(node_.text) : wrong(node_);
       case Parameter::Type::keyword:
         return keyword();
       case Parameter::Type::integers:
-        return list<std::int64_t>([](const Node& n) { return parse_whole(n.text); });
+        return list<std::int64_t>([](const YamlValue& n) { return parse_whole(n.text); });
       case Parameter::Type::numbers:
         return list<double>(number_of);
     }
@@ -83,23 +83,23 @@ class Reader {
     return ConfigValue{&parameter_, std::move(t)};
   }
 
-  std::optional<ConfigValue> wrong(const Node& node) {
-    if (is_unresolved(node)) return std::nullopt;
-    diagnostics_.error("E0322", node.span,
+  std::optional<ConfigValue> wrong(const YamlValue& yaml) {
+    if (is_unresolved(yaml)) return std::nullopt;
+    diagnostics_.error("E0322", yaml.span,
                        fmt::format("`{}` must be {}, found {}", parameter_.name.value,
-                                   type_name(parameter_.type), describe(node)));
+                                   type_name(parameter_.type), describe(yaml)));
     return std::nullopt;
   }
 
   template <class T, class Parse>
-  std::optional<T> parse_item(const Node& node, Parse&& parse) {
-    const auto parsed = node.is_scalar() && !node.quoted ? parse(node) : std::nullopt;
+  std::optional<T> parse_item(const YamlValue& yaml, Parse&& parse) {
+    const auto parsed = yaml.is_scalar() && !yaml.quoted ? parse(yaml) : std::nullopt;
     if (!parsed) {
-      wrong(node);
+      wrong(yaml);
       return std::nullopt;
     }
     if constexpr (!std::is_same_v<T, bool>) {
-      if (!in_range(parameter_, *parsed, node, diagnostics_)) return std::nullopt;
+      if (!in_range(parameter_, *parsed, yaml, diagnostics_)) return std::nullopt;
     }
     return *parsed;
   }
@@ -114,7 +114,8 @@ class Reader {
   std::optional<ConfigValue> list(Parse&& parse) {
     std::vector<T> result;
     // A single number is a list of one: `cutoff_hz: 10`.
-    const std::vector<Node> items = node_.is_scalar() ? std::vector<Node>{node_} : node_.items;
+    const std::vector<YamlValue> items =
+        node_.is_scalar() ? std::vector<YamlValue>{node_} : node_.items;
     if (node_.is_map() || node_.is_null()) return wrong(node_);
     for (const auto& item : items) {
       const auto parsed = parse_item<T>(item, parse);
@@ -139,15 +140,9 @@ class Reader {
   }
 
   const Parameter& parameter_;
-  const Node& node_;
+  const YamlValue& node_;
   Diagnostics& diagnostics_;
 };
-
-const Setting* find_setting(const std::vector<Setting>& settings, const std::string& name) {
-  const auto found = std::find_if(settings.begin(), settings.end(),
-                                  [&](const Setting& s) { return s.name == name; });
-  return found == settings.end() ? nullptr : &*found;
-}
 
 /// Reports parameters that do not exist; returns those that were meant.
 std::vector<std::string> report_unknown(const Entity& entity, const std::vector<Setting>& settings,
@@ -202,12 +197,13 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
   Config result;
   for (const auto& parameter : entity.config) {
     const Setting* setting = find_setting(settings, parameter.name.value);
-    const Node* node = setting != nullptr ? &setting->value
-                                          : (parameter.fallback ? &*parameter.fallback : nullptr);
-    if (node == nullptr &&
+    const YamlValue* yaml = setting != nullptr
+                                ? &setting->value
+                                : (parameter.fallback ? &*parameter.fallback : nullptr);
+    if (yaml == nullptr &&
         std::find(meant.begin(), meant.end(), parameter.name.value) != meant.end())
       continue;
-    if (node == nullptr) {
+    if (yaml == nullptr) {
       diagnostics
           .error(
               "E0321", span,
@@ -217,7 +213,7 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    const Node read = setting != nullptr ? *node : substitute(*node, outside, diagnostics);
+    const YamlValue read = setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics);
     auto value = Reader(parameter, read, diagnostics).read();
     if (!value) continue;
     value->given = setting != nullptr;
@@ -236,13 +232,13 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
       result["config " + parameter.name.value].tag = kUnresolved;
       continue;
     }
-    const Node& value = setting != nullptr ? setting->value : *parameter.fallback;
+    const YamlValue& value = setting != nullptr ? setting->value : *parameter.fallback;
     result["config " + parameter.name.value] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;
-    Node size;  // a single number is a list of one
+    YamlValue size;  // a single number is a list of one
     size.span = value.span;
-    size.kind = NodeKind::scalar;
+    size.kind = YamlKind::scalar;
     size.text = std::to_string(value.is_sequence() ? value.items.size() : 1);
     result["size " + parameter.name.value] = size;
     for (std::size_t i = 0; i < value.items.size(); ++i)
@@ -251,8 +247,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
   return result;
 }
 
-bool is_unresolved(const Node& node) {
-  return node.tag == kUnresolved;
+bool is_unresolved(const YamlValue& yaml) {
+  return yaml.tag == kUnresolved;
 }
 
 namespace {
@@ -267,24 +263,29 @@ bool is_missing(const std::string& name, const References& references) {
 
 }  // namespace
 
-Node substitute(Node node, const References& references, Diagnostics& diagnostics) {
-  for (auto& item : node.items) item = substitute(std::move(item), references, diagnostics);
-  for (auto& entry : node.entries)
+const Setting* find_setting(const std::vector<Setting>& settings, std::string_view name) {
+  const auto found = std::ranges::find(settings, name, &Setting::name);
+  return found == settings.end() ? nullptr : &*found;
+}
+
+YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
+  for (auto& item : yaml.items) item = substitute(std::move(item), references, diagnostics);
+  for (auto& entry : yaml.entries)
     entry.value = substitute(std::move(entry.value), references, diagnostics);
-  if (!node.is_scalar() || node.quoted || !node.text.starts_with("$(") || !node.text.ends_with(")"))
-    return node;
-  const std::string name = node.text.substr(2, node.text.size() - 3);
+  if (!yaml.is_scalar() || yaml.quoted || !yaml.text.starts_with("$(") || !yaml.text.ends_with(")"))
+    return yaml;
+  const std::string name = yaml.text.substr(2, yaml.text.size() - 3);
   const auto found = references.find(name);
   if (found != references.end()) return found->second;
-  node.tag = kUnresolved;
-  if (is_missing(name, references)) return node;
+  yaml.tag = kUnresolved;
+  if (is_missing(name, references)) return yaml;
   std::vector<std::string> known;
   for (const auto& [key, value] : references) known.push_back(key);
   auto& problem =
-      diagnostics.error("E0324", node.span, fmt::format("`{}` refers to nothing", node.text));
+      diagnostics.error("E0324", yaml.span, fmt::format("`{}` refers to nothing", yaml.text));
   const std::string near = nearest(name, known);
   if (!near.empty()) problem.help = fmt::format("did you mean `$({})`?", near);
-  return node;
+  return yaml;
 }
 
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
@@ -294,9 +295,10 @@ std::vector<Setting> substitute(std::vector<Setting> settings, const References&
   return settings;
 }
 
-std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& diagnostics) {
+std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics) {
   std::vector<double> result;
-  const std::vector<Node> items = node.is_sequence() ? node.items : std::vector<Node>{node};
+  const std::vector<YamlValue> items =
+      yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
   for (const auto& item : items) {
     const auto number = item.is_scalar() && !item.quoted ? parse_number(item.text) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
@@ -310,10 +312,11 @@ std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& dia
   return result;
 }
 
-bool are_kept(const Node& node, std::optional<Dtype> dtype, const char* code,
+bool are_kept(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
               Diagnostics& diagnostics) {
   if (dtype && is_floating(*dtype)) return true;
-  const std::vector<Node> items = node.is_sequence() ? node.items : std::vector<Node>{node};
+  const std::vector<YamlValue> items =
+      yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
   for (const auto& item : items) {
     if (!item.is_scalar() || is_kept(item.text, dtype)) continue;
     diagnostics.error(code, item.span, fmt::format("`{}` cannot be kept exactly", item.text)).help =
@@ -324,12 +327,12 @@ bool are_kept(const Node& node, std::optional<Dtype> dtype, const char* code,
   return true;
 }
 
-std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics) {
-  const auto rate = node.is_scalar() ? Rational::parse(node.text) : std::nullopt;
+std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics) {
+  const auto rate = yaml.is_scalar() ? Rational::parse(yaml.text) : std::nullopt;
   if (rate && rate->to_double() > 0.0) return rate;
-  if (is_unresolved(node)) return std::nullopt;
-  diagnostics.error("E0204", node.span,
-                    fmt::format("expected a rate in Hz, found {}", describe(node)));
+  if (is_unresolved(yaml)) return std::nullopt;
+  diagnostics.error("E0204", yaml.span,
+                    fmt::format("expected a rate in Hz, found {}", describe(yaml)));
   return std::nullopt;
 }
 

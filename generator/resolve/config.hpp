@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "generator/resolve/graph.hpp"
 
@@ -11,7 +12,7 @@ namespace eagerx::gen {
 
 /// What `$(config NAME)`, `$(sensors NAME rate)` and `$(actuators NAME rate)` mean at some place:
 /// the text between the parentheses to a node, or nullptr.
-using References = std::map<std::string, Node, std::less<>>;
+using References = std::map<std::string, YamlValue, std::less<>>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
 /// unknown, E0321 missing, E0322 wrong type, E0323 out of range). `span`: where a missing one
@@ -19,28 +20,31 @@ using References = std::map<std::string, Node, std::less<>>;
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
                       Diagnostics& diagnostics, const References& outside = {});
 
+/// The setting of this name, or nullptr.
+const Setting* find_setting(const std::vector<Setting>& settings, std::string_view name);
+
 /// The references that a config gives rise to: `config NAME` for every parameter.
 References references_of(const Entity& entity, const std::vector<Setting>& settings);
 
-/// `node` with every `$(…)` replaced; an unknown reference is reported (E0324) and marked, so that
+/// `yaml` with every `$(…)` replaced; an unknown reference is reported (E0324) and marked, so that
 /// nothing more is said of it.
-bool is_unresolved(const Node& node);
-Node substitute(Node node, const References& references, Diagnostics& diagnostics);
+bool is_unresolved(const YamlValue& yaml);
+YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics);
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
                                 Diagnostics& diagnostics);
 
 /// A number or list of numbers as doubles; nullopt (and E0322) if it is something else.
-std::optional<std::vector<double>> numbers_of(const Node& node, Diagnostics& diagnostics);
+std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics);
 
-/// Whether the whole numbers of `node` stay what they are: spaces and states keep doubles, which
+/// Whether the whole numbers of `yaml` stay what they are: spaces and states keep doubles, which
 /// hold those of up to 53 bits. Without a dtype it may be an integer's. If not, error `code` where
 /// the first of them is.
-bool are_kept(const Node& node, std::optional<Dtype> dtype, const char* code,
+bool are_kept(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
               Diagnostics& diagnostics);
 
 /// A rate from a node that may have been a reference; nullopt (and E0204) if it is no positive
 /// decimal.
-std::optional<Rational> rate_of(const Node& node, Diagnostics& diagnostics);
+std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics);
 
 /// The entity with this id if it is of the wanted kind, else nullptr and E0303 (unknown) or E0304
 /// (other kind); nothing is said of an empty id.

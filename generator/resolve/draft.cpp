@@ -19,10 +19,11 @@ Dtype dtype_of(const std::string& name) {
   return Dtype::float32;
 }
 
-std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics& diagnostics) {
+std::optional<std::vector<std::uint64_t>> shape_of(const YamlValue& yaml,
+                                                   Diagnostics& diagnostics) {
   std::vector<std::uint64_t> shape;
   std::uint64_t elements = 1;
-  for (const auto& item : node.items) {
+  for (const auto& item : yaml.items) {
     if (is_unresolved(item)) return std::nullopt;
     const auto dimension = parse_int(item.text);
     if (!dimension || *dimension < 1 ||
@@ -37,10 +38,10 @@ std::optional<std::vector<std::uint64_t>> shape_of(const Node& node, Diagnostics
   return shape;
 }
 
-std::vector<double> bounds_of(const std::optional<Node>& node, std::optional<Dtype> dtype,
+std::vector<double> bounds_of(const std::optional<YamlValue>& node, std::optional<Dtype> dtype,
                               const References& references, Diagnostics& diagnostics) {
   if (!node) return {};
-  const Node bounds = substitute(*node, references, diagnostics);
+  const YamlValue bounds = substitute(*node, references, diagnostics);
   if (!are_kept(bounds, dtype, "E0326", diagnostics)) return {};
   return numbers_of(bounds, diagnostics).value_or(std::vector<double>{});
 }
@@ -164,7 +165,7 @@ std::optional<std::uint32_t> window_of(const PortManifest& port, const Reference
                                        Diagnostics& diagnostics) {
   if (!port.window) return std::nullopt;
   constexpr std::int64_t kMost = 1'000'000;
-  const Node window = substitute(*port.window, references, diagnostics);
+  const YamlValue window = substitute(*port.window, references, diagnostics);
   const auto count = window.is_scalar() ? parse_int(window.text) : std::nullopt;
   if (count && *count >= 0 && *count <= kMost) return static_cast<std::uint32_t>(*count);
   if (!is_unresolved(window)) {
@@ -205,7 +206,7 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
   input.entity_sets_delay = port.max_delay.has_value();
   input.optional = port.optional;
   if (!port.max_delay) return input;
-  const Node longest = substitute(*port.max_delay, references, diagnostics);
+  const YamlValue longest = substitute(*port.max_delay, references, diagnostics);
   const auto seconds = longest.is_scalar() ? Rational::parse(longest.text) : std::nullopt;
   if (seconds && *seconds >= Rational()) {
     input.settings.max_delay_s = Spanned<Rational>{*seconds, longest.span};

@@ -11,7 +11,7 @@ namespace eagerx::gen {
 namespace {
 
 /// "sensors.theta" → {"sensors", "theta"}
-std::pair<std::string, std::string> split(const std::string& port) {
+std::pair<std::string, std::string> halves_of(const std::string& port) {
   const std::size_t dot = port.find('.');
   return {port.substr(0, dot), dot == std::string::npos ? "" : port.substr(dot + 1)};
 }
@@ -51,7 +51,7 @@ class ObjectBuilder {
   void add_rates(const char* kind, const std::vector<PortManifest>& ports,
                  const std::optional<std::vector<ComponentSpec>>& chosen) {
     for (const auto& port : ports) {
-      Node rate = substitute(*port.rate, references_, diagnostics());
+      YamlValue rate = substitute(*port.rate, references_, diagnostics());
       const ComponentSpec* set = component(chosen, port.name.value);
       if (set != nullptr && set->rate) {
         rate.text = set->rate->value.to_string();
@@ -72,7 +72,7 @@ class ObjectBuilder {
   void select() {
     const auto note = [&](const Spanned<std::string>& port, bool sends,
                           std::set<std::string>& into) {
-      auto [owner, name] = split(port.value);
+      auto [owner, name] = halves_of(port.value);
       if (owner != spec_.name.value) return;
       const std::string kind = sends ? "sensors." : "actuators.";
       if (name.starts_with(kind)) name = name.substr(kind.size());
@@ -190,8 +190,8 @@ class ObjectBuilder {
 
   void connect_inside() {
     for (const auto& connection : implementation_.connections) {
-      const auto [from, from_port] = split(connection.from.value);
-      const auto [to, to_port] = split(connection.to.value);
+      const auto [from, from_port] = halves_of(connection.from.value);
+      const auto [to, to_port] = halves_of(connection.to.value);
       if (from == "actuators") {
         connect_actuator(connection, from_port, to, to_port);
         continue;

@@ -13,8 +13,8 @@ constexpr std::string_view kTargets = ".targets.";
 constexpr std::string_view kStates = ".states.";
 
 /// "rst.targets.g0" with ".targets." → {"rst", "g0"}
-std::optional<std::pair<std::string, std::string>> split(const std::string& text,
-                                                         std::string_view section) {
+std::optional<std::pair<std::string, std::string>> split_at(const std::string& text,
+                                                            std::string_view section) {
   const std::size_t place = text.find(section);
   if (place == std::string::npos) return std::nullopt;
   return std::pair(text.substr(0, place), text.substr(place + section.size()));
@@ -46,7 +46,7 @@ class TargetResolver {
     DraftNode* node = find_reset_node(connection.to);
     const Owner owner = find_owner(connection.from);
     if (node == nullptr || owner.states == nullptr) return;
-    const std::string name = split(connection.to.value, kTargets)->second;
+    const std::string name = split_at(connection.to.value, kTargets)->second;
     const PortManifest* port = node->node.entity->target(name);
     if (port == nullptr) {
       std::vector<std::string> known;
@@ -80,7 +80,7 @@ class TargetResolver {
   }
 
   DraftNode* find_reset_node(const Spanned<std::string>& to) {
-    const std::string name = split(to.value, kTargets)->first;
+    const std::string name = split_at(to.value, kTargets)->first;
     for (auto& node : draft_.nodes) {
       if (node.node.name != name || node.node.role != NodeRole::node) continue;
       if (node.node.entity == nullptr) return nullptr;  // reported already
@@ -106,7 +106,7 @@ class TargetResolver {
   }
 
   Owner find_owner(const Spanned<std::string>& from) {
-    const auto parts = split(from.value, kStates);
+    const auto parts = split_at(from.value, kStates);
     if (!parts) {
       diagnostics().error("E0309", from.span, fmt::format("`{}` is no state", from.value)).help =
           "a target is a state: write `from: object.states.name`";
@@ -134,7 +134,7 @@ class TargetResolver {
   }
 
   std::optional<std::size_t> find_state(const Owner& owner, const Spanned<std::string>& from) {
-    const auto [name, state] = *split(from.value, kStates);
+    const auto [name, state] = *split_at(from.value, kStates);
     std::vector<std::string> known;
     for (std::size_t i = 0; i < owner.states->size(); ++i) {
       if (!(*owner.states)[i].settable) continue;
@@ -204,7 +204,7 @@ class TargetResolver {
     if (entity == nullptr || node.node.role != NodeRole::node || entity->targets.empty()) return;
     const bool tried = std::any_of(draft_.spec.connections.begin(), draft_.spec.connections.end(),
                                    [&](const auto& c) {
-                                     const auto parts = split(c.to.value, kTargets);
+                                     const auto parts = split_at(c.to.value, kTargets);
                                      return parts && parts->first == node.node.name;
                                    });
     if (tried) return;
@@ -274,7 +274,7 @@ bool is_stuck(const GraphNode& node) {
 }  // namespace
 
 bool is_target(const ConnectionSpec& connection) {
-  return split(connection.to.value, kTargets).has_value();
+  return split_at(connection.to.value, kTargets).has_value();
 }
 
 void resolve_targets(Draft& draft) {

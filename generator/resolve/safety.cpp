@@ -9,12 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-const Setting* find_setting(const std::vector<Setting>& settings, std::string_view name) {
-  const auto found = std::find_if(settings.begin(), settings.end(),
-                                  [&](const Setting& s) { return s.name == name; });
-  return found == settings.end() ? nullptr : &*found;
-}
-
 std::vector<double> zero_in(const Space& space) {
   std::vector<double> zero;
   for (std::size_t i = 0; i < space.size(); ++i) {
@@ -36,20 +30,20 @@ std::optional<std::vector<double>> value_of(const std::string& name, const Space
   return random ? std::optional(random->first) : std::nullopt;
 }
 
-Node scalar(std::string text, Span span) {
-  Node node;
-  node.kind = NodeKind::scalar;
-  node.text = std::move(text);
-  node.span = span;
-  return node;
+YamlValue scalar(std::string text, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = std::move(text);
+  yaml.span = span;
+  return yaml;
 }
 
-Node list_of(const std::vector<double>& values, Span span) {
-  Node node;
-  node.kind = NodeKind::sequence;
-  node.span = span;
-  for (const double value : values) node.items.push_back(scalar(fmt::format("{}", value), span));
-  return node;
+YamlValue list_of(const std::vector<double>& values, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::sequence;
+  yaml.span = span;
+  for (const double value : values) yaml.items.push_back(scalar(fmt::format("{}", value), span));
+  return yaml;
 }
 
 /// The safe value of the action that is connected to the actuator as it is, if one is declared.
@@ -94,10 +88,10 @@ void report_unknown_actuators(Draft& draft) {
   }
 }
 
-void check_time(const std::string& key, const Node& node, Diagnostics& diagnostics) {
+void check_time(const std::string& key, const YamlValue& yaml, Diagnostics& diagnostics) {
   constexpr double kLongestS = 3600.0;
-  if (Rational::parse(node.text).value_or(Rational()).to_double() <= kLongestS) return;
-  diagnostics.error("E0323", node.span, fmt::format("`{}` is out of range", key)).label =
+  if (Rational::parse(yaml.text).value_or(Rational()).to_double() <= kLongestS) return;
+  diagnostics.error("E0323", yaml.span, fmt::format("`{}` is out of range", key)).label =
       "must be at most 3600 s";
 }
 

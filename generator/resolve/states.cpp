@@ -43,16 +43,16 @@ class RandomReader {
   }
 
  private:
-  std::vector<double> values(const Node& node, bool in_space) {
-    auto result = numbers_of(node, diagnostics_);
-    if (!result || !are_kept(node, space_.dtype, "E0327", diagnostics_)) {
+  std::vector<double> values(const YamlValue& yaml, bool in_space) {
+    auto result = numbers_of(yaml, diagnostics_);
+    if (!result || !are_kept(yaml, space_.dtype, "E0327", diagnostics_)) {
       good_ = false;
       return {};
     }
     const std::uint64_t size = space_.size();
     if (result->size() == 1) result->assign(size, result->front());
     if (result->size() != size)
-      return fail("E0327", node.span,
+      return fail("E0327", yaml.span,
                   fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(),
                               size == 1 ? "one value" : fmt::format("one value or {}", size),
                               result->size()));
@@ -60,7 +60,7 @@ class RandomReader {
         !is_floating(space_.dtype) &&
         std::any_of(result->begin(), result->end(), [](double v) { return v != std::trunc(v); });
     if (fraction)
-      return fail("E0327", node.span,
+      return fail("E0327", yaml.span,
                   fmt::format("`{}` is {} and takes whole numbers", name_, space_.describe()));
     for (std::size_t i = 0; in_space && i < size; ++i) {
       const double value = rounded(space_, (*result)[i]);
@@ -68,7 +68,7 @@ class RandomReader {
       const double high = rounded(space_, bound_of(space_.high, i, highest_of(space_.dtype)));
       if (value >= low && value <= high) continue;
       const Span place =
-          node.is_sequence() && i < node.items.size() ? node.items[i].span : node.span;
+          yaml.is_sequence() && i < yaml.items.size() ? yaml.items[i].span : yaml.span;
       const std::string what =
           size == 1 ? fmt::format("`{}`", name_) : fmt::format("element {} of `{}`", i, name_);
       return fail("E0327", place,

@@ -5,11 +5,7 @@
 
 namespace eagerx::gen {
 
-namespace {
-
-constexpr std::size_t kMaxLine = 16'000;  // std::regex takes stack for every character
-
-}  // namespace
+namespace {}  // namespace
 
 std::string ProgramMap::owner_of_member(const std::string& member) const {
   if (const auto node = node_of_member.find(member); node != node_of_member.end())

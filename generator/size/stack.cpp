@@ -25,7 +25,6 @@ struct Function {
 using Functions = std::map<std::string, Function>;
 
 /// Lines are read with std::regex, which takes stack for every character.
-constexpr std::size_t kMaxLine = 16'000;
 
 /// 0 for what does not fit.
 std::uint64_t number(const std::string& digits) {

@@ -9,6 +9,9 @@
 
 namespace eagerx::gen {
 
+/// Longer lines are not looked at: std::regex takes stack for every character.
+constexpr std::size_t kMaxLine = 16'000;
+
 /// Runs a program, gives every line of its standard output to `line`, and returns its exit code;
 /// -1 if it could not be started. Its standard error is thrown away.
 int for_each_line(const std::vector<std::string>& command,

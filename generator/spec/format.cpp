@@ -178,18 +178,18 @@ bool is_identifier(std::string_view text) {
   return letters && !implementation && !is_reserved_name(text);
 }
 
-std::string describe(const Node& node) {
-  switch (node.kind) {
-    case NodeKind::null:
+std::string describe(const YamlValue& yaml) {
+  switch (yaml.kind) {
+    case YamlKind::null:
       return "nothing";
-    case NodeKind::sequence:
+    case YamlKind::sequence:
       return "a list";
-    case NodeKind::map:
+    case YamlKind::map:
       return "a mapping";
-    case NodeKind::scalar:
+    case YamlKind::scalar:
       break;
   }
-  return fmt::format("{}`{}`", node.quoted ? "the text " : "", shortened(node.text));
+  return fmt::format("{}`{}`", yaml.quoted ? "the text " : "", shortened(yaml.text));
 }
 
 std::string shortened(std::string_view text) {

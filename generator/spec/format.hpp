@@ -74,16 +74,16 @@ FormatPtr record(std::string what, std::vector<Field> fields);
 FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 }  // namespace format
 
-/// Checks `node` against `format`; every problem is reported. True if there was none.
+/// Checks `yaml` against `format`; every problem is reported. True if there was none.
 /// Codes: E0201 unknown key, E0202 missing key, E0203 wrong type, E0204 value out of range or not a
 /// choice, E0205 not a name.
-bool check(const Node& node, const Format& format, Diagnostics& diagnostics);
+bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 
 /// The format as JSON schema (draft-07).
 std::string json_schema(const Format& format, const std::string& title, const std::string& id);
 
 /// "a list", "nothing", or the text itself: completes "found …".
-std::string describe(const Node& node);
+std::string describe(const YamlValue& yaml);
 /// The beginning of a text for a message; whole if it is short.
 std::string shortened(std::string_view text);
 

@@ -10,16 +10,16 @@
 namespace eagerx::gen {
 namespace {
 
-bool wrong_type(const Node& node, const Format& format, Diagnostics& diagnostics) {
+bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   const bool mapping = format.kind == Format::Kind::record || format.kind == Format::Kind::map;
   auto& problem =
-      diagnostics.error("E0203", node.span,
+      diagnostics.error("E0203", yaml.span,
                         fmt::format("expected {}{}, found {}", mapping ? "a mapping for " : "",
-                                    format.what, describe(node)));
+                                    format.what, describe(yaml)));
   const bool number = format.kind == Format::Kind::integer ||
                       format.kind == Format::Kind::decimal || format.kind == Format::Kind::number ||
                       format.kind == Format::Kind::boolean;
-  if (number && node.is_scalar() && node.quoted)
+  if (number && yaml.is_scalar() && yaml.quoted)
     problem.help = "quotes make it a text: leave them out";
   return false;
 }
@@ -41,13 +41,13 @@ void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics)
       "use letters, digits and single underscores, beginning with a letter";
 }
 
-bool in_range(const Node& node, const Format& format, double value, Diagnostics& diagnostics) {
+bool in_range(const YamlValue& yaml, const Format& format, double value, Diagnostics& diagnostics) {
   const bool low =
       format.low && (value < *format.low || (format.low_exclusive && value <= *format.low));
   const bool high = format.high && value > *format.high;
   if (!low && !high) return true;
   auto& problem = diagnostics.error(
-      "E0204", node.span, fmt::format("expected {}, found {}", format.what, describe(node)));
+      "E0204", yaml.span, fmt::format("expected {}, found {}", format.what, describe(yaml)));
   if (low)
     problem.label = fmt::format("must be {} {}", format.low_exclusive ? "greater than" : "at least",
                                 *format.low);
@@ -55,44 +55,44 @@ bool in_range(const Node& node, const Format& format, double value, Diagnostics&
   return false;
 }
 
-bool check_name(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  if (!node.is_scalar()) return wrong_type(node, format, diagnostics);
-  if (is_identifier(node.text)) return true;
-  report_bad_name(node.text, node.span, diagnostics);
+bool check_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
+  if (is_identifier(yaml.text)) return true;
+  report_bad_name(yaml.text, yaml.span, diagnostics);
   return false;
 }
 
-bool check_port(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  if (!node.is_scalar()) return wrong_type(node, format, diagnostics);
+bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
   std::size_t parts = 0;
   bool good = true;
-  for (std::size_t begin = 0; begin <= node.text.size(); ++parts) {
-    const std::size_t end = std::min(node.text.find('.', begin), node.text.size());
-    const std::string_view part = std::string_view(node.text).substr(begin, end - begin);
+  for (std::size_t begin = 0; begin <= yaml.text.size(); ++parts) {
+    const std::size_t end = std::min(yaml.text.find('.', begin), yaml.text.size());
+    const std::string_view part = std::string_view(yaml.text).substr(begin, end - begin);
     if (is_reserved_name(part) || part.size() > kLongestName) {
-      report_bad_name(part, node.span, diagnostics);
+      report_bad_name(part, yaml.span, diagnostics);
       return false;
     }
     good = good && is_identifier(part);
     begin = end + 1;
   }
   if (good && parts >= 2 && parts <= 3) return true;
-  diagnostics.error("E0205", node.span, fmt::format("{} is not a port", describe(node))).help =
+  diagnostics.error("E0205", yaml.span, fmt::format("{} is not a port", describe(yaml))).help =
       fmt::format("write {}", format.what);
   return false;
 }
 
 /// `otherwise`: what may be written instead of a keyword.
-bool check_keyword(const Node& node, const Format& format, const std::string& otherwise,
+bool check_keyword(const YamlValue& yaml, const Format& format, const std::string& otherwise,
                    Diagnostics& diagnostics) {
-  if (!node.is_scalar()) return wrong_type(node, format, diagnostics);
-  if (std::find(format.keywords.begin(), format.keywords.end(), node.text) !=
+  if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
+  if (std::find(format.keywords.begin(), format.keywords.end(), yaml.text) !=
       format.keywords.end()) {
     return true;
   }
   auto& problem =
-      diagnostics.error("E0204", node.span, fmt::format("{} is not a choice here", describe(node)));
-  const std::string near = nearest(node.text, format.keywords);
+      diagnostics.error("E0204", yaml.span, fmt::format("{} is not a choice here", describe(yaml)));
+  const std::string near = nearest(yaml.text, format.keywords);
   if (!near.empty()) {
     problem.help = fmt::format("did you mean `{}`?", near);
   } else {
@@ -102,28 +102,28 @@ bool check_keyword(const Node& node, const Format& format, const std::string& ot
   return false;
 }
 
-bool check_number(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  if (!node.is_scalar() || node.quoted) return wrong_type(node, format, diagnostics);
+bool check_number(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_scalar() || yaml.quoted) return wrong_type(yaml, format, diagnostics);
   if (format.kind == Format::Kind::integer) {
-    const auto value = parse_int(node.text);
-    return value ? in_range(node, format, static_cast<double>(*value), diagnostics)
-                 : wrong_type(node, format, diagnostics);
+    const auto value = parse_int(yaml.text);
+    return value ? in_range(yaml, format, static_cast<double>(*value), diagnostics)
+                 : wrong_type(yaml, format, diagnostics);
   }
   if (format.kind == Format::Kind::decimal) {
-    const auto value = Rational::parse(node.text);
-    return value ? in_range(node, format, value->to_double(), diagnostics)
-                 : wrong_type(node, format, diagnostics);
+    const auto value = Rational::parse(yaml.text);
+    return value ? in_range(yaml, format, value->to_double(), diagnostics)
+                 : wrong_type(yaml, format, diagnostics);
   }
-  const auto value = parse_number(node.text);
-  return value ? in_range(node, format, *value, diagnostics)
-               : wrong_type(node, format, diagnostics);
+  const auto value = parse_number(yaml.text);
+  return value ? in_range(yaml, format, *value, diagnostics)
+               : wrong_type(yaml, format, diagnostics);
 }
 
-bool check_map(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  if (node.is_null()) return true;  // `config:` with nothing behind it
-  if (!node.is_map()) return wrong_type(node, format, diagnostics);
+bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (yaml.is_null()) return true;  // `config:` with nothing behind it
+  if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
-  for (const auto& entry : node.entries) {
+  for (const auto& entry : yaml.entries) {
     if (!format.file_names && !is_identifier(entry.key)) {
       report_bad_name(entry.key, entry.key_span, diagnostics);
       good = false;
@@ -133,31 +133,31 @@ bool check_map(const Node& node, const Format& format, Diagnostics& diagnostics)
   return good;
 }
 
-bool check_list(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  if (!node.is_sequence()) return wrong_type(node, format, diagnostics);
-  if (node.items.size() < format.min_items) {
-    diagnostics.error("E0204", node.span,
+bool check_list(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_sequence()) return wrong_type(yaml, format, diagnostics);
+  if (yaml.items.size() < format.min_items) {
+    diagnostics.error("E0204", yaml.span,
                       fmt::format("expected {}, found an empty list", format.what));
     return false;
   }
   bool good = true;
-  for (const auto& item : node.items) good = check(item, *format.item, diagnostics) && good;
+  for (const auto& item : yaml.items) good = check(item, *format.item, diagnostics) && good;
   return good;
 }
 
 /// `theta:` with nothing behind it is a record without settings, where nothing is required.
-bool is_empty_record(const Node& node, const Format& format) {
-  return node.is_null() && std::none_of(format.fields.begin(), format.fields.end(),
+bool is_empty_record(const YamlValue& yaml, const Format& format) {
+  return yaml.is_null() && std::none_of(format.fields.begin(), format.fields.end(),
                                         [](const Field& field) { return field.required; });
 }
 
-bool check_record(const Node& node, const Format& format, Diagnostics& diagnostics) {
-  if (is_empty_record(node, format)) return true;
-  if (!node.is_map()) return wrong_type(node, format, diagnostics);
+bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (is_empty_record(yaml, format)) return true;
+  if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
   std::vector<std::string> known, meant;
   for (const auto& field : format.fields) known.push_back(field.name);
-  for (const auto& entry : node.entries) {
+  for (const auto& entry : yaml.entries) {
     const auto field = std::find_if(format.fields.begin(), format.fields.end(),
                                     [&](const Field& f) { return f.name == entry.key; });
     if (field != format.fields.end()) {
@@ -174,11 +174,11 @@ bool check_record(const Node& node, const Format& format, Diagnostics& diagnosti
     good = false;
   }
   for (const auto& field : format.fields) {
-    if (!field.required || node.find(field.name) != nullptr) continue;
+    if (!field.required || yaml.find(field.name) != nullptr) continue;
     if (std::find(meant.begin(), meant.end(), field.name) != meant.end())
       continue;  // just misspelt
     diagnostics
-        .error("E0202", node.span, fmt::format("missing key `{}` in {}", field.name, format.what))
+        .error("E0202", yaml.span, fmt::format("missing key `{}` in {}", field.name, format.what))
         .help = fmt::format("add `{}:`, {}", field.name, field.about);
     good = false;
   }
@@ -186,67 +186,67 @@ bool check_record(const Node& node, const Format& format, Diagnostics& diagnosti
 }
 
 /// Whether a node of this kind could be meant for the format at all.
-bool takes(const Node& node, const Format& format) {
+bool takes(const YamlValue& yaml, const Format& format) {
   switch (format.kind) {
     case Format::Kind::any:
       return true;
     case Format::Kind::list:
-      return node.is_sequence();
+      return yaml.is_sequence();
     case Format::Kind::map:
-      return node.is_map();
+      return yaml.is_map();
     case Format::Kind::record:
-      return node.is_map() || is_empty_record(node, format);
+      return yaml.is_map() || is_empty_record(yaml, format);
     case Format::Kind::one_of:
       return std::any_of(format.options.begin(), format.options.end(),
-                         [&](const FormatPtr& option) { return takes(node, *option); });
+                         [&](const FormatPtr& option) { return takes(yaml, *option); });
     case Format::Kind::integer:
-      return node.is_scalar() && !node.quoted && parse_int(node.text);
+      return yaml.is_scalar() && !yaml.quoted && parse_int(yaml.text);
     case Format::Kind::number:
     case Format::Kind::decimal:
-      return node.is_scalar() && !node.quoted &&
-             (parse_number(node.text) || Rational::parse(node.text));
+      return yaml.is_scalar() && !yaml.quoted &&
+             (parse_number(yaml.text) || Rational::parse(yaml.text));
     case Format::Kind::boolean:
-      return node.is_scalar() && !node.quoted && parse_bool(node.text);
+      return yaml.is_scalar() && !yaml.quoted && parse_bool(yaml.text);
     default:
-      return node.is_scalar();
+      return yaml.is_scalar();
   }
 }
 
 }  // namespace
 
-bool check(const Node& node, const Format& format, Diagnostics& diagnostics) {
+bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   switch (format.kind) {
     case Format::Kind::any:
       return true;
     case Format::Kind::text:
-      return node.is_scalar() || wrong_type(node, format, diagnostics);
+      return yaml.is_scalar() || wrong_type(yaml, format, diagnostics);
     case Format::Kind::name:
-      return check_name(node, format, diagnostics);
+      return check_name(yaml, format, diagnostics);
     case Format::Kind::port:
-      return check_port(node, format, diagnostics);
+      return check_port(yaml, format, diagnostics);
     case Format::Kind::keyword:
-      return check_keyword(node, format, "", diagnostics);
+      return check_keyword(yaml, format, "", diagnostics);
     case Format::Kind::boolean:
-      return (node.is_scalar() && !node.quoted && parse_bool(node.text)) ||
-             wrong_type(node, format, diagnostics);
+      return (yaml.is_scalar() && !yaml.quoted && parse_bool(yaml.text)) ||
+             wrong_type(yaml, format, diagnostics);
     case Format::Kind::integer:
     case Format::Kind::decimal:
     case Format::Kind::number:
-      return check_number(node, format, diagnostics);
+      return check_number(yaml, format, diagnostics);
     case Format::Kind::list:
-      return check_list(node, format, diagnostics);
+      return check_list(yaml, format, diagnostics);
     case Format::Kind::map:
-      return check_map(node, format, diagnostics);
+      return check_map(yaml, format, diagnostics);
     case Format::Kind::record:
-      return check_record(node, format, diagnostics);
+      return check_record(yaml, format, diagnostics);
     case Format::Kind::one_of:
       for (const auto& option : format.options) {
-        if (!takes(node, *option)) continue;
+        if (!takes(yaml, *option)) continue;
         return option->kind == Format::Kind::keyword
-                   ? check_keyword(node, *option, format.what, diagnostics)
-                   : check(node, *option, diagnostics);
+                   ? check_keyword(yaml, *option, format.what, diagnostics)
+                   : check(yaml, *option, diagnostics);
       }
-      return wrong_type(node, format, diagnostics);
+      return wrong_type(yaml, format, diagnostics);
   }
   return false;
 }

@@ -22,7 +22,7 @@ struct Spanned {
 struct Setting {
   std::string name;
   Span span;
-  Node value;
+  YamlValue value;
 };
 
 /// Parts of a space; what is missing comes from the other end of a connection or from a manifest.
@@ -30,9 +30,9 @@ struct SpaceSpec {
   Span span;
   std::optional<Spanned<std::string>> like;  // an input (manifests) or a port (actions)
   std::optional<Spanned<std::string>> dtype;
-  std::optional<Node> shape;
-  std::optional<Node> low;
-  std::optional<Node> high;
+  std::optional<YamlValue> shape;
+  std::optional<YamlValue> low;
+  std::optional<YamlValue> high;
 };
 
 struct ProcessorSpec {
@@ -45,8 +45,8 @@ struct RandomSpec {
   enum class Kind : std::uint8_t { value, uniform, normal, log_uniform, choice };
   Kind kind = Kind::uniform;
   Span span;
-  std::optional<Node> first;   // value; low; mean; list of choices
-  std::optional<Node> second;  // high; std
+  std::optional<YamlValue> first;   // value; low; mean; list of choices
+  std::optional<YamlValue> second;  // high; std
 };
 
 /// A sensor, actuator, input, output, action or observation that the user named, with what was set.
@@ -89,7 +89,7 @@ struct AgentSpec {
 struct EntitySpec {
   Spanned<std::string> name;
   Spanned<std::string> type;
-  std::optional<Spanned<Node>> rate;  // a decimal, in manifests also `$(…)`
+  std::optional<Spanned<YamlValue>> rate;  // a decimal, in manifests also `$(…)`
   std::vector<Setting> config;
   std::vector<StateSpec> states;
   std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs,
@@ -142,7 +142,7 @@ struct GraphSpec {
   std::vector<ConnectionSpec> connections;
   AgentSpec agent;
   std::optional<SafetySpec> safety;
-  std::optional<Node> budget;
+  std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
 };
 
@@ -158,7 +158,7 @@ const std::vector<SafetyDefault>& safety_defaults();
 
 /// Typed form of a tree; all problems are reported. nullopt if the tree does not have the form of
 /// the table; after other problems (E0206) there is still enough to look for more.
-std::optional<GraphSpec> read_graph_spec(const Node& root, const std::string& path,
+std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::string& path,
                                          Diagnostics& diagnostics);
 
 // Pieces that manifests are written in too.
@@ -173,10 +173,10 @@ FormatPtr connections_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr config_format();
-SpaceSpec read_space(const Node& node);
-std::vector<Setting> read_config(const Node* node);
-std::vector<ConnectionSpec> read_connections(const Node* node, Diagnostics& diagnostics);
-EntitySpec read_entity(const std::string& name, Span span, const Node& node,
+SpaceSpec read_space(const YamlValue& yaml);
+std::vector<Setting> read_config(const YamlValue* yaml);
+std::vector<ConnectionSpec> read_connections(const YamlValue* yaml, Diagnostics& diagnostics);
+EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml,
                        Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -55,7 +55,8 @@ void emit_all(const Plan& plan, Diagnostics& diagnostics) {
 void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) {
   ReadLimits limits;
   limits.max_nodes = 5000;
-  const Node tree = read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::refuse, limits);
+  const YamlValue tree =
+      read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::refuse, limits);
   if (diagnostics.has_errors()) return;
   const auto spec = read_graph_spec(tree, "fuzz.yaml", diagnostics);
   require(spec.has_value() || diagnostics.has_errors());

@@ -30,13 +30,14 @@ const Library& library() {
 void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) {
   ReadLimits limits;
   limits.max_nodes = 5000;
-  const Node tree = read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::accept, limits);
+  const YamlValue tree =
+      read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::accept, limits);
   if (diagnostics.has_errors() || !is_saved_graph(tree)) return;
   const auto imported = import_graph(tree, "fuzz.yaml", library(), {}, diagnostics);
   require(imported.has_value() != diagnostics.has_errors());
   if (!imported) return;
   Diagnostics again;
-  const Node own = read_yaml_text("own.yaml", write_graph(*imported), sources, again);
+  const YamlValue own = read_yaml_text("own.yaml", write_graph(*imported), sources, again);
   const auto spec = again.has_errors() ? std::nullopt : read_graph_spec(own, "own.yaml", again);
   require(spec.has_value() && !again.has_errors());
   Diagnostics first, second;

@@ -19,12 +19,12 @@ namespace {
 using eagerx::gen::Diagnostic;
 using eagerx::gen::Diagnostics;
 using eagerx::gen::FileId;
-using eagerx::gen::Node;
 using eagerx::gen::Rational;
 using eagerx::gen::ReadLimits;
 using eagerx::gen::SourceMap;
 using eagerx::gen::Span;
 using eagerx::gen::Tags;
+using eagerx::gen::YamlValue;
 
 void require(bool holds) {
   if (!holds) std::abort();
@@ -46,12 +46,12 @@ void check_scalar(const std::string& text) {
   if (whole) require(rational == Rational(*whole) && eagerx::gen::parse_number(text).has_value());
 }
 
-void check_node(const Node& node, const SourceMap& sources) {
+void check_node(const YamlValue& node, const SourceMap& sources) {
   require(node.span.file != FileId::none);
   check_span(node.span, sources);
   if (node.is_scalar()) check_scalar(node.text);
-  for (const Node& item : node.items) check_node(item, sources);
-  for (const Node::Entry& entry : node.entries) {
+  for (const YamlValue& item : node.items) check_node(item, sources);
+  for (const YamlValue::Entry& entry : node.entries) {
     check_span(entry.key_span, sources);
     check_node(entry.value, sources);
     require(node.find(entry.key) == &entry.value);  // no duplicate keys
@@ -64,7 +64,7 @@ void read(const std::string& text, Tags tags) {
   limits.max_bytes = 1U << 16U;
   SourceMap sources;
   Diagnostics diagnostics;
-  const Node root =
+  const YamlValue root =
       eagerx::gen::read_yaml_text("fuzz.yaml", text, sources, diagnostics, tags, limits);
   require(root.is_null() == diagnostics.has_errors());
   if (!root.is_null()) check_node(root, sources);

@@ -11,7 +11,7 @@ namespace {
 /// A text of EAGERx, imported with the oracle's entities.
 struct Import {
   explicit Import(const std::string& text, const ImportOptions& options = {}) {
-    const Node tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
+    const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
     if (diagnostics.has_errors()) return;
     saved = is_saved_graph(tree);
     library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
@@ -100,7 +100,7 @@ TEST(SavedGraph, ACutOffFileIsAnError) {
   Diagnostics diagnostics;
   for (const char* text : {"backup: {}\n", "backup: {}\nnodes: {}\n", "backup:\nconnects: []\n"}) {
     const std::size_t before = diagnostics.error_count();
-    const Node tree = read_yaml_text("x", text, sources, diagnostics);
+    const YamlValue tree = read_yaml_text("x", text, sources, diagnostics);
     EXPECT_FALSE(read_saved_graph(tree, diagnostics)) << text;
     EXPECT_GT(diagnostics.error_count(), before) << text;
   }
@@ -109,7 +109,7 @@ TEST(SavedGraph, ACutOffFileIsAnError) {
 TEST(PlainValues, TuplesAndNumpyAreValuesAndOtherObjectsAreNot) {
   SourceMap sources;
   Diagnostics diagnostics;
-  const Node tree = read_yaml_text("x", R"(
+  const YamlValue tree = read_yaml_text("x", R"(
 tuple: !!python/tuple [1, !!python/unicode 'a']
 scalar: !!python/object/apply:numpy.core.multiarray.scalar
 - &id001 !!python/object/apply:numpy.dtype
@@ -123,9 +123,9 @@ array: !!python/object/apply:numpy.core.multiarray._reconstruct
 wrong: !!python/object/apply:numpy.core.multiarray.scalar [*id001, !!binary AA==]
 other: !!python/object:package.Class {a: 1}
 )",
-                                   sources, diagnostics, Tags::accept);
+                                        sources, diagnostics, Tags::accept);
   ASSERT_FALSE(diagnostics.has_errors()) << render_text(diagnostics, sources, false);
-  const Node plain = plain_values(tree);
+  const YamlValue plain = plain_values(tree);
   EXPECT_EQ(plain.find("tuple")->items[1].text, "a");
   EXPECT_EQ(plain.find("scalar")->text, "1.5");
   ASSERT_EQ(plain.find("array")->items.size(), 2U);
@@ -241,23 +241,23 @@ TEST(WriteGraph, TextsSurvive) {
   graph.spec.path = "x.yaml";
   graph.spec.rate.value = Rational(1);
   graph.spec.engine.type.value = "E";
-  graph.spec.engine.rate = Spanned<Node>{};
+  graph.spec.engine.rate = Spanned<YamlValue>{};
   graph.spec.engine.rate->value.text = "1";
   const std::vector<std::string> texts = {"plain",      "",           "it's",         "a: b", "#",
                                           "two\nlines", "\x01\t\"\\", "\u00e9\u2028", "null", "-",
                                           "[",          "*a",         "12",           " "};
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    Node value;
-    value.kind = NodeKind::scalar;
+    YamlValue value;
+    value.kind = YamlKind::scalar;
     value.text = texts[i];
     value.quoted = true;
     graph.spec.engine.config.push_back({"t" + std::to_string(i), {}, value});
   }
   SourceMap sources;
   Diagnostics diagnostics;
-  const Node tree = read_yaml_text("x.yaml", write_graph(graph), sources, diagnostics);
+  const YamlValue tree = read_yaml_text("x.yaml", write_graph(graph), sources, diagnostics);
   ASSERT_FALSE(diagnostics.has_errors()) << render_text(diagnostics, sources, false);
-  const Node* config = tree.find("engine")->find("config");
+  const YamlValue* config = tree.find("engine")->find("config");
   for (std::size_t i = 0; i < texts.size(); ++i)
     EXPECT_EQ(config->entries.at(i).value.text, texts[i]);
 }

@@ -9,13 +9,13 @@
 namespace eagerx::gen {
 namespace {
 
-Node scalar(const std::string& text, bool quoted = true) {
-  Node node;
-  node.kind = NodeKind::scalar;
-  node.text = text;
-  node.quoted = quoted;
-  node.span = {FileId::none, 3, 10, static_cast<std::uint32_t>(text.size()) + (quoted ? 2U : 0U)};
-  return node;
+YamlValue scalar(const std::string& text, bool quoted = true) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = text;
+  yaml.quoted = quoted;
+  yaml.span = {FileId::none, 3, 10, static_cast<std::uint32_t>(text.size()) + (quoted ? 2U : 0U)};
+  return yaml;
 }
 
 Parameter parameter(const char* name, Parameter::Type type) {
@@ -198,7 +198,7 @@ TEST(Condition, ProcessorsHaveNoRate) {
 TEST(Condition, TextsThatWereWrittenOtherwiseAreMarkedWhole) {
   Diagnostics diagnostics;
   const Entity owner = entity();
-  Node escaped = scalar("n < m");
+  YamlValue escaped = scalar("n < m");
   escaped.span.length += 3;  // written with escapes
   EXPECT_FALSE(read_condition(escaped, owner, diagnostics));
   EXPECT_EQ(diagnostics.all().front().span.column, escaped.span.column);

@@ -91,7 +91,7 @@ TEST(LoadLibrary, AFolderThatIsNotThereIsAnInputError) {
 TEST(EntityManifest, NamesItsEagerxIdsAndParameters) {
   SourceMap sources;
   Diagnostics diagnostics;
-  const Node tree = read_yaml_text("manifest.yaml", R"(
+  const YamlValue tree = read_yaml_text("manifest.yaml", R"(
 kind: processor
 id: Chained
 eagerx: [module/Plain, {id: module/Other, when: {chain: true, size: 2}}]
@@ -103,7 +103,7 @@ config:
   offset: {type: float, about: a summand}
 output: {like: input}
 )",
-                                   sources, diagnostics);
+                                        sources, diagnostics);
   const auto entity = read_entity_manifest(tree, "manifest.yaml", diagnostics);
   ASSERT_TRUE(entity) << render_text(diagnostics, sources, false);
   ASSERT_EQ(entity->eagerx_ids.size(), 2U);

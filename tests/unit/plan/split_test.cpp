@@ -42,7 +42,7 @@ std::unique_ptr<Planned> planned(const std::string& placement, const std::string
       "  - {from: arm.theta, to: observations.angle}\n"
       "placement: {" +
       placement + ": mps2-an386}\n";
-  const Node tree = read_yaml_text("graph.yaml", text, result->sources, result->diagnostics);
+  const YamlValue tree = read_yaml_text("graph.yaml", text, result->sources, result->diagnostics);
   const auto spec = read_graph_spec(tree, "graph.yaml", result->diagnostics);
   if (spec) result->graph = resolve(*spec, library(), {}, result->diagnostics);
   if (result->graph) result->plan = make_plan(*result->graph, result->diagnostics);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <onnx/onnx_pb.h>
 
 #include <cstdint>
 #include <initializer_list>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "generator/policy/formats.hpp"
+#include "generator/policy/onnx.pb.h"
 
 namespace eagerx::gen::test {
 

@@ -29,7 +29,7 @@ class File : public testing::Test {
     std::ofstream(path(name), std::ios::binary) << text;
     return path(name);
   }
-  Node read(const std::string& file, Tags tags = Tags::refuse) {
+  YamlValue read(const std::string& file, Tags tags = Tags::refuse) {
     return read_yaml_file(file, sources_, diagnostics_, tags);
   }
   void expect_unreadable(const std::string& file, const std::string& reason) {
@@ -102,13 +102,13 @@ TEST_F(File, Good) {
 
 TEST_F(File, GraphSavedByEagerx) {
   const std::string file = std::string(EAGERX_SOURCE_DIR) + "/tests/data/read/eagerx_graph.yaml";
-  const Node root = read(file, Tags::accept);
+  const YamlValue root = read(file, Tags::accept);
   EXPECT_EQ(render_text(diagnostics_, sources_, false), "");
-  const Node* backup = root.find("backup");
+  const YamlValue* backup = root.find("backup");
   ASSERT_NE(backup, nullptr);
-  const Node* environment = backup->find("environment");
+  const YamlValue* environment = backup->find("environment");
   ASSERT_NE(environment, nullptr);
-  const Node* rate = environment->find("config")->find("rate");
+  const YamlValue* rate = environment->find("config")->find("rate");
   ASSERT_NE(rate, nullptr);
   EXPECT_TRUE(rate->is_null());
   EXPECT_EQ(place(rate->span), "13:13+4");
@@ -130,7 +130,7 @@ TEST_F(File, AMegabyteOfEagerx) {
       begin = end + 1;
     }
   }
-  const Node root = read(write("big.yaml", all), Tags::accept);
+  const YamlValue root = read(write("big.yaml", all), Tags::accept);
   EXPECT_EQ(render_text(diagnostics_, sources_, false), "");
   ASSERT_EQ(root.entries.size(), copies);
   EXPECT_EQ(root.entries.back().value.entries.size(), root.entries.front().value.entries.size());

@@ -15,7 +15,7 @@ namespace eagerx::gen {
 struct Reading {
   SourceMap sources;
   Diagnostics diagnostics;
-  Node root;
+  YamlValue root;
 
   explicit Reading(std::string text, Tags tags = Tags::refuse, const ReadLimits& limits = {})
       : root(read_yaml_text("in.yaml", std::move(text), sources, diagnostics, tags, limits)) {}
@@ -29,23 +29,23 @@ inline std::string place(const Span& span) {
 }
 
 /// The tree on one line: kind, text and place of every node, keys with their places.
-inline std::string show(const Node& node) {
-  std::string result = place(node.span);
-  if (!node.tag.empty()) result += " <" + node.tag + ">";
-  if (node.is_null()) return result + " null";
-  if (node.is_scalar())
-    return result + (node.quoted ? " \"" : " ") + node.text + (node.quoted ? "\"" : "");
-  result += node.is_map() ? " {" : " [";
+inline std::string show(const YamlValue& yaml) {
+  std::string result = place(yaml.span);
+  if (!yaml.tag.empty()) result += " <" + yaml.tag + ">";
+  if (yaml.is_null()) return result + " null";
+  if (yaml.is_scalar())
+    return result + (yaml.quoted ? " \"" : " ") + yaml.text + (yaml.quoted ? "\"" : "");
+  result += yaml.is_map() ? " {" : " [";
   const char* separator = "";
-  for (const Node& item : node.items) {
+  for (const YamlValue& item : yaml.items) {
     result += separator + show(item);
     separator = ", ";
   }
-  for (const Node::Entry& entry : node.entries) {
+  for (const YamlValue::Entry& entry : yaml.entries) {
     result += separator + place(entry.key_span) + " " + entry.key + ": " + show(entry.value);
     separator = ", ";
   }
-  return result + (node.is_map() ? "}" : "]");
+  return result + (yaml.is_map() ? "}" : "]");
 }
 
 /// The text has no problem, and this tree.

@@ -6,18 +6,18 @@
 namespace eagerx::gen {
 namespace {
 
-Node scalar(const std::string& text) {
-  Node node;
-  node.kind = NodeKind::scalar;
-  node.text = text;
-  return node;
+YamlValue scalar(const std::string& text) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = text;
+  return yaml;
 }
 
 /// The code of the problem that a value of a parameter has; "" if it has none.
 std::string problem_of(const std::string& value) {
   SourceMap sources;
   Diagnostics diagnostics;
-  const Node tree = read_yaml_text("manifest.yaml", R"(
+  const YamlValue tree = read_yaml_text("manifest.yaml", R"(
 kind: node
 id: Large
 summary: A node.
@@ -27,7 +27,7 @@ config:
   n: {type: int, low: -9007199254740993, high: 9007199254740993, about: a number}
   list: {type: ints, default: [], low: -9223372036854775808, high: 9223372036854775807, about: more}
 )",
-                                   sources, diagnostics);
+                                        sources, diagnostics);
   const auto entity = read_entity_manifest(tree, "manifest.yaml", diagnostics);
   EXPECT_TRUE(entity) << render_text(diagnostics, sources, false);
   const Config config = resolve_config(*entity, {{"n", {}, scalar(value)}}, {}, diagnostics);

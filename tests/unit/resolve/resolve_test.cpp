@@ -32,7 +32,7 @@ std::unique_ptr<Resolved> resolved(const std::string& objects_and_more,
   const std::string head =
       "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 30, config: {method: rk4, substeps: "
       "7}}\n";
-  const Node tree =
+  const YamlValue tree =
       read_yaml_text("graph.yaml", head + objects_and_more, result->sources, result->diagnostics);
   const auto spec = read_graph_spec(tree, "graph.yaml", result->diagnostics);
   if (spec) result->graph = resolve(*spec, library(), options, result->diagnostics);

@@ -26,20 +26,20 @@ std::string file_text(const std::string& path) {
 }
 
 /// As an editor reads the file: quoted texts are texts, and everything else is what it looks like.
-Json json_of(const Node& node) {
-  if (node.is_null()) return nullptr;
-  if (node.is_sequence()) {
+Json json_of(const YamlValue& yaml) {
+  if (yaml.is_null()) return nullptr;
+  if (yaml.is_sequence()) {
     Json list = Json::array();
-    for (const auto& item : node.items) list.push_back(json_of(item));
+    for (const auto& item : yaml.items) list.push_back(json_of(item));
     return list;
   }
-  if (node.is_map()) {
+  if (yaml.is_map()) {
     Json map = Json::object();
-    for (const auto& entry : node.entries) map[entry.key] = json_of(entry.value);
+    for (const auto& entry : yaml.entries) map[entry.key] = json_of(entry.value);
     return map;
   }
-  if (node.quoted || !Json::accept(node.text)) return node.text;
-  return Json::parse(node.text);
+  if (yaml.quoted || !Json::accept(yaml.text)) return yaml.text;
+  return Json::parse(yaml.text);
 }
 
 /// As much of JSON schema as json_schema() writes; the first problem, or empty.
@@ -103,7 +103,7 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
 std::string problem_in_graph(const std::string& text) {
   SourceMap sources;
   Diagnostics diagnostics;
-  const Node tree = read_yaml_text("graph.yaml", text, sources, diagnostics);
+  const YamlValue tree = read_yaml_text("graph.yaml", text, sources, diagnostics);
   EXPECT_FALSE(diagnostics.has_errors());
   return problem_in(json_of(tree), Json::parse(schema_text()), "graph");
 }
