@@ -12,8 +12,9 @@
 namespace eagerx::gen {
 namespace {
 
-// Functions of more nodes take the optimiser more than linear time (RECIPES: chunks of 32 halve the
-// compile time of 1,000 nodes); below 100 nodes one function is easier to read.
+// Functions of more nodes take the optimiser more than linear time: chunks of 32 halve the compile
+// time of 1,000 nodes (templates/README.md, "Why it is so"). Below 100 nodes one function is easier
+// to read.
 constexpr std::size_t kMostNodesInOneFunction = 100;
 constexpr std::size_t kChunk = 32;
 

@@ -1,4 +1,4 @@
-// Data-flow order of the whole graph.
+// Data-flow order of the whole graph: SEMANTICS §5.
 #pragma once
 
 #include <vector>

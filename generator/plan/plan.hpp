@@ -29,7 +29,7 @@ struct Ring {
 };
 
 /// How an input knows the number of messages it has received. With source rate / own rate = a/b in
-/// lowest terms and x = ceil(b · source rate · delay) (SEMANTICS §3 in exact arithmetic):
+/// lowest terms and x = ceil(b · source rate · delay) (SEMANTICS §3):
 struct Reception {
   enum class Count : std::uint8_t {
     ticks,         // all that were sent: the source's counter

@@ -1,4 +1,5 @@
 // Asynchronous inputs: which messages a callback sees is decided by the clock, not by counting.
+// SEMANTICS §10.
 #pragma once
 
 #include <cstdint>

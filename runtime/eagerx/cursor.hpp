@@ -1,5 +1,6 @@
-// How many messages an input has received, where that is not simply its source's counter. Additions
-// only; with source rate / own rate = A/B in lowest terms and x = ceil(B · source rate · delay).
+// How many messages an input has received, where that is not simply its source's counter:
+// SEMANTICS §3. Additions only; with source rate / own rate = A/B in lowest terms and
+// x = ceil(B · source rate · delay).
 #pragma once
 
 #include <cstdint>

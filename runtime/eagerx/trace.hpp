@@ -1,4 +1,4 @@
-// The trace: every published message in schedule order, folded into 64 bits.
+// The trace: every published message in schedule order, folded into 64 bits. SEMANTICS §11.
 #pragma once
 
 #include <bit>

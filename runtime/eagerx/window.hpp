@@ -1,4 +1,5 @@
 // What a callback sees of a connection: the last messages, oldest first, without a copy.
+// SEMANTICS §4.
 #pragma once
 
 #include <bit>

@@ -225,6 +225,11 @@ def by_hand():
     yield loop("skip", "10", "20", "20", "10", "20", skip=True)
     yield loop("skip_odd", "10", "30", "3", "10", "5", skip=True, window=0)
     yield loop("skip_delay", "10", "20", "20", "10", "7", skip=True, window=0, delay="0.3")
+    # The worked example of runtime/SEMANTICS.md, whose table tests/documents checks.
+    graph = Graph("worked_example", "10", "60").thing("ob", 20, s0="20", a0="10").node("n", 200, "30", ["i0", "i1", "i2"])
+    graph.connect("ob.s0", "n.i0", delay="0.06", window=3).connect("ob.s0", "n.i1", delay="0.06", window=0)
+    graph.connect("ob.s0", "n.i2", skip=True).connect("n.o0", "observations.n")
+    yield graph.connect("actions.u", "ob.a0")
     graph = loop("feedback", "10", "20", "20", "10", "20")
     graph.node("m", 201, "30", ["i0", "i1", "i2"], ["o0", "o1"], add={"o1": 7})
     graph.connect("n.o0", "m.i0", skip=True, window=2).connect("m.o1", "m.i1", skip=True, window=0)

@@ -1,6 +1,6 @@
-"""A second implementation of EAGERx's synchronous semantics, written from SEMANTICS.md only: nodes with queues
-that fire, in any order, when the formula of section 3 is satisfied. Nothing here knows how the generated
-programs count, order or store anything. Rates and delays are fractions.
+"""A second implementation of the semantics (SEMANTICS §3 to §8), written from their description only: nodes with
+queues that fire, in any order, when EAGERx's formula is satisfied. Nothing here knows how the generated programs count,
+order or store anything. Rates and delays are fractions.
 """
 import copy
 import functools
@@ -14,7 +14,7 @@ MODULUS = 1000003
 
 @functools.lru_cache(maxsize=None)
 def count(rate_in, rate, delay, skip, tick):
-    """Messages that an input gets at a tick: the formula of section 3, with exact arithmetic."""
+    """Messages that an input gets at a tick (SEMANTICS §3): EAGERx's formula as EAGERx has it, in exact arithmetic."""
     if tick == 0:
         return 0 if skip else 1
     offset = 0

@@ -1,4 +1,5 @@
-// The message count of SEMANTICS §3, transcribed word for word, in exact fractions.
+// The message count of SEMANTICS §3 as EAGERx's expected_inputs() has it, transcribed word for
+// word, in exact fractions.
 #pragma once
 
 #include <algorithm>
