@@ -16,7 +16,7 @@
 namespace eagerx::models::testing {
 namespace {
 
-using Model = GymPendulum<PendulumModelIo<double>>;
+using GymModel = GymPendulum<PendulumModelIo<double>>;
 
 /// One step of Pendulum-v1 as Gymnasium writes it.
 struct Reference {
@@ -37,18 +37,18 @@ struct Reference {
 };
 
 TEST(GymPendulum, StepsAsGymnasiumDoes) {
-  auto attributes = Model::default_attributes();
+  auto attributes = GymModel::default_attributes();
   for (const double mass : {1.0, 0.04}) {
     for (const double length : {1.0, 0.12}) {
-      attributes[Model::kMass] = mass;
-      attributes[Model::kLength] = length;
-      attributes[Model::kMaxSpeed] = mass < 1.0 ? 22.0 : 8.0;
+      attributes[GymModel::kMass] = mass;
+      attributes[GymModel::kLength] = length;
+      attributes[GymModel::kMaxSpeed] = mass < 1.0 ? 22.0 : 8.0;
       Array<double, 2> state{{3.0, -0.7}};
       Reference expected{3.0, -0.7};
       for (int i = 0; i < 400; ++i) {
         const double u = 3.0 * std::sin(0.11 * i);  // beyond the largest torque, too
-        const auto outcome = Model::step(state, {{u}}, attributes);
-        const double reward = expected.step(u, mass, length, attributes[Model::kMaxSpeed]);
+        const auto outcome = GymModel::step(state, {{u}}, attributes);
+        const double reward = expected.step(u, mass, length, attributes[GymModel::kMaxSpeed]);
         ASSERT_NEAR(outcome.reward, reward, 1e-11 * (1.0 - reward)) << i;
         ASSERT_NEAR(state[0], expected.th, 1e-11) << i;
         ASSERT_NEAR(state[1], expected.thdot, 1e-11) << i;
@@ -60,7 +60,7 @@ TEST(GymPendulum, StepsAsGymnasiumDoes) {
 }
 
 TEST(GymPendulum, ObservesAPointOnTheCircle) {
-  const auto observation = Model::observe({{0.5, -3.0}});
+  const auto observation = GymModel::observe({{0.5, -3.0}});
   EXPECT_NEAR(observation[0], std::cos(0.5), 1e-15);
   EXPECT_NEAR(observation[1], std::sin(0.5), 1e-15);
   EXPECT_EQ(observation[2], -3.0);

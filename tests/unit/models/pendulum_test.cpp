@@ -8,11 +8,11 @@
 namespace eagerx::models::testing {
 namespace {
 
-using Model = PendulumOde<PendulumModelIo<double>>;
+using OdeModel = PendulumOde<PendulumModelIo<double>>;
 
 /// dω/dt as it is written in EAGERx's tutorials, with the overflow-safe form of the sigmoid.
 double acceleration(double theta, double omega, double u) {
-  const auto p = Model::default_parameters();
+  const auto p = OdeModel::default_parameters();
   const double z = p[7] * omega;
   const double sigmoid = z < 0.0 ? std::exp(z) / (1.0 + std::exp(z)) : 1.0 / (1.0 + std::exp(-z));
   return (p[4] / p[5] * u + p[1] * 9.81 * p[2] * std::sin(theta) - p[3] * omega -
@@ -24,8 +24,8 @@ TEST(PendulumOde, DerivativeIsThatOfTheTutorials) {
   for (double theta = -4.0; theta <= 4.0; theta += 0.37) {
     for (const double omega : {-30.0, -1.0, -0.01, 0.0, 0.003, 0.2, 9.0}) {
       for (const double u : {-2.0, 0.0, 1.3}) {
-        const auto c = Model::precompute(Model::default_parameters(), {{u}});
-        const auto slope = Model::derivative(c, {{theta, omega}});
+        const auto c = OdeModel::precompute(OdeModel::default_parameters(), {{u}});
+        const auto slope = OdeModel::derivative(c, {{theta, omega}});
         const double expected = acceleration(theta, omega, u);
         EXPECT_EQ(slope[0], omega);
         EXPECT_NEAR(slope[1], expected, 1e-12 * (200.0 + std::abs(expected)));
@@ -35,11 +35,11 @@ TEST(PendulumOde, DerivativeIsThatOfTheTutorials) {
 }
 
 TEST(PendulumOde, JacobianIsThatOfFiniteDifferences) {
-  const auto c = Model::precompute(Model::default_parameters(), {{1.3}});
+  const auto c = OdeModel::precompute(OdeModel::default_parameters(), {{1.3}});
   constexpr double kStep = 1e-6;
   for (const double theta : {-3.0, -0.4, 0.0, 1.1, 2.9}) {
     for (const double omega : {-5.0, -0.02, 0.0, 0.004, 0.5}) {
-      const auto jacobian = Model::jacobian(c, {{theta, omega}});
+      const auto jacobian = OdeModel::jacobian(c, {{theta, omega}});
       for (std::size_t column = 0; column < 2; ++column) {
         Array<double, 2> above{{theta, omega}};
         Array<double, 2> below = above;
@@ -47,7 +47,8 @@ TEST(PendulumOde, JacobianIsThatOfFiniteDifferences) {
         below[column] -= kStep;
         for (std::size_t row = 0; row < 2; ++row) {
           const double slope =
-              (Model::derivative(c, above)[row] - Model::derivative(c, below)[row]) / (2.0 * kStep);
+              (OdeModel::derivative(c, above)[row] - OdeModel::derivative(c, below)[row]) /
+              (2.0 * kStep);
           EXPECT_NEAR(jacobian[row * 2 + column], slope, 1e-5 * (1.0 + std::abs(slope)));
         }
       }
@@ -65,10 +66,10 @@ TEST(PendulumOde, FrictionIsFiniteAtAnySpeed) {
 }
 
 TEST(PendulumOde, HangsStillAndFallsFromUpright) {
-  const auto c = Model::precompute(Model::default_parameters(), {{0.0}});
-  EXPECT_NEAR(Model::derivative(c, {{3.14159265358979, 0.0}})[1], 0.0, 1e-10);
-  EXPECT_GT(Model::derivative(c, {{0.1, 0.0}})[1], 0.0);
-  EXPECT_LT(Model::derivative(c, {{-0.1, 0.0}})[1], 0.0);
+  const auto c = OdeModel::precompute(OdeModel::default_parameters(), {{0.0}});
+  EXPECT_NEAR(OdeModel::derivative(c, {{3.14159265358979, 0.0}})[1], 0.0, 1e-10);
+  EXPECT_GT(OdeModel::derivative(c, {{0.1, 0.0}})[1], 0.0);
+  EXPECT_LT(OdeModel::derivative(c, {{-0.1, 0.0}})[1], 0.0);
 }
 
 TEST(TestPendulumOde, DerivativeAndJacobianAreThoseOfEagerxsTests) {

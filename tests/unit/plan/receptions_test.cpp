@@ -49,14 +49,14 @@ Input input_of(const Connection& c, std::uint32_t window) {
   return input;
 }
 
-struct Planned {
+struct PlannedReception {
   Reception reception;
   std::uint64_t needed = 0;
 };
 
-std::optional<Planned> plan(const Connection& c, std::uint32_t window, bool source_first) {
+std::optional<PlannedReception> plan(const Connection& c, std::uint32_t window, bool source_first) {
   Diagnostics diagnostics;
-  Planned planned;
+  PlannedReception planned;
   const auto reception = plan_reception(input_of(c, window), c.source_rate, c.rate, source_first,
                                         planned.needed, diagnostics);
   EXPECT_EQ(reception.has_value(), !diagnostics.has_errors());
@@ -119,9 +119,10 @@ TEST(Receptions, RingsAreExactlyAsLargeAsNeeded) {
 }
 
 /// Plans with delays from 0 to the longest; nullopt if some of them starve the input.
-std::optional<Planned> plan_changing(const Connection& c, std::uint32_t window, bool source_first) {
+std::optional<PlannedReception> plan_changing(const Connection& c, std::uint32_t window,
+                                              bool source_first) {
   Diagnostics diagnostics;
-  Planned planned;
+  PlannedReception planned;
   Input input = input_of(c, window);
   input.max_delay_s = c.delay_s;
   input.delay_s = Rational(0);
@@ -139,9 +140,9 @@ TEST(Receptions, RingsOfChangingDelaysHoldWhatAnyDelayNeedsAndNoMore) {
     if (!planned) return;
     ++planned_connections;
     std::uint64_t keep = 1, held = 1;
-    constexpr int kDelays = 40;
-    for (int i = 0; i <= kDelays; ++i) {
-      const Connection delayed{c.source_rate, c.rate, c.delay_s * Rational(i, kDelays), c.skip};
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+      const Connection delayed{c.source_rate, c.rate, c.delay_s * Rational(i, kSteps), c.skip};
       const Happened happened = run(delayed, window, source_first, enough_ticks(c, window));
       keep = std::max(keep, happened.keep);
       held = std::max(held, happened.window);

@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 namespace {
 
-struct Planned {
+struct PlannedGraph {
   SourceMap sources;
   Diagnostics diagnostics;
   std::optional<Graph> graph;
@@ -26,9 +26,10 @@ const Library& library() {
 }
 
 /// Sensors at 60 Hz, a filter at `filter_hz`, an agent at 30 Hz.
-std::unique_ptr<Planned> planned(const std::string& placement, const std::string& filter_hz = "30",
-                                 const std::string& to_filter = "actions.voltage") {
-  auto result = std::make_unique<Planned>();
+std::unique_ptr<PlannedGraph> planned(const std::string& placement,
+                                      const std::string& filter_hz = "30",
+                                      const std::string& to_filter = "actions.voltage") {
+  auto result = std::make_unique<PlannedGraph>();
   const std::string text =
       "name: tested\nrate: 30\nengine: {type: OdeEngine, rate: 60}\n"
       "objects:\n  arm: {type: Pendulum, sensors: {theta: {rate: 60}}}\n"

@@ -11,8 +11,6 @@
 namespace eagerx::models::testing {
 namespace {
 
-constexpr double kPeriod = 0.02;
-
 /// Classical Runge-Kutta with steps of 0.1 ms, which is exact to 1e-9 here.
 template <std::size_t N, class F>
 std::array<double, N> exact(std::array<double, N> x, double time, const F& f) {

@@ -21,7 +21,6 @@ struct BoxIo {
 };
 using Box = PushedBox<BoxIo>;
 constexpr double kGravity = 9.81;
-constexpr double kPeriod = 0.02;
 constexpr double kSlide = 0.4 * kGravity;  // deceleration [m/s²]
 
 template <class Config = RigidConfig<20>>

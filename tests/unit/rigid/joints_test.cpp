@@ -8,8 +8,6 @@
 namespace eagerx::models::testing {
 namespace {
 
-constexpr double kPeriod = 0.02;
-
 constexpr RigidBody link(const char* name, double z) {
   return {
       .name = name, .mass = 0.5, .inertia = {{0.01, 0.012, 0.008}}, .position = {{0.05, 0.02, z}}};

@@ -8,8 +8,6 @@
 namespace eagerx::models::testing {
 namespace {
 
-constexpr double kPeriod = 0.02;
-
 /// Two wheels and a slider, all of 0.1 kg·m² or 2 kg, that something holds back.
 struct Brakes {
   using Real = double;

@@ -10,6 +10,8 @@
 
 namespace eagerx::models::testing {
 
+constexpr double kPeriod = 0.02;  // of the engine, s
+
 /// The defaults of the manifest, but for the length of a step.
 template <int Substeps>
 struct RigidConfig {

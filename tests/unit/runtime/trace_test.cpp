@@ -57,10 +57,10 @@ TEST(HashTrace, NoticesValuesAndTheirOrder) {
 }
 
 TEST(HashTrace, NoticesEveryElement) {
-  using Message = Array<float, 2, 2>;
-  const Message message = {{1, 2, 3, 4}};
+  using Matrix = Array<float, 2, 2>;
+  const Matrix message = {{1, 2, 3, 4}};
   for (std::size_t i = 0; i < 4; ++i) {
-    Message other = message;
+    Matrix other = message;
     other[i] = 5;
     EXPECT_NE(hash_of(other), hash_of(message)) << i;
   }
