@@ -12,7 +12,7 @@ namespace eagerx::models::testing {
 namespace {
 
 /// The controller as EAGERx's tutorials write it, on angles counted from hanging down.
-class Reference {
+class ResetReference {
  public:
   double next(double theta, double goal) {
     constexpr double kKp = 1.0, kKd = 0.5, kKi = 0.25, kDt = 1.0 / 30.0;
@@ -43,14 +43,14 @@ struct Routine {
     node.callback({n}, in, targets, out, done);
   }
 };
-using Io = ResetAngleIo<double>;
-using InDouble = Routine<ResetAngle<Io>, Io>;
+using AngleIo = ResetAngleIo<double>;
+using InDouble = Routine<ResetAngle<AngleIo>, AngleIo>;
 
 TEST(ResetAngle, IsTheTutorialsController) {
   InDouble run;
   run.node.reset({});
   run.targets.goal = {{3.0F, 5.0F}};  // the speed of the goal is not looked at
-  Reference reference;
+  ResetReference reference;
   for (Seq n = 100; n < 140; ++n) {
     const auto i = static_cast<float>(n) - 100.0F;
     const float theta = 3.2F + 0.05F * std::sin(0.3F * i);

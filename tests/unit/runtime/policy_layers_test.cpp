@@ -18,8 +18,8 @@ namespace {
 using eagerx::Activation;
 using eagerx::DenseWeights;
 
-/// Weights of mixed sign, the same on every machine.
-class Weights {
+/// Numbers of mixed sign, the same on every machine.
+class MixedNumbers {
  public:
   float next() {
     state_ = state_ * 1664525U + 1013904223U;
@@ -41,7 +41,7 @@ struct Matrix {
   float b[Out];
   DenseWeights<In, Out> stored{};
 
-  explicit Matrix(Weights& numbers) {
+  explicit Matrix(MixedNumbers& numbers) {
     for (std::size_t out = 0; out < Out; ++out) {
       numbers.fill(w[out]);
       b[out] = stored.b[out] = numbers.next();
@@ -66,7 +66,7 @@ float sigmoid(float x) {
 TEST(PolicyLayers, GruIsTorchsFormula) {
   constexpr std::size_t kIn = 5;
   constexpr std::size_t kHidden = 11;
-  Weights numbers;
+  MixedNumbers numbers;
   const Matrix<kIn, 3 * kHidden> input(numbers);
   const Matrix<kHidden, 3 * kHidden> hidden(numbers);
   const eagerx::GruWeights<kIn, kHidden> layer{input.stored, hidden.stored};
@@ -94,7 +94,7 @@ TEST(PolicyLayers, GruIsTorchsFormula) {
 TEST(PolicyLayers, LstmIsTorchsFormula) {
   constexpr std::size_t kIn = 9;
   constexpr std::size_t kHidden = 6;
-  Weights numbers;
+  MixedNumbers numbers;
   const Matrix<kIn, 4 * kHidden> input(numbers);
   const Matrix<kHidden, 4 * kHidden> hidden(numbers);
   const eagerx::LstmWeights<kIn, kHidden> layer{input.stored, hidden.stored};
@@ -143,7 +143,7 @@ float at(const float* x, std::size_t channel, int y, int column) {
 }
 
 TEST(PolicyLayers, ConvolutionIsCrossCorrelation) {
-  Weights numbers;
+  MixedNumbers numbers;
   const Matrix<12, 3> first(numbers);
   const Matrix<12, 3> second(numbers);
   const eagerx::ConvolutionWeights<kKernel, 6, 2> layer{{first.stored, second.stored}};
