@@ -1,12 +1,10 @@
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/json/json.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// Object, or null where there is no place. Line 0: the whole file.
 Json to_json(const Span& span, const SourceMap& sources) {
@@ -23,7 +21,7 @@ const char* to_string(Severity severity) {
 }
 
 Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
-  Json notes = Json::array();
+  Json notes = Json::list();
   for (const Diagnostic::Note& note : diagnostic.notes) {
     notes.push_back(Json{
         {"message", note.message}, {"span", to_json(note.span, sources)}, {"label", note.label}});
@@ -41,13 +39,11 @@ Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
 }  // namespace
 
 std::string render_json(const Diagnostics& diagnostics, const SourceMap& sources) {
-  Json result = Json::array();
+  Json result = Json::list();
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     result.push_back(to_json(diagnostic, sources));
   }
-  // File names are bytes; what is not UTF-8 in them becomes U+FFFD instead of an exception.
-  constexpr int kIndent = 2;
-  return result.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return dump_json(result) + "\n";
 }
 
 }  // namespace eagerx::gen

@@ -1,11 +1,9 @@
-#include <nlohmann/json.hpp>
+#include "generator/json/json.hpp"
 
 #include "generator/report/report.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json time_of(const Rational& seconds) {
   return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
@@ -16,9 +14,9 @@ Json json_of(const DataAge& age) {
       {"sensor", age.sensor}, {"actuator", age.actuator}, {"newest", time_of(age.newest_s)}};
   json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
   json["reached"] = age.exact;
-  json["way"] = Json::array();
+  json["way"] = Json::list();
   for (const auto& hop : age.way)
-    json["way"].push_back({{"input", hop.input}, {"newest", time_of(hop.newest_s)}});
+    json["way"].push_back(Json{{"input", hop.input}, {"newest", time_of(hop.newest_s)}});
   return json;
 }
 
@@ -37,31 +35,31 @@ std::string report_json(const PlanReport& report) {
   json["name"] = plan.graph->name;
   json["engine"] = plan.graph->engine().entity->id.value;
   json["rates"] = Json::object();
-  for (const auto& rate : plan.rates) json["rates"][rate.rate_hz.to_string()] = Json::array();
+  for (const auto& rate : plan.rates) json["rates"][rate.rate_hz.to_string()] = Json::list();
   for (std::size_t n = 0; n < plan.nodes.size(); ++n)
     json["rates"][plan.rates[plan.nodes[n].rate].rate_hz.to_string()].push_back(
         plan.graph->nodes[n].name);
   json["slots"] = plan.schedule.slots ? Json(*plan.schedule.slots) : Json(nullptr);
-  Json& rings = json["buffers"] = Json::array();
+  Json& rings = json["buffers"] = Json::list();
   for (const auto& ring : plan.rings)
-    rings.push_back({{"from", plan.graph->nodes[ring.node].name},
-                     {"output", plan.graph->nodes[ring.node].outputs[ring.output].name},
-                     {"messages", ring.capacity},
-                     {"bytes", ring.capacity * bytes_of(ring.space)}});
-  json["ages"] = Json::array();
+    rings.push_back(Json{{"from", plan.graph->nodes[ring.node].name},
+                         {"output", plan.graph->nodes[ring.node].outputs[ring.output].name},
+                         {"messages", ring.capacity},
+                         {"bytes", ring.capacity * bytes_of(ring.space)}});
+  json["ages"] = Json::list();
   for (const auto& age : report.ages) json["ages"].push_back(json_of(age));
-  json["ages_unknown"] = Json::array();
+  json["ages_unknown"] = Json::list();
   for (const Input* input : report.ages_unknown) json["ages_unknown"].push_back(input->written);
-  Json messages = Json::array();
+  Json messages = Json::list();
   for (const auto& message : report.link.messages)
-    messages.push_back({{"name", message.name},
-                        {"to_engine", message.to_engine},
-                        {"rate", message.rate_hz.to_string()},
-                        {"bytes", message.bytes}});
-  json["link"] = {{"sensors", json_of(report.link.sensors)},
-                  {"actuators", json_of(report.link.actuators)},
-                  {"messages", messages}};
-  return json.dump(2) + "\n";
+    messages.push_back(Json{{"name", message.name},
+                            {"to_engine", message.to_engine},
+                            {"rate", message.rate_hz.to_string()},
+                            {"bytes", message.bytes}});
+  json["link"] = Json{{"sensors", json_of(report.link.sensors)},
+                      {"actuators", json_of(report.link.actuators)},
+                      {"messages", messages}};
+  return dump_json(json) + "\n";
 }
 
 }  // namespace eagerx::gen

@@ -1,12 +1,10 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "generator/json/json.hpp"
 #include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json schema_of(const Format& format);
 
@@ -17,7 +15,7 @@ void add_bounds(Json& schema, const Format& format) {
 
 /// A key with nothing behind it is an empty mapping where nothing is required.
 Json object_type(bool may_be_empty) {
-  return may_be_empty ? Json({"object", "null"}) : Json("object");
+  return may_be_empty ? Json(Json::List{"object", "null"}) : Json("object");
 }
 
 Json record_schema(const Format& format) {
@@ -25,7 +23,7 @@ Json record_schema(const Format& format) {
                                   [](const Field& field) { return field.required; });
   Json schema = {{"type", object_type(empty)}, {"additionalProperties", false}};
   Json properties = Json::object();
-  Json required = Json::array();
+  Json required = Json::list();
   for (const auto& field : format.fields) {
     Json property = schema_of(*field.format);
     property["description"] = field.about;
@@ -33,14 +31,15 @@ Json record_schema(const Format& format) {
     if (field.required) required.push_back(field.name);
   }
   schema["properties"] = std::move(properties);
-  if (!required.empty()) schema["required"] = std::move(required);
+  if (!required.as<Json::List>()->empty()) schema["required"] = std::move(required);
   return schema;
 }
 
 Json decimal_schema(const Format& format) {
   Json number = {{"type", "number"}};
   add_bounds(number, format);
-  return {{"anyOf", {number, {{"type", "string"}, {"pattern", "^[0-9]+/[0-9]+$"}}}}};
+  const Json fraction = {{"type", "string"}, {"pattern", "^[0-9]+/[0-9]+$"}};
+  return {{"anyOf", Json::List{number, fraction}}};
 }
 
 Json schema_of(const Format& format) {
@@ -49,7 +48,7 @@ Json schema_of(const Format& format) {
     case Format::Kind::any:
       return Json::object();
     case Format::Kind::text:
-      return {{"type", {"string", "number", "boolean"}}};
+      return {{"type", Json::List{"string", "number", "boolean"}}};
     case Format::Kind::name:
       return {{"type", "string"}, {"pattern", kIdentifier}};
     case Format::Kind::port:
@@ -74,14 +73,14 @@ Json schema_of(const Format& format) {
     }
     case Format::Kind::map: {
       Json schema = {{"type", object_type(true)}};
-      if (!format.file_names) schema["propertyNames"] = {{"pattern", kIdentifier}};
+      if (!format.file_names) schema["propertyNames"] = Json{{"pattern", kIdentifier}};
       schema["additionalProperties"] = schema_of(*format.item);
       return schema;
     }
     case Format::Kind::record:
       return record_schema(format);
     case Format::Kind::one_of: {
-      Json options = Json::array();
+      Json options = Json::list();
       for (const auto& option : format.options) options.push_back(schema_of(*option));
       return {{"anyOf", std::move(options)}};
     }
@@ -94,8 +93,9 @@ Json schema_of(const Format& format) {
 std::string json_schema(const Format& format, const std::string& title, const std::string& id) {
   Json schema = {
       {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
-  schema.update(schema_of(format));
-  return schema.dump(2) + "\n";
+  const Json rest = schema_of(format);
+  for (const JsonMember& key : *rest.as<Json::Object>()) schema[key.name] = key.value;
+  return dump_json(schema) + "\n";
 }
 
 }  // namespace eagerx::gen

@@ -1,0 +1,63 @@
+// What a program takes on its command line, as data, and the reading of it. CLI11 stays inside this
+// folder: its headers take longer to compile than a whole stage.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// Exit codes, the same for all commands of all programs.
+enum ExitCode : int { kDone = 0, kProblems = 1, kWrongUsage = 2, kInputOutput = 3, kInternal = 4 };
+
+/// An option or a positional argument.
+struct Argument {
+  std::string names;  // "graph", "--engine", "-o,--output"
+  std::string about;
+  std::string type;  // of its value in the help: "NAME"; a flag has none
+  /// Stores the values: one, as many as `values`, or one for each time a repeated option is given.
+  std::function<void(const std::vector<std::string>&)> take;
+  /// What is wrong with a value, or "".
+  std::function<std::string(const std::string&)> check = {};
+  std::vector<std::string> choices = {};  // the only values; empty: any
+  std::size_t values = 1;                 // that follow the option
+  bool repeated = false;
+  bool required = false;
+};
+
+/// A command, or with `commands` a group of them.
+struct Command {
+  std::string name;
+  std::string about;
+  std::vector<Argument> arguments = {};
+  std::vector<Command> commands = {};
+  /// What is wrong with the arguments together, or "". Asked after all were taken.
+  std::function<std::string()> check = {};
+  std::function<int()> run = {};
+};
+
+/// A program: a command of its own, or several.
+struct CommandLine {
+  Command top;
+  std::string footer = {};           // of `--help`
+  std::string version = {};          // what `--version` prints; empty: there is no such option
+  std::string default_command = {};  // is put before a file name that comes first
+};
+
+/// Arguments of common kinds.
+Argument flag(std::string names, bool& value, std::string about);
+Argument text(std::string names, std::string& value, std::string about, std::string type);
+Argument texts(std::string names, std::vector<std::string>& values, std::string about,
+               std::string type);
+Argument choice(std::string names, std::vector<std::string> choices, std::string about,
+                std::function<void(const std::string&)> take);
+Argument required(Argument argument);
+
+/// Reads the arguments (without the program's name) and runs the command; returns the exit code. A
+/// command line that is wrong gets an `error:` line, where there is one a `help:` line, and
+/// kWrongUsage.
+int run_command_line(const CommandLine& line, std::vector<std::string> arguments);
+
+}  // namespace eagerx::gen

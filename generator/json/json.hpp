@@ -1,0 +1,82 @@
+// JSON as a value of our own, read and written: json.cpp alone includes nlohmann's headers, which
+// take longer to compile than most stages.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace eagerx::gen {
+
+struct JsonMember;
+
+struct Json {
+  using List = std::vector<Json>;
+  using Object = std::vector<JsonMember>;  // in the order of the file, or as added
+  /// Nothing is null. Whole numbers that 64 bits do not hold are a double.
+  std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object> value;
+
+  Json() = default;
+  Json(std::nullptr_t /*null*/) {}
+  Json(bool truth) : value(truth) {}
+  template <std::integral Whole>
+  requires(!std::same_as<Whole, bool>) Json(Whole whole)
+      : value(static_cast<std::int64_t>(whole)) {}
+  Json(double number) : value(number) {}
+  Json(const char* text) : value(std::string(text)) {}
+  Json(std::string text) : value(std::move(text)) {}
+  Json(List items) : value(std::move(items)) {}
+  Json(Object members) : value(std::move(members)) {}
+  Json(std::initializer_list<JsonMember> members);
+  Json(const std::vector<std::string>& texts) : value(List(texts.begin(), texts.end())) {}
+
+  static Json object() { return Object{}; }
+  static Json list() { return List{}; }
+
+  template <class Kind>
+  [[nodiscard]] bool is() const {
+    return std::holds_alternative<Kind>(value);
+  }
+  /// What is in it if it is that, or nullptr.
+  template <class Kind>
+  [[nodiscard]] const Kind* as() const {
+    return std::get_if<Kind>(&value);
+  }
+
+  /// The member of an object, added if it is not there. Null becomes an object.
+  Json& operator[](std::string_view name);
+  /// Adds to a list. Null becomes a list.
+  void push_back(Json item);
+};
+
+struct JsonMember {
+  std::string name;
+  Json value;
+};
+
+/// The value in `text`, or nothing. Python's NaN and Infinity are null; a key twice is an error,
+/// and so are more than a million values or more than 64 in one another.
+std::optional<Json> parse_json(std::string_view text);
+
+/// The text of `json`, indented by two; what is not UTF-8, as file names may be, becomes
+/// U+FFFD.
+std::string dump_json(const Json& json);
+
+/// The member `key` of an object, or nullptr; also of nullptr.
+const Json* member(const Json* value, std::string_view key);
+
+/// The text of a string, "" of anything else.
+std::string text_of(const Json* value);
+/// The number, whole or not.
+std::optional<double> number_of(const Json* value);
+std::optional<bool> truth_of(const Json* value);
+
+/// The whole numbers of a list, or nothing.
+std::optional<std::vector<std::int64_t>> integers_of(const Json* value);
+
+}  // namespace eagerx::gen
