@@ -50,7 +50,7 @@ void list_all() {
   fmt::print("\n`eagerx-gen explain CODE` says more about one of them\n");
 }
 
-/// The codes before and behind one that there is not.
+/// The codes before and after one that does not exist.
 std::string neighbours(const std::string& code) {
   const auto pages = code_pages();
   const auto behind = std::find_if(pages.begin(), pages.end(),
