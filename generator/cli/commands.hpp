@@ -28,6 +28,7 @@ struct Options {
   std::string program, log, second_log, given;      // replay, identify
   std::string sensors, horizon_s, longest_delay_s;  // identify
   std::string entity;                               // info
+  std::string code;                                 // explain
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy
   bool json = false;                                // --diagnostics=json
@@ -38,6 +39,7 @@ int generate_command(const Options& options);
 int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
+int explain_command(const Options& options);
 int schema_command();
 int size_command(const Options& options);
 int replay_command(const Options& options);

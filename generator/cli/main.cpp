@@ -199,6 +199,11 @@ void add_info(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json_output, "print JSON (of graphs)");
 }
 
+void add_explain(CLI::App& app, Options& options) {
+  app.add_option("code", options.code, "such as E0307 or 307 (default: list all codes)")
+      ->type_name("CODE");
+}
+
 void add_import(CLI::App& app, Options& options) {
   app.add_option("state", options.graph, "the file that EAGERx saved")
       ->required()
@@ -243,6 +248,8 @@ constexpr std::array kCommands = {
     Command{"check", "only look for problems", add_check, eagerx::gen::check_command},
     Command{"info", "list entities and targets, or explain one or a graph", add_info,
             eagerx::gen::info_command},
+    Command{"explain", "what a code such as E0307 means and what to do, or all codes", add_explain,
+            eagerx::gen::explain_command},
     Command{"import", "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph", add_import,
             eagerx::gen::import_command},
     Command{"schema", "print the JSON schema of graph files, for editors",

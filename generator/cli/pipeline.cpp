@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "generator/cli/paths.hpp"
+#include "generator/diagnostics/pages.hpp"
 #include "generator/emit/policy_contract.hpp"
 
 namespace eagerx::gen {
@@ -129,8 +130,9 @@ int finish(Run& run, const Options& options) {
   if (options.json) {
     std::fputs(render_json(run.diagnostics, run.sources).c_str(), stderr);
   } else if (!run.diagnostics.all().empty()) {
-    std::fputs(render_text(run.diagnostics, run.sources, isatty(STDERR_FILENO) == 1).c_str(),
-               stderr);
+    const bool terminal = isatty(STDERR_FILENO) == 1;
+    std::fputs(render_text(run.diagnostics, run.sources, terminal).c_str(), stderr);
+    if (terminal) std::fputs(pointer_to_pages(run.diagnostics).c_str(), stderr);
   }
   if (run.diagnostics.has_io_errors()) return kInputOutput;
   return run.diagnostics.has_errors() ? kProblems : kDone;

@@ -1,2 +1,3 @@
-# What eagerx-gen says about broken graphs.
+# What eagerx-gen says about broken graphs, and that every code has a page and a test.
 add_test(NAME diagnostics COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen>)
+add_test(NAME diagnostics.codes COMMAND ${CMAKE_CURRENT_LIST_DIR}/codes $<TARGET_FILE:eagerx-gen>)

@@ -1,6 +1,8 @@
 // The same policy in every format that it was saved in: the same network, and golden rows.
 #include "generator/policy/formats.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -89,6 +91,22 @@ TEST(Statistics, OfThePickleAreThoseOfTheOtherFiles) {
     EXPECT_EQ(network.normalization->variance, pickle.normalization->variance);
   }
   expect_same(pickle, read("ppo_64.onnx", "ppo_64.npz"));
+}
+
+TEST(Statistics, OfAnotherTrainingAreRefused) {
+  const std::string path = testing::TempDir() + "/other.json";
+  PolicyRequest request;
+  request.path = kData + "ppo_64.npz";
+  request.name = "ppo_64.npz";
+  request.normalize_path = request.normalize_name = path;
+  const std::size_t count = read("ppo_64.npz").inputs();
+  std::ofstream(path) << fmt::format(R"({{"mean": [{0}], "var": [{0}]}})",
+                                     fmt::join(std::vector<int>(count, 1), ","));
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_policy(request, diagnostics).has_value());
+  ASSERT_EQ(diagnostics.error_count(), 1U);
+  EXPECT_EQ(diagnostics.all().front().code, "E0631");
+  EXPECT_THAT(diagnostics.all().front().message, HasSubstr("`ppo_64.npz` holds itself"));
 }
 
 TEST(Statistics, NormaliseWithNumPysBits) {

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "generator/cli/commands.hpp"
 #include "generator/size/program_map.hpp"
 #include "generator/size/stack.hpp"
 #include "generator/size/tools.hpp"
@@ -114,6 +115,38 @@ TEST(Size, RefusesWhatIsNoImage) {
   EXPECT_FALSE(measure_image(tools.folder() + "/none", ".", diagnostics));
   EXPECT_EQ(diagnostics.error_count(), 3U);
   for (const auto& problem : diagnostics.all()) EXPECT_EQ(problem.code, "E0911");
+}
+
+/// What `eagerx-gen size` says of the image and a graph with this budget.
+std::string said_of_budget(const Tools& tools, const std::string& budget) {
+  Options options;
+  options.image = tools.image();
+  options.quiet = true;
+  options.graph = tools.file("graph.yaml",
+                             "name: small\nrate: 30\nengine: {type: OdeEngine, rate: 30}\n"
+                             "objects:\n  pendulum: {type: Pendulum}\n"
+                             "actions: [voltage]\nobservations: [angle]\nconnections:\n"
+                             "  - {from: actions.voltage, to: pendulum.u}\n"
+                             "  - {from: pendulum.theta, to: observations.angle}\n"
+                             "budget: " +
+                                 budget + "\n");
+  testing::internal::CaptureStderr();
+  const int code = size_command(options);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(code, said.empty() ? kDone : kProblems) << said;
+  return said;
+}
+
+TEST(Size, ABudgetNamesPartsOfTheImageAndWhatWasCounted) {
+  Tools tools;
+  describe(tools);
+  EXPECT_EQ(said_of_budget(tools, "{flash: 108, nodes: {smooth: {flash: 2}}}"), "");
+  EXPECT_NE(said_of_budget(tools, "{nodes: {smoth: {flash: 2}}}")
+                .find("error[E0421]: the image has no node `smoth`"),
+            std::string::npos);
+  EXPECT_NE(said_of_budget(tools, "{instructions: 1000}")
+                .find("error[E0422]: instructions have a budget, but were not counted"),
+            std::string::npos);
 }
 
 TEST(Size, ToolsThatSayNothingAreAnError) {

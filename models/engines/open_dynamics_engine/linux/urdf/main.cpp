@@ -9,6 +9,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/diagnostics/pages.hpp"
 #include "models/engines/open_dynamics_engine/linux/urdf/robot.hpp"
 
 namespace {
@@ -63,8 +64,9 @@ int convert(const Options& options) {
   if (options.json) {
     static_cast<void>(std::fputs(render_json(diagnostics, sources).c_str(), stderr));
   } else if (!diagnostics.all().empty()) {
-    static_cast<void>(
-        std::fputs(render_text(diagnostics, sources, isatty(STDERR_FILENO) == 1).c_str(), stderr));
+    const bool terminal = isatty(STDERR_FILENO) == 1;
+    static_cast<void>(std::fputs(render_text(diagnostics, sources, terminal).c_str(), stderr));
+    if (terminal) static_cast<void>(std::fputs(pointer_to_pages(diagnostics).c_str(), stderr));
   }
   if (diagnostics.has_io_errors()) return eagerx::gen::kInputOutput;
   return diagnostics.has_errors() ? eagerx::gen::kProblems : eagerx::gen::kDone;

@@ -1,0 +1,94 @@
+// eagerx-gen explain: what a code means, or which codes there are.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+
+#include "generator/cli/commands.hpp"
+#include "generator/diagnostics/pages.hpp"
+#include "generator/diagnostics/utf8.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+struct Group {
+  std::string_view prefix;
+  const char* about;
+};
+constexpr std::array kGroups = {
+    Group{"E01", "reading text"},
+    Group{"E02", "form of graphs and manifests"},
+    Group{"E03", "names, spaces, parameters"},
+    Group{"E04", "time, memory, budgets"},
+    Group{"E05", "templates and packages"},
+    Group{"E06", "weight files"},
+    Group{"E07", "policy against graph"},
+    Group{"E08", "files of EAGERx and of robots (URDF)"},
+    Group{"E09", "writing, images"},
+};
+
+/// `e307`, `0307` and `307` are E0307; nullopt for what is no code.
+std::optional<std::string> code_of(std::string_view word) {
+  constexpr std::size_t kDigits = 4;
+  if (word.starts_with('E') || word.starts_with('e')) word.remove_prefix(1);
+  const bool digits =
+      std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  if (word.empty() || word.size() > kDigits || !digits) return std::nullopt;
+  return fmt::format("E{:0>{}}", word, kDigits);
+}
+
+void list_all() {
+  const auto pages = code_pages();
+  for (const Group& group : kGroups) {
+    fmt::print("{}xx {}\n", group.prefix, group.about);
+    for (const CodePage& page : pages) {
+      if (page.code.starts_with(group.prefix)) fmt::print("  {}  {}\n", page.code, page.title());
+    }
+  }
+  fmt::print("\n`eagerx-gen explain CODE` says more about one of them\n");
+}
+
+/// The codes before and after one that does not exist.
+std::string neighbours(const std::string& code) {
+  const auto pages = code_pages();
+  const auto behind = std::find_if(pages.begin(), pages.end(),
+                                   [&](const CodePage& page) { return page.code > code; });
+  std::string text;
+  const auto add = [&](const CodePage& page) {
+    text += fmt::format("{}{} ({})", text.empty() ? "" : " and ", page.code, page.title());
+  };
+  if (behind != pages.begin()) add(*std::prev(behind));
+  if (behind != pages.end()) add(*behind);
+  return text;
+}
+
+}  // namespace
+
+int explain_command(const Options& options) {
+  if (options.code.empty()) {
+    list_all();
+    return kDone;
+  }
+  const auto code = code_of(options.code);
+  if (!code) {
+    fmt::print(
+        stderr,
+        "error: `{}` is no code\nhelp: codes are such as E0307; `eagerx-gen explain` lists them\n",
+        options.code);
+    return kWrongUsage;
+  }
+  for (const CodePage& page : code_pages()) {
+    if (page.code != *code) continue;
+    fmt::print("{}", page.text);
+    return kDone;
+  }
+  fmt::print(
+      stderr,
+      "error: there is no code `{}`\nhelp: next to it are {}; `eagerx-gen explain` lists all\n",
+      *code, neighbours(*code));
+  return kWrongUsage;
+}
+
+}  // namespace eagerx::gen

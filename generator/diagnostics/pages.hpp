@@ -1,0 +1,28 @@
+// A page for every code: cause, example, mend. They are the files of codes/, built into the
+// program.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace eagerx::gen {
+
+class Diagnostics;
+
+/// The page of one code, in Markdown as it is in codes/<code>.md. Its first line is
+/// `# <code>: <title>`.
+struct CodePage {
+  std::string_view code;  // "E0307"
+  std::string_view text;
+
+  [[nodiscard]] std::string_view title() const;
+};
+
+/// All pages, in the order of their codes.
+std::span<const CodePage> code_pages();
+
+/// The line that leads from the errors to their pages; empty if there are none.
+std::string pointer_to_pages(const Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen
