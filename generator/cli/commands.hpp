@@ -5,12 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "generator/command_line/command_line.hpp"
 #include "generator/read/rational.hpp"
 
 namespace eagerx::gen {
-
-/// Exit codes, the same for all commands.
-enum ExitCode : int { kDone = 0, kProblems = 1, kWrongUsage = 2, kInputOutput = 3, kInternal = 4 };
 
 struct Options {
   std::string graph;

@@ -73,7 +73,12 @@ Argument text(std::string names, std::string& value, std::string about, std::str
 Argument texts(std::string names, std::vector<std::string>& values, std::string about,
                std::string type) {
   Argument argument{std::move(names), std::move(about), std::move(type),
-                    [&values](const auto& given_values) { values = given_values; }};
+                    [&values](const auto& all) {
+                      values.clear();
+                      for (const std::string& each : all) {
+                        if (std::ranges::find(values, each) == values.end()) values.push_back(each);
+                      }
+                    }};
   argument.repeated = true;
   return argument;
 }

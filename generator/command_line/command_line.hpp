@@ -46,7 +46,7 @@ struct CommandLine {
   std::string default_command = {};  // is put before a file name that comes first
 };
 
-/// Arguments of common kinds.
+/// Arguments of common kinds. `texts` may be repeated; what is given twice is kept once.
 Argument flag(std::string names, bool& value, std::string about);
 Argument text(std::string names, std::string& value, std::string about, std::string type);
 Argument texts(std::string names, std::vector<std::string>& values, std::string about,

@@ -1,4 +1,4 @@
-#include "generator/cli/usage.hpp"
+#include "generator/command_line/usage.hpp"
 
 #include <fmt/format.h>
 
