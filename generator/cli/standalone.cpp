@@ -31,6 +31,7 @@ class Carrier {
   bool run(const std::vector<const Target*>& targets) {
     add_folder("targets/common");
     for (const Target* target : targets) add_target(*target);
+    add_folder("runtime/host");
     add_folder("toolchains");
     add_file(fs::path(run_.root) / "runtime" / "flags.cmake",
              std::string(kShareFolder) + "flags.cmake");
@@ -155,12 +156,19 @@ class Carrier {
         return std::nullopt;
       }
       // What programs of targets include is there already.
-      if (relative->starts_with("targets/") && !includer.starts_with(kHeaderFolder))
+      if (!includer.starts_with(kHeaderFolder) &&
+          (relative->starts_with("targets/") || is_in_package(path)))
         return std::nullopt;
       add_file(path, kHeaderFolder + *relative);
       return relative;
     }
     return std::nullopt;
+  }
+
+  /// Whether it has its place in what stands for the installed package.
+  bool is_in_package(const fs::path& path) const {
+    const fs::path root = fs::absolute(run_.root).lexically_normal();
+    return added_.contains(kShareFolder + path.lexically_relative(root).generic_string());
   }
 
   std::optional<std::string> relative_to_root(const fs::path& path) const {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <targets/common/replay.hpp>
+#include <runtime/host/trace/replay.hpp>
 #include <vector>
 
 namespace eagerx::gen {

@@ -7,7 +7,7 @@ set(cmake_files ${CMAKE_CURRENT_LIST_DIR})
 set(package_dir ${CMAKE_INSTALL_DATADIR}/cmake/eagerx_gen)
 set(share_dir ${CMAKE_INSTALL_DATADIR}/eagerx-gen)
 
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx DESTINATION ${share_dir}/runtime)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx ${PROJECT_SOURCE_DIR}/runtime/host DESTINATION ${share_dir}/runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/flags.cmake DESTINATION ${share_dir}/runtime)
 foreach(folder models targets toolchains templates)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS)

@@ -5,12 +5,11 @@ function(eagerx_configure_target executable)
     set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
     add_library(
       eagerx_linux_sim STATIC EXCLUDE_FROM_ALL
-      ${here}/action_file.cpp ${here}/describe.cpp ${here}/experiment.cpp ${here}/identify.cpp
-      ${here}/interrupt.cpp ${here}/least_squares.cpp ${here}/link_port.cpp ${here}/options.cpp
-      ${here}/pacer.cpp ${here}/progress.cpp ${here}/split.cpp
-      ${here}/../common/replay.cpp ${here}/../common/log_file.cpp
+      ${here}/action_file.cpp ${here}/describe.cpp ${here}/identify.cpp ${here}/interrupt.cpp
+      ${here}/link_port.cpp ${here}/options.cpp ${here}/pacer.cpp ${here}/progress.cpp ${here}/split.cpp
       ${here}/summary.cpp ${here}/text_file.cpp)
-    target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime)
+    include(${here}/../../runtime/host/host.cmake)
+    target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime eagerx_trace eagerx_identify)
     # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
     target_compile_options(eagerx_linux_sim PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   endif()

@@ -5,10 +5,10 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
+#include <eagerx/trace_text.hpp>
+#include <runtime/host/identify/experiment.hpp>
+#include <runtime/host/trace/replay.hpp>
 #include <string_view>
-#include <targets/common/replay.hpp>
-#include <targets/common/trace_text.hpp>
-#include <targets/linux-sim/experiment.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -26,7 +26,7 @@ template <class Graph>
 class TraceRecorder {
  public:
   static constexpr bool kSimulators = true;
-  using Text = target::TraceText<Graph, TextFile>;
+  using Text = TraceText<Graph, TextFile>;
 
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
   void write_to(TextFile* file, bool timed) {
@@ -36,7 +36,7 @@ class TraceRecorder {
   }
   void follow(trace_log::Replay* replay) { replay_ = replay; }
   /// Every run is one of the experiment's from now on.
-  void measure(Experiment* experiment) { experiment_ = experiment; }
+  void measure(identification::Experiment* experiment) { experiment_ = experiment; }
   static bool is_interrupted() { return interrupted(); }
   bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
@@ -78,7 +78,7 @@ class TraceRecorder {
   HashTrace hash_;
   TextFile* file_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
-  Experiment* experiment_ = nullptr;
+  identification::Experiment* experiment_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
   std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;

@@ -2,8 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <runtime/host/trace/log_file.hpp>
 #include <string_view>
-#include <targets/common/log_file.hpp>
 
 // The name is libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

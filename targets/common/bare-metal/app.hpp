@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/trace.hpp>
+#include <eagerx/trace_text.hpp>
 #include <string_view>
 #include <targets/common/bare-metal/clock.hpp>
 #include <targets/common/bare-metal/console.hpp>
@@ -16,7 +17,6 @@
 #include <targets/common/guard.hpp>
 #include <targets/common/pace.hpp>
 #include <targets/common/run.hpp>
-#include <targets/common/trace_text.hpp>
 #include <type_traits>
 
 namespace eagerx::board {
@@ -49,7 +49,7 @@ inline constexpr bool kTraces = EAGERX_TRACE != 0;
 template <class Graph>
 class PrintingTrace : public PacedTrace {
  public:
-  using Text = target::TraceText<Graph, Console>;
+  using Text = TraceText<Graph, Console>;
 
   void print(bool prints) { prints_ = prints; }
   void episode(std::uint32_t index) {

@@ -1,1 +1,1 @@
-target_link_libraries(test_urdf PRIVATE eagerx_urdf)
+target_link_libraries(test_urdf PRIVATE eagerx_gen_urdf eagerx_models)

@@ -1,6 +1,6 @@
 // Frames, inertia and limits of descriptions; damaged files. tests/urdf has whole robots and
 // messages.
-#include "models/engines/open_dynamics_engine/linux/urdf/robot.hpp"
+#include "generator/urdf/robot.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <iterator>
 #include <random>
 
-#include "models/engines/open_dynamics_engine/linux/urdf/inertia.hpp"
+#include "generator/urdf/inertia.hpp"
 
 namespace eagerx::urdf {
 namespace {

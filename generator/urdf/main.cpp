@@ -10,7 +10,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/diagnostics/pages.hpp"
-#include "models/engines/open_dynamics_engine/linux/urdf/robot.hpp"
+#include "generator/urdf/robot.hpp"
 
 namespace {
 

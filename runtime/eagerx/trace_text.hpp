@@ -1,5 +1,5 @@
 // The trace as text: what `--trace` writes, on every target. Its form is in targets/README.md, "The
-// trace file"; targets/common/log_file.hpp reads it.
+// trace file"; runtime/host/trace reads it.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <eagerx/version.hpp>
 #include <string_view>
 
-namespace eagerx::target {
+namespace eagerx {
 
 inline constexpr std::string_view kTraceFirstLine = "# eagerx trace 1";
 
@@ -98,4 +98,4 @@ class TraceText {
   }
 };
 
-}  // namespace eagerx::target
+}  // namespace eagerx

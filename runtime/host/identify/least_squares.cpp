@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <targets/linux-sim/least_squares.hpp>
+#include <runtime/host/identify/least_squares.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::identification {
 namespace {
 
 // A library for this would have to be installed wherever a program is built.
@@ -358,4 +358,4 @@ std::vector<double> LeastSquares::deviations(const Trial& trial) {
   return result;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::identification

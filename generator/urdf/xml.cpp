@@ -1,4 +1,4 @@
-#include "models/engines/open_dynamics_engine/linux/urdf/xml.hpp"
+#include "generator/urdf/xml.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Logs: what is read, and what is said about those that are broken.
-#include "targets/common/log_file.hpp"
+#include "runtime/host/trace/log_file.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <targets/linux-sim/experiment.hpp>
+#include <runtime/host/identify/experiment.hpp>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::identification {
 
 /// A parameter that lies somewhere in [low, high].
 struct Range {
@@ -71,4 +71,4 @@ class LeastSquares {
   std::vector<double> last_;                  // residuals
 };
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::identification

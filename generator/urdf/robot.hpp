@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "models/engines/open_dynamics_engine/linux/urdf/urdf.hpp"
+#include "generator/urdf/urdf.hpp"
 
 namespace eagerx::urdf {
 

@@ -1,4 +1,4 @@
-#include "models/engines/open_dynamics_engine/linux/urdf/robot.hpp"
+#include "generator/urdf/robot.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "generator/emit/namer.hpp"
-#include "models/engines/open_dynamics_engine/linux/urdf/inertia.hpp"
+#include "generator/urdf/inertia.hpp"
 
 namespace eagerx::urdf {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "models/engines/open_dynamics_engine/linux/urdf/urdf.hpp"
+#include "generator/urdf/urdf.hpp"
 
 namespace eagerx::urdf {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 #include <limits>
-#include <targets/linux-sim/experiment.hpp>
+#include <runtime/host/identify/experiment.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::identification {
 namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
@@ -222,4 +222,4 @@ std::vector<double> Experiment::group_scale() const {
   return scale;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::identification

@@ -9,14 +9,14 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <optional>
+#include <runtime/host/trace/log_file.hpp>
 #include <span>
 #include <string>
 #include <string_view>
-#include <targets/common/log_file.hpp>
 #include <type_traits>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::identification {
 
 /// What a run is tried with.
 struct Trial {
@@ -201,4 +201,4 @@ class Experiment {
   std::vector<Sample> samples_;
 };
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::identification

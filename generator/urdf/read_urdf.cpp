@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "generator/read/text.hpp"
-#include "models/engines/open_dynamics_engine/linux/urdf/urdf.hpp"
-#include "models/engines/open_dynamics_engine/linux/urdf/xml.hpp"
+#include "generator/urdf/urdf.hpp"
+#include "generator/urdf/xml.hpp"
 
 namespace eagerx::urdf {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "generator/emit/namer.hpp"
-#include "models/engines/open_dynamics_engine/linux/urdf/robot.hpp"
+#include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {
 namespace {

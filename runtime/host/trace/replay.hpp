@@ -8,10 +8,10 @@
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <optional>
+#include <runtime/host/trace/log_file.hpp>
 #include <span>
 #include <string>
 #include <string_view>
-#include <targets/common/log_file.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "models/engines/open_dynamics_engine/linux/urdf/inertia.hpp"
+#include "generator/urdf/inertia.hpp"
 
 namespace eagerx::urdf {
 namespace {

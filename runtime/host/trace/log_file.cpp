@@ -3,11 +3,11 @@
 #include <cerrno>
 #include <charconv>
 #include <cstring>
+#include <eagerx/trace_text.hpp>
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <targets/common/log_file.hpp>
-#include <targets/common/trace_text.hpp>
+#include <runtime/host/trace/log_file.hpp>
 
 namespace eagerx::trace_log {
 namespace {
@@ -109,11 +109,11 @@ class Reader {
   /// A board may have said something before.
   bool skip_to_begin() {
     while (next()) {
-      if (text_ == target::kTraceFirstLine) return true;
+      if (text_ == kTraceFirstLine) return true;
       if (text_.starts_with("# eagerx trace "))
         return fail(text_, shown(text_) + " is not a version that can be read; this is version 1");
     }
-    problem_ = log_.path + ": error: no line `" + std::string(target::kTraceFirstLine) +
+    problem_ = log_.path + ": error: no line `" + std::string(kTraceFirstLine) +
                "`; a log is what a program writes with `--trace FILE`";
     return false;
   }

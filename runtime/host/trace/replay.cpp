@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <targets/common/replay.hpp>
+#include <runtime/host/trace/replay.hpp>
 
 namespace eagerx::trace_log {
 namespace {

@@ -1,0 +1,209 @@
+#include <algorithm>
+#include <cstdio>
+#include <runtime/host/identify/identification.hpp>
+
+namespace eagerx::identification {
+namespace {
+
+constexpr double kDeviations = 3.0;  // to each side of a value, in the YAML
+
+std::string number(double value) {
+  char text[32];
+  const auto digits = std::snprintf(text, sizeof text, "%.7g", value);
+  return {text, static_cast<std::size_t>(digits)};
+}
+
+/// "[1, 2]", or "1" for a scalar.
+std::string list(const std::vector<double>& values, bool is_scalar) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
+  return is_scalar ? text : "[" + text + "]";
+}
+
+/// "pendulum.model_parameters" → "pendulum", "model_parameters"
+std::string before_dot(const std::string& name) {
+  return name.substr(0, name.find('.'));
+}
+std::string behind_dot(const std::string& name) {
+  return name.substr(std::min(name.find('.'), name.size() - 1) + 1);
+}
+
+/// "pendulum/u/action_applied" → "pendulum.u"
+std::string port(std::string_view channel) {
+  std::string name(channel.substr(0, channel.rfind('/')));
+  std::replace(name.begin(), name.end(), '/', '.');
+  return name;
+}
+
+/// Elements of one state, one after the other.
+template <class F>
+void for_each_state(const std::vector<Parameter>& parameters, F&& f) {
+  for (std::size_t i = 0; i < parameters.size(); i += parameters[i].size)
+    f(std::span(parameters).subspan(i, parameters[i].size));
+}
+
+}  // namespace
+
+/// Those of the parameters that change what the sensors say.
+bool Identification::choose_parameters(std::string& problem) {
+  const std::vector<double> middle = run_(full_);
+  for (std::size_t i = 0; i < parameters_.size(); ++i) {
+    const Parameter& parameter = parameters_[i];
+    if (!(parameter.high > parameter.low)) continue;
+    Trial other = full_;
+    other.parameters[i] += (parameter.high - parameter.low) / 4;
+    if (run_(other) == middle) continue;
+    parameters_[i].matters = true;
+    chosen_.push_back(i);
+  }
+  if (chosen_.empty() && experiment_.actuators().empty()) {
+    problem =
+        "error: there is nothing to identify\nhelp: let the graph draw a state of an object from a "
+        "range, as in `states: {model_parameters: {uniform: {low: […], high: […]}}}`";
+    return false;
+  }
+  return true;
+}
+
+const std::vector<double>& Identification::run_chosen(const Trial& trial) {
+  for (std::size_t p = 0; p < chosen_.size(); ++p)
+    full_.parameters[chosen_[p]] = trial.parameters[p];
+  full_.states = trial.states;
+  for (std::size_t a = 0; a < full_.delays.size(); ++a)
+    full_.delays[a] = trial.parameters[chosen_.size() + a];
+  return run_(full_);
+}
+
+bool Identification::find(double tick_s, double longest_delay_s, std::string& problem) {
+  if (experiment_.objects().empty()) {
+    problem = "error: no object of this program is simulated by differential equations";
+    return false;
+  }
+  for (const Parameter& parameter : parameters_)
+    full_.parameters.push_back((parameter.low + parameter.high) / 2);
+  full_.states.assign(experiment_.segments() * experiment_.states(), 0.0);
+  full_.delays.assign(experiment_.actuators().size(), 0);
+  if (!choose_parameters(problem)) return false;
+
+  std::vector<Range> ranges;
+  Trial trial = full_;
+  trial.parameters.clear();
+  for (const std::size_t i : chosen_) {
+    ranges.push_back({parameters_[i].low, parameters_[i].high});
+    trial.parameters.push_back(full_.parameters[i]);
+  }
+  // A delay is one more parameter, in ticks; between two of them the input is their mean.
+  const double most = std::max(longest_delay_s / tick_s, 1e-3);
+  for (std::size_t a = 0; a < experiment_.actuators().size(); ++a) {
+    ranges.push_back({0.0, most});
+    trial.parameters.push_back(0.0);
+  }
+  LeastSquares solver(
+      experiment_, ranges, [this](const Trial& tried) -> const auto& { return run_chosen(tried); });
+  bool numbers = solver.fit(trial);
+  for (std::size_t a = 0; a < experiment_.actuators().size() && numbers; ++a)
+    numbers = find_delay(a, most, solver, trial);
+  if (!numbers || !solver.refine(trial)) {
+    problem =
+        "error: the simulation does not give numbers\nhelp: are the ranges of the graph too wide?";
+    return false;
+  }
+  const std::vector<double> deviations = solver.deviations(trial);
+  for (std::size_t p = 0; p < chosen_.size(); ++p) {
+    parameters_[chosen_[p]].value = trial.parameters[p];
+    parameters_[chosen_[p]].deviation = deviations[p];
+  }
+  for (std::size_t a = 0; a < experiment_.actuators().size(); ++a) {
+    const std::size_t p = chosen_.size() + a;
+    delays_.push_back(
+        {experiment_.actuators()[a], trial.parameters[p] * tick_s, deviations[p] * tick_s});
+  }
+  leftover_ = solver.leftover();
+  for (std::size_t g = 0; g < leftover_.size(); ++g) counts_.push_back(solver.counts(g));
+  return true;
+}
+
+/// Goes down from several delays, for there is more than one minimum. The best one stays.
+bool Identification::find_delay(std::size_t actuator, double most, LeastSquares& solver,
+                                Trial& trial) const {
+  constexpr int kStarts = 4;
+  double least = solver.deviance();
+  const Trial first = trial;
+  for (int i = 1; i <= kStarts; ++i) {
+    Trial tried = first;
+    tried.parameters[chosen_.size() + actuator] = most * i / (kStarts + 1);
+    if (!solver.fit(tried)) return false;
+    if (solver.deviance() >= least) continue;
+    least = solver.deviance();
+    trial = tried;
+  }
+  return true;
+}
+
+std::string Identification::report(const trace_log::Log& log,
+                                   std::span<const Channel> channels) const {
+  std::string text = "log " + log.path + ": graph " + log.graph + " on " + log.engine + ", " +
+                     std::to_string(log.episodes()) + " episodes, " +
+                     std::to_string(experiment_.segments()) + " segments\n";
+  if (!log.complete) text += "the log ends early, in line " + std::to_string(log.lines) + "\n";
+  for (std::size_t g = 0; g < leftover_.size(); ++g) {
+    const Experiment::Group& group = experiment_.groups()[g];
+    if (!counts_[g]) continue;
+    text += std::string("sensor ") + channels[group.channel].name + "[" +
+            std::to_string(group.element) + "]: " + number(leftover_[g]) + " left over\n";
+  }
+  for (const Parameter& parameter : parameters_) {
+    if (!(parameter.high > parameter.low)) continue;
+    text += "parameter " + parameter.state +
+            (parameter.is_scalar ? "" : "[" + std::to_string(parameter.element) + "]") + ": ";
+    const double half = (parameter.high - parameter.low) / 2;
+    if (!parameter.matters) {
+      text += "the sensors do not depend on it\n";
+      continue;
+    }
+    text += number(parameter.value) + " +- " + number(parameter.deviation);
+    if (parameter.deviation > half / 2) text += ", the log says little of it";
+    if (parameter.value <= parameter.low || parameter.value >= parameter.high)
+      text += ", at the end of its range";
+    text += "\n";
+  }
+  for (const Delay& delay : delays_)
+    text += std::string("delay ") + port(channels[delay.channel].name) + ": " +
+            number(delay.value_s) + " +- " + number(delay.deviation_s) + " s\n";
+  return text;
+}
+
+std::string Identification::yaml(const trace_log::Log& log,
+                                 std::span<const Channel> channels) const {
+  std::string text = "# From " + log.path + " by `eagerx-gen identify`: values +- " +
+                     number(kDeviations) + " standard deviations.\n";
+  std::string owner;
+  for_each_state(parameters_, [&](std::span<const Parameter> elements) {
+    const Parameter& first = elements.front();
+    if (std::none_of(elements.begin(), elements.end(), [](const auto& e) { return e.matters; }))
+      return;
+    std::vector<double> low, high;
+    for (const Parameter& element : elements) {
+      const double margin = kDeviations * element.deviation;
+      low.push_back(element.matters ? std::max(element.value - margin, element.low) : element.low);
+      high.push_back(element.matters ? std::min(element.value + margin, element.high)
+                                     : element.high);
+    }
+    if (owner.empty()) text += "objects:\n";
+    if (owner != before_dot(first.state))
+      text += "  " + before_dot(first.state) + ":\n    states:\n";
+    owner = before_dot(first.state);
+    text += "      " + behind_dot(first.state) + ": {space: {low: " + list(low, first.is_scalar) +
+            ", high: " + list(high, first.is_scalar) + "}, uniform: space}\n";
+  });
+  for (std::size_t i = 0; i < delays_.size(); ++i) {
+    const double margin = kDeviations * delays_[i].deviation_s;
+    text += std::string(i == 0 ? "connections:\n" : "") +
+            "  - {to: " + port(channels[delays_[i].channel].name) +
+            ", delay: {uniform: {low: " + number(std::max(delays_[i].value_s - margin, 0.0)) +
+            ", high: " + number(delays_[i].value_s + margin) + "}}}\n";
+  }
+  return text;
+}
+
+}  // namespace eagerx::identification
