@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 
-#include "generator/cli/commands.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/command_line/command_line.hpp"
 #include "generator/diagnostics/pages.hpp"
 #include "generator/urdf/robot.hpp"
 
@@ -72,50 +72,46 @@ int convert(const Options& options) {
   return diagnostics.has_errors() ? eagerx::gen::kProblems : eagerx::gen::kDone;
 }
 
-int run(int argc, char** argv) {
-  Options options;
-  CLI::App app("Makes an object for OpenDynamicsEngine from a robot's URDF file.", "eagerx-urdf");
-  app.footer(
-      "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug.");
-  app.add_option("robot", options.file, "the description")->required()->type_name("ROBOT.urdf");
-  app.add_option("-o,--output", options.output, "folder to write (default: entities/<robot>)")
-      ->type_name("DIR");
-  app.add_option("--id", options.robot.id, "what graphs call it (default: from the robot's name)")
-      ->check(CLI::Validator(
-          [](const std::string& text) {
-            return is_id(text) ? std::string() : text + " is not made of letters and digits";
-          },
-          ""))
-      ->type_name("NAME");
-  app.add_option_function<std::string>(
-         "--base",
-         [&](const std::string& word) {
-           options.robot.base = word == "fixed" ? Base::fixed : Base::free;
-         },
-         "whether the first link is part of the world or free (default: free if it has an "
-         "`inertial`)")
-      ->check(CLI::IsMember({"fixed", "free"}).description(""))
-      ->type_name("fixed|free");
-  app.add_flag("--ground", options.robot.ground, "add the plane z = 0");
-  app.add_option_function<std::string>(
-         "--diagnostics", [&](const std::string& form) { options.json = form == "json"; },
-         "form of messages (default: text)")
-      ->check(CLI::IsMember({"text", "json"}).description(""))
-      ->type_name("text|json");
-  app.add_flag("-q,--quiet", options.quiet, "print problems only");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? eagerx::gen::kDone : eagerx::gen::kWrongUsage;
-  }
-  return convert(options);
+eagerx::gen::CommandLine command_line(Options& options) {
+  using eagerx::gen::choice;
+  using eagerx::gen::flag;
+  using eagerx::gen::text;
+  eagerx::gen::Argument id = text("--id", options.robot.id,
+                                  "what graphs call it (default: from the robot's name)", "NAME");
+  id.check = [](const std::string& name) {
+    return is_id(name) ? std::string() : name + " is not made of letters and digits";
+  };
+  const auto set_base = [&options](const std::string& word) {
+    options.robot.base = word == "fixed" ? Base::fixed : Base::free;
+  };
+  const auto set_form = [&options](const std::string& form) { options.json = form == "json"; };
+  return {
+      .top = {.name = "eagerx-urdf",
+              .about = "Makes an object for OpenDynamicsEngine from a robot's URDF file.",
+              .arguments = {required(text("robot", options.file, "the description", "ROBOT.urdf")),
+                            text("-o,--output", options.output,
+                                 "folder to write (default: entities/<robot>)", "DIR"),
+                            std::move(id),
+                            choice("--base", {"fixed", "free"},
+                                   "whether the first link is part of the world or free (default: "
+                                   "free if it has an `inertial`)",
+                                   set_base),
+                            flag("--ground", options.robot.ground, "add the plane z = 0"),
+                            choice("--diagnostics", {"text", "json"},
+                                   "form of messages (default: text)", set_form),
+                            flag("-q,--quiet", options.quiet, "print problems only")},
+              .run = [&options] { return convert(options); }},
+      .footer =
+          "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug."};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    Options options;
+    return eagerx::gen::run_command_line(
+        command_line(options), std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   } catch (const std::exception& error) {
     static_cast<void>(std::fprintf(stderr, "error: a bug in eagerx-urdf: %s\n", error.what()));
     return eagerx::gen::kInternal;
