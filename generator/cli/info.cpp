@@ -33,11 +33,11 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     std::string more;
     if (!port.unit.empty()) more += " " + port.unit;
     if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
-    if (port.window) more += fmt::format(", window {}", text_of(*port.window));
-    if (port.skip.value_or(false)) more += ", skip";
+    if (port.settings.window) more += fmt::format(", window {}", text_of(*port.settings.window));
+    if (skips(port.settings)) more += ", skip";
     if (port.optional) more += ", optional";
-    if (port.max_delay)
-      more += fmt::format(", sets its delay up to {} s", text_of(*port.max_delay));
+    if (port.settings.max_delay)
+      more += fmt::format(", sets its delay up to {} s", text_of(*port.settings.max_delay));
     fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
     if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
   }

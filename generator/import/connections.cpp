@@ -3,31 +3,12 @@
 
 #include <algorithm>
 
+#include "generator/import/rebuilt.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-/// Settings that a connection has if nothing is said.
-struct Defaults {
-  std::optional<std::int64_t> window = 1;  // nullopt: depends on a parameter
-  Rational delay_s;
-  bool skip = false;
-};
-
-template <class Spec>
-void take(Defaults& defaults, const Spec& spec) {
-  if constexpr (std::is_same_v<Spec, PortManifest>) {
-    if (spec.window) defaults.window = parse_int(spec.window->text);
-    defaults.delay_s = spec.delay_s.value_or(defaults.delay_s);
-    defaults.skip = spec.skip.value_or(defaults.skip);
-  } else {
-    if (spec.window) defaults.window = spec.window->value;
-    if (spec.delay_s) defaults.delay_s = spec.delay_s->value;
-    if (spec.skip) defaults.skip = spec.skip->value;
-  }
-}
 
 class ConnectionTranslator {
  public:
@@ -42,7 +23,7 @@ class ConnectionTranslator {
       connection.span = link.from.span;
       connection.from = {*from, link.from.span};
       connection.to = {*to, link.to.span};
-      take_settings(link.to, connection);
+      take_settings(link.to, connection.settings);
       t_.result.spec.connections.push_back(std::move(connection));
     }
   }
@@ -90,72 +71,78 @@ class ConnectionTranslator {
     return fail(end, "a target is an input, an actuator, a feedthrough or a reset target");
   }
 
-  Defaults defaults_of(const SavedEnd& end) {
-    Defaults result;
+  /// What the connection has if nothing is said.
+  ConnectionSettings defaults_of(const SavedEnd& end) {
     const Entity* entity = t_.entity(end.entity);
-    if (entity == nullptr) return result;
+    if (entity == nullptr) return {};
     const PortManifest* port = manifest_port(*entity, end.section, end.port);
-    if (end.section != "actuators") {
-      if (port != nullptr) take(result, *port);
-      return result;
-    }
+    const ConnectionSettings own = port != nullptr ? port->settings : ConnectionSettings();
+    if (end.section != "actuators") return own;
     // Of the engine node, then the actuator's, then of the connection between them.
     const ObjectEngine* implementation = t_.implementation(*entity);
-    const ConnectionSpec* inside = nullptr;
-    if (implementation != nullptr) {
-      for (const auto& connection : implementation->connections) {
-        if (inside == nullptr && connection.from.value == "actuators." + end.port)
-          inside = &connection;
-      }
-    }
-    if (inside != nullptr) {
-      const std::size_t dot = inside->to.value.find('.');
-      for (const auto& node : implementation->nodes) {
-        const Entity* type = t_.counterparts.library().find(node.type.value);
-        if (node.name.value != inside->to.value.substr(0, dot) || type == nullptr) continue;
-        if (const PortManifest* input = type->input(inside->to.value.substr(dot + 1)))
-          take(result, *input);
-      }
-    }
-    if (port != nullptr) take(result, *port);
-    if (inside != nullptr) take(result, *inside);
-    return result;
+    const ConnectionSpec* inside = implementation != nullptr
+                                       ? connection_of(*implementation, "actuators." + end.port)
+                                       : nullptr;
+    if (inside == nullptr) return own;
+    return overlay(overlay(settings_of_input(*implementation, inside->to.value), own),
+                   inside->settings);
   }
 
-  void take_settings(const SavedEnd& end, ConnectionSpec& connection) {
+  static const ConnectionSpec* connection_of(const ObjectEngine& implementation,
+                                             const std::string& from) {
+    for (const auto& connection : implementation.connections) {
+      if (connection.from.value == from) return &connection;
+    }
+    return nullptr;
+  }
+
+  /// Of "node.input" of an engine node.
+  ConnectionSettings settings_of_input(const ObjectEngine& implementation, const std::string& to) {
+    const auto [owner, name] = split_port(to);
+    for (const auto& node : implementation.nodes) {
+      const Entity* type = t_.counterparts.library().find(node.type.value);
+      if (node.name.value != owner || type == nullptr) continue;
+      if (const PortManifest* input = type->input(name)) return input->settings;
+    }
+    return {};
+  }
+
+  /// What is saved of the connection and differs from its defaults.
+  void take_settings(const SavedEnd& end, ConnectionSettings& settings) {
     const SavedEntity& entity = *t_.saved.find(end.entity);
     const SavedPort* port = entity.port(end.section, end.port);
     if (port == nullptr) return;
-    connection.processor =
+    settings.processor =
         t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
     if (end.section == "targets") return;
-    const Defaults defaults = defaults_of(end);
-    if (const YamlValue* window = port->find("window")) take_window(*window, defaults, connection);
+    const ConnectionSettings defaults = defaults_of(end);
+    if (const YamlValue* window = port->find("window")) take_window(*window, defaults, settings);
     if (const YamlValue* delay = port->find("delay")) {
       const auto value = saved_delay(*delay, t_.diagnostics);
-      if (value && *value != defaults.delay_s)
-        connection.delay_s = Spanned<Rational>{*value, delay->span};
+      if (value && *value != delay_of(defaults))
+        settings.delay_s = Spanned<Rational>{*value, delay->span};
     }
     if (const YamlValue* skip = port->find("skip")) {
       const auto value = parse_bool(skip->text);
       if (!value || !skip->is_scalar()) {
         t_.diagnostics.error("E0802", skip->span,
                              fmt::format("expected true or false, found {}", describe(*skip)));
-      } else if (*value != defaults.skip) {
-        connection.skip = Spanned<bool>{*value, skip->span};
+      } else if (*value != skips(defaults)) {
+        settings.skip = Spanned<bool>{*value, skip->span};
       }
     }
   }
 
-  void take_window(const YamlValue& window, const Defaults& defaults, ConnectionSpec& connection) {
+  void take_window(const YamlValue& window, const ConnectionSettings& defaults,
+                   ConnectionSettings& settings) {
     constexpr std::int64_t kLargest = 1'000'000;
     const auto value = window.is_scalar() ? parse_int(window.text) : std::nullopt;
     if (!value || *value < 0 || *value > kLargest) {
       t_.diagnostics.error("E0802", window.span,
                            fmt::format("expected a window of 0 to {} messages, found {}", kLargest,
                                        describe(window)));
-    } else if (value != defaults.window) {
-      connection.window = Spanned<std::uint32_t>{static_cast<std::uint32_t>(*value), window.span};
+    } else if (value != window_of(defaults)) {
+      settings.window = made_scalar(fmt::format("{}", *value), window.span);
     }
   }
 

@@ -177,11 +177,12 @@ class EntityTranslator {
       if (!linked && !selected && !borrowed) continue;
       component.rate = rate;
       if (std::string_view(section) == "sensors")
-        component.processor = t_.counterparts.processor(port, written(saved, port.name.value));
+        component.settings.processor =
+            t_.counterparts.processor(port, written(saved, port.name.value));
       if (const auto space = saved_space(port))
         component.space = missing_of(*space, manifest->space);
       if (component.space) check_space(*component.space, t_.diagnostics);
-      if (!linked || component.rate || component.processor || component.space)
+      if (!linked || component.rate || component.settings.processor || component.space)
         result.push_back(std::move(component));
     }
     if (result.empty()) return std::nullopt;
@@ -241,12 +242,13 @@ class EntityTranslator {
       const PortManifest* manifest = manifest_port(entity, section, name.value);
       if (port != nullptr && manifest != nullptr) {
         if (std::string_view(section) == "outputs") {
-          component.processor = t_.counterparts.processor(*port, written(saved, name.value));
+          component.settings.processor =
+              t_.counterparts.processor(*port, written(saved, name.value));
           const auto space = saved_space(*port);
           if (space && !manifest->space.like) component.space = missing_of(*space, manifest->space);
           if (component.space) check_space(*component.space, t_.diagnostics);
         }
-        needed = needed || component.processor || component.space;
+        needed = needed || component.settings.processor || component.space;
       }
       result.push_back(std::move(component));
     }

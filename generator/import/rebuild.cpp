@@ -191,7 +191,8 @@ class Rebuilder {
     if (from == nullptr) return;
     SavedPort port{{name, from->name.span}, from->settings};
     if (rate != nullptr) set_entry(port.settings, "rate", *rate);
-    if (inside.processor) set_entry(port.settings, "processor", YamlValue{});  // the manifest's own
+    if (inside.settings.processor)
+      set_entry(port.settings, "processor", YamlValue{});  // the manifest's own
     auto& ports = object.ports[section];
     std::erase_if(ports, [&](const SavedPort& p) { return p.name.value == name; });
     ports.push_back(std::move(port));
@@ -267,18 +268,16 @@ class Rebuilder {
     const Entity* type = counterparts_.library().find(spec->type.value);
     const PortManifest* manifest = type != nullptr ? type->input(link.to.port) : nullptr;
     if (port == nullptr || manifest == nullptr) return;
-    const std::string window = inside.window      ? fmt::format("{}", inside.window->value)
-                               : manifest->window ? manifest->window->text
-                                                  : "1";
-    const auto delay =
-        inside.delay_s ? inside.delay_s->value : manifest->delay_s.value_or(Rational());
-    const bool skip = inside.skip ? inside.skip->value : manifest->skip.value_or(false);
-    const auto check = [&](const char* key, const std::string& ours, bool same) {
+    const ConnectionSettings ours = overlay(manifest->settings, inside.settings);
+    const std::string window = ours.window ? ours.window->text : "1";
+    const Rational delay = delay_of(ours);
+    const bool skip = skips(ours);
+    const auto check = [&](const char* key, const std::string& here, bool same) {
       if (same) return;
       diagnostics_.warning(
           "E0806", port->find(key)->span,
           fmt::format("`{}.{}` has {} {} in this file, but {} here", link.to.entity, link.to.port,
-                      key, port->find(key)->text, ours));
+                      key, port->find(key)->text, here));
     };
     if (const YamlValue* value = port->find("window"))
       check("window", window, value->text == window || window.starts_with("$("));

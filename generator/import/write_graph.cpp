@@ -42,6 +42,10 @@ std::string quoted(const std::string& text) {
   return "\"" + result + "\"";
 }
 
+std::string joined(const std::vector<std::string>& items) {
+  return fmt::format("{{{}}}", fmt::join(items, ", "));
+}
+
 std::string text_of(const YamlValue& yaml) {
   std::vector<std::string> items;
   switch (yaml.kind) {
@@ -57,7 +61,7 @@ std::string text_of(const YamlValue& yaml) {
         items.push_back(fmt::format("{}: {}", is_plain(entry.key) ? entry.key : quoted(entry.key),
                                     text_of(entry.value)));
       }
-      return fmt::format("{{{}}}", fmt::join(items, ", "));
+      return joined(items);
   }
   return "null";
 }
@@ -67,7 +71,7 @@ std::string config_text(const std::vector<Setting>& config) {
   items.reserve(config.size());
   for (const auto& setting : config)
     items.push_back(fmt::format("{}: {}", setting.name, text_of(setting.value)));
-  return fmt::format("{{{}}}", fmt::join(items, ", "));
+  return joined(items);
 }
 
 std::string space_text(const SpaceSpec& space) {
@@ -76,7 +80,7 @@ std::string space_text(const SpaceSpec& space) {
   if (space.shape) items.push_back("shape: " + text_of(*space.shape));
   if (space.low) items.push_back("low: " + text_of(*space.low));
   if (space.high) items.push_back("high: " + text_of(*space.high));
-  return fmt::format("{{{}}}", fmt::join(items, ", "));
+  return joined(items);
 }
 
 std::string processor_text(const ProcessorSpec& processor) {
@@ -85,12 +89,26 @@ std::string processor_text(const ProcessorSpec& processor) {
                      config_text(processor.config));
 }
 
+/// What EAGERx can say of a connection: it has no `max_delay` and draws no delays.
+void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
+  if (settings.window) items.push_back("window: " + settings.window->text);
+  if (settings.delay_s) items.push_back("delay: " + settings.delay_s->value.to_string());
+  if (settings.skip) items.push_back(fmt::format("skip: {}", settings.skip->value));
+  if (settings.processor) items.push_back("processor: " + processor_text(*settings.processor));
+}
+
+std::string connection_text(const ConnectionSpec& connection) {
+  std::vector<std::string> items = {"from: " + connection.from.value, "to: " + connection.to.value};
+  add_settings(connection.settings, items);
+  return joined(items);
+}
+
 std::string component_text(const ComponentSpec& component) {
   std::vector<std::string> items;
   if (component.rate) items.push_back("rate: " + component.rate->value.to_string());
   if (component.space) items.push_back("space: " + space_text(*component.space));
-  if (component.processor) items.push_back("processor: " + processor_text(*component.processor));
-  return items.empty() ? "" : fmt::format(" {{{}}}", fmt::join(items, ", "));
+  add_settings(component.settings, items);
+  return items.empty() ? "" : " " + joined(items);
 }
 
 class GraphWriter {
@@ -196,18 +214,7 @@ class GraphWriter {
     if (spec_.connections.empty()) line(0, "connections: []");
     if (spec_.connections.empty()) return;
     line(0, "connections:");
-    for (const auto& connection : spec_.connections) {
-      std::string content =
-          fmt::format("- {{from: {}, to: {}", connection.from.value, connection.to.value);
-      if (connection.window) content += fmt::format(", window: {}", connection.window->value);
-      if (connection.delay_s)
-        content += fmt::format(", delay: {}", connection.delay_s->value.to_string());
-      if (connection.skip)
-        content += fmt::format(", skip: {}", connection.skip->value ? "true" : "false");
-      if (connection.processor)
-        content += fmt::format(", processor: {}", processor_text(*connection.processor));
-      line(2, content + "}");
-    }
+    for (const auto& connection : spec_.connections) line(2, "- " + connection_text(connection));
   }
 
   const ImportedGraph& graph_;

@@ -46,13 +46,9 @@ struct PortManifest {
   Spanned<std::string> name;
   SpaceSpec space;
   std::string unit, about;
-  std::optional<YamlValue> rate;    // sensors and actuators; may be `$(config x)`
-  std::optional<YamlValue> window;  // may be `$(config x)`
-  std::optional<Rational> delay_s;
-  std::optional<bool> skip;
-  std::optional<YamlValue>
-      max_delay;          // the entity sets the delay at its reset; may be `$(config x)`
-  bool optional = false;  // of a node: a graph may do without it
+  std::optional<YamlValue> rate;  // sensors and actuators; may be `$(config x)`
+  ConnectionSettings settings;    // with a `max_delay` the entity sets the delay at its reset
+  bool optional = false;          // of a node: a graph may do without it
 };
 
 /// A C++ class and the header that defines it, as generated code includes it.

@@ -26,11 +26,6 @@ std::vector<std::string> texts_at(const YamlValue& yaml, const char* key) {
   return result;
 }
 
-std::optional<YamlValue> node_at(const YamlValue& yaml, const char* key) {
-  const YamlValue* value = yaml.find(key);
-  return value != nullptr ? std::optional<YamlValue>(*value) : std::nullopt;
-}
-
 Parameter::Type parameter_type(const std::string& word) {
   if (word == "int") return Parameter::Type::integer;
   if (word == "float") return Parameter::Type::number;
@@ -93,7 +88,7 @@ std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagn
     parameter.type = parameter_type(text_at(entry.value, "type"));
     parameter.unit = text_at(entry.value, "unit");
     parameter.about = text_at(entry.value, "about");
-    parameter.fallback = node_at(entry.value, "default");
+    parameter.fallback = value_at(entry.value, "default");
     parameter.low = bound_at(entry.value, "low");
     parameter.high = bound_at(entry.value, "high");
     parameter.options = texts_at(entry.value, "options");
@@ -139,7 +134,8 @@ std::vector<EagerxId> read_eagerx_ids(const YamlValue& root) {
   return result;
 }
 
-std::vector<PortManifest> read_ports(const YamlValue& root, const char* key) {
+std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
+                                     Diagnostics& diagnostics) {
   std::vector<PortManifest> result;
   const YamlValue* map = root.find(key);
   if (map == nullptr) return result;
@@ -150,12 +146,8 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key) {
     if (const YamlValue* space = entry.value.find("space")) port.space = read_space(*space);
     port.unit = text_at(entry.value, "unit");
     port.about = text_at(entry.value, "about");
-    port.rate = node_at(entry.value, "rate");
-    port.window = node_at(entry.value, "window");
-    if (const YamlValue* delay = entry.value.find("delay"))
-      port.delay_s = Rational::parse(delay->text);
-    if (const YamlValue* skip = entry.value.find("skip")) port.skip = parse_bool(skip->text);
-    port.max_delay = node_at(entry.value, "max_delay");
+    port.rate = value_at(entry.value, "rate");
+    port.settings = read_connection_settings(entry.value, diagnostics);
     port.optional = text_at(entry.value, "optional") == "true";
     result.push_back(std::move(port));
   }
@@ -277,13 +269,13 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
   if (const YamlValue* clock = root.find("asynchronous"))
     entity.asynchronous = clock->text == "true";
   entity.config = read_parameters(root, diagnostics);
-  entity.inputs = read_ports(root, "inputs");
+  entity.inputs = read_ports(root, "inputs", diagnostics);
   complete_tick(entity.inputs);
-  entity.outputs = read_ports(root, "outputs");
-  entity.states = read_ports(root, "states");
-  entity.sensors = read_ports(root, "sensors");
-  entity.actuators = read_ports(root, "actuators");
-  entity.targets = read_ports(root, "targets");
+  entity.outputs = read_ports(root, "outputs", diagnostics);
+  entity.states = read_ports(root, "states", diagnostics);
+  entity.sensors = read_ports(root, "sensors", diagnostics);
+  entity.actuators = read_ports(root, "actuators", diagnostics);
+  entity.targets = read_ports(root, "targets", diagnostics);
   if (entity.kind == EntityKind::engine_state || entity.kind == EntityKind::engine_node) {
     entity.engines = texts_at(root, "engines");
   }

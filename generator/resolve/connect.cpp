@@ -274,13 +274,13 @@ class Connector {
       excused_.insert({Side::from, source.node, source.port});
       return;
     }
-    if (input.settings.processor && connection.processor) {
+    if (input.settings.processor && connection.settings.processor) {
       diagnostics()
-          .error("E0313", connection.processor->type.span,
+          .error("E0313", connection.settings.processor->type.span,
                  fmt::format("`{}` already has a processor", connection.to.value))
           .notes.push_back({"the first processor", input.settings.processor->type.span, ""});
     }
-    input.settings = overlay(input.settings, settings_of(connection));
+    input.settings = overlay(input.settings, connection.settings);
     input.edge = DraftEdge{source.node, source.port, connection.from.span};
     input.span = connection.to.span;
     excused_.insert({Side::from, source.node, source.port});

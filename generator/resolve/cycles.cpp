@@ -10,7 +10,7 @@ namespace eagerx::gen {
 namespace {
 
 bool waits(const DraftInput& input) {
-  return input.edge && !input.settings.skip.value_or(false);
+  return input.edge && !skips(input.settings);
 }
 
 /// Depth-first search with its own stack: graphs may be long chains.

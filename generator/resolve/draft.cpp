@@ -161,28 +161,41 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 
 namespace {
 
-std::optional<std::uint32_t> window_of(const PortManifest& port, const References& references,
-                                       Diagnostics& diagnostics) {
-  if (!port.window) return std::nullopt;
-  constexpr std::int64_t kMost = 1'000'000;
-  const YamlValue window = substitute(*port.window, references, diagnostics);
-  const auto count = window.is_scalar() ? parse_int(window.text) : std::nullopt;
-  if (count && *count >= 0 && *count <= kMost) return static_cast<std::uint32_t>(*count);
-  if (!is_unresolved(window)) {
-    diagnostics.error("E0204", window.span,
-                      fmt::format("expected a number of messages, found {}", describe(window)));
+/// A setting that a manifest may write as a reference; nullopt if it does not fulfil `good`.
+template <class Test>
+std::optional<YamlValue> replaced(const std::optional<YamlValue>& setting, const char* expected,
+                                  const References& references, Diagnostics& diagnostics,
+                                  Test&& good) {
+  if (!setting) return std::nullopt;
+  YamlValue value = substitute(*setting, references, diagnostics);
+  if (value.is_scalar() && good(value.text)) return value;
+  if (!is_unresolved(value)) {
+    diagnostics.error("E0204", value.span,
+                      fmt::format("expected {}, found {}", expected, describe(value)));
   }
   return std::nullopt;
+}
+
+bool is_window(const std::string& text) {
+  constexpr std::int64_t kMost = 1'000'000;
+  const auto count = parse_int(text);
+  return count && *count >= 0 && *count <= kMost;
+}
+
+bool is_delay(const std::string& text) {
+  const auto seconds = Rational::parse(text);
+  return seconds && *seconds >= Rational();
 }
 
 }  // namespace
 
 ConnectionSettings manifest_settings(const PortManifest& port, const References& references,
                                      Diagnostics& diagnostics) {
-  ConnectionSettings result;
-  result.window = window_of(port, references, diagnostics);
-  result.delay_s = port.delay_s;
-  result.skip = port.skip;
+  ConnectionSettings result = port.settings;
+  result.window =
+      replaced(result.window, "a number of messages", references, diagnostics, is_window);
+  result.max_delay =
+      replaced(result.max_delay, "a delay in seconds", references, diagnostics, is_delay);
   return result;
 }
 
@@ -203,44 +216,20 @@ DraftInput draft_input(const PortManifest& port, const std::string& written, Spa
   input.span = span;
   input.declared = partial_space(port.space, references, diagnostics);
   input.settings = manifest_settings(port, references, diagnostics);
-  input.entity_sets_delay = port.max_delay.has_value();
+  input.entity_sets_delay = port.settings.max_delay.has_value();
   input.optional = port.optional;
-  if (!port.max_delay) return input;
-  const YamlValue longest = substitute(*port.max_delay, references, diagnostics);
-  const auto seconds = longest.is_scalar() ? Rational::parse(longest.text) : std::nullopt;
-  if (seconds && *seconds >= Rational()) {
-    input.settings.max_delay_s = Spanned<Rational>{*seconds, longest.span};
-  } else if (!is_unresolved(longest)) {
-    diagnostics.error("E0204", longest.span,
-                      fmt::format("expected a delay in seconds, found {}", describe(longest)));
-  }
   return input;
 }
 
-void settle(DraftOutput& output, const ComponentSpec& settings, const std::string& written,
+void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
             Diagnostics& diagnostics) {
-  if (settings.processor) {
-    output.processor = settings.processor;
+  if (said.settings.processor) {
+    output.processor = said.settings.processor;
     output.published = {};  // of the processor that it replaces
   }
-  if (!settings.space) return;
+  if (!said.space) return;
   PartialSpace& space = output.processor ? output.published : output.declared;
-  space = narrow(space, partial_space(*settings.space, {}, diagnostics), written, diagnostics);
-}
-
-ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over) {
-  if (over.window) base.window = over.window;
-  if (over.delay_s) base.delay_s = over.delay_s;
-  if (over.skip) base.skip = over.skip;
-  if (over.processor) base.processor = over.processor;
-  if (over.max_delay_s) base.max_delay_s = over.max_delay_s;
-  // A delay that is written replaces one that is drawn, and the other way round.
-  if (over.delay_s) base.random_delay.reset();
-  if (over.random_delay) {
-    base.random_delay = over.random_delay;
-    if (!over.delay_s) base.delay_s.reset();
-  }
-  return base;
+  space = narrow(space, partial_space(*said.space, {}, diagnostics), written, diagnostics);
 }
 
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,

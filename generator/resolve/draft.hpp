@@ -22,16 +22,6 @@ struct PartialSpace {
   Span bounds_span;  // of the bound that was written last
 };
 
-/// Settings of a connection; later ones win over earlier ones.
-struct ConnectionSettings {
-  std::optional<std::uint32_t> window;
-  std::optional<Rational> delay_s;
-  std::optional<bool> skip;
-  std::optional<ProcessorSpec> processor;
-  std::optional<Spanned<Rational>> max_delay_s;
-  std::optional<RandomSpec> random_delay;
-};
-
 struct DraftEdge {
   std::size_t node = 0;
   std::size_t output = 0;
@@ -104,7 +94,8 @@ PartialSpace overlay(PartialSpace base, const PartialSpace& over);
 /// The same where dtype and shape must not change: `what` has the space `base` (E0305, E0306).
 PartialSpace narrow(PartialSpace base, const PartialSpace& over, const std::string& what,
                     Diagnostics& diagnostics);
-/// What a manifest says of the connections to a port.
+/// What a manifest says of the connections to a port, with references replaced (E0204 where one is
+/// no number of messages or seconds).
 ConnectionSettings manifest_settings(const PortManifest& port, const References& references,
                                      Diagnostics& diagnostics);
 /// An input or output as its manifest describes it.
@@ -129,7 +120,7 @@ double rounded(const Space& space, double value);
 bool fits(const PartialSpace& declared, const Space& arriving);
 /// Applies what is said of an output beside its manifest: a processor, and the space of what is
 /// published.
-void settle(DraftOutput& output, const ComponentSpec& settings, const std::string& written,
+void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
             Diagnostics& diagnostics);
 /// How an object is made on an engine; E0308 if it is not.
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
@@ -139,11 +130,6 @@ std::string describe(const PartialSpace& space);
 /// "did you mean `…`?", else what there is, else `otherwise`.
 std::string suggestion(const std::string& name, const std::vector<std::string>& known,
                        const std::string& otherwise);
-/// The settings of a manifest, a selection or a connection.
-template <class Spec>
-ConnectionSettings settings_of(const Spec& spec);
-ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over);
-
 // The steps of resolve(), in their order; each adds to the draft.
 void add_environment(Draft& draft);
 void add_engine(Draft& draft, const ResolveOptions& options);
@@ -175,6 +161,9 @@ std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
 /// How `name` is drawn, checked against its space (E0322, E0327).
 std::optional<Random> read_random(const std::string& name, const Space& space,
                                   const RandomSpec& spec, Diagnostics& diagnostics);
+/// The delay of the connection to `from`, in `into`: what it is at first, the longest that a reset
+/// may make it, and how it is drawn (E0327).
+void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
 /// What a reset needs of the finished graph (E0317, E0318); marks what cannot run during one.
 void check_resets(Graph& graph, Diagnostics& diagnostics);
 /// What manifests require of parameters, ports and rates together (E0328).
@@ -186,17 +175,5 @@ std::optional<PartialSpace> declared_space(const Draft& draft, const std::string
 bool is_target(const ConnectionSpec& connection);
 /// All names that `to:` may say.
 std::vector<std::string> input_names(const Draft& draft);
-
-template <class Spec>
-ConnectionSettings settings_of(const Spec& spec) {
-  ConnectionSettings result;
-  if (spec.window) result.window = spec.window->value;
-  if (spec.delay_s) result.delay_s = spec.delay_s->value;
-  if (spec.skip) result.skip = spec.skip->value;
-  result.processor = spec.processor;
-  result.max_delay_s = spec.max_delay_s;
-  result.random_delay = spec.random_delay;
-  return result;
-}
 
 }  // namespace eagerx::gen

@@ -209,7 +209,7 @@ class ObjectBuilder {
           target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
       if (!input || !is_free(nodes_[*target].inputs[*input], connection)) continue;
       DraftInput& port = nodes_[*target].inputs[*input];
-      port.settings = overlay(port.settings, settings_of(connection));
+      port.settings = overlay(port.settings, connection.settings);
       port.edge = DraftEdge{*source, *output, connection.span};  // made a graph index when it moves
       links_.push_back({*source, *target});
     }
@@ -239,7 +239,7 @@ class ObjectBuilder {
     DraftInput& port = nodes_[*target].inputs[*input];
     port.settings =
         overlay(port.settings, manifest_settings(*actuator, references_, diagnostics()));
-    port.settings = overlay(port.settings, settings_of(connection));
+    port.settings = overlay(port.settings, connection.settings);
     port.written = spec_.name.value + "." + name;
     port.actuator = true;
     PartialSpace space = partial_space(actuator->space, references_, diagnostics());
@@ -269,8 +269,8 @@ class ObjectBuilder {
     DraftOutput& port = nodes_[source].outputs[output];
     const std::string written = spec_.name.value + "." + name;
     port.sensor = written;
-    if (connection.processor) {
-      port.processor = connection.processor;
+    if (connection.settings.processor) {
+      port.processor = connection.settings.processor;
       bind(port.processor);
     }
     PartialSpace& space = port.processor ? port.published : port.declared;

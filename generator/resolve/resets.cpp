@@ -65,6 +65,7 @@ class TargetResolver {
 
   /// Nothing is sent along such a connection: the state is asked for once, when a reset begins.
   void refuse_settings(const ConnectionSpec& connection) {
+    const ConnectionSettings& settings = connection.settings;
     const auto refuse = [&](const char* key, const auto& setting) {
       if (!setting) return;
       diagnostics()
@@ -72,11 +73,11 @@ class TargetResolver {
                  fmt::format("`{}` cannot have `{}`", connection.to.value, key))
           .help = "a target gets its state when a reset begins; only `processor` can be set";
     };
-    refuse("window", connection.window);
-    refuse("delay", connection.delay_s);
-    refuse("delay", connection.random_delay);
-    refuse("max_delay", connection.max_delay_s);
-    refuse("skip", connection.skip);
+    refuse("window", settings.window);
+    refuse("delay", settings.delay_s);
+    refuse("delay", settings.random_delay);
+    refuse("max_delay", settings.max_delay);
+    refuse("skip", settings.skip);
   }
 
   DraftNode* find_reset_node(const Spanned<std::string>& to) {
@@ -174,9 +175,9 @@ class TargetResolver {
     target.state = index;
     target.space = state.space;
     target.span = connection.to.span;
-    if (connection.processor) {
+    if (connection.settings.processor) {
       target.processor =
-          make_processor(draft_, *connection.processor, state.space, connection.from.span);
+          make_processor(draft_, *connection.settings.processor, state.space, connection.from.span);
       if (!target.processor) return;
       target.space = target.processor->output;
     }

@@ -55,7 +55,8 @@ const Setting* of_connected_action(const GraphSpec& spec, const std::string& obj
   for (const auto& connection : spec.connections) {
     const std::string& to = connection.to.value;
     if (to != short_name && to != long_name) continue;
-    if (connection.processor || !connection.from.value.starts_with(kActions)) return nullptr;
+    if (connection.settings.processor || !connection.from.value.starts_with(kActions))
+      return nullptr;
     return find_setting(spec.safety->actions, connection.from.value.substr(kActions.size()));
   }
   return nullptr;

@@ -1,8 +1,6 @@
 // Spaces flow from outputs to inputs until every port knows its own; then both ends are compared.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "generator/resolve/draft.hpp"
@@ -175,13 +173,12 @@ class SpaceResolver {
     input.written = draft.written;
     input.source_node = draft.edge->node;
     input.source_output = draft.edge->output;
-    input.window = draft.settings.window.value_or(1);
-    input.delay_s = draft.settings.delay_s.value_or(Rational{});
-    input.skip = draft.settings.skip.value_or(false);
+    input.window = window_of(draft.settings).value_or(1);
+    input.skip = skips(draft.settings);
     input.feedthrough = draft.feedthrough;
     input.actuator = draft.actuator;
     input.span = draft.span;
-    set_changing_delay(draft, input);
+    resolve_delay(draft_, draft, input);
     input.space = source->space;
     if (draft.outside && !fits(*draft.outside, source->space)) {
       report_misfit(draft, *draft.outside, input);
@@ -201,65 +198,6 @@ class SpaceResolver {
       return true;
     slot.port = std::move(input);
     return true;
-  }
-
-  /// A delay that a reset may change, and the longest it can become.
-  void set_changing_delay(const DraftInput& draft, Input& input) {
-    input.entity_sets_delay = draft.entity_sets_delay;
-    if (draft.settings.max_delay_s) input.max_delay_s = draft.settings.max_delay_s->value;
-    if (draft.settings.random_delay) draw_delay(*draft.settings.random_delay, input);
-    if (input.max_delay_s && *input.max_delay_s < input.delay_s) {
-      const Span span = draft.settings.max_delay_s ? draft.settings.max_delay_s->span : draft.span;
-      diagnostics().error(
-          "E0327", span,
-          fmt::format("`max_delay` ({} s) is below the delay of `{}` ({} s)",
-                      input.max_delay_s->to_string(), draft.written, input.delay_s.to_string()));
-    }
-    if (draft_.spec.simulate_delays && !draft_.spec.simulate_delays->value) {
-      input.delay_s = Rational{};
-      input.max_delay_s.reset();
-      input.random_delay.reset();
-    }
-  }
-
-  void draw_delay(const RandomSpec& spec, Input& input) {
-    Space seconds{Dtype::float64, {}, {0.0}, {}};
-    if (input.max_delay_s) seconds.high = {input.max_delay_s->to_double()};
-    const bool ranged =
-        spec.kind == RandomSpec::Kind::uniform || spec.kind == RandomSpec::Kind::log_uniform;
-    if (ranged && !spec.first && !input.max_delay_s) {
-      diagnostics().error("E0327", spec.span, "this delay has no range to be drawn from").help =
-          "give `max_delay` beside it, or the range: `{low: …, high: …}`";
-      return;
-    }
-    input.random_delay = read_random("delay", seconds, spec, diagnostics());
-    if (!input.random_delay) return;
-    const auto longest = longest_delay(*input.random_delay);
-    if (!input.max_delay_s) input.max_delay_s = longest;
-    if (!input.max_delay_s) {
-      diagnostics().error("E0327", spec.span, "this delay has no longest value").help =
-          "give `max_delay` beside it: memory is set aside for that";
-    }
-  }
-
-  /// In whole nanoseconds, as delays count at run time.
-  static std::optional<Rational> longest_delay(const Random& random) {
-    constexpr double kNsPerSecond = 1e9;
-    double longest = 0.0;
-    switch (random.kind) {
-      case RandomSpec::Kind::normal:
-        return std::nullopt;
-      case RandomSpec::Kind::choice:
-        for (const auto& choice : random.choices) longest = std::max(longest, choice.front());
-        break;
-      case RandomSpec::Kind::value:
-        longest = random.first.front();
-        break;
-      default:
-        longest = random.second.front();
-    }
-    if (longest * kNsPerSecond > 1e18) return std::nullopt;
-    return Rational(static_cast<std::int64_t>(std::ceil(longest * kNsPerSecond)), 1'000'000'000);
   }
 
   bool agrees(const DraftInput& draft, const Input& input) {

@@ -25,38 +25,8 @@ std::optional<Spanned<T>> optional_of(const YamlValue& yaml, const char* key, Co
 Rational rational_of(const YamlValue& yaml) {
   return Rational::parse(yaml.text).value_or(Rational{});
 }
-std::uint32_t count_of(const YamlValue& yaml) {
-  return static_cast<std::uint32_t>(parse_int(yaml.text).value_or(0));
-}
 bool bool_of(const YamlValue& yaml) {
   return parse_bool(yaml.text).value_or(false);
-}
-
-ProcessorSpec read_processor(const YamlValue& yaml) {
-  if (yaml.is_scalar()) return {text_of(yaml), {}};
-  return {text_of(*yaml.find("type")), read_config(yaml.find("config"))};
-}
-
-/// nullopt if nothing is said of the value.
-std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics);
-
-template <class Spec>
-void read_delay(const YamlValue& yaml, Spec& spec, Diagnostics& diagnostics) {
-  if (yaml.is_scalar()) {
-    spec.delay_s = Spanned<Rational>{rational_of(yaml), yaml.span};
-  } else {
-    spec.random_delay = read_random(yaml, diagnostics);
-  }
-}
-
-template <class Spec>
-void read_connection_settings(const YamlValue& yaml, Spec& spec, Diagnostics& diagnostics) {
-  spec.window = optional_of<std::uint32_t>(yaml, "window", count_of);
-  if (const YamlValue* delay = yaml.find("delay")) read_delay(*delay, spec, diagnostics);
-  spec.max_delay_s = optional_of<Rational>(yaml, "max_delay", rational_of);
-  spec.skip = optional_of<bool>(yaml, "skip", bool_of);
-  if (const YamlValue* processor = yaml.find("processor"))
-    spec.processor = read_processor(*processor);
 }
 
 ComponentSpec read_component(const std::string& name, Span span, const YamlValue& settings,
@@ -65,7 +35,7 @@ ComponentSpec read_component(const std::string& name, Span span, const YamlValue
   spec.name = {name, span};
   spec.rate = optional_of<Rational>(settings, "rate", rational_of);
   if (const YamlValue* space = settings.find("space")) spec.space = read_space(*space);
-  read_connection_settings(settings, spec, diagnostics);
+  spec.settings = read_connection_settings(settings, diagnostics);
   return spec;
 }
 
@@ -94,37 +64,6 @@ std::optional<std::vector<ComponentSpec>> read_optional_selection(const YamlValu
   const YamlValue* selection = yaml.find(key);
   if (selection == nullptr) return std::nullopt;
   return read_selection(*selection, diagnostics);
-}
-
-std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagnostics) {
-  RandomSpec spec;
-  spec.span = yaml.span;
-  if (yaml.is_scalar()) return spec;  // uniform in its space
-  std::vector<const YamlValue::Entry*> ways;
-  for (const auto& entry : yaml.entries) {
-    if (entry.key != "processor" && entry.key != "space") ways.push_back(&entry);
-  }
-  if (ways.empty() && !yaml.entries.empty()) return std::nullopt;
-  if (ways.size() != 1) {
-    diagnostics.error("E0206", yaml.span, "a value is drawn in exactly one way").help =
-        "write one of value, uniform, normal, log_uniform, choice";
-    return std::nullopt;
-  }
-  const auto& [key, key_span, value] = *ways.front();
-  spec.span = key_span;
-  if (key == "value" || key == "choice") {
-    spec.kind = key == "value" ? RandomSpec::Kind::value : RandomSpec::Kind::choice;
-    spec.first = value;
-    return spec;
-  }
-  if (value.is_scalar()) return spec;  // `uniform: space`
-  const bool normal = key == "normal";
-  spec.kind = normal
-                  ? RandomSpec::Kind::normal
-                  : (key == "uniform" ? RandomSpec::Kind::uniform : RandomSpec::Kind::log_uniform);
-  spec.first = *value.find(normal ? "mean" : "low");
-  spec.second = *value.find(normal ? "std" : "high");
-  return spec;
 }
 
 void read_policy_settings(const YamlValue& yaml, AgentSpec& spec) {
@@ -212,22 +151,10 @@ SpaceSpec read_space(const YamlValue& yaml) {
   spec.span = yaml.span;
   spec.like = optional_of<std::string>(yaml, "like", text);
   spec.dtype = optional_of<std::string>(yaml, "dtype", text);
-  const auto copy = [&](const char* key) {
-    const YamlValue* value = yaml.find(key);
-    return value != nullptr ? std::optional<YamlValue>(*value) : std::nullopt;
-  };
-  spec.shape = copy("shape");
-  spec.low = copy("low");
-  spec.high = copy("high");
+  spec.shape = value_at(yaml, "shape");
+  spec.low = value_at(yaml, "low");
+  spec.high = value_at(yaml, "high");
   return spec;
-}
-
-std::vector<Setting> read_config(const YamlValue* yaml) {
-  std::vector<Setting> result;
-  if (yaml == nullptr) return result;
-  for (const auto& entry : yaml->entries)
-    result.push_back({entry.key, entry.key_span, entry.value});
-  return result;
 }
 
 std::vector<ConnectionSpec> read_connections(const YamlValue* yaml, Diagnostics& diagnostics) {
@@ -238,7 +165,7 @@ std::vector<ConnectionSpec> read_connections(const YamlValue* yaml, Diagnostics&
     spec.span = item.span;
     spec.from = text_of(*item.find("from"));
     spec.to = text_of(*item.find("to"));
-    read_connection_settings(item, spec, diagnostics);
+    spec.settings = read_connection_settings(item, diagnostics);
     result.push_back(std::move(spec));
   }
   return result;
@@ -302,7 +229,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
   spec.connections = read_connections(root.find("connections"), diagnostics);
   spec.agent = read_agent(root.find("agent"), diagnostics);
   spec.safety = read_safety(root.find("safety"));
-  if (const YamlValue* budget = root.find("budget")) spec.budget = *budget;
+  spec.budget = value_at(root, "budget");
   if (const YamlValue* placement = root.find("placement")) {
     for (const auto& entry : placement->entries)
       spec.placement.push_back({{entry.key, entry.key_span}, text_of(entry.value)});

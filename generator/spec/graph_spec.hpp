@@ -8,22 +8,9 @@
 #include "generator/read/rational.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/spec/format.hpp"
+#include "generator/spec/settings.hpp"
 
 namespace eagerx::gen {
-
-/// A value and where it was written.
-template <class T>
-struct Spanned {
-  T value{};
-  Span span;
-};
-
-/// A key with a value that only a manifest can judge.
-struct Setting {
-  std::string name;
-  Span span;
-  YamlValue value;
-};
 
 /// Parts of a space; what is missing comes from the other end of a connection or from a manifest.
 struct SpaceSpec {
@@ -35,31 +22,12 @@ struct SpaceSpec {
   std::optional<YamlValue> high;
 };
 
-struct ProcessorSpec {
-  Spanned<std::string> type;
-  std::vector<Setting> config;
-};
-
-/// How a state or a delay gets its value at a reset.
-struct RandomSpec {
-  enum class Kind : std::uint8_t { value, uniform, normal, log_uniform, choice };
-  Kind kind = Kind::uniform;
-  Span span;
-  std::optional<YamlValue> first;   // value; low; mean; list of choices
-  std::optional<YamlValue> second;  // high; std
-};
-
 /// A sensor, actuator, input, output, action or observation that the user named, with what was set.
 struct ComponentSpec {
   Spanned<std::string> name;
   std::optional<Spanned<Rational>> rate;
   std::optional<SpaceSpec> space;
-  std::optional<ProcessorSpec> processor;
-  std::optional<Spanned<std::uint32_t>> window;
-  std::optional<Spanned<Rational>> delay_s;
-  std::optional<Spanned<Rational>> max_delay_s;  // a reset may change the delay up to this
-  std::optional<RandomSpec> random_delay;        // drawn at every reset, in place of delay_s
-  std::optional<Spanned<bool>> skip;
+  ConnectionSettings settings;  // of a sensor, output or observation only the processor
 };
 
 struct StateSpec {
@@ -102,12 +70,7 @@ struct ConnectionSpec {
   Span span;
   Spanned<std::string> from;
   Spanned<std::string> to;
-  std::optional<Spanned<std::uint32_t>> window;
-  std::optional<Spanned<Rational>> delay_s;
-  std::optional<Spanned<Rational>> max_delay_s;
-  std::optional<RandomSpec> random_delay;
-  std::optional<Spanned<bool>> skip;
-  std::optional<ProcessorSpec> processor;
+  ConnectionSettings settings;
 };
 
 /// What is safe and when it is applied; what is left out has the default of `safety_defaults`.
@@ -174,7 +137,6 @@ FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr config_format();
 SpaceSpec read_space(const YamlValue& yaml);
-std::vector<Setting> read_config(const YamlValue* yaml);
 std::vector<ConnectionSpec> read_connections(const YamlValue* yaml, Diagnostics& diagnostics);
 EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml,
                        Diagnostics& diagnostics);
