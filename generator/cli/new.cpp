@@ -21,7 +21,7 @@ bool is_board_name(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
   };
   return !name.empty() && name.front() >= 'a' && name.front() <= 'z' && name.back() != '-' &&
-         std::all_of(name.begin(), name.end(), allowed);
+         std::ranges::all_of(name, allowed);
 }
 
 std::string with_name(std::string text, const std::string& name) {
@@ -44,7 +44,7 @@ std::vector<std::pair<std::string, std::string>> filled_files(const fs::path& fo
     text << in.rdbuf();
     result.emplace_back(file.substr(0, file.size() - kBlank.size()), with_name(text.str(), name));
   }
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 

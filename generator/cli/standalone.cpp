@@ -10,6 +10,8 @@
 #include <set>
 #include <sstream>
 
+#include "generator/spec/named.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -81,7 +83,7 @@ class Carrier {
       static const std::set<std::string> kKinds = {".cpp", ".hpp", ".cmake", ".ld", ".yaml"};
       if (entry.is_regular_file(error) && kKinds.contains(extension)) found.push_back(entry.path());
     }
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(found);
     for (const auto& path : found)
       add_file(path, to + "/" + path.lexically_relative(folder).generic_string());
   }
@@ -205,9 +207,9 @@ std::vector<std::string> package_folders(Run& run, const std::vector<std::string
   for (const auto& entry : fs::directory_iterator(packages, error)) {
     if (entry.is_directory(error)) known.push_back(entry.path().filename());
   }
-  std::sort(known.begin(), known.end());
+  std::ranges::sort(known);
   for (const auto& name : names) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) {
+    if (contains(known, name)) {
       folders.push_back((packages / name).string());
       continue;
     }

@@ -152,8 +152,7 @@ class Writer {
 
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics) {
-  std::sort(files.begin(), files.end(),
-            [](const GeneratedFile& a, const GeneratedFile& b) { return a.path < b.path; });
+  std::ranges::sort(files, {}, &GeneratedFile::path);
   return Writer(folder, diagnostics).run(files);
 }
 

@@ -52,9 +52,8 @@ std::string too_much(const CLI::App& reached, const std::string& typed,
   const std::vector<std::string> rest = reached.remaining(true);
   if (rest.empty()) return message("too many arguments", otherwise);
   // An option that is not known leaves its value behind, too.
-  const auto option = std::find_if(rest.begin(), rest.end(), [](const std::string& each) {
-    return each.size() > 1 && each.front() == '-';
-  });
+  const auto option = std::ranges::find_if(
+      rest, [](const std::string& each) { return each.size() > 1 && each.front() == '-'; });
   const std::string& first = option == rest.end() ? rest.front() : *option;
   const std::string word = first.substr(0, first.find('='));
   if (!word.starts_with('-'))
@@ -88,7 +87,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
 }
 
 std::string not_a_command(const CLI::App& app, const std::string& word) {
-  const bool like_one = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+  const bool like_one = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
     return std::isalpha(c) != 0 || c == '-';
   });
   std::error_code ignored;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/import/translate.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -14,13 +15,10 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
   const auto has = [&](std::string_view section, const std::string& port) {
     const std::string name = fmt::format("{}.{}", section, port);
     if (section == "states") {
-      const auto is_it = [&](const auto& state) { return state.name.value == port; };
-      const auto& own = implementation.states;
-      const auto& of_nodes = implementation.node_states;
-      return std::any_of(own.begin(), own.end(), is_it) ||
-             std::any_of(of_nodes.begin(), of_nodes.end(), is_it);
+      return find_named(implementation.states, port) != nullptr ||
+             find_named(implementation.node_states, port) != nullptr;
     }
-    return std::any_of(inside.begin(), inside.end(), [&](const ConnectionSpec& c) {
+    return std::ranges::any_of(inside, [&](const ConnectionSpec& c) {
       return c.from.value == name || c.to.value == name;
     });
   };
@@ -28,10 +26,10 @@ bool has_all(const Translation& t, const SavedEntity& object, const ObjectEngine
     return end.entity != object.name.value || has(end.section, end.port);
   };
   const auto& states = object.selected.at("states");
-  return std::all_of(t.saved.links.begin(), t.saved.links.end(),
-                     [&](const SavedLink& link) { return used(link.from) && used(link.to); }) &&
-         std::all_of(states.begin(), states.end(),
-                     [&](const auto& state) { return has("states", state.value); });
+  return std::ranges::all_of(
+             t.saved.links,
+             [&](const SavedLink& link) { return used(link.from) && used(link.to); }) &&
+         std::ranges::all_of(states, [&](const auto& state) { return has("states", state.value); });
 }
 
 /// Engines that every object is implemented for, with all that the graph uses of it. They are in
@@ -46,9 +44,9 @@ std::vector<std::string> common_engines(const Translation& t) {
     if (object.kind != SavedEntity::Kind::object) continue;
     const Entity* entity = t.entity(object.name.value);
     std::erase_if(result, [&](const std::string& engine) {
-      return std::none_of(
-          entity->object_engines.begin(), entity->object_engines.end(),
-          [&](const ObjectEngine& o) { return o.engine.value == engine && has_all(t, object, o); });
+      return std::ranges::none_of(entity->object_engines, [&](const ObjectEngine& o) {
+        return o.engine.value == engine && has_all(t, object, o);
+      });
     });
   }
   return result;
@@ -98,7 +96,7 @@ void choose_type(Translation& t) {
 void take_option(Translation& t) {
   EntitySpec& engine = t.result.spec.engine;
   const std::vector<std::string> known = t.counterparts.library().ids(EntityKind::engine);
-  if (std::find(known.begin(), known.end(), t.options.engine) == known.end()) {
+  if (!contains(known, t.options.engine)) {
     const std::string near = nearest(t.options.engine, known);
     t.diagnostics.error("E0303", {}, fmt::format("unknown engine `{}`", t.options.engine)).help =
         near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))

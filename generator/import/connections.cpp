@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "generator/import/rebuilt.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -98,11 +98,11 @@ class ConnectionTranslator {
 
   /// Of "node.input" of an engine node.
   ConnectionSettings settings_of_input(const ObjectEngine& implementation, const std::string& to) {
-    const auto [owner, name] = split_port(to);
+    const PortName port = parse_port(to);
     for (const auto& node : implementation.nodes) {
       const Entity* type = t_.counterparts.library().find(node.type.value);
-      if (node.name.value != owner || type == nullptr) continue;
-      if (const PortManifest* input = type->input(name)) return input->settings;
+      if (node.name.value != port.owner || type == nullptr) continue;
+      if (const PortManifest* input = type->input(port.name)) return input->settings;
     }
     return {};
   }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -48,7 +49,7 @@ bool is_kind(const Entity& entity, Use use) {
   static constexpr std::array kOthers = {EntityKind::engine, EntityKind::object,
                                          EntityKind::processor, EntityKind::engine_node,
                                          EntityKind::engine_state};
-  return std::find(kOthers.begin(), kOthers.end(), entity.kind) == kOthers.end();
+  return std::ranges::find(kOthers, entity.kind) == kOthers.end();
 }
 
 const char* to_string(Use use) {
@@ -66,7 +67,7 @@ const char* to_string(Use use) {
 }
 
 bool holds(const std::vector<Setting>& when, const YamlValue& config) {
-  return std::all_of(when.begin(), when.end(), [&](const Setting& setting) {
+  return std::ranges::all_of(when, [&](const Setting& setting) {
     const YamlValue* value = config.find(setting.name);
     return value != nullptr ? same_value(setting.value, *value) : setting.value.is_null();
   });
@@ -133,9 +134,11 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue
     Missing& missing = missing_[id.value];
     missing.use = use;
     missing.other_parameters = known;
-    const bool again = std::any_of(missing.users.begin(), missing.users.end(),
-                                   [&](const auto& other) { return other.first == user; });
-    if (!again) missing.users.emplace_back(user, id.span);
+    const auto first = [](const auto& other) -> const auto& {
+      return other.first;
+    };
+    if (std::ranges::find(missing.users, user, first) == missing.users.end())
+      missing.users.emplace_back(user, id.span);
   } else if (ambiguous) {
     diagnostics_
         .error("E0801", id.span, fmt::format("more than one entity stands for `{}`", id.value))
@@ -146,8 +149,8 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue
 }
 
 bool Counterparts::stands_for(const Entity& entity, const std::string& id) {
-  return std::any_of(entity.eagerx_ids.begin(), entity.eagerx_ids.end(),
-                     [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
+  return std::ranges::any_of(entity.eagerx_ids,
+                             [&](const EagerxId& eagerx) { return eagerx.id.value == id; });
 }
 
 std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValue& config,
@@ -156,8 +159,7 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   std::vector<std::string> taken;
   for (const auto& parameter : entity.config) {
     taken.push_back(parameter.eagerx);
-    const auto entry = std::find_if(config.entries.begin(), config.entries.end(),
-                                    [&](const auto& e) { return e.key == parameter.eagerx; });
+    const auto entry = std::ranges::find(config.entries, parameter.eagerx, &YamlValue::Entry::key);
     if (entry == config.entries.end() || entry->value.is_null()) continue;
     if (is_python_object(entry->value)) {
       diagnostics_
@@ -181,8 +183,8 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   std::vector<std::string> unknown;
   Span span;
   for (const auto& entry : config.entries) {
-    if (entry.value.is_null() || std::find(taken.begin(), taken.end(), entry.key) != taken.end() ||
-        std::find(kAlways.begin(), kAlways.end(), entry.key) != kAlways.end())
+    if (entry.value.is_null() || contains(taken, entry.key) ||
+        std::ranges::find(kAlways, entry.key) != kAlways.end())
       continue;
     if (unknown.empty()) span = entry.key_span;
     unknown.push_back(entry.key);

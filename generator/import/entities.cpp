@@ -147,7 +147,7 @@ class EntityTranslator {
   }
 
   bool is_linked(const std::string& entity, std::string_view section, const std::string& port) {
-    return std::any_of(t_.saved.links.begin(), t_.saved.links.end(), [&](const SavedLink& link) {
+    return std::ranges::any_of(t_.saved.links, [&](const SavedLink& link) {
       const SavedEnd& end = section == "sensors" ? link.from : link.to;
       return end.entity == entity && end.section == section && end.port == port;
     });
@@ -155,10 +155,8 @@ class EntityTranslator {
 
   /// Sensors and actuators of which something has to be said: another rate, a processor, or that
   /// they are in use although nothing is connected to them.
-  std::optional<std::vector<ComponentSpec>> rated_ports(const SavedEntity& saved,
-                                                        const Entity& entity,
-                                                        const EntitySpec& made,
-                                                        const char* section) {
+  Selection rated_ports(const SavedEntity& saved, const Entity& entity, const EntitySpec& made,
+                        const char* section) {
     std::vector<ComponentSpec> result;
     const auto ports = saved.ports.find(section);
     if (ports == saved.ports.end()) return std::nullopt;
@@ -216,13 +214,12 @@ class EntityTranslator {
       for (const auto& node : implementation.nodes) {
         if (node.rate->value.text != reference) continue;
         const bool own =
-            std::any_of(implementation.connections.begin(), implementation.connections.end(),
-                        [&](const ConnectionSpec& c) {
-                          return (c.to.value == fmt::format("{}.{}", section, name) &&
-                                  c.from.value.starts_with(node.name.value + ".")) ||
-                                 (c.from.value == fmt::format("{}.{}", section, name) &&
-                                  c.to.value.starts_with(node.name.value + "."));
-                        });
+            std::ranges::any_of(implementation.connections, [&](const ConnectionSpec& c) {
+              return (c.to.value == fmt::format("{}.{}", section, name) &&
+                      c.from.value.starts_with(node.name.value + ".")) ||
+                     (c.from.value == fmt::format("{}.{}", section, name) &&
+                      c.to.value.starts_with(node.name.value + "."));
+            });
         if (!own) return true;
       }
     }
@@ -230,9 +227,8 @@ class EntityTranslator {
   }
 
   /// The selection, if it is not everything or something has to be said of one of them.
-  std::optional<std::vector<ComponentSpec>> node_ports(const SavedEntity& saved,
-                                                       const Entity& entity, const char* section,
-                                                       const std::vector<PortManifest>& known) {
+  Selection node_ports(const SavedEntity& saved, const Entity& entity, const char* section,
+                       const std::vector<PortManifest>& known) {
     std::vector<ComponentSpec> result;
     bool needed = false;
     for (const auto& name : saved.selected.at(section)) {
@@ -252,7 +248,7 @@ class EntityTranslator {
       }
       result.push_back(std::move(component));
     }
-    const bool all = std::all_of(known.begin(), known.end(), [&](const PortManifest& port) {
+    const bool all = std::ranges::all_of(known, [&](const PortManifest& port) {
       return saved.is_selected(section, port.name.value);
     });
     if (all && !needed && result.size() == known.size()) return std::nullopt;

@@ -25,7 +25,7 @@ bool is_plain(std::string_view tag) {
       "python/long", "python/float", "python/bool", "python/none",    "timestamp"};
   if (tag.empty() || tag == "!" || tag == "?") return true;
   if (!tag.starts_with(kYaml)) return false;
-  return std::find(kPlain.begin(), kPlain.end(), tag.substr(kYaml.size())) != kPlain.end();
+  return std::ranges::find(kPlain, tag.substr(kYaml.size())) != kPlain.end();
 }
 
 std::optional<std::string> decode_base64(std::string_view text) {
@@ -97,21 +97,13 @@ std::pair<Decode, std::size_t> decoder(std::string_view dtype) {
   return {nullptr, 0};
 }
 
-YamlValue scalar(std::string text, const Span& span) {
-  YamlValue yaml;
-  yaml.kind = YamlKind::scalar;
-  yaml.text = std::move(text);
-  yaml.span = span;
-  return yaml;
-}
-
 /// numpy.float64(0.5): the dtype and the bytes.
 std::optional<YamlValue> numpy_scalar(const YamlValue& yaml) {
   if (!has_python_tag(yaml, "multiarray.scalar") || yaml.items.size() != 2) return std::nullopt;
   const auto [decode, size] = decoder(dtype_of(yaml.items[0]));
   const auto bytes = decode_base64(yaml.items[1].text);
   if (decode == nullptr || !bytes || bytes->size() != size) return std::nullopt;
-  return scalar(decode(bytes->data()), yaml.span);
+  return made_scalar(decode(bytes->data()), yaml.span);
 }
 
 /// numpy.array([1.0, 2.0]), one axis only: state (version, shape, dtype, order, bytes).
@@ -126,12 +118,10 @@ std::optional<YamlValue> numpy_array(const YamlValue& yaml) {
   if (decode == nullptr || !bytes || !length || *length < 0 ||
       bytes->size() / size != static_cast<std::size_t>(*length) || bytes->size() % size != 0)
     return std::nullopt;
-  YamlValue list;
-  list.kind = YamlKind::sequence;
-  list.span = yaml.span;
+  std::vector<YamlValue> items;
   for (std::size_t i = 0; i < bytes->size(); i += size)
-    list.items.push_back(scalar(decode(bytes->data() + i), yaml.span));
-  return list;
+    items.push_back(made_scalar(decode(bytes->data() + i), yaml.span));
+  return made_list(std::move(items), yaml.span);
 }
 
 /// "!!python/name:package.function"
@@ -149,7 +139,7 @@ YamlValue plain_values(const YamlValue& yaml) {
   if (!is_plain(yaml.tag)) {
     if (auto number = numpy_scalar(yaml)) return std::move(*number);
     if (auto list = numpy_array(yaml)) return std::move(*list);
-    YamlValue opaque = scalar(shown_tag(yaml.tag), yaml.span);
+    YamlValue opaque = made_scalar(shown_tag(yaml.tag), yaml.span);
     opaque.tag = kPythonObject;
     opaque.quoted = true;
     return opaque;

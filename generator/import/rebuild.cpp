@@ -8,6 +8,7 @@
 #include "generator/import/counterparts.hpp"
 #include "generator/import/rebuilt.hpp"
 #include "generator/read/rational.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -80,9 +81,8 @@ class Rebuilder {
 
   void rebuild(const SavedObject& object) {
     const std::string& name = object.name.value;
-    const auto backup = std::find_if(saved_.backup.begin(), saved_.backup.end(),
-                                     [&](const SavedEntity& e) { return e.name.value == name; });
-    if (backup == saved_.backup.end()) {
+    const SavedEntity* backup = find_named(saved_.backup, name);
+    if (backup == nullptr) {
       fail(object.name.span, fmt::format("the file does not say what the object `{}` is", name),
            "it is not under `backup:`; import the file that Graph.save wrote");
       return;
@@ -128,9 +128,8 @@ class Rebuilder {
       if (!entity.name.value.starts_with(prefix)) continue;
       owners_[entity.name.value] = rebuilt_.size();
       const std::string local = entity.name.value.substr(prefix.size());
-      const auto same = std::find_if(ours.begin(), ours.end(),
-                                     [&](const EntitySpec& n) { return n.name.value == local; });
-      if (same == ours.end()) {
+      const EntitySpec* same = find_named(ours, local);
+      if (same == nullptr) {
         open.push_back(&entity);
         continue;
       }
@@ -172,13 +171,13 @@ class Rebuilder {
       const SavedEntity& saved = *saved_.find(node);
       const YamlValue* rate = saved.parameter("rate");
       for (const auto& connection : rebuilt.implementation->connections) {
-        const auto [from, from_port] = split_port(connection.from.value);
-        const auto [to, to_port] = split_port(connection.to.value);
-        if (to == "sensors" && from == local)
-          take_port(rebuilt.object, "sensors", to_port, saved.port("outputs", from_port), rate,
+        const PortName from = parse_port(connection.from.value);
+        const PortName to = parse_port(connection.to.value);
+        if (to.owner == "sensors" && from.owner == local)
+          take_port(rebuilt.object, "sensors", to.name, saved.port("outputs", from.name), rate,
                     connection);
-        if (from == "actuators" && to == local)
-          take_port(rebuilt.object, "actuators", from_port, saved.port("inputs", to_port), rate,
+        if (from.owner == "actuators" && to.owner == local)
+          take_port(rebuilt.object, "actuators", from.name, saved.port("inputs", to.name), rate,
                     connection);
       }
     }
@@ -203,9 +202,7 @@ class Rebuilder {
     for (const auto& match : rebuilt.matches) {
       const std::string& node = match.first;
       const YamlValue* rate = saved_.find(node)->parameter("rate");
-      const auto spec =
-          std::find_if(rebuilt.implementation->nodes.begin(), rebuilt.implementation->nodes.end(),
-                       [&](const EntitySpec& n) { return n.name.value == match.second; });
+      const EntitySpec* spec = find_named(rebuilt.implementation->nodes, match.second);
       const std::string& text = spec->rate->value.text;  // `$(sensors theta rate)`
       for (const char* section : {"sensors", "actuators"}) {
         const std::string begin = fmt::format("$({} ", section);
@@ -262,9 +259,7 @@ class Rebuilder {
   void compare_settings(const Rebuilt& object, const SavedLink& link, const ConnectionSpec& inside,
                         const std::string& node) {
     const SavedPort* port = saved_.find(link.to.entity)->port("inputs", link.to.port);
-    const auto spec =
-        std::find_if(object.implementation->nodes.begin(), object.implementation->nodes.end(),
-                     [&](const EntitySpec& n) { return n.name.value == node; });
+    const EntitySpec* spec = find_named(object.implementation->nodes, node);
     const Entity* type = counterparts_.library().find(spec->type.value);
     const PortManifest* manifest = type != nullptr ? type->input(link.to.port) : nullptr;
     if (port == nullptr || manifest == nullptr) return;
@@ -316,7 +311,7 @@ class Rebuilder {
     }
     link.to.entity = object.object.name.value;
     link.to.section = "actuators";
-    link.to.port = split_port(actuator->from.value).second;
+    link.to.port = parse_port(actuator->from.value).name;
     used_.insert(link.to.entity + ".actuators." + link.to.port);
     return true;
   }

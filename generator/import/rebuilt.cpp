@@ -6,11 +6,6 @@
 
 namespace eagerx::gen {
 
-std::pair<std::string, std::string> split_port(const std::string& port) {
-  const std::size_t dot = port.find('.');
-  return {port.substr(0, dot), dot == std::string::npos ? "" : port.substr(dot + 1)};
-}
-
 std::string Rebuilt::match(const std::string& node) const {
   const auto found = matches.find(node);
   return found == matches.end() ? "" : found->second;
@@ -21,12 +16,11 @@ std::vector<std::string> Rebuilt::sensors(const std::string& node,
   std::vector<std::string> result;
   const std::string port = fmt::format("{}.{}", node, output);
   for (const auto& connection : implementation->connections) {
-    const auto [section, name] = split_port(connection.to.value);
-    if (connection.from.value == port && section == "sensors") result.push_back(name);
+    const PortName to = parse_port(connection.to.value);
+    if (connection.from.value == port && to.owner == "sensors") result.push_back(to.name);
   }
-  std::stable_partition(result.begin(), result.end(), [&](const std::string& sensor) {
-    return object.is_selected("sensors", sensor);
-  });
+  std::ranges::stable_partition(
+      result, [&](const std::string& sensor) { return object.is_selected("sensors", sensor); });
   return result;
 }
 
@@ -49,11 +43,11 @@ const ConnectionSpec* Rebuilt::inside(const std::string& from, const std::string
 bool Rebuilt::has_node_of(std::string_view section, const std::string& port) const {
   const bool sensor = section == "sensors";
   for (const auto& connection : implementation->connections) {
-    const auto [owner, name] = split_port(sensor ? connection.to.value : connection.from.value);
-    if (owner != section || name != port) continue;
-    const std::string node = split_port(sensor ? connection.from.value : connection.to.value).first;
+    const PortName outside = parse_port(sensor ? connection.to.value : connection.from.value);
+    if (outside.owner != section || outside.name != port) continue;
+    const PortName inside = parse_port(sensor ? connection.from.value : connection.to.value);
     for (const auto& [in_file, local] : matches) {
-      if (local == node) return true;
+      if (local == inside.owner) return true;
     }
   }
   return false;

@@ -8,6 +8,7 @@
 
 #include "generator/import/saved.hpp"
 #include "generator/library/library.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 
@@ -33,8 +34,5 @@ struct Rebuilt {
   /// "actuators".
   [[nodiscard]] bool has_node_of(std::string_view section, const std::string& port) const;
 };
-
-/// "sensors.theta" → {"sensors", "theta"}
-std::pair<std::string, std::string> split_port(const std::string& port);
 
 }  // namespace eagerx::gen

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/spec/named.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -37,10 +39,9 @@ class Substitution {
   bool afford(const YamlValue& yaml) {
     constexpr std::size_t kTextOfANode = 64;
     return spend(nodes_, 1 + yaml.text.size() / kTextOfANode) &&
-           std::all_of(yaml.items.begin(), yaml.items.end(),
-                       [&](const YamlValue& item) { return afford(item); }) &&
-           std::all_of(yaml.entries.begin(), yaml.entries.end(),
-                       [&](const YamlValue::Entry& entry) { return afford(entry.value); });
+           std::ranges::all_of(yaml.items, [&](const YamlValue& item) { return afford(item); }) &&
+           std::ranges::all_of(yaml.entries,
+                               [&](const YamlValue::Entry& entry) { return afford(entry.value); });
   }
 
   std::size_t searches_ = 50'000'000;  // entries looked at
@@ -163,9 +164,8 @@ class SavedReader {
       return result;
     }
     for (const auto& item : list->items) {
-      const bool twice = std::any_of(result.begin(), result.end(), [&](const auto& earlier) {
-        return earlier.value == item.text;
-      });
+      const bool twice =
+          std::ranges::find(result, item.text, &Spanned<std::string>::value) != result.end();
       if (item.is_scalar() && twice) {
         fail(item.span, fmt::format("`{}` is listed twice", item.text));
       } else if (item.is_scalar()) {
@@ -240,17 +240,14 @@ const YamlValue* SavedPort::find(std::string_view key) const {
 const SavedPort* SavedEntity::port(std::string_view section, std::string_view wanted) const {
   const auto found = ports.find(section);
   if (found == ports.end()) return nullptr;
-  for (const auto& port : found->second) {
-    if (port.name.value == wanted) return &port;
-  }
-  return nullptr;
+  return find_named(found->second, wanted);
 }
 
 bool SavedEntity::is_selected(std::string_view section, std::string_view wanted) const {
   const auto found = selected.find(section);
   return found != selected.end() &&
-         std::any_of(found->second.begin(), found->second.end(),
-                     [&](const Spanned<std::string>& s) { return s.value == wanted; });
+         std::ranges::find(found->second, wanted, &Spanned<std::string>::value) !=
+             found->second.end();
 }
 
 const YamlValue* SavedEntity::parameter(std::string_view key) const {
@@ -259,9 +256,7 @@ const YamlValue* SavedEntity::parameter(std::string_view key) const {
 }
 
 const SavedEntity* SavedGraph::find(std::string_view name) const {
-  const auto found = std::find_if(entities.begin(), entities.end(),
-                                  [&](const SavedEntity& e) { return e.name.value == name; });
-  return found == entities.end() ? nullptr : &*found;
+  return find_named(entities, name);
 }
 
 bool SavedGraph::flattened() const {

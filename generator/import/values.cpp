@@ -45,8 +45,8 @@ bool is_unbounded(double bound, std::string_view dtype) {
 
 bool all_unbounded(const YamlValue& bound, std::string_view dtype) {
   if (bound.is_sequence()) {
-    return std::all_of(bound.items.begin(), bound.items.end(),
-                       [&](const YamlValue& item) { return all_unbounded(item, dtype); });
+    return std::ranges::all_of(bound.items,
+                               [&](const YamlValue& item) { return all_unbounded(item, dtype); });
   }
   const auto number = parse_number(bound.text);
   return number && is_unbounded(*number, dtype);
@@ -101,14 +101,6 @@ bool same_bound(const std::optional<YamlValue>& a, const std::optional<YamlValue
 }
 
 }  // namespace
-
-YamlValue made_scalar(std::string text, Span span) {
-  YamlValue yaml;
-  yaml.kind = YamlKind::scalar;
-  yaml.text = std::move(text);
-  yaml.span = span;
-  return yaml;
-}
 
 Spanned<YamlValue> made_rate(const Rational& rate_hz, Span span) {
   return {made_scalar(rate_hz.to_string(), span), span};
@@ -195,9 +187,9 @@ std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& man
   const bool dtype = manifest.dtype && saved.dtype && manifest.dtype->value == saved.dtype->value;
   if (!dtype) result.dtype = saved.dtype;
   const bool literal =
-      manifest.shape &&
-      std::none_of(manifest.shape->items.begin(), manifest.shape->items.end(),
-                   [](const YamlValue& item) { return item.text.starts_with("$("); });
+      manifest.shape && std::ranges::none_of(manifest.shape->items, [](const YamlValue& item) {
+        return item.text.starts_with("$(");
+      });
   const bool shape =
       manifest.shape && saved.shape && (!literal || same_shape(*manifest.shape, *saved.shape));
   if (!shape) result.shape = saved.shape;

@@ -15,8 +15,7 @@ constexpr std::size_t kWidth = 110;
 /// Whether the text can stand without quotes wherever values stand.
 bool is_plain(const std::string& text) {
   const auto letter = [](unsigned char c) { return std::isalnum(c) != 0; };
-  return std::any_of(text.begin(), text.end(), letter) &&
-         std::all_of(text.begin(), text.end(), [&](char c) {
+  return std::ranges::any_of(text, letter) && std::ranges::all_of(text, [&](char c) {
            return letter(static_cast<unsigned char>(c)) ||
                   std::string_view("_./+-").find(c) != std::string_view::npos;
          });
@@ -24,7 +23,7 @@ bool is_plain(const std::string& text) {
 
 std::string quoted(const std::string& text) {
   const bool simple =
-      std::all_of(text.begin(), text.end(), [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
+      std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
   std::string result;
   if (simple) {
     for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);

@@ -172,8 +172,7 @@ class Stack {
     std::vector<Value> choices;
     for (std::size_t i = 0; i < count; ++i) choices.push_back(pop());
     const Value value = pop();
-    return std::any_of(choices.begin(), choices.end(),
-                       [&](const Value& choice) { return equal(value, choice); });
+    return std::ranges::any_of(choices, [&](const Value& choice) { return equal(value, choice); });
   }
 
   std::vector<Value> values_;

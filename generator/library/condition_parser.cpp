@@ -6,6 +6,8 @@
 #include "generator/library/condition_text.hpp"
 #include "generator/library/library.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/dtype.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -161,9 +163,7 @@ class Parser : private ConditionText {
 
   /// A parameter, the node's rate, or a choice.
   Type name(const std::string& word, std::size_t begin) {
-    const auto found = std::find_if(entity_.config.begin(), entity_.config.end(),
-                                    [&](const Parameter& p) { return p.name.value == word; });
-    if (found != entity_.config.end()) {
+    if (const Parameter* found = find_named(entity_.config, word)) {
       Type type = result({Op::fact, {}, word, word, 0}, kind_of(*found), begin);
       if (found->type == Parameter::Type::keyword) type.choices = &found->options;
       return type;
@@ -295,9 +295,7 @@ class Parser : private ConditionText {
   }
 
   void check_choice(const Type& word, const Type& text) {
-    if (text.choices == nullptr ||
-        std::find(text.choices->begin(), text.choices->end(), word.word) != text.choices->end())
-      return;
+    if (text.choices == nullptr || contains(*text.choices, word.word)) return;
     fail(word.begin, fmt::format("`{}` is not one of its choices", word.word),
          suggest(word.word, *text.choices));
   }

@@ -7,17 +7,12 @@
 #include <fstream>
 #include <iterator>
 
+#include "generator/spec/named.hpp"
+
 namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
-
-const PortManifest* find_port(const std::vector<PortManifest>& ports, std::string_view name) {
-  const auto found = std::find_if(ports.begin(), ports.end(), [&](const PortManifest& port) {
-    return port.name.value == name;
-  });
-  return found == ports.end() ? nullptr : &*found;
-}
 
 /// Manifests below `folder`, sorted, so that the order of a directory listing never matters.
 std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
@@ -36,7 +31,7 @@ std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
                          fmt::format("cannot read the folder `{}`: {}", folder.value,
                                      missing ? "it does not exist" : error.message()));
   }
-  std::sort(result.begin(), result.end());
+  std::ranges::sort(result);
   return result;
 }
 
@@ -109,9 +104,8 @@ void add_to_object(Library& library, Implementation implementation, const Source
     return;
   }
   auto& engines = found->second.object_engines;
-  const auto first = std::find_if(engines.begin(), engines.end(), [&](const ObjectEngine& each) {
-    return each.engine.value == engine.engine.value;
-  });
+  const auto first = std::ranges::find(
+      engines, engine.engine.value, [](const auto& each) -> auto& { return each.engine.value; });
   if (first != engines.end()) {
     if (are_copies(first->engine.span, engine.engine.span, sources)) return;
     diagnostics
@@ -126,31 +120,28 @@ void add_to_object(Library& library, Implementation implementation, const Source
 }  // namespace
 
 const PortManifest* Entity::input(std::string_view name) const {
-  return find_port(inputs, name);
+  return find_named(inputs, name);
 }
 const PortManifest* Entity::output(std::string_view name) const {
-  return find_port(outputs, name);
+  return find_named(outputs, name);
 }
 const PortManifest* Entity::sensor(std::string_view name) const {
-  return find_port(sensors, name);
+  return find_named(sensors, name);
 }
 const PortManifest* Entity::actuator(std::string_view name) const {
-  return find_port(actuators, name);
+  return find_named(actuators, name);
 }
 const PortManifest* Entity::state(std::string_view name) const {
-  return find_port(states, name);
+  return find_named(states, name);
 }
 
 const PortManifest* Entity::target(std::string_view name) const {
-  return find_port(targets, name);
+  return find_named(targets, name);
 }
 
 bool Entity::works_on(const Entity& engine) const {
-  const auto has = [&](const std::string& name) {
-    return std::find(engines.begin(), engines.end(), name) != engines.end();
-  };
-  return engines.empty() || has(engine.id.value) ||
-         std::any_of(engine.runs.begin(), engine.runs.end(), has);
+  const auto has = [&](const std::string& name) { return contains(engines, name); };
+  return engines.empty() || has(engine.id.value) || std::ranges::any_of(engine.runs, has);
 }
 
 const ObjectEngine* Entity::implementation(const Entity& engine) const {
@@ -213,7 +204,7 @@ Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap
       continue;
     }
     const std::string key = (root.has_filename() ? root : root.parent_path()).string();
-    if (std::find(done.begin(), done.end(), key) != done.end()) continue;
+    if (contains(done, key)) continue;
     done.push_back(key);
     for (const auto& path : find_manifests(folder, diagnostics)) {
       const YamlValue tree = read_yaml_file(path, sources, diagnostics);

@@ -47,7 +47,7 @@ std::optional<ConditionNumber> bound_at(const YamlValue& yaml, const char* key) 
 bool is_cpp_name(std::string_view text) {
   const auto in_name = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   return !text.empty() && std::isdigit(static_cast<unsigned char>(text.front())) == 0 &&
-         std::all_of(text.begin(), text.end(), in_name);
+         std::ranges::all_of(text, in_name);
 }
 
 /// `mine::Gain`, which goes into generated code as it is.
@@ -158,11 +158,8 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
 void complete_tick(std::vector<PortManifest>& inputs) {
   for (auto& input : inputs) {
     if (input.name.value != "tick") continue;
-    YamlValue shape;
-    shape.kind = YamlKind::sequence;
-    shape.span = input.name.span;
     input.space.dtype = Spanned<std::string>{"int64", input.name.span};
-    input.space.shape = shape;
+    input.space.shape = made_list({}, input.name.span);
   }
 }
 

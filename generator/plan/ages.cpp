@@ -77,9 +77,7 @@ class Ages {
   explicit Ages(const Plan& plan) : plan_(plan) {}
 
   DataAge of(const WayFinder::Pair& pair, const Ways& ways) const {
-    const Way& best = *std::min_element(
-        ways.all.begin(), ways.all.end(),
-        [](const Way& a, const Way& b) { return newest_bound(a) < newest_bound(b); });
+    const Way& best = *std::ranges::min_element(ways.all, {}, newest_bound);
     DataAge age;
     age.sensor = pair.first;
     age.actuator = pair.second;

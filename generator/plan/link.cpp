@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 namespace eagerx::gen {
 namespace {
@@ -22,10 +23,9 @@ class LinkReader {
 
   Link run() {
     for (std::size_t n = 0; n < plan_.graph->nodes.size(); ++n) read(n);
-    std::sort(link_.messages.begin(), link_.messages.end(),
-              [](const LinkMessage& a, const LinkMessage& b) {
-                return std::pair(a.to_engine, a.name) < std::pair(b.to_engine, b.name);
-              });
+    std::ranges::sort(link_.messages, {}, [](const LinkMessage& message) {
+      return std::tie(message.to_engine, message.name);
+    });
     link_.sensors = load(false);
     link_.actuators = load(true);
     return std::move(link_);
@@ -68,8 +68,8 @@ class LinkReader {
       hyperperiod = plan_.schedule.masks.empty() ? 1 : std::lcm(hyperperiod, plan_.rates[i].period);
     }
     if (plan_.schedule.masks.empty()) return sum;
-    const auto due = std::count_if(plan_.schedule.masks.begin(), plan_.schedule.masks.end(),
-                                   [&](std::uint64_t mask) { return (mask & rates) != 0; });
+    const auto due = std::ranges::count_if(plan_.schedule.masks,
+                                           [&](std::uint64_t mask) { return (mask & rates) != 0; });
     const RateClass& fastest = plan_.rates.front();
     const Rational hyperperiods_per_s = fastest.rate_hz *
                                         Rational(static_cast<std::int64_t>(fastest.period)) /

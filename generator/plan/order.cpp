@@ -55,9 +55,8 @@ class Sorter {
  private:
   std::optional<std::size_t> pop() {
     if (ready_[rate_].empty()) {
-      const auto fullest = std::max_element(
-          ready_.begin(), ready_.end(),
-          [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); });
+      const auto fullest = std::ranges::max_element(
+          ready_, {}, [](const auto& of_rate) { return of_rate.second.size(); });
       if (fullest == ready_.end() || fullest->second.empty()) return std::nullopt;
       rate_ = fullest->first;
     }

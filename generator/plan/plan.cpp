@@ -46,8 +46,7 @@ class Planner {
  private:
   void assign_rates() {
     for (const auto& node : graph_.nodes) {
-      const auto rate = std::find_if(plan_.rates.begin(), plan_.rates.end(),
-                                     [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
+      const auto rate = std::ranges::find(plan_.rates, node.rate_hz, &RateClass::rate_hz);
       PlannedNode planned;
       planned.rate = static_cast<std::size_t>(rate - plan_.rates.begin());
       plan_.nodes.push_back(std::move(planned));
@@ -80,8 +79,7 @@ class Planner {
         plan_.rings.push_back(std::move(ring));
       }
     }
-    std::sort(plan_.channels.begin(), plan_.channels.end(),
-              [](const Channel& a, const Channel& b) { return a.name < b.name; });
+    std::ranges::sort(plan_.channels, {}, &Channel::name);
   }
 
   void receive(std::size_t n) {

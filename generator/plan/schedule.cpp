@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <set>
 
@@ -83,12 +84,10 @@ std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) 
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics) {
   std::vector<RateClass> rates;
   for (const auto& node : graph.nodes) {
-    const bool known = std::any_of(rates.begin(), rates.end(),
-                                   [&](const RateClass& r) { return r.rate_hz == node.rate_hz; });
-    if (!known) rates.push_back({node.rate_hz, 1});
+    if (std::ranges::find(rates, node.rate_hz, &RateClass::rate_hz) == rates.end())
+      rates.push_back({node.rate_hz, 1});
   }
-  std::sort(rates.begin(), rates.end(),
-            [](const RateClass& a, const RateClass& b) { return a.rate_hz > b.rate_hz; });
+  std::ranges::sort(rates, std::ranges::greater(), &RateClass::rate_hz);
   if (rates.size() > kMaxRates) {
     diagnostics.error(
         "E0403", graph.span,
@@ -111,7 +110,7 @@ Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environm
     return schedule;
   }
   const std::uint64_t environment_bit = std::uint64_t{1} << environment;
-  const bool one_step = std::count_if(masks->begin(), masks->end(), [&](std::uint64_t m) {
+  const bool one_step = std::ranges::count_if(*masks, [&](std::uint64_t m) {
                           return (m & environment_bit) != 0;
                         }) == 1;
   const std::set<std::uint64_t> distinct(masks->begin(), masks->end());

@@ -36,7 +36,7 @@ Locator::Locator(FileId file, std::string_view text) : file_(file), text_(text),
 std::size_t Locator::code_points_before(std::size_t offset) const {
   const std::size_t block = offset / kStride;
   const std::string_view rest = text_.substr(block * kStride, offset % kStride);
-  const auto more = std::count_if(rest.begin(), rest.end(), begins_code_point);
+  const auto more = std::ranges::count_if(rest, begins_code_point);
   return counts_[block] + static_cast<std::size_t>(more);
 }
 

@@ -108,9 +108,24 @@ YamlValue read_text(FileId file, std::string_view text, Diagnostics& diagnostics
 }  // namespace
 
 const YamlValue* YamlValue::find(std::string_view key) const {
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-                                  [key](const Entry& candidate) { return candidate.key == key; });
+  const auto entry = std::ranges::find(entries, key, &Entry::key);
   return entry == entries.end() ? nullptr : &entry->value;
+}
+
+YamlValue made_scalar(std::string text, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::scalar;
+  yaml.text = std::move(text);
+  yaml.span = span;
+  return yaml;
+}
+
+YamlValue made_list(std::vector<YamlValue> items, Span span) {
+  YamlValue yaml;
+  yaml.kind = YamlKind::sequence;
+  yaml.items = std::move(items);
+  yaml.span = span;
+  return yaml;
 }
 
 YamlValue read_yaml_text(const std::string& name, std::string text, SourceMap& sources,

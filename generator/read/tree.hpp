@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +38,10 @@ struct YamlValue::Entry {
   Span key_span;
   YamlValue value;
 };
+
+/// Values that were not in a file, at `span`.
+YamlValue made_scalar(std::string text, Span span);
+YamlValue made_list(std::vector<YamlValue> items, Span span);
 
 /// Limits on what is read; past them there is an error, not a long wait.
 struct ReadLimits {

@@ -25,9 +25,7 @@ void check_ages(const PlanReport& report, const YamlValue& entry, Diagnostics& d
         fmt::format("data of `{}` are up to {:.4g} s old at `{}`, {:.4g} s over the budget of {} s",
                     age.sensor, age.newest_s.to_double(), age.actuator,
                     (age.newest_s - *limit).to_double(), limit->to_string()));
-    const auto most =
-        std::max_element(age.way.begin(), age.way.end(),
-                         [](const AgeHop& a, const AgeHop& b) { return a.newest_s < b.newest_s; });
+    const auto most = std::ranges::max_element(age.way, {}, &AgeHop::newest_s);
     problem.notes.push_back({fmt::format("the connection to `{}` adds most of it", most->input),
                              most->span,
                              fmt::format("up to {:.4g} s", most->newest_s.to_double())});

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -128,8 +129,7 @@ class Reader {
   std::optional<ConfigValue> keyword() {
     if (is_unresolved(node_)) return std::nullopt;
     const auto& options = parameter_.options;
-    if (node_.is_scalar() && std::find(options.begin(), options.end(), node_.text) != options.end())
-      return value(node_.text);
+    if (node_.is_scalar() && contains(options, node_.text)) return value(node_.text);
     auto& problem = diagnostics_.error(
         "E0322", node_.span,
         fmt::format("{} is not a choice for `{}`", describe(node_), parameter_.name.value));
@@ -145,13 +145,13 @@ class Reader {
 };
 
 /// Reports parameters that do not exist; returns those that were meant.
-std::vector<std::string> report_unknown(const Entity& entity, const std::vector<Setting>& settings,
-                                        Diagnostics& diagnostics) {
+std::vector<std::string> report_unknown_parameters(const Entity& entity,
+                                                   const std::vector<Setting>& settings,
+                                                   Diagnostics& diagnostics) {
   std::vector<std::string> meant;
-  std::vector<std::string> known;
-  for (const auto& parameter : entity.config) known.push_back(parameter.name.value);
+  const std::vector<std::string> known = names_of(entity.config);
   for (const auto& setting : settings) {
-    if (std::find(known.begin(), known.end(), setting.name) != known.end()) continue;
+    if (contains(known, setting.name)) continue;
     auto& problem =
         diagnostics.error("E0320", setting.span,
                           fmt::format("`{}` has no parameter `{}`", entity.id.value, setting.name));
@@ -193,16 +193,14 @@ bool is_kept(std::string_view text, std::optional<Dtype> dtype) {
 
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
                       Diagnostics& diagnostics, const References& outside) {
-  const std::vector<std::string> meant = report_unknown(entity, settings, diagnostics);
+  const std::vector<std::string> meant = report_unknown_parameters(entity, settings, diagnostics);
   Config result;
   for (const auto& parameter : entity.config) {
-    const Setting* setting = find_setting(settings, parameter.name.value);
+    const Setting* setting = find_named(settings, parameter.name.value);
     const YamlValue* yaml = setting != nullptr
                                 ? &setting->value
                                 : (parameter.fallback ? &*parameter.fallback : nullptr);
-    if (yaml == nullptr &&
-        std::find(meant.begin(), meant.end(), parameter.name.value) != meant.end())
-      continue;
+    if (yaml == nullptr && contains(meant, parameter.name.value)) continue;
     if (yaml == nullptr) {
       diagnostics
           .error(
@@ -226,7 +224,7 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
 References references_of(const Entity& entity, const std::vector<Setting>& settings) {
   References result;
   for (const auto& parameter : entity.config) {
-    const Setting* setting = find_setting(settings, parameter.name.value);
+    const Setting* setting = find_named(settings, parameter.name.value);
     if (setting == nullptr && !parameter.fallback) {
       // Said where it is missing; what refers to it says nothing.
       result["config " + parameter.name.value].tag = kUnresolved;
@@ -236,11 +234,9 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
     result["config " + parameter.name.value] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;
-    YamlValue size;  // a single number is a list of one
-    size.span = value.span;
-    size.kind = YamlKind::scalar;
-    size.text = std::to_string(value.is_sequence() ? value.items.size() : 1);
-    result["size " + parameter.name.value] = size;
+    // A single number is a list of one.
+    const std::size_t size = value.is_sequence() ? value.items.size() : 1;
+    result["size " + parameter.name.value] = made_scalar(std::to_string(size), value.span);
     for (std::size_t i = 0; i < value.items.size(); ++i)
       result[fmt::format("config {} {}", parameter.name.value, i)] = value.items[i];
   }
@@ -262,11 +258,6 @@ bool is_missing(const std::string& name, const References& references) {
 }
 
 }  // namespace
-
-const Setting* find_setting(const std::vector<Setting>& settings, std::string_view name) {
-  const auto found = std::ranges::find(settings, name, &Setting::name);
-  return found == settings.end() ? nullptr : &*found;
-}
 
 YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
   for (auto& item : yaml.items) item = substitute(std::move(item), references, diagnostics);

@@ -1,7 +1,6 @@
 // Parameters against their manifest, and the `$(…)` that manifests may write instead of a number.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -19,9 +18,6 @@ using References = std::map<std::string, YamlValue, std::less<>>;
 /// should have been. `outside`: what a `$(…)` in a default refers to.
 Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
                       Diagnostics& diagnostics, const References& outside = {});
-
-/// The setting of this name, or nullptr.
-const Setting* find_setting(const std::vector<Setting>& settings, std::string_view name);
 
 /// The references that a config gives rise to: `config NAME` for every parameter.
 References references_of(const Entity& entity, const std::vector<Setting>& settings);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <set>
-#include <type_traits>
 
 #include "generator/resolve/draft.hpp"
 
@@ -12,40 +11,13 @@ namespace {
 
 enum class Side : std::uint8_t { from, to };
 
-/// A port as a connection writes it. section: "", "sensors", "inputs", …
-struct Port {
-  std::string owner, section, name;
-};
-
-Port split(const std::string& text) {
-  const std::size_t first = text.find('.');
-  const std::size_t second = text.find('.', first + 1);
-  if (second == std::string::npos) return {text.substr(0, first), "", text.substr(first + 1)};
-  return {text.substr(0, first), text.substr(first + 1, second - first - 1),
-          text.substr(second + 1)};
-}
-
-/// Names in the order of the ports; feedthroughs, which share them with outputs, left out.
-template <class Ports>
-std::vector<std::string> names_of(const Ports& ports) {
-  std::vector<std::string> result;
-  for (const auto& port : ports) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(port)>, DraftInput>) {
-      if (port.feedthrough) continue;
-    }
-    if constexpr (std::is_same_v<std::decay_t<decltype(port)>, PortManifest>) {
-      result.push_back(port.name.value);
-    } else {
-      result.push_back(port.name);
-    }
+/// Without feedthroughs, which share their names with outputs.
+std::vector<std::string> names_of_inputs(const DraftNode& node) {
+  std::vector<std::string> names;
+  for (const auto& input : node.inputs) {
+    if (!input.feedthrough) names.push_back(input.name);
   }
-  return result;
-}
-
-const DraftObject* find_object(const Draft& draft, const std::string& name) {
-  const auto found = std::find_if(draft.objects.begin(), draft.objects.end(),
-                                  [&](const DraftObject& o) { return o.name == name; });
-  return found == draft.objects.end() ? nullptr : &*found;
+  return names;
 }
 
 /// The environment or a node of the graph by the name that connections give it.
@@ -59,8 +31,8 @@ std::optional<std::size_t> find_node(const Draft& draft, const std::string& name
 
 /// The ports that a name stands for; several inputs when an actuator feeds several engine nodes.
 /// Says nothing when there are none.
-std::vector<PortIndex> find_ports(const Draft& draft, const Port& port, Side side) {
-  if (const DraftObject* object = find_object(draft, port.owner)) {
+std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side side) {
+  if (const DraftObject* object = find_named(draft.objects, port.owner)) {
     const char* section = side == Side::from ? "sensors" : "actuators";
     if (!port.section.empty() && port.section != section) return {};
     if (side == Side::from) {
@@ -76,14 +48,13 @@ std::vector<PortIndex> find_ports(const Draft& draft, const Port& port, Side sid
   const DraftNode& node = draft.nodes[*index];
   if (side == Side::from) {
     if (!port.section.empty() && port.section != "outputs") return {};
-    const auto found = std::find_if(node.outputs.begin(), node.outputs.end(),
-                                    [&](const DraftOutput& o) { return o.name == port.name; });
+    const auto found = std::ranges::find(node.outputs, port.name, &DraftOutput::name);
     if (found == node.outputs.end()) return {};
     return {{*index, static_cast<std::size_t>(found - node.outputs.begin())}};
   }
   const bool feedthrough = port.section == "feedthroughs";
   if (!feedthrough && !port.section.empty() && port.section != "inputs") return {};
-  const auto found = std::find_if(node.inputs.begin(), node.inputs.end(), [&](const DraftInput& i) {
+  const auto found = std::ranges::find_if(node.inputs, [&](const DraftInput& i) {
     return i.name == port.name && i.feedthrough == feedthrough;
   });
   if (found == node.inputs.end()) return {};
@@ -121,7 +92,7 @@ class Connector {
   static PortIndex index_of(const End& end) { return {end.node, end.port}; }
 
   std::vector<End> find(const Spanned<std::string>& text, Side side) {
-    const Port port = split(text.value);
+    const PortName port = parse_port(text.value);
     std::vector<End> ends;
     for (const auto& index : find_ports(draft_, port, side))
       ends.push_back({side, index.node, index.port});
@@ -130,9 +101,9 @@ class Connector {
   }
 
   /// Reports a port that does not exist; returns the owner that was meant.
-  std::string report(const Port& port, const Spanned<std::string>& text, Side side) {
+  std::string report(const PortName& port, const Spanned<std::string>& text, Side side) {
     if (draft_.doubtful.contains(port.owner)) return port.owner;
-    if (const DraftObject* object = find_object(draft_, port.owner)) {
+    if (const DraftObject* object = find_named(draft_.objects, port.owner)) {
       report_port_of_object(*object, port, text, side);
       return port.owner;
     }
@@ -143,7 +114,7 @@ class Connector {
     return report_unknown_owner(port, text, side);
   }
 
-  void report_port_of_object(const DraftObject& object, const Port& port,
+  void report_port_of_object(const DraftObject& object, const PortName& port,
                              const Spanned<std::string>& text, Side side) {
     const Entity& entity = *object.entity;
     const Entity* engine = draft_.nodes[Graph::kEngine].node.entity;
@@ -163,14 +134,14 @@ class Connector {
            : report_unknown_port(port, text, side, actuators, "actuator", sensors, "sensor");
   }
 
-  void report_port_of_node(const DraftNode& node, const Port& port,
+  void report_port_of_node(const DraftNode& node, const PortName& port,
                            const Spanned<std::string>& text, Side side) {
     if (port.section == "feedthroughs") {
       report_feedthrough(node, port, text);
       return;
     }
     const bool environment = node.node.role == NodeRole::environment;
-    const auto inputs = names_of(node.inputs), outputs = names_of(node.outputs);
+    const auto inputs = names_of_inputs(node), outputs = names_of(node.outputs);
     const Entity* entity = node.node.entity;
     const bool sends = side == Side::from;
     const bool left_out = entity != nullptr &&
@@ -192,7 +163,7 @@ class Connector {
           : report_unknown_port(port, text, side, inputs, "input", outputs, "output");
   }
 
-  void report_feedthrough(const DraftNode& node, const Port& port,
+  void report_feedthrough(const DraftNode& node, const PortName& port,
                           const Spanned<std::string>& text) {
     std::vector<std::string> known;
     for (const auto& input : node.inputs) {
@@ -204,12 +175,12 @@ class Connector {
         .help = suggestion(port.name, known, "only reset nodes have feedthroughs, one an output");
   }
 
-  void report_unknown_port(const Port& port, const Spanned<std::string>& text, Side side,
+  void report_unknown_port(const PortName& port, const Spanned<std::string>& text, Side side,
                            const std::vector<std::string>& known, std::string_view kind,
                            const std::vector<std::string>& other_side,
                            std::string_view other_kind) {
     const char* verb = side == Side::from ? "sends" : "takes";
-    if (std::find(other_side.begin(), other_side.end(), port.name) != other_side.end()) {
+    if (contains(other_side, port.name)) {
       const bool sends = side == Side::to;
       diagnostics()
           .error("E0307", text.span,
@@ -232,7 +203,8 @@ class Connector {
                      : fmt::format("did you mean `{}.{}`?", port.owner, near);
   }
 
-  std::string report_unknown_owner(const Port& port, const Spanned<std::string>& text, Side side) {
+  std::string report_unknown_owner(const PortName& port, const Spanned<std::string>& text,
+                                   Side side) {
     if (port.owner == "actions" || port.owner == "observations") {
       diagnostics()
           .error("E0309", text.span, fmt::format("`{}` cannot stand here", text.value))
@@ -333,20 +305,19 @@ void connect(Draft& draft) {
 }
 
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& text) {
-  const Port port = split(text);
+  const PortName port = parse_port(text);
   const auto found = find_ports(draft, port, Side::to);
   if (!found.empty()) {
     const DraftInput& input = draft.nodes[found.front().node].inputs[found.front().port];
     return input.outside ? *input.outside : input.declared;
   }
   // An actuator that nothing is connected to.
-  const auto spec = std::find_if(draft.spec.objects.begin(), draft.spec.objects.end(),
-                                 [&](const EntitySpec& o) { return o.name.value == port.owner; });
-  const DraftObject* object = find_object(draft, port.owner);
+  const EntitySpec* spec = find_named(draft.spec.objects, port.owner);
+  const DraftObject* object = find_named(draft.objects, port.owner);
   const PortManifest* actuator = object != nullptr && object->entity != nullptr
                                      ? object->entity->actuator(port.name)
                                      : nullptr;
-  if (actuator == nullptr || spec == draft.spec.objects.end()) return std::nullopt;
+  if (actuator == nullptr || spec == nullptr) return std::nullopt;
   return partial_space(actuator->space, references_of(*object->entity, spec->config),
                        draft.diagnostics);
 }

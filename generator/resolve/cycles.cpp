@@ -60,10 +60,8 @@ class CycleFinder {
 
   void note_cycle(std::size_t back_to) {
     std::vector<std::size_t> cycle;
-    const auto first = std::find_if(stack_.begin(), stack_.end(),
-                                    [&](const Frame& frame) { return frame.node == back_to; });
-    std::transform(first, stack_.end(), std::back_inserter(cycle),
-                   [](const Frame& frame) { return frame.node; });
+    const auto first = std::ranges::find(stack_, back_to, &Frame::node);
+    std::ranges::transform(first, stack_.end(), std::back_inserter(cycle), &Frame::node);
     cycles_.push_back(std::move(cycle));
   }
 
@@ -75,8 +73,8 @@ class CycleFinder {
 
 const DraftInput& connection_between(const Draft& draft, std::size_t from, std::size_t to) {
   const auto& inputs = draft.nodes[to].inputs;
-  return *std::find_if(inputs.begin(), inputs.end(),
-                       [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
+  return *std::ranges::find_if(
+      inputs, [&](const DraftInput& i) { return waits(i) && i.edge->node == from; });
 }
 
 std::string source_name(const Draft& draft, const DraftEdge& edge) {

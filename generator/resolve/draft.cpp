@@ -12,13 +12,6 @@ namespace {
 
 constexpr std::uint64_t kMaxElements = 1U << 28U;  // of one message; more is surely a mistake
 
-Dtype dtype_of(const std::string& name) {
-  for (int i = 0; i <= static_cast<int>(Dtype::boolean); ++i) {
-    if (to_string(static_cast<Dtype>(i)) == name) return static_cast<Dtype>(i);
-  }
-  return Dtype::float32;
-}
-
 std::optional<std::vector<std::uint64_t>> shape_of(const YamlValue& yaml,
                                                    Diagnostics& diagnostics) {
   std::vector<std::uint64_t> shape;
@@ -49,16 +42,13 @@ std::vector<double> bounds_of(const std::optional<YamlValue>& node, std::optiona
 }  // namespace
 
 DraftInput* DraftNode::input(std::string_view name) {
-  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const DraftInput& i) {
-    return i.name == name && !i.feedthrough;
-  });
+  const auto found = std::ranges::find_if(
+      inputs, [&](const DraftInput& i) { return i.name == name && !i.feedthrough; });
   return found == inputs.end() ? nullptr : &*found;
 }
 
 DraftOutput* DraftNode::output(std::string_view name) {
-  const auto found = std::find_if(outputs.begin(), outputs.end(),
-                                  [&](const DraftOutput& o) { return o.name == name; });
-  return found == outputs.end() ? nullptr : &*found;
+  return find_named(outputs, name);
 }
 
 PartialSpace partial_space(const SpaceSpec& spec, const References& references,
@@ -230,6 +220,24 @@ void settle(DraftOutput& output, const ComponentSpec& said, const std::string& w
   if (!said.space) return;
   PartialSpace& space = output.processor ? output.published : output.declared;
   space = narrow(space, partial_space(*said.space, {}, diagnostics), written, diagnostics);
+}
+
+const ComponentSpec* find_component(const Selection& selection, std::string_view name) {
+  return selection ? find_named(*selection, name) : nullptr;
+}
+
+bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
+                    const Entity& entity, std::string_view what, Diagnostics& diagnostics) {
+  if (!selection) return false;
+  const std::size_t errors_before = diagnostics.error_count();
+  for (const auto& component : *selection) {
+    const auto& [name, span] = component.name;
+    if (find_named(ports, name) != nullptr) continue;
+    diagnostics
+        .error("E0307", span, fmt::format("`{}` has no {} `{}`", entity.id.value, what, name))
+        .help = suggestion(name, names_of(ports), fmt::format("it has no {}s", what));
+  }
+  return diagnostics.error_count() != errors_before;
 }
 
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,

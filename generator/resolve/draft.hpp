@@ -9,6 +9,8 @@
 
 #include "generator/resolve/config.hpp"
 #include "generator/resolve/graph.hpp"
+#include "generator/spec/named.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 
@@ -122,6 +124,12 @@ bool fits(const PartialSpace& declared, const Space& arriving);
 /// published.
 void settle(DraftOutput& output, const ComponentSpec& said, const std::string& written,
             Diagnostics& diagnostics);
+/// What is said of a port, or nullptr.
+const ComponentSpec* find_component(const Selection& selection, std::string_view name);
+/// Reports names in the selection that are none of the entity's `ports` (E0307); true if there was
+/// any. `what` they are: "sensor", "input", …
+bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
+                    const Entity& entity, std::string_view what, Diagnostics& diagnostics);
 /// How an object is made on an engine; E0308 if it is not.
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
                                         const Entity& engine, Span span, Diagnostics& diagnostics);

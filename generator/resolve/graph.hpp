@@ -10,27 +10,9 @@
 #include <vector>
 
 #include "generator/library/library.hpp"
+#include "generator/spec/dtype.hpp"
 
 namespace eagerx::gen {
-
-enum class Dtype : std::uint8_t {
-  float32,
-  float64,
-  int8,
-  int16,
-  int32,
-  int64,
-  uint8,
-  uint16,
-  uint32,
-  uint64,
-  boolean
-};
-std::string_view to_string(Dtype dtype);
-bool is_floating(Dtype dtype);
-/// Lowest and highest value of the type (of float32 and float64 too).
-double lowest_of(Dtype dtype);
-double highest_of(Dtype dtype);
 
 /// What a message may hold. Bounds are empty (unbounded), one for all elements, or one for each.
 struct Space {
@@ -199,8 +181,7 @@ struct Graph {
   [[nodiscard]] const GraphNode& environment() const { return nodes[kEnvironment]; }
   [[nodiscard]] const GraphNode& engine() const { return nodes[kEngine]; }
   [[nodiscard]] bool has_reset_nodes() const {
-    return std::any_of(nodes.begin(), nodes.end(),
-                       [](const GraphNode& node) { return !node.targets.empty(); });
+    return std::ranges::any_of(nodes, [](const GraphNode& node) { return !node.targets.empty(); });
   }
 };
 

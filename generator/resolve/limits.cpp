@@ -52,7 +52,7 @@ std::string shown(const Condition& condition, const Facts& facts) {
     if (step.op != ConditionStep::Op::fact) continue;
     const std::string item =
         fmt::format("`{}` is {}", step.written, to_string(facts.at(step.fact)));
-    if (std::find(items.begin(), items.end(), item) == items.end()) items.push_back(item);
+    if (!contains(items, item)) items.push_back(item);
   }
   return fmt::format("{}", fmt::join(items, ", "));
 }
@@ -60,7 +60,7 @@ std::string shown(const Condition& condition, const Facts& facts) {
 /// The first parameter of the condition that was given, else the entity.
 Span place_of(const Condition& condition, const Config& config, Span entity) {
   for (const auto& step : condition) {
-    const auto item = std::find_if(config.begin(), config.end(), [&](const ConfigValue& c) {
+    const auto item = std::ranges::find_if(config, [&](const ConfigValue& c) {
       return c.given && c.parameter->name.value == step.fact;
     });
     if (item != config.end()) return item->span;

@@ -9,33 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-const ComponentSpec* find_component(const std::optional<std::vector<ComponentSpec>>& components,
-                                    const std::string& name) {
-  if (!components) return nullptr;
-  const auto found = std::find_if(components->begin(), components->end(),
-                                  [&](const ComponentSpec& c) { return c.name.value == name; });
-  return found == components->end() ? nullptr : &*found;
-}
-
-/// Reports names in a selection that the entity does not have; true if there was any.
-bool report_unknown(const std::optional<std::vector<ComponentSpec>>& components,
-                    const std::vector<PortManifest>& ports, const Entity& entity,
-                    std::string_view what, Diagnostics& diagnostics) {
-  if (!components) return false;
-  const std::size_t errors_before = diagnostics.error_count();
-  std::vector<std::string> known;
-  known.reserve(ports.size());
-  for (const auto& port : ports) known.push_back(port.name.value);
-  for (const auto& component : *components) {
-    if (std::find(known.begin(), known.end(), component.name.value) != known.end()) continue;
-    diagnostics
-        .error("E0307", component.name.span,
-               fmt::format("`{}` has no {} `{}`", entity.id.value, what, component.name.value))
-        .help = suggestion(component.name.value, known, fmt::format("it has no {}s", what));
-  }
-  return diagnostics.error_count() != errors_before;
-}
-
 /// What a reset node sends while there is no reset.
 DraftInput feedthrough_of(const DraftOutput& output, const std::string& node) {
   DraftInput input;
@@ -47,16 +20,14 @@ DraftInput feedthrough_of(const DraftOutput& output, const std::string& node) {
   return input;
 }
 
-bool is_selected(const std::optional<std::vector<ComponentSpec>>& components,
-                 const std::string& name) {
+bool is_selected(const Selection& components, const std::string& name) {
   // A mapping or list that is there selects; nothing there selects everything.
   return !components || find_component(components, name) != nullptr;
 }
 
 /// Reports ports that are left out and that the class cannot do without; true if there was any.
-bool report_left_out(const std::optional<std::vector<ComponentSpec>>& components,
-                     const std::vector<PortManifest>& ports, const EntitySpec& spec,
-                     std::string_view section, Diagnostics& diagnostics) {
+bool report_left_out(const Selection& components, const std::vector<PortManifest>& ports,
+                     const EntitySpec& spec, std::string_view section, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
   for (const auto& port : ports) {
     const std::string& name = port.name.value;

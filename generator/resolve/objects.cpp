@@ -10,12 +10,6 @@
 namespace eagerx::gen {
 namespace {
 
-/// "sensors.theta" → {"sensors", "theta"}
-std::pair<std::string, std::string> halves_of(const std::string& port) {
-  const std::size_t dot = port.find('.');
-  return {port.substr(0, dot), dot == std::string::npos ? "" : port.substr(dot + 1)};
-}
-
 /// Builds one object. Its engine nodes are drafted on their own first, pruned, and then moved to
 /// the graph.
 class ObjectBuilder {
@@ -40,19 +34,11 @@ class ObjectBuilder {
 
   Diagnostics& diagnostics() { return draft_.diagnostics; }
 
-  const ComponentSpec* component(const std::optional<std::vector<ComponentSpec>>& components,
-                                 const std::string& name) const {
-    if (!components) return nullptr;
-    const auto found = std::find_if(components->begin(), components->end(),
-                                    [&](const ComponentSpec& c) { return c.name.value == name; });
-    return found == components->end() ? nullptr : &*found;
-  }
-
   void add_rates(const char* kind, const std::vector<PortManifest>& ports,
-                 const std::optional<std::vector<ComponentSpec>>& chosen) {
+                 const Selection& chosen) {
     for (const auto& port : ports) {
       YamlValue rate = substitute(*port.rate, references_, diagnostics());
-      const ComponentSpec* set = component(chosen, port.name.value);
+      const ComponentSpec* set = find_component(chosen, port.name.value);
       if (set != nullptr && set->rate) {
         rate.text = set->rate->value.to_string();
         rate.span = set->rate->span;
@@ -70,48 +56,26 @@ class ObjectBuilder {
 
   /// Sensors and actuators in use: the connected ones and the listed ones.
   void select() {
-    const auto note = [&](const Spanned<std::string>& port, bool sends,
+    const auto note = [&](const Spanned<std::string>& text, std::string_view section,
                           std::set<std::string>& into) {
-      auto [owner, name] = halves_of(port.value);
-      if (owner != spec_.name.value) return;
-      const std::string kind = sends ? "sensors." : "actuators.";
-      if (name.starts_with(kind)) name = name.substr(kind.size());
-      into.insert(name);
+      const PortName port = parse_port(text.value);
+      if (port.owner != spec_.name.value) return;
+      if (port.section.empty() || port.section == section) into.insert(port.name);
     };
     for (const auto& connection : draft_.spec.connections) {
-      note(connection.from, true, sensors_);
-      note(connection.to, false, actuators_);
+      note(connection.from, "sensors", sensors_);
+      note(connection.to, "actuators", actuators_);
     }
     list(spec_.sensors, entity_.sensors, "sensor", sensors_);
     list(spec_.actuators, entity_.actuators, "actuator", actuators_);
   }
 
-  void list(const std::optional<std::vector<ComponentSpec>>& chosen,
-            const std::vector<PortManifest>& ports, std::string_view what,
+  void list(const Selection& chosen, const std::vector<PortManifest>& ports, std::string_view what,
             std::set<std::string>& into) {
     if (!chosen) return;
     for (const auto& item : *chosen) into.insert(item.name.value);
-    if (report_unknown(chosen, ports, entity_, what)) draft_.doubtful.insert(spec_.name.value);
-  }
-
-  /// Reports names in a selection that `entity` does not have; true if there was any.
-  bool report_unknown(const std::optional<std::vector<ComponentSpec>>& chosen,
-                      const std::vector<PortManifest>& ports, const Entity& entity,
-                      std::string_view what) {
-    if (!chosen) return false;
-    std::vector<std::string> known;
-    known.reserve(ports.size());
-    for (const auto& port : ports) known.push_back(port.name.value);
-    bool any = false;
-    for (const auto& item : *chosen) {
-      if (std::find(known.begin(), known.end(), item.name.value) != known.end()) continue;
-      any = true;
-      diagnostics()
-          .error("E0307", item.name.span,
-                 fmt::format("`{}` has no {} `{}`", entity.id.value, what, item.name.value))
-          .help = suggestion(item.name.value, known, fmt::format("it has no {}s", what));
-    }
-    return any;
+    if (report_unknown(chosen, ports, entity_, what, diagnostics()))
+      draft_.doubtful.insert(spec_.name.value);
   }
 
   void draft_engine_nodes() {
@@ -149,19 +113,19 @@ class ObjectBuilder {
                  fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
           .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
     }
-    report_unknown(spec.inputs, entity.inputs, entity, "input");
-    report_unknown(spec.outputs, entity.outputs, entity, "output");
+    report_unknown(spec.inputs, entity.inputs, entity, "input", diagnostics());
+    report_unknown(spec.outputs, entity.outputs, entity, "output", diagnostics());
     for (const auto& port : entity.inputs) {
-      if (spec.inputs && component(spec.inputs, port.name.value) == nullptr) continue;
+      if (spec.inputs && find_component(spec.inputs, port.name.value) == nullptr) continue;
       node.inputs.push_back(draft_input(port, node.node.name + "." + port.name.value,
                                         spec_.name.span, references, diagnostics()));
       if (port.name.value == "tick")
         node.inputs.back().edge = DraftEdge{Graph::kEngine, 0, spec_.name.span};
     }
     for (const auto& port : entity.outputs) {
-      if (spec.outputs && component(spec.outputs, port.name.value) == nullptr) continue;
+      if (spec.outputs && find_component(spec.outputs, port.name.value) == nullptr) continue;
       DraftOutput output = draft_output(port, spec_.name.span, references, diagnostics());
-      if (const ComponentSpec* set = component(spec.outputs, port.name.value)) {
+      if (const ComponentSpec* set = find_component(spec.outputs, port.name.value)) {
         settle(output, *set, node.node.name + "." + port.name.value, diagnostics());
         bind(output.processor);
       }
@@ -190,21 +154,22 @@ class ObjectBuilder {
 
   void connect_inside() {
     for (const auto& connection : implementation_.connections) {
-      const auto [from, from_port] = halves_of(connection.from.value);
-      const auto [to, to_port] = halves_of(connection.to.value);
-      if (from == "actuators") {
-        connect_actuator(connection, from_port, to, to_port);
+      const PortName from = parse_port(connection.from.value);
+      const PortName to = parse_port(connection.to.value);
+      const std::string from_port = from.within_owner(), to_port = to.within_owner();
+      if (from.owner == "actuators") {
+        connect_actuator(connection, from_port, to.owner, to_port);
         continue;
       }
-      const auto source = find_node(from, connection.from);
+      const auto source = find_node(from.owner, connection.from);
       const auto output =
           source ? find_port(nodes_[*source].outputs, from_port, connection.from) : std::nullopt;
       if (!output) continue;
-      if (to == "sensors") {
+      if (to.owner == "sensors") {
         connect_sensor(connection, to_port, *source, *output);
         continue;
       }
-      const auto target = find_node(to, connection.to);
+      const auto target = find_node(to.owner, connection.to);
       const auto input =
           target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
       if (!input || !is_free(nodes_[*target].inputs[*input], connection)) continue;
@@ -243,7 +208,8 @@ class ObjectBuilder {
     port.written = spec_.name.value + "." + name;
     port.actuator = true;
     PartialSpace space = partial_space(actuator->space, references_, diagnostics());
-    if (const ComponentSpec* set = component(spec_.actuators, name); set != nullptr && set->space) {
+    if (const ComponentSpec* set = find_component(spec_.actuators, name);
+        set != nullptr && set->space) {
       space =
           narrow(space, partial_space(*set->space, {}, diagnostics()), port.written, diagnostics());
     }
@@ -276,7 +242,7 @@ class ObjectBuilder {
     PartialSpace& space = port.processor ? port.published : port.declared;
     space = narrow(space, partial_space(sensor->space, references_, diagnostics()), written,
                    diagnostics());
-    if (const ComponentSpec* set = component(spec_.sensors, name))
+    if (const ComponentSpec* set = find_component(spec_.sensors, name))
       settle(port, *set, written, diagnostics());
     check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
     sensor_sources_.push_back({name, source, output});

@@ -77,10 +77,7 @@ class Placer {
         if (nodes[n].node.role == NodeRole::node) placement_.on_board[n] = true;
       return;
     }
-    const bool simulated =
-        name == "engine" ||
-        std::any_of(draft_.objects.begin(), draft_.objects.end(),
-                    [&](const DraftObject& object) { return object.name == name; });
+    const bool simulated = name == "engine" || find_named(draft_.objects, name) != nullptr;
     if (simulated) {
       draft_.diagnostics
           .error("E0332", item.name.span, fmt::format("`{}` cannot be placed on a board", name))

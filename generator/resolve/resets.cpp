@@ -9,17 +9,6 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::string_view kTargets = ".targets.";
-constexpr std::string_view kStates = ".states.";
-
-/// "rst.targets.g0" with ".targets." → {"rst", "g0"}
-std::optional<std::pair<std::string, std::string>> split_at(const std::string& text,
-                                                            std::string_view section) {
-  const std::size_t place = text.find(section);
-  if (place == std::string::npos) return std::nullopt;
-  return std::pair(text.substr(0, place), text.substr(place + section.size()));
-}
-
 /// The states of an object or a node, and where they are.
 struct Owner {
   std::optional<std::size_t> object;
@@ -46,15 +35,13 @@ class TargetResolver {
     DraftNode* node = find_reset_node(connection.to);
     const Owner owner = find_owner(connection.from);
     if (node == nullptr || owner.states == nullptr) return;
-    const std::string name = split_at(connection.to.value, kTargets)->second;
+    const std::string name = parse_port(connection.to.value).name;
     const PortManifest* port = node->node.entity->target(name);
     if (port == nullptr) {
-      std::vector<std::string> known;
-      for (const auto& target : node->node.entity->targets) known.push_back(target.name.value);
       diagnostics()
           .error("E0307", connection.to.span,
                  fmt::format("`{}` has no target `{}`", node->node.entity->id.value, name))
-          .help = suggestion(name, known, "it has no targets");
+          .help = suggestion(name, names_of(node->node.entity->targets), "it has no targets");
       return;
     }
     refuse_settings(connection);
@@ -81,7 +68,7 @@ class TargetResolver {
   }
 
   DraftNode* find_reset_node(const Spanned<std::string>& to) {
-    const std::string name = split_at(to.value, kTargets)->first;
+    const std::string name = parse_port(to.value).owner;
     for (auto& node : draft_.nodes) {
       if (node.node.name != name || node.node.role != NodeRole::node) continue;
       if (node.node.entity == nullptr) return nullptr;  // reported already
@@ -107,13 +94,12 @@ class TargetResolver {
   }
 
   Owner find_owner(const Spanned<std::string>& from) {
-    const auto parts = split_at(from.value, kStates);
-    if (!parts) {
+    const auto& [name, section, state] = parse_port(from.value);
+    if (section != "states") {
       diagnostics().error("E0309", from.span, fmt::format("`{}` is no state", from.value)).help =
           "a target is a state: write `from: object.states.name`";
       return {};
     }
-    const std::string& name = parts->first;
     for (std::size_t i = 0; i < draft_.graph.objects.size(); ++i) {
       const Object& object = draft_.graph.objects[i];
       if (object.name == name) return {i, 0, &object.states, object.entity};
@@ -124,18 +110,16 @@ class TargetResolver {
         return {std::nullopt, i, &node.states, node.entity};
     }
     if (!draft_.doubtful.contains(name)) {
-      std::vector<std::string> known;
-      for (const auto& object : draft_.graph.objects) known.push_back(object.name);
       diagnostics()
           .error("E0309", from.span,
                  fmt::format("there is nothing called `{}` in this graph", name))
-          .help = suggestion(name, known, "the graph has no objects");
+          .help = suggestion(name, names_of(draft_.graph.objects), "the graph has no objects");
     }
     return {};
   }
 
   std::optional<std::size_t> find_state(const Owner& owner, const Spanned<std::string>& from) {
-    const auto [name, state] = *split_at(from.value, kStates);
+    const auto [name, section, state] = parse_port(from.value);
     std::vector<std::string> known;
     for (std::size_t i = 0; i < owner.states->size(); ++i) {
       if (!(*owner.states)[i].settable) continue;
@@ -181,9 +165,7 @@ class TargetResolver {
       if (!target.processor) return;
       target.space = target.processor->output;
     }
-    const auto spec =
-        std::find_if(draft_.spec.nodes.begin(), draft_.spec.nodes.end(),
-                     [&](const EntitySpec& s) { return s.name.value == node.node.name; });
+    const EntitySpec* spec = find_named(draft_.spec.nodes, node.node.name);
     const PartialSpace declared =
         partial_space(port.space, references_of(*node.node.entity, spec->config), diagnostics());
     if (!fits(declared, target.space)) {
@@ -203,11 +185,9 @@ class TargetResolver {
   void report_idle(const DraftNode& node) {
     const Entity* entity = node.node.entity;
     if (entity == nullptr || node.node.role != NodeRole::node || entity->targets.empty()) return;
-    const bool tried = std::any_of(draft_.spec.connections.begin(), draft_.spec.connections.end(),
-                                   [&](const auto& c) {
-                                     const auto parts = split_at(c.to.value, kTargets);
-                                     return parts && parts->first == node.node.name;
-                                   });
+    const bool tried = std::ranges::any_of(draft_.spec.connections, [&](const auto& c) {
+      return is_target(c) && parse_port(c.to.value).owner == node.node.name;
+    });
     if (tried) return;
     diagnostics()
         .error("E0310", node.node.span, fmt::format("`{}` has no target", node.node.name))
@@ -236,8 +216,7 @@ void check_feedthrough(const Graph& graph, const GraphNode& node, const Input& i
                            input.skip ? "`skip: true`" : "`window: 0`"))
         .help = "a reset node needs a message to pass on at every tick";
   }
-  const auto output = std::find_if(node.outputs.begin(), node.outputs.end(),
-                                   [&](const Output& o) { return o.name == input.name; });
+  const Output* output = find_named(node.outputs, input.name);
   if (output->raw.dtype == input.space.dtype && output->raw.shape == input.space.shape) return;
   diagnostics.error(output->raw.dtype == input.space.dtype ? "E0306" : "E0305", input.span,
                     fmt::format("`{}` is {}, but passes on {}", input.written,
@@ -252,9 +231,8 @@ void mark_waiting(Graph& graph) {
     todo.pop_back();
     for (std::size_t n = Graph::kEngine + 1; n < graph.nodes.size(); ++n) {
       GraphNode& node = graph.nodes[n];
-      const bool reads = std::any_of(node.inputs.begin(), node.inputs.end(), [&](const Input& i) {
-        return i.source_node == source && !i.feedthrough;
-      });
+      const bool reads = std::ranges::any_of(
+          node.inputs, [&](const Input& i) { return i.source_node == source && !i.feedthrough; });
       if (!reads || node.waits_during_reset) continue;
       node.waits_during_reset = true;
       todo.push_back(n);
@@ -265,17 +243,16 @@ void mark_waiting(Graph& graph) {
 /// Whether a reset would wait for this node for ever: the engine for its engine nodes, everybody
 /// for reset nodes.
 bool is_stuck(const GraphNode& node) {
-  const bool synchronised = node.role == NodeRole::engine_node &&
-                            std::any_of(node.inputs.begin(), node.inputs.end(), [](const Input& i) {
-                              return i.source_node == Graph::kEngine;
-                            });
+  const bool synchronised =
+      node.role == NodeRole::engine_node &&
+      std::ranges::find(node.inputs, Graph::kEngine, &Input::source_node) != node.inputs.end();
   return node.waits_during_reset && (synchronised || !node.targets.empty());
 }
 
 }  // namespace
 
 bool is_target(const ConnectionSpec& connection) {
-  return split_at(connection.to.value, kTargets).has_value();
+  return parse_port(connection.to.value).section == "targets";
 }
 
 void resolve_targets(Draft& draft) {
@@ -292,7 +269,7 @@ void check_resets(Graph& graph, Diagnostics& diagnostics) {
   mark_waiting(graph);
   for (const auto& node : graph.nodes) {
     if (!is_stuck(node)) continue;
-    const auto input = std::find_if(node.inputs.begin(), node.inputs.end(), [&](const Input& i) {
+    const auto input = std::ranges::find_if(node.inputs, [&](const Input& i) {
       const GraphNode& source = graph.nodes[i.source_node];
       const bool waits = i.source_node == Graph::kEnvironment || source.waits_during_reset;
       return !i.feedthrough && waits && !is_stuck(source);

@@ -24,7 +24,7 @@ void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics
                                           "preinstall",
                                           "rebuild_cache",
                                           "test"};
-  if (std::find(kOfCMake.begin(), kOfCMake.end(), name.value) == kOfCMake.end()) return;
+  if (std::ranges::find(kOfCMake, name.value) == kOfCMake.end()) return;
   diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
       "CMake has a target of that name, and the program's is that of the graph: choose another one";
 }
@@ -36,7 +36,7 @@ void check_names(Draft& draft) {
   std::vector<const EntitySpec*> seen;
   for (const auto* entities : {&spec.objects, &spec.nodes}) {
     for (const auto& entity : *entities) {
-      if (std::find(kTaken.begin(), kTaken.end(), entity.name.value) != kTaken.end()) {
+      if (std::ranges::find(kTaken, entity.name.value) != kTaken.end()) {
         draft.diagnostics
             .error("E0315", entity.name.span,
                    fmt::format("the name `{}` is taken", entity.name.value))
@@ -44,9 +44,9 @@ void check_names(Draft& draft) {
             fmt::format("every graph has its own {}: choose another name", fmt::join(kTaken, ", "));
         draft.doubtful.insert(entity.name.value);
       }
-      const auto same = std::find_if(seen.begin(), seen.end(), [&](const EntitySpec* s) {
-        return s->name.value == entity.name.value;
-      });
+      const auto same = std::ranges::find(
+          seen, entity.name.value,
+          [](const EntitySpec* s) -> const auto& { return s->name.value; });
       if (same != seen.end()) {
         draft.diagnostics
             .error("E0315", entity.name.span,
@@ -76,13 +76,11 @@ void resolve_agent(Draft& draft) {
         (std::filesystem::path(draft.spec.path).parent_path() / file->value).string());
   }
   const auto& inputs = draft.nodes[Graph::kEnvironment].inputs;
-  std::vector<std::string> known;
-  known.reserve(inputs.size());
-  for (const auto& input : inputs) known.push_back(input.name);
+  const std::vector<std::string> known = names_of(inputs);
   for (const auto& name : spec.observations) {
-    const auto found = std::find(known.begin(), known.end(), name.value);
-    const auto earlier = std::find_if(spec.observations.begin(), spec.observations.end(),
-                                      [&](const auto& other) { return other.value == name.value; });
+    const auto found = std::ranges::find(known, name.value);
+    const auto earlier =
+        std::ranges::find(spec.observations, name.value, &Spanned<std::string>::value);
     if (&*earlier != &name) {
       draft.diagnostics.error("E0206", name.span, fmt::format("`{}` is listed twice", name.value))
           .notes.push_back({"first here", earlier->span, ""});
@@ -96,8 +94,8 @@ void resolve_agent(Draft& draft) {
   }
   if (!spec.observations.empty()) return;
   for (std::size_t i = 0; i < inputs.size(); ++i) agent.observations.push_back(i);
-  std::sort(agent.observations.begin(), agent.observations.end(),
-            [&](std::size_t a, std::size_t b) { return inputs[a].name < inputs[b].name; });
+  std::ranges::sort(
+      agent.observations, {}, [&](std::size_t i) -> const auto& { return inputs[i].name; });
 }
 
 /// A draw between bounds of which one is infinite is no number. Without bounds it is between the
@@ -107,8 +105,7 @@ void check_random_agent(Draft& draft) {
   const auto infinite = [](double bound) { return std::isinf(bound); };
   for (const auto& action : draft.graph.environment().outputs) {
     const Space& space = action.space;
-    if (std::none_of(space.low.begin(), space.low.end(), infinite) &&
-        std::none_of(space.high.begin(), space.high.end(), infinite))
+    if (std::ranges::none_of(space.low, infinite) && std::ranges::none_of(space.high, infinite))
       continue;
     auto& problem = draft.diagnostics.error(
         "E0326", draft.graph.agent.span,

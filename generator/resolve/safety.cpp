@@ -30,63 +30,46 @@ std::optional<std::vector<double>> value_of(const std::string& name, const Space
   return random ? std::optional(random->first) : std::nullopt;
 }
 
-YamlValue scalar(std::string text, Span span) {
-  YamlValue yaml;
-  yaml.kind = YamlKind::scalar;
-  yaml.text = std::move(text);
-  yaml.span = span;
-  return yaml;
-}
-
 YamlValue list_of(const std::vector<double>& values, Span span) {
-  YamlValue yaml;
-  yaml.kind = YamlKind::sequence;
-  yaml.span = span;
-  for (const double value : values) yaml.items.push_back(scalar(fmt::format("{}", value), span));
-  return yaml;
+  std::vector<YamlValue> items;
+  for (const double value : values) items.push_back(made_scalar(fmt::format("{}", value), span));
+  return made_list(std::move(items), span);
 }
 
 /// The safe value of the action that is connected to the actuator as it is, if one is declared.
 const Setting* of_connected_action(const GraphSpec& spec, const std::string& object,
                                    const std::string& actuator) {
-  constexpr std::string_view kActions = "actions.";
-  const std::string short_name = object + "." + actuator;
-  const std::string long_name = object + ".actuators." + actuator;
   for (const auto& connection : spec.connections) {
-    const std::string& to = connection.to.value;
-    if (to != short_name && to != long_name) continue;
-    if (connection.settings.processor || !connection.from.value.starts_with(kActions))
-      return nullptr;
-    return find_setting(spec.safety->actions, connection.from.value.substr(kActions.size()));
+    const PortName to = parse_port(connection.to.value);
+    if (to.owner != object || to.name != actuator) continue;
+    if (!to.section.empty() && to.section != "actuators") continue;
+    const PortName from = parse_port(connection.from.value);
+    if (connection.settings.processor || from.owner != "actions") return nullptr;
+    return find_named(spec.safety->actions, from.within_owner());
   }
   return nullptr;
 }
 
-void report_unknown_actions(Draft& draft) {
-  std::vector<std::string> known;
-  for (const auto& action : draft.nodes[Graph::kEnvironment].outputs) known.push_back(action.name);
-  for (const auto& setting : draft.spec.safety->actions) {
-    if (std::find(known.begin(), known.end(), setting.name) != known.end()) continue;
-    draft.diagnostics
-        .error("E0307", setting.span, fmt::format("there is no action `{}`", setting.name))
-        .help = suggestion(setting.name, known, "the graph has no actions");
+/// Names in `settings` that are not among those of a graph. `what` they are: "action".
+void report_unknown_names(const std::vector<Setting>& settings,
+                          const std::vector<std::string>& known, std::string_view what,
+                          const char* otherwise, Diagnostics& diagnostics) {
+  for (const auto& setting : settings) {
+    if (contains(known, setting.name)) continue;
+    diagnostics.error("E0307", setting.span, fmt::format("there is no {} `{}`", what, setting.name))
+        .help = suggestion(setting.name, known, otherwise);
   }
 }
 
-/// Of objects whose type is known.
-void report_unknown_actuators(Draft& draft) {
-  std::vector<std::string> known;
+/// nullopt if the type of an object is not known.
+std::optional<std::vector<std::string>> names_of_actuators(const Draft& draft) {
+  std::vector<std::string> names;
   for (const auto& object : draft.objects) {
-    if (object.entity == nullptr) return;
+    if (object.entity == nullptr) return std::nullopt;
     for (const auto& actuator : object.entity->actuators)
-      known.push_back(object.name + "." + actuator.name.value);
+      names.push_back(object.name + "." + actuator.name.value);
   }
-  for (const auto& setting : draft.spec.safety->actuators) {
-    if (std::find(known.begin(), known.end(), setting.name) != known.end()) continue;
-    draft.diagnostics
-        .error("E0307", setting.span, fmt::format("there is no actuator `{}`", setting.name))
-        .help = suggestion(setting.name, known, "no object has actuators");
-  }
+  return names;
 }
 
 void check_time(const std::string& key, const YamlValue& yaml, Diagnostics& diagnostics) {
@@ -101,9 +84,9 @@ void check_time(const std::string& key, const YamlValue& yaml, Diagnostics& diag
 References safety_references(const GraphSpec& spec) {
   References result;
   for (const auto& [key, value] : safety_defaults()) {
-    const Setting* setting = spec.safety ? find_setting(spec.safety->settings, key) : nullptr;
+    const Setting* setting = spec.safety ? find_named(spec.safety->settings, key) : nullptr;
     const std::string name = fmt::format("safety {}", key);
-    result[name] = setting != nullptr ? setting->value : scalar(value, spec.name.span);
+    result[name] = setting != nullptr ? setting->value : made_scalar(value, spec.name.span);
   }
   return result;
 }
@@ -116,9 +99,8 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
     Diagnostics quiet;  // what is wrong with the space is told of where it is used
     PartialSpace partial = partial_space(port.space, references, quiet);
     if (object.actuators) {
-      const auto set = std::find_if(object.actuators->begin(), object.actuators->end(),
-                                    [&](const ComponentSpec& c) { return c.name.value == name; });
-      if (set != object.actuators->end() && set->space)
+      const ComponentSpec* set = find_named(*object.actuators, name);
+      if (set != nullptr && set->space)
         partial = overlay(partial, partial_space(*set->space, {}, quiet));
     }
     auto space = complete(partial);
@@ -127,7 +109,7 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
     std::vector<double> safe = zero_in(*space);
     Span span = object.name.span;
     if (draft.spec.safety) {
-      const Setting* setting = find_setting(draft.spec.safety->actuators, written);
+      const Setting* setting = find_named(draft.spec.safety->actuators, written);
       // The action's own value is told of with the action.
       Diagnostics& diagnostics = setting != nullptr ? draft.diagnostics : quiet;
       if (setting == nullptr) setting = of_connected_action(draft.spec, object.name.value, name);
@@ -144,8 +126,13 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
 
 void resolve_safety(Draft& draft) {
   if (draft.spec.safety) {
-    report_unknown_actions(draft);
-    report_unknown_actuators(draft);
+    report_unknown_names(draft.spec.safety->actions,
+                         names_of(draft.nodes[Graph::kEnvironment].outputs), "action",
+                         "the graph has no actions", draft.diagnostics);
+    if (const auto actuators = names_of_actuators(draft)) {
+      report_unknown_names(draft.spec.safety->actuators, *actuators, "actuator",
+                           "no object has actuators", draft.diagnostics);
+    }
     for (const char* key : {"max_lateness", "link_timeout"})
       check_time(key, draft.safety.at(fmt::format("safety {}", key)), draft.diagnostics);
   }
@@ -172,7 +159,7 @@ void resolve_safety(Draft& draft) {
   safety.span = draft.spec.safety->span;
   for (std::size_t i = 0; i < environment.outputs.size(); ++i) {
     const Output& action = environment.outputs[i];
-    const Setting* setting = find_setting(draft.spec.safety->actions, action.name);
+    const Setting* setting = find_named(draft.spec.safety->actions, action.name);
     if (setting == nullptr) continue;
     auto value = value_of("actions." + action.name, action.space, *setting, draft.diagnostics);
     if (value) safety.actions[i] = std::move(*value);

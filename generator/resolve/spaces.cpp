@@ -67,7 +67,7 @@ class SpaceResolver {
       declared = overlay(*base, declared);
       return;
     }
-    if (draft_.doubtful.contains(port.substr(0, port.find('.')))) return;
+    if (draft_.doubtful.contains(parse_port(port).owner)) return;
     diagnostics()
         .error("E0309", declared.like_span, fmt::format("`{}` is no input of this graph", port))
         .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");

@@ -56,9 +56,8 @@ class RandomReader {
                   fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(),
                               size == 1 ? "one value" : fmt::format("one value or {}", size),
                               result->size()));
-    const bool fraction =
-        !is_floating(space_.dtype) &&
-        std::any_of(result->begin(), result->end(), [](double v) { return v != std::trunc(v); });
+    const bool fraction = !is_floating(space_.dtype) &&
+                          std::ranges::any_of(*result, [](double v) { return v != std::trunc(v); });
     if (fraction)
       return fail("E0327", yaml.span,
                   fmt::format("`{}` is {} and takes whole numbers", name_, space_.describe()));
@@ -112,8 +111,7 @@ class RandomReader {
 
   template <class Test>
   void require(const std::vector<double>& numbers, Test&& test, const char* message) {
-    if (good_ && !std::all_of(numbers.begin(), numbers.end(), test))
-      fail("E0327", spec_.span, message);
+    if (good_ && !std::ranges::all_of(numbers, test)) fail("E0327", spec_.span, message);
   }
 
   /// A bound as it was written: float32(3.14) is shown as 3.14.
@@ -167,12 +165,10 @@ std::vector<State> read_states(Draft& draft, const Entity& entity, const EntityS
   for (const auto& state_spec : spec.states) {
     const PortManifest* port = entity.state(state_spec.name.value);
     if (port == nullptr) {
-      std::vector<std::string> known;
-      for (const auto& state : entity.states) known.push_back(state.name.value);
       diagnostics
           .error("E0307", state_spec.name.span,
                  fmt::format("`{}` has no state `{}`", entity.id.value, state_spec.name.value))
-          .help = suggestion(state_spec.name.value, known, "it has no states");
+          .help = suggestion(state_spec.name.value, names_of(entity.states), "it has no states");
       continue;
     }
     auto space = state_space(*port, references, diagnostics);
@@ -201,9 +197,7 @@ std::vector<State> read_states(Draft& draft, const Entity& entity, const EntityS
 void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
                         Diagnostics& diagnostics) {
   for (const auto& port : node.entity->states) {
-    const bool named = std::any_of(node.states.begin(), node.states.end(),
-                                   [&](const State& s) { return s.name == port.name.value; });
-    if (named) continue;
+    if (find_named(node.states, port.name.value) != nullptr) continue;
     const auto space = state_space(port, references_of(*node.entity, config), diagnostics);
     if (!space) continue;
     State state;
@@ -217,13 +211,11 @@ void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
 
 /// A state of an object that is one of an engine node moves there. False if it is none.
 bool move_to_node(Draft& draft, const Object& object, State& state) {
-  const auto& known = object.implementation->node_states;
-  const auto found = std::find_if(known.begin(), known.end(),
-                                  [&](const NodeState& s) { return s.name.value == state.name; });
-  if (found == known.end()) return false;
-  const std::size_t dot = found->node.value.find('.');
-  const std::string owner = object.name + "/" + found->node.value.substr(0, dot);
-  const std::string name = dot == std::string::npos ? "" : found->node.value.substr(dot + 1);
+  const NodeState* found = find_named(object.implementation->node_states, state.name);
+  if (found == nullptr) return false;
+  const PortName port = parse_port(found->node.value);
+  const std::string owner = object.name + "/" + port.owner;
+  const std::string name = port.within_owner();
   for (auto& node : draft.nodes) {
     if (node.node.name != owner) continue;
     for (auto& own : node.node.states) {
@@ -251,10 +243,8 @@ bool move_to_node(Draft& draft, const Object& object, State& state) {
 }
 
 void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spec, State& state) {
-  const auto& known = object.implementation->states;
-  const auto found = std::find_if(known.begin(), known.end(),
-                                  [&](const EntitySpec& s) { return s.name.value == state.name; });
-  if (found == known.end()) {
+  const EntitySpec* found = find_named(object.implementation->states, state.name);
+  if (found == nullptr) {
     draft.diagnostics.error("E0308", state.span,
                             fmt::format("`{}` has no state `{}` on `{}`", object.entity->id.value,
                                         state.name, object.implementation->engine.value));
@@ -278,9 +268,7 @@ void resolve_states(Draft& draft) {
       add_unnamed_states(node.node, {}, draft.diagnostics);
       continue;
     }
-    const auto spec =
-        std::find_if(draft.spec.nodes.begin(), draft.spec.nodes.end(),
-                     [&](const EntitySpec& s) { return s.name.value == node.node.name; });
+    const EntitySpec* spec = find_named(draft.spec.nodes, node.node.name);
     const bool engine = node.node.role == NodeRole::engine;
     const bool other_engine = engine && node.node.entity->id.value !=
                                             draft.spec.engine.type.value;  // of the command line

@@ -107,8 +107,8 @@ bool is_macro(std::string_view text) {
       "PTRDIFF_MIN", "SIZE_MAX",    "SIG_ATOMIC_MAX",   "SSIZE_MAX",    "SIG_ATOMIC_MIN",
       "WCHAR_MAX",   "WCHAR_MIN",   "WINT_MAX",         "WINT_MIN",     "CHAR_BIT",
       "SCHAR_MAX",   "SCHAR_MIN",   "CHAR_MAX",         "CHAR_MIN"};
-  if (std::find(kMacros.begin(), kMacros.end(), text) != kMacros.end()) return true;
-  const bool capitals = std::all_of(text.begin(), text.end(), [](char c) {
+  if (std::ranges::find(kMacros, text) != kMacros.end()) return true;
+  const bool capitals = std::ranges::all_of(text, [](char c) {
     return c == '_' || std::isupper(static_cast<unsigned char>(c)) != 0 ||
            std::isdigit(static_cast<unsigned char>(c)) != 0;
   });
@@ -123,11 +123,9 @@ bool is_macro(std::string_view text) {
     return [word](const char* prefix) { return word.starts_with(prefix); };
   };
   const auto ends = [&](const char* end) { return text.ends_with(end); };
-  if (std::any_of(kTypes.begin(), kTypes.end(), starts(type)) &&
-      std::any_of(kEnds.begin(), kEnds.end(), ends))
-    return true;
+  if (std::ranges::any_of(kTypes, starts(type)) && std::ranges::any_of(kEnds, ends)) return true;
   static constexpr std::array kFloating = {"FLT_", "DBL_", "LDBL_", "FP_"};
-  return std::any_of(kFloating.begin(), kFloating.end(), starts(text));
+  return std::ranges::any_of(kFloating, starts(text));
 }
 
 }  // namespace
@@ -163,7 +161,7 @@ bool is_reserved_name(std::string_view text) {
       "Action",       "Observation", "States",       "Inputs",
       "Outputs",      "Config",      "for_each",     "stdin",
       "stdout",       "stderr"};
-  return std::find(kReserved.begin(), kReserved.end(), text) != kReserved.end() || is_macro(text);
+  return std::ranges::find(kReserved, text) != kReserved.end() || is_macro(text);
 }
 
 bool is_identifier(std::string_view text) {
@@ -171,9 +169,8 @@ bool is_identifier(std::string_view text) {
       std::isdigit(static_cast<unsigned char>(text[0])) != 0) {
     return false;
   }
-  const bool letters = std::all_of(text.begin(), text.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  });
+  const bool letters = std::ranges::all_of(
+      text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
   const bool implementation = text[0] == '_' || text.find("__") != std::string_view::npos;
   return letters && !implementation && !is_reserved_name(text);
 }

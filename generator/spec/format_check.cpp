@@ -6,6 +6,7 @@
 #include "generator/read/rational.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/format.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -86,10 +87,7 @@ bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagno
 bool check_keyword(const YamlValue& yaml, const Format& format, const std::string& otherwise,
                    Diagnostics& diagnostics) {
   if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
-  if (std::find(format.keywords.begin(), format.keywords.end(), yaml.text) !=
-      format.keywords.end()) {
-    return true;
-  }
+  if (contains(format.keywords, yaml.text)) return true;
   auto& problem =
       diagnostics.error("E0204", yaml.span, fmt::format("{} is not a choice here", describe(yaml)));
   const std::string near = nearest(yaml.text, format.keywords);
@@ -147,20 +145,17 @@ bool check_list(const YamlValue& yaml, const Format& format, Diagnostics& diagno
 
 /// `theta:` with nothing behind it is a record without settings, where nothing is required.
 bool is_empty_record(const YamlValue& yaml, const Format& format) {
-  return yaml.is_null() && std::none_of(format.fields.begin(), format.fields.end(),
-                                        [](const Field& field) { return field.required; });
+  return yaml.is_null() && std::ranges::none_of(format.fields, &Field::required);
 }
 
 bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (is_empty_record(yaml, format)) return true;
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
-  std::vector<std::string> known, meant;
-  for (const auto& field : format.fields) known.push_back(field.name);
+  const std::vector<std::string> known = names_of(format.fields);
+  std::vector<std::string> meant;
   for (const auto& entry : yaml.entries) {
-    const auto field = std::find_if(format.fields.begin(), format.fields.end(),
-                                    [&](const Field& f) { return f.name == entry.key; });
-    if (field != format.fields.end()) {
+    if (const Field* field = find_named(format.fields, entry.key)) {
       good = check(entry.value, *field->format, diagnostics) && good;
       continue;
     }
@@ -175,8 +170,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   }
   for (const auto& field : format.fields) {
     if (!field.required || yaml.find(field.name) != nullptr) continue;
-    if (std::find(meant.begin(), meant.end(), field.name) != meant.end())
-      continue;  // just misspelt
+    if (contains(meant, field.name)) continue;  // just misspelt
     diagnostics
         .error("E0202", yaml.span, fmt::format("missing key `{}` in {}", field.name, format.what))
         .help = fmt::format("add `{}:`, {}", field.name, field.about);
@@ -197,8 +191,8 @@ bool takes(const YamlValue& yaml, const Format& format) {
     case Format::Kind::record:
       return yaml.is_map() || is_empty_record(yaml, format);
     case Format::Kind::one_of:
-      return std::any_of(format.options.begin(), format.options.end(),
-                         [&](const FormatPtr& option) { return takes(yaml, *option); });
+      return std::ranges::any_of(format.options,
+                                 [&](const FormatPtr& option) { return takes(yaml, *option); });
     case Format::Kind::integer:
       return yaml.is_scalar() && !yaml.quoted && parse_int(yaml.text);
     case Format::Kind::number:

@@ -1,4 +1,5 @@
 // The table of the graph file. The parser, the messages and `eagerx-gen schema` all come from here.
+#include "generator/spec/dtype.hpp"
 #include "generator/spec/graph_spec.hpp"
 
 namespace eagerx::gen {
@@ -188,13 +189,6 @@ FormatPtr agent_format() {
 
 FormatPtr config_format() {
   return format::map("parameters", format::any("a value"));
-}
-
-const std::vector<std::string>& dtype_names() {
-  static const std::vector<std::string> kNames = {"float32", "float64", "int8",  "int16",
-                                                  "int32",   "int64",   "uint8", "uint16",
-                                                  "uint32",  "uint64",  "bool"};
-  return kNames;
 }
 
 FormatPtr space_format(Reference references, bool like) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
 
 // Everything here runs on a tree that `check` has accepted, so kinds and numbers are known to be
 // right.
@@ -45,10 +46,7 @@ std::vector<ComponentSpec> read_selection(const YamlValue& yaml, Diagnostics& di
     result.push_back(read_component(entry.key, entry.key_span, entry.value, diagnostics));
   }
   for (const auto& item : yaml.items) {
-    const auto earlier = std::find_if(result.begin(), result.end(), [&](const ComponentSpec& c) {
-      return c.name.value == item.text;
-    });
-    if (earlier != result.end()) {
+    if (const ComponentSpec* earlier = find_named(result, item.text)) {
       diagnostics.error("E0206", item.span, fmt::format("`{}` is listed twice", item.text))
           .notes.push_back({"first here", earlier->name.span, ""});
       continue;
@@ -58,9 +56,8 @@ std::vector<ComponentSpec> read_selection(const YamlValue& yaml, Diagnostics& di
   return result;
 }
 
-std::optional<std::vector<ComponentSpec>> read_optional_selection(const YamlValue& yaml,
-                                                                  const char* key,
-                                                                  Diagnostics& diagnostics) {
+Selection read_optional_selection(const YamlValue& yaml, const char* key,
+                                  Diagnostics& diagnostics) {
   const YamlValue* selection = yaml.find(key);
   if (selection == nullptr) return std::nullopt;
   return read_selection(*selection, diagnostics);
@@ -207,9 +204,7 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
   if (const YamlValue* library = root.find("library")) {
     for (const auto& item : library->items) spec.library.push_back(text_of(item));
   }
-  const auto engine =
-      std::find_if(root.entries.begin(), root.entries.end(),
-                   [](const YamlValue::Entry& entry) { return entry.key == "engine"; });
+  const auto engine = std::ranges::find(root.entries, "engine", &YamlValue::Entry::key);
   spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
   spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
   spec.sync = optional_of<bool>(engine->value, "sync", bool_of);

@@ -27,8 +27,11 @@ struct ComponentSpec {
   Spanned<std::string> name;
   std::optional<Spanned<Rational>> rate;
   std::optional<SpaceSpec> space;
-  ConnectionSettings settings;  // of a sensor, output or observation only the processor
+  ConnectionSettings settings;  // as far as the table lets this kind of component have them
 };
+
+/// The components that are named; not there: as connected.
+using Selection = std::optional<std::vector<ComponentSpec>>;
 
 struct StateSpec {
   Spanned<std::string> name;
@@ -60,8 +63,7 @@ struct EntitySpec {
   std::optional<Spanned<YamlValue>> rate;  // a decimal, in manifests also `$(…)`
   std::vector<Setting> config;
   std::vector<StateSpec> states;
-  std::optional<std::vector<ComponentSpec>> sensors, actuators, inputs,
-      outputs;  // absent: as connected
+  Selection sensors, actuators, inputs, outputs;
   // A node that runs a weight file; its type is then one that no manifest can have.
   std::optional<AgentSpec> policy = {};
 };
@@ -129,8 +131,6 @@ enum class Reference : std::uint8_t {
   refuse,
   accept
 };  // whether `$(config x)` may stand for a number
-/// "float32", "uint8", …
-const std::vector<std::string>& dtype_names();
 FormatPtr space_format(Reference references, bool like);
 FormatPtr connections_format();
 FormatPtr engine_nodes_format();

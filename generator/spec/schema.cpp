@@ -19,8 +19,7 @@ Json object_type(bool may_be_empty) {
 }
 
 Json record_schema(const Format& format) {
-  const bool empty = std::none_of(format.fields.begin(), format.fields.end(),
-                                  [](const Field& field) { return field.required; });
+  const bool empty = std::ranges::none_of(format.fields, &Field::required);
   Json schema = {{"type", object_type(empty)}, {"additionalProperties", false}};
   Json properties = Json::object();
   Json required = Json::list();
