@@ -98,7 +98,7 @@ void print_requirements(const std::vector<Requirement>& requirements) {
 
 /// A node with targets is a reset node, whatever it is otherwise.
 std::string_view kind_of(const Entity& entity) {
-  return entity.targets.empty() ? to_string(entity.kind) : "reset node";
+  return entity.is_reset_node() ? "reset node" : to_string(entity.kind);
 }
 
 void print_entity(const Entity& entity) {
@@ -118,7 +118,7 @@ void print_entity(const Entity& entity) {
   print_ports("inputs", entity.inputs);
   print_ports("outputs", entity.outputs);
   print_ports(entity.kind == EntityKind::engine_state ? "state" : "states", entity.states);
-  print_ports("targets", entity.targets);
+  print_ports("targets", entity.reset_targets);
   print_requirements(entity.requirements);
   if (!entity.cpp.include.empty())
     fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);

@@ -161,7 +161,7 @@ class GraphView {
   /// Whether a reset node brings this state about: then both programs ask for it.
   bool is_target(std::size_t owner, std::size_t state, bool object) const {
     for (const auto& node : graph_.nodes) {
-      for (const auto& target : node.targets) {
+      for (const auto& target : node.reset_targets) {
         if (target.state == state && target.object.has_value() == object &&
             (object ? *target.object : target.node) == owner)
           return true;

@@ -27,7 +27,7 @@ void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
     if (names.receives(n)) {
       for (const auto& input : node.inputs) add_processor(input.processor);
     }
-    for (const auto& target : node.targets) add_processor(target.processor);
+    for (const auto& target : node.reset_targets) add_processor(target.processor);
     if (!names.runs(n)) continue;
     if (node.entity != nullptr) add(*node.entity, node.entity->cpp);
     for (const auto& output : node.outputs) add_processor(output.processor);

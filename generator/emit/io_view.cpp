@@ -83,7 +83,8 @@ std::string structure_of(const Plan& plan, std::size_t n, const ProgramNames& na
             (node.inputs[i].entity_sets_delay ? "d" : "");
   for (const auto& output : node.outputs) text += "|" + output.name + message_type(output.raw);
   for (const auto& state : node.states) text += "|" + state.name + message_type(state.received());
-  for (const auto& target : node.targets) text += "|" + target.name + message_type(target.space);
+  for (const auto& target : node.reset_targets)
+    text += "|" + target.name + message_type(target.space);
   if (node.object) text += "|" + names.simulator_type[*node.object];
   return text;
 }
@@ -111,7 +112,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     (input.feedthrough ? feedthroughs : inputs).push_back(port);
     if (input.entity_sets_delay) delays.push_back(port);
   }
-  for (const auto& target : node.targets) {
+  for (const auto& target : node.reset_targets) {
     View port = object();
     port.set("type", message_type(target.space));
     port.set("field", target.name);
@@ -227,9 +228,9 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
     for (std::size_t s = 0; names.runs(n) && s < node.states.size(); ++s)
       add(node.states[s].processor, names.node_state_processor[n][s],
           node.name + ".states." + node.states[s].name);
-    for (std::size_t t = 0; t < node.targets.size(); ++t)
-      add(node.targets[t].processor, names.target_processor[n][t],
-          node.name + ".targets." + node.targets[t].name);
+    for (std::size_t t = 0; t < node.reset_targets.size(); ++t)
+      add(node.reset_targets[t].processor, names.target_processor[n][t],
+          node.name + ".targets." + node.reset_targets[t].name);
   }
   return views;
 }
@@ -316,7 +317,7 @@ View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
   std::vector<std::size_t> own;
   for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
     // Both programs know when reset nodes have done their work.
-    if (!names.runs(n) && plan.graph->nodes[n].targets.empty()) continue;
+    if (!names.runs(n) && !plan.graph->nodes[n].is_reset_node()) continue;
     const auto [place, added] = first_of.try_emplace(structure_of(plan, n, names), n);
     if (added) {
       own.push_back(n);

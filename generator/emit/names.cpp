@@ -76,11 +76,11 @@ ProgramNames::ProgramNames(const Plan& plan, Part part)
       const bool settable = input.max_delay_s && (input.random_delay || !input.entity_sets_delay);
       delay_state[n].push_back(settable ? fields.unique(port + "_delay_s") : "");
     }
-    for (const auto& target : node.targets) {
+    for (const auto& target : node.reset_targets) {
       target_processor[n].push_back(
           target.processor ? type(camel(owner) + camel(target.name) + "TargetProcessor") : "");
     }
-    const bool resets = !node.targets.empty();
+    const bool resets = node.is_reset_node();
     targets_member.push_back(resets ? members.unique(owner + "_targets_") : "");
     done_member.push_back(resets ? members.unique(owner + "_done_") : "");
     for (const auto& state : node.states) {

@@ -170,7 +170,7 @@ class ProgramView {
 
   /// Whether a node has something to do in this program: its callback, or to be received.
   bool is_there(std::size_t n) const {
-    if (names_.runs(n) || !graph_.nodes[n].targets.empty()) return true;
+    if (names_.runs(n) || graph_.nodes[n].is_reset_node()) return true;
     for (std::size_t o = 0; o < graph_.nodes[n].outputs.size(); ++o)
       if (names_.crosses(n, o)) return true;
     return false;
@@ -211,7 +211,7 @@ class ProgramView {
   /// Both programs know which targets a reset node has reached.
   void add_done(View& view, std::size_t n) const {
     View reached = list();
-    for (const auto& target : graph_.nodes[n].targets) {
+    for (const auto& target : graph_.nodes[n].reset_targets) {
       View item = object();
       item.set("flag", names_.done_member[n] + "." + target.name);
       reached.push_back(item);
@@ -314,8 +314,8 @@ class ProgramView {
       item.set("field", node.inputs[i].name);
       passed.push_back(item);
     }
-    view.set("is_reset_node", !node.targets.empty());
-    view.set("is_plain_node", node.targets.empty());
+    view.set("is_reset_node", node.is_reset_node());
+    view.set("is_plain_node", !node.is_reset_node());
     view.set("feedthroughs",
              braced(windows, 10, 40 + names_.io[n].size()));  // const …::Feedthroughs through
     view["passed"] = std::move(passed);

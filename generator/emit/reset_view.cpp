@@ -46,7 +46,7 @@ class ResetView {
     for (const auto& item : graph_.objects) is_object_target_.emplace_back(item.states.size());
     for (const auto& node : graph_.nodes) is_node_target_.emplace_back(node.states.size());
     for (const auto& node : graph_.nodes) {
-      for (const auto& target : node.targets) {
+      for (const auto& target : node.reset_targets) {
         (target.object ? is_object_target_[*target.object]
                        : is_node_target_[target.node])[target.state] = true;
       }
@@ -198,10 +198,10 @@ class ResetView {
     std::vector<std::string> asked, open;
     for (const std::size_t n : nodes_in_order(plan_)) {
       const GraphNode& node = graph_.nodes[n];
-      if (node.targets.empty()) continue;
+      if (!node.is_reset_node()) continue;
       std::vector<std::string> targets;
-      for (std::size_t t = 0; t < node.targets.size(); ++t) {
-        const ResetTarget& target = node.targets[t];
+      for (std::size_t t = 0; t < node.reset_targets.size(); ++t) {
+        const ResetTarget& target = node.reset_targets[t];
         const std::string field =
             "states." + (target.object ? names_.object_state[*target.object][target.state]
                                        : names_.node_state[target.node][target.state]);

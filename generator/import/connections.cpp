@@ -17,7 +17,7 @@ class ConnectionTranslator {
   void run() {
     for (const auto& link : t_.saved.links) {
       const auto from = source(link.from);
-      const auto to = target(link.to);
+      const auto to = sink(link.to);
       if (!from || !to) continue;
       ConnectionSpec connection;
       connection.span = link.from.span;
@@ -58,7 +58,7 @@ class ConnectionTranslator {
     return fail(end, "a source is an output, a sensor or a state");
   }
 
-  std::optional<std::string> target(const SavedEnd& end) {
+  std::optional<std::string> sink(const SavedEnd& end) {
     if (end.entity == "environment") {
       const auto observation = t_.observations.find(end.port);
       if (end.section != "inputs" || observation == t_.observations.end())

@@ -232,7 +232,7 @@ class Rebuilder {
       const Rebuilt* to = owner(link.to.entity);
       if (from != nullptr && from == to && is_inside(*from, link)) continue;
       if (from != nullptr && !rewrite_source(*from, link)) continue;
-      if (to != nullptr && !rewrite_target(*to, link)) continue;
+      if (to != nullptr && !rewrite_sink(*to, link)) continue;
       // An actuator that feeds several engine nodes is one connection.
       if (to != nullptr && !fed.insert({link.to.entity, link.to.section, link.to.port}).second)
         continue;
@@ -303,7 +303,7 @@ class Rebuilder {
     return true;
   }
 
-  bool rewrite_target(const Rebuilt& object, SavedLink& link) {
+  bool rewrite_sink(const Rebuilt& object, SavedLink& link) {
     const ConnectionSpec* actuator = object.actuator(object.match(link.to.entity), link.to.port);
     if (actuator == nullptr) {
       cannot_place(link.to, object, "actuator");

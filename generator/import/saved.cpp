@@ -37,15 +37,15 @@ class Substitution {
   }
 
   bool afford(const YamlValue& yaml) {
-    constexpr std::size_t kTextOfANode = 64;
-    return spend(nodes_, 1 + yaml.text.size() / kTextOfANode) &&
+    constexpr std::size_t kTextOfAValue = 64;
+    return spend(values_, 1 + yaml.text.size() / kTextOfAValue) &&
            std::ranges::all_of(yaml.items, [&](const YamlValue& item) { return afford(item); }) &&
            std::ranges::all_of(yaml.entries,
                                [&](const YamlValue::Entry& entry) { return afford(entry.value); });
   }
 
   std::size_t searches_ = 50'000'000;  // entries looked at
-  std::size_t nodes_ = 300'000;        // copied
+  std::size_t values_ = 300'000;       // copied
 };
 
 class SavedReader {

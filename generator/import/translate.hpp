@@ -35,7 +35,7 @@ void choose_rate(Translation& t);
 void translate_connections(Translation& t);
 void translate_environment(Translation& t);  // actions and observations
 
-/// A rate in Hz, a delay in seconds; reported (E0802) and nullopt if the node is something else.
+/// A rate in Hz, a delay in seconds; reported (E0802) and nullopt if it is something else.
 std::optional<Rational> saved_rate(const YamlValue& yaml, Diagnostics& diagnostics);
 std::optional<Rational> saved_delay(const YamlValue& yaml, Diagnostics& diagnostics);
 

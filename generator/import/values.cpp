@@ -138,7 +138,7 @@ const PortManifest* manifest_port(const Entity& entity, std::string_view section
   if (section == "sensors") return entity.sensor(name);
   if (section == "actuators") return entity.actuator(name);
   if (section == "feedthroughs") return entity.output(name);  // what it passes on
-  if (section == "targets") return entity.target(name);
+  if (section == "targets") return entity.reset_target(name);
   return section == "states" ? entity.state(name) : nullptr;
 }
 

@@ -35,7 +35,7 @@ constexpr std::array<Operator, 6> kComparisons = {{{"<=", Op::less_equal},
 }  // namespace
 
 ConditionText::ConditionText(const YamlValue& yaml, Diagnostics& diagnostics)
-    : node_(yaml), text_(yaml.text), diagnostics_(diagnostics) {
+    : yaml_(yaml), text_(yaml.text), diagnostics_(diagnostics) {
   if (text_.size() > kLongest)
     fail(0, fmt::format("a condition has at most {} characters", kLongest));
 }
@@ -137,9 +137,9 @@ ConditionText::Nested::Nested(ConditionText& text) : text_(text) {
 /// From `place` to the end of the text; all of it where it was written with escapes or over several
 /// lines.
 Span ConditionText::span_at(std::size_t place) const {
-  const std::size_t quotes = node_.quoted ? 2 : 0;
-  if (node_.span.length != text_.size() + quotes) return node_.span;
-  Span span = node_.span;
+  const std::size_t quotes = yaml_.quoted ? 2 : 0;
+  if (yaml_.span.length != text_.size() + quotes) return yaml_.span;
+  Span span = yaml_.span;
   span.column += static_cast<std::uint32_t>(place + quotes / 2);
   span.length = static_cast<std::uint32_t>(std::max<std::size_t>(text_.size() - place, 1));
   return span;

@@ -55,7 +55,7 @@ class ConditionText {
  private:
   [[nodiscard]] Span span_at(std::size_t place) const;
 
-  const YamlValue& node_;
+  const YamlValue& yaml_;
   const std::string& text_;
   Diagnostics& diagnostics_;
   std::size_t at_ = 0;

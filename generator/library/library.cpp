@@ -135,8 +135,8 @@ const PortManifest* Entity::state(std::string_view name) const {
   return find_named(states, name);
 }
 
-const PortManifest* Entity::target(std::string_view name) const {
-  return find_named(targets, name);
+const PortManifest* Entity::reset_target(std::string_view name) const {
+  return find_named(reset_targets, name);
 }
 
 bool Entity::works_on(const Entity& engine) const {

@@ -93,7 +93,7 @@ struct Entity {
   std::vector<Parameter> config;
   std::vector<Requirement> requirements;
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
-  std::vector<PortManifest> targets;  // a node with targets is a reset node
+  std::vector<PortManifest> reset_targets;  // of a reset node; others have none
   std::vector<ObjectEngine> object_engines;
   std::vector<std::string> counts;             // nodes: what for_each_count() counts
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
@@ -107,7 +107,8 @@ struct Entity {
   [[nodiscard]] const PortManifest* sensor(std::string_view name) const;
   [[nodiscard]] const PortManifest* actuator(std::string_view name) const;
   [[nodiscard]] const PortManifest* state(std::string_view name) const;
-  [[nodiscard]] const PortManifest* target(std::string_view name) const;
+  [[nodiscard]] const PortManifest* reset_target(std::string_view name) const;
+  [[nodiscard]] bool is_reset_node() const { return !reset_targets.empty(); }
   /// Whether this engine node or state works on `engine`, or on one whose implementations that
   /// runs.
   [[nodiscard]] bool works_on(const Entity& engine) const;

@@ -272,7 +272,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
   entity.states = read_ports(root, "states", diagnostics);
   entity.sensors = read_ports(root, "sensors", diagnostics);
   entity.actuators = read_ports(root, "actuators", diagnostics);
-  entity.targets = read_ports(root, "targets", diagnostics);
+  entity.reset_targets = read_ports(root, "targets", diagnostics);
   if (entity.kind == EntityKind::engine_state || entity.kind == EntityKind::engine_node) {
     entity.engines = texts_at(root, "engines");
   }
@@ -289,7 +289,8 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
           read_implementation({entry.key, entry.key_span}, entry.value, folder, diagnostics));
     }
   }
-  if (root.find("kind")->text == "reset_node" && (entity.targets.empty() || entity.outputs.empty()))
+  if (root.find("kind")->text == "reset_node" &&
+      (!entity.is_reset_node() || entity.outputs.empty()))
     diagnostics.error("E0206", entity.id.span,
                       "a reset node has at least one output and one target");
   entity.requirements = read_requirements(root, entity, diagnostics);

@@ -23,7 +23,7 @@ class Line {
       if (split.to_board[c] || split.to_host[c]) bytes_[channel.node] += bytes;
     }
     // Whether a reset node has reached its targets.
-    for (const auto& node : graph.nodes) done_ += node.targets.size();
+    for (const auto& node : graph.nodes) done_ += node.reset_targets.size();
   }
 
   /// One slot; `mask` is what is due in it, `next` in the one after it.

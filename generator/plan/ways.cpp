@@ -10,7 +10,7 @@ constexpr std::size_t kMaxSteps = 20'000;  // of a search from one actuator
 
 /// In an episode a reset node passes its feedthroughs on and nothing else.
 bool passes_on(const GraphNode& node, const Input& input) {
-  return node.targets.empty() || input.feedthrough;
+  return !node.is_reset_node() || input.feedthrough;
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ struct Extent {
   std::size_t end = 0;
 };
 
-/// The tag and anchor in front of a node, and where the node itself begins.
+/// The tag and anchor in front of a value, and where the value itself begins.
 struct Properties {
   Extent all;
   Extent tag;  // empty: no tag

@@ -46,9 +46,9 @@ bool check_brackets(const Locator& locator, const ReadLimits& limits, Diagnostic
       report_too_deep(locator.span({too_deep, too_deep + 1}), limits.max_depth, diagnostics);
       return false;
     }
-    if (values > limits.max_nodes) {
+    if (values > limits.max_values) {
       diagnostics.error("E0110", locator.span({at, at + 1}),
-                        fmt::format("the file has more than {} values", limits.max_nodes));
+                        fmt::format("the file has more than {} values", limits.max_values));
       return false;
     }
   }

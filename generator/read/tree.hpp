@@ -12,7 +12,7 @@ namespace eagerx::gen {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
-/// A node of the tree. Maps keep their order and have no duplicate keys.
+/// A value and what is below it. Maps keep their order and have no duplicate keys.
 struct YamlValue {
   struct Entry;
 
@@ -46,14 +46,14 @@ YamlValue made_list(std::vector<YamlValue> items, Span span);
 /// Limits on what is read; past them there is an error, not a long wait.
 struct ReadLimits {
   std::size_t max_bytes = 16U << 20U;
-  std::size_t max_nodes = 2'000'000;  // aliases expanded
+  std::size_t max_values = 2'000'000;  // aliases expanded
   std::size_t max_depth = 64;
 };
 
-/// Reads a YAML file of exactly one document. On a problem adds errors and returns a null node:
+/// Reads a YAML file of exactly one document. On a problem adds errors and returns a null value:
 /// unreadable or too large file, not UTF-8, control characters, syntax, duplicate key, key that is
-/// not a plain scalar, unknown alias, more than one document, too deep, too many nodes, empty file.
-/// `tags`: whether explicit tags are accepted (EAGERx files carry Python's).
+/// not a plain scalar, unknown alias, more than one document, too deep, too many values, empty
+/// file. `tags`: whether explicit tags are accepted (EAGERx files carry Python's).
 enum class Tags : std::uint8_t { refuse, accept };
 YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
                          Tags tags = Tags::refuse, const ReadLimits& limits = {});

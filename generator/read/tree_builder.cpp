@@ -38,12 +38,12 @@ bool TreeBuilder::key_expected() const {
   return !frames_.empty() && frames_.back().open.map && !frames_.back().has_key;
 }
 
-void TreeBuilder::charge(std::size_t nodes, std::size_t bytes, const Span& span) {
-  nodes_ += nodes;
+void TreeBuilder::charge(std::size_t values, std::size_t bytes, const Span& span) {
+  values_ += values;
   bytes_ += bytes;
-  if (nodes_ > limits_.max_nodes) {
-    report("E0110", span, fmt::format("the file has more than {} values", limits_.max_nodes)).help =
-        "every use of an alias counts as a copy";
+  if (values_ > limits_.max_values) {
+    report("E0110", span, fmt::format("the file has more than {} values", limits_.max_values))
+        .help = "every use of an alias counts as a copy";
     throw StopReading();
   }
   if (bytes_ > kMaxExpansion * limits_.max_bytes) {
@@ -167,7 +167,7 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
     return;
   }
   check_depth(frames_.size() + found->second.height, span);
-  charge(found->second.nodes, found->second.bytes, span);
+  charge(found->second.values, found->second.bytes, span);
   Built copy = found->second;
   copy.yaml.span = span;
   attach(std::move(copy), 0);
@@ -212,7 +212,7 @@ void TreeBuilder::close() {
 void TreeBuilder::attach(Built built, YAML::anchor_t anchor) {
   if (anchor != 0) {
     // The copy counts: anchors inside anchors would otherwise multiply memory unseen.
-    charge(built.nodes, built.bytes, built.yaml.span);
+    charge(built.values, built.bytes, built.yaml.span);
     anchors_[anchor] = built;
   }
   if (frames_.empty()) {
@@ -220,7 +220,7 @@ void TreeBuilder::attach(Built built, YAML::anchor_t anchor) {
     return;
   }
   Frame& parent = frames_.back();
-  parent.built.nodes += built.nodes;
+  parent.built.values += built.values;
   parent.built.bytes += built.bytes;
   parent.built.height = std::max(parent.built.height, built.height + 1);
   if (!parent.open.map) {

@@ -52,10 +52,10 @@ class TreeBuilder : public YAML::EventHandler {
   [[nodiscard]] const std::vector<std::string>& anchor_names() const { return anchor_names_; }
 
  private:
-  /// A finished node and what a copy of it would cost.
+  /// A finished value and what a copy of it would cost.
   struct Built {
     YamlValue yaml;
-    std::size_t nodes = 1;
+    std::size_t values = 1;
     std::size_t bytes = 0;   // of texts, tags and keys
     std::size_t height = 0;  // levels of collections
   };
@@ -65,7 +65,7 @@ class TreeBuilder : public YAML::EventHandler {
     Built built;
     OpenCollection open;
     YAML::anchor_t anchor = 0;
-    bool has_key = false;     // maps: the next node is a value
+    bool has_key = false;     // maps: what comes next belongs to it
     bool key_usable = false;  // else the value is read and dropped
     std::string key;
     Span key_span;
@@ -76,7 +76,7 @@ class TreeBuilder : public YAML::EventHandler {
   void open(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
             YAML::EmitterStyle::value style);
   void close();
-  /// Puts a finished node where it belongs: root, item, key or value.
+  /// Puts a finished value where it belongs: root, item, key or value.
   void attach(Built built, YAML::anchor_t anchor);
   /// yaml-cpp lets a quoted text go on to the end of the file.
   void check_closed(std::size_t begin);
@@ -84,9 +84,9 @@ class TreeBuilder : public YAML::EventHandler {
   void take_key(Frame& map, const YamlValue& key);
   void take_value(Frame& map, Built built);
   [[nodiscard]] Span implicit_null_span(std::size_t offset) const;
-  /// The tag of a node in full; reports it where tags are refused.
+  /// The tag of a value in full; reports it where tags are refused.
   std::string checked_tag(const Properties& properties, const std::string& tag);
-  void charge(std::size_t nodes, std::size_t bytes, const Span& span);
+  void charge(std::size_t values, std::size_t bytes, const Span& span);
   void check_depth(std::size_t depth, const Span& span);
   Diagnostic& report(const char* code, const Span& span, std::string message);
 
@@ -100,7 +100,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::unordered_map<YAML::anchor_t, Built> anchors_;  // finished ones
   std::vector<std::string> anchor_names_;
   std::size_t documents_ = 0;
-  std::size_t nodes_ = 0;
+  std::size_t values_ = 0;
   std::size_t bytes_ = 0;
 };
 

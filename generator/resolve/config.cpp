@@ -56,7 +56,7 @@ std::optional<double> number_of(const YamlValue& yaml) {
 class Reader {
  public:
   Reader(const Parameter& parameter, const YamlValue& yaml, Diagnostics& diagnostics)
-      : parameter_(parameter), node_(yaml), diagnostics_(diagnostics) {}
+      : parameter_(parameter), yaml_(yaml), diagnostics_(diagnostics) {}
 
   std::optional<ConfigValue> read() {
     switch (parameter_.type) {
@@ -67,7 +67,7 @@ class Reader {
       case Parameter::Type::boolean:
         return one<bool>([](const YamlValue& n) { return parse_bool(n.text); });
       case Parameter::Type::text:
-        return node_.is_scalar() ? value(node_.text) : wrong(node_);
+        return yaml_.is_scalar() ? value(yaml_.text) : wrong(yaml_);
       case Parameter::Type::keyword:
         return keyword();
       case Parameter::Type::integers:
@@ -107,7 +107,7 @@ class Reader {
 
   template <class T, class Parse>
   std::optional<ConfigValue> one(Parse&& parse) {
-    const auto item = parse_item<T>(node_, parse);
+    const auto item = parse_item<T>(yaml_, parse);
     return item ? value(*item) : std::nullopt;
   }
 
@@ -116,8 +116,8 @@ class Reader {
     std::vector<T> result;
     // A single number is a list of one: `cutoff_hz: 10`.
     const std::vector<YamlValue> items =
-        node_.is_scalar() ? std::vector<YamlValue>{node_} : node_.items;
-    if (node_.is_map() || node_.is_null()) return wrong(node_);
+        yaml_.is_scalar() ? std::vector<YamlValue>{yaml_} : yaml_.items;
+    if (yaml_.is_map() || yaml_.is_null()) return wrong(yaml_);
     for (const auto& item : items) {
       const auto parsed = parse_item<T>(item, parse);
       if (!parsed) return std::nullopt;
@@ -127,20 +127,20 @@ class Reader {
   }
 
   std::optional<ConfigValue> keyword() {
-    if (is_unresolved(node_)) return std::nullopt;
+    if (is_unresolved(yaml_)) return std::nullopt;
     const auto& options = parameter_.options;
-    if (node_.is_scalar() && contains(options, node_.text)) return value(node_.text);
+    if (yaml_.is_scalar() && contains(options, yaml_.text)) return value(yaml_.text);
     auto& problem = diagnostics_.error(
-        "E0322", node_.span,
-        fmt::format("{} is not a choice for `{}`", describe(node_), parameter_.name.value));
-    const std::string near = node_.is_scalar() ? nearest(node_.text, options) : "";
+        "E0322", yaml_.span,
+        fmt::format("{} is not a choice for `{}`", describe(yaml_), parameter_.name.value));
+    const std::string near = yaml_.is_scalar() ? nearest(yaml_.text, options) : "";
     problem.help = near.empty() ? fmt::format("choose one of {}", fmt::join(options, ", "))
                                 : fmt::format("did you mean `{}`?", near);
     return std::nullopt;
   }
 
   const Parameter& parameter_;
-  const YamlValue& node_;
+  const YamlValue& yaml_;
   Diagnostics& diagnostics_;
 };
 
@@ -175,7 +175,7 @@ std::string with_article(EntityKind kind) {
 
 /// Whether a whole number of the dtype survives as a double. The largest of a dtype does, as the
 /// double behind it stands for it.
-bool is_kept(std::string_view text, std::optional<Dtype> dtype) {
+bool is_exact_as_double(std::string_view text, std::optional<Dtype> dtype) {
   if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
   std::uint64_t magnitude = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), magnitude);
@@ -303,13 +303,13 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
   return result;
 }
 
-bool are_kept(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
-              Diagnostics& diagnostics) {
+bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
+                          Diagnostics& diagnostics) {
   if (dtype && is_floating(*dtype)) return true;
   const std::vector<YamlValue> items =
       yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
   for (const auto& item : items) {
-    if (!item.is_scalar() || is_kept(item.text, dtype)) continue;
+    if (!item.is_scalar() || is_exact_as_double(item.text, dtype)) continue;
     diagnostics.error(code, item.span, fmt::format("`{}` cannot be kept exactly", item.text)).help =
         "whole numbers beyond 9007199254740992 (two to the 53rd) are rounded: choose one with "
         "fewer digits, or the largest or smallest of the dtype";

@@ -10,7 +10,7 @@
 namespace eagerx::gen {
 
 /// What `$(config NAME)`, `$(sensors NAME rate)` and `$(actuators NAME rate)` mean at some place:
-/// the text between the parentheses to a node, or nullptr.
+/// by the text between the parentheses.
 using References = std::map<std::string, YamlValue, std::less<>>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
@@ -35,10 +35,10 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
 /// Whether the whole numbers of `yaml` stay what they are: spaces and states keep doubles, which
 /// hold those of up to 53 bits. Without a dtype it may be an integer's. If not, error `code` where
 /// the first of them is.
-bool are_kept(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
-              Diagnostics& diagnostics);
+bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
+                          Diagnostics& diagnostics);
 
-/// A rate from a node that may have been a reference; nullopt (and E0204) if it is no positive
+/// A rate from a value that may have been a reference; nullopt (and E0204) if it is no positive
 /// decimal.
 std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics);
 

@@ -67,14 +67,14 @@ class Connector {
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
-      if (is_target(connection)) continue;
+      if (is_reset_target(connection)) continue;
       const auto sources = find(connection.from, Side::from);
-      const auto targets = find(connection.to, Side::to);
+      const auto sinks = find(connection.to, Side::to);
       // A connection with one wrong end says that the other end is not left open.
-      if (targets.empty()) excused_.insert(sources.begin(), sources.end());
-      if (sources.empty()) excused_.insert(targets.begin(), targets.end());
-      for (const auto& target : targets) {
-        if (!sources.empty()) connect(connection, index_of(sources.front()), index_of(target));
+      if (sinks.empty()) excused_.insert(sources.begin(), sources.end());
+      if (sources.empty()) excused_.insert(sinks.begin(), sinks.end());
+      for (const auto& sink : sinks) {
+        if (!sources.empty()) connect(connection, index_of(sources.front()), index_of(sink));
       }
     }
     report_open_inputs();
@@ -236,8 +236,8 @@ class Connector {
     }
   }
 
-  void connect(const ConnectionSpec& connection, const PortIndex& source, const PortIndex& target) {
-    DraftInput& input = draft_.nodes[target.node].inputs[target.port];
+  void connect(const ConnectionSpec& connection, const PortIndex& source, const PortIndex& sink) {
+    DraftInput& input = draft_.nodes[sink.node].inputs[sink.port];
     if (input.edge) {
       auto& problem = diagnostics().error(
           "E0311", connection.to.span, fmt::format("`{}` is connected twice", connection.to.value));

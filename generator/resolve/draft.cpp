@@ -31,11 +31,11 @@ std::optional<std::vector<std::uint64_t>> shape_of(const YamlValue& yaml,
   return shape;
 }
 
-std::vector<double> bounds_of(const std::optional<YamlValue>& node, std::optional<Dtype> dtype,
+std::vector<double> bounds_of(const std::optional<YamlValue>& written, std::optional<Dtype> dtype,
                               const References& references, Diagnostics& diagnostics) {
-  if (!node) return {};
-  const YamlValue bounds = substitute(*node, references, diagnostics);
-  if (!are_kept(bounds, dtype, "E0326", diagnostics)) return {};
+  if (!written) return {};
+  const YamlValue bounds = substitute(*written, references, diagnostics);
+  if (!are_exact_as_doubles(bounds, dtype, "E0326", diagnostics)) return {};
   return numbers_of(bounds, diagnostics).value_or(std::vector<double>{});
 }
 

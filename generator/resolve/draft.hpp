@@ -144,11 +144,11 @@ void add_engine(Draft& draft, const ResolveOptions& options);
 void add_nodes(Draft& draft);
 void add_objects(Draft& draft);
 void check_cycles(Draft& draft);
-void connect(Draft& draft);          // the user's connections; unconnected ports
-void resolve_spaces(Draft& draft);   // spaces and processors; fills the graph's inputs and outputs
-void resolve_safety(Draft& draft);   // safe actions, in the spaces of the actions
-void resolve_states(Draft& draft);   // how states are drawn
-void resolve_targets(Draft& draft);  // which states the reset nodes bring about
+void connect(Draft& draft);         // the user's connections; unconnected ports
+void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
+void resolve_safety(Draft& draft);  // safe actions, in the spaces of the actions
+void resolve_states(Draft& draft);  // how states are drawn
+void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring about
 /// `sync: false` (E0338 what does not go together with it).
 void check_sync(Draft& draft);
 
@@ -180,7 +180,7 @@ void check_limits(Draft& draft);
 /// is none.
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);
 /// Whether a connection asks a reset node for a state: `to: node.targets.name`.
-bool is_target(const ConnectionSpec& connection);
+bool is_reset_target(const ConnectionSpec& connection);
 /// All names that `to:` may say.
 std::vector<std::string> input_names(const Draft& draft);
 

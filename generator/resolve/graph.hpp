@@ -116,10 +116,12 @@ struct GraphNode {
   std::vector<Input> inputs;
   std::vector<Output> outputs;
   std::vector<State> states;
-  std::vector<ResetTarget> targets;   // reset nodes only
-  bool waits_during_reset = false;    // needs the environment's actions, which a reset has not
-  std::optional<std::size_t> object;  // engine nodes: whose
+  std::vector<ResetTarget> reset_targets;  // of a reset node; others have none
+  bool waits_during_reset = false;         // needs the environment's actions, which a reset has not
+  std::optional<std::size_t> object;       // engine nodes: whose
   Span span;
+
+  [[nodiscard]] bool is_reset_node() const { return !reset_targets.empty(); }
 };
 
 struct Object {
@@ -181,7 +183,7 @@ struct Graph {
   [[nodiscard]] const GraphNode& environment() const { return nodes[kEnvironment]; }
   [[nodiscard]] const GraphNode& engine() const { return nodes[kEngine]; }
   [[nodiscard]] bool has_reset_nodes() const {
-    return std::ranges::any_of(nodes, [](const GraphNode& node) { return !node.targets.empty(); });
+    return std::ranges::any_of(nodes, &GraphNode::is_reset_node);
   }
 };
 

@@ -96,7 +96,7 @@ void check(const GraphNode& node, Diagnostics& diagnostics) {
   for (const auto& input : node.inputs) check(input.processor, diagnostics);
   for (const auto& output : node.outputs) check(output.processor, diagnostics);
   for (const auto& state : node.states) check(state.processor, diagnostics);
-  for (const auto& target : node.targets) check(target.processor, diagnostics);
+  for (const auto& reset_target : node.reset_targets) check(reset_target.processor, diagnostics);
 }
 
 void check(const Object& object, Diagnostics& diagnostics) {

@@ -20,7 +20,7 @@ void for_each_entity(const Graph& graph, Part part, F&& f) {
     if (receives_here(graph, part, n)) {
       for (const auto& input : node.inputs) processor(input.processor);
     }
-    for (const auto& target : node.targets) processor(target.processor);
+    for (const auto& reset_target : node.reset_targets) processor(reset_target.processor);
     if (!runs_here(graph, part, n)) continue;
     if (node.entity != nullptr && node.role != NodeRole::engine) f(*node.entity, node.span);
     for (const auto& output : node.outputs) processor(output.processor);

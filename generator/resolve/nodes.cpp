@@ -150,8 +150,7 @@ void add_nodes(Draft& draft) {
           output.span = component->name.span;
           settle(output, *component, spec.name.value + "." + port.name.value, draft.diagnostics);
         }
-        if (!entity->targets.empty())
-          node.inputs.push_back(feedthrough_of(output, spec.name.value));
+        if (entity->is_reset_node()) node.inputs.push_back(feedthrough_of(output, spec.name.value));
         node.outputs.push_back(std::move(output));
       }
     }

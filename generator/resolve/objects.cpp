@@ -169,14 +169,14 @@ class ObjectBuilder {
         connect_sensor(connection, to_port, *source, *output);
         continue;
       }
-      const auto target = find_node(to.owner, connection.to);
+      const auto sink = find_node(to.owner, connection.to);
       const auto input =
-          target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
-      if (!input || !is_free(nodes_[*target].inputs[*input], connection)) continue;
-      DraftInput& port = nodes_[*target].inputs[*input];
+          sink ? find_port(nodes_[*sink].inputs, to_port, connection.to) : std::nullopt;
+      if (!input || !is_free(nodes_[*sink].inputs[*input], connection)) continue;
+      DraftInput& port = nodes_[*sink].inputs[*input];
       port.settings = overlay(port.settings, connection.settings);
       port.edge = DraftEdge{*source, *output, connection.span};  // made a graph index when it moves
-      links_.push_back({*source, *target});
+      links_.push_back({*source, *sink});
     }
   }
 
@@ -193,15 +193,14 @@ class ObjectBuilder {
   void connect_actuator(const ConnectionSpec& connection, const std::string& name,
                         const std::string& to, const std::string& to_port) {
     const PortManifest* actuator = entity_.actuator(name);
-    const auto target = find_node(to, connection.to);
+    const auto sink = find_node(to, connection.to);
     const auto input =
-        target ? find_port(nodes_[*target].inputs, to_port, connection.to) : std::nullopt;
+        sink ? find_port(nodes_[*sink].inputs, to_port, connection.to) : std::nullopt;
     if (actuator == nullptr)
       diagnostics().error("E0307", connection.from.span,
                           fmt::format("`{}` has no actuator `{}`", entity_.id.value, name));
-    if (actuator == nullptr || !input || !is_free(nodes_[*target].inputs[*input], connection))
-      return;
-    DraftInput& port = nodes_[*target].inputs[*input];
+    if (actuator == nullptr || !input || !is_free(nodes_[*sink].inputs[*input], connection)) return;
+    DraftInput& port = nodes_[*sink].inputs[*input];
     port.settings =
         overlay(port.settings, manifest_settings(*actuator, references_, diagnostics()));
     port.settings = overlay(port.settings, connection.settings);
@@ -219,8 +218,8 @@ class ObjectBuilder {
     } else {
       port.declared = narrow(port.declared, space, port.written, diagnostics());
     }
-    check_rate(*actuator, "actuators", nodes_[*target], connection.to.span);
-    actuator_targets_.push_back({name, *target, *input});
+    check_rate(*actuator, "actuators", nodes_[*sink], connection.to.span);
+    actuator_sinks_.push_back({name, *sink, *input});
   }
 
   void connect_sensor(const ConnectionSpec& connection, const std::string& name, std::size_t source,
@@ -262,20 +261,20 @@ class ObjectBuilder {
         fmt::format("write `rate: $({} {} rate)` for the engine node", kind, port.name.value);
   }
 
-  /// EAGERx's rule: ancestors of used sensors, targets of used actuators, descendants of those that
-  /// are synchronised with the engine, and what these need.
+  /// EAGERx's rule: ancestors of used sensors, those that used actuators feed, descendants of those
+  /// that are synchronised with the engine, and what these need.
   void mark_needed() {
     needed_.assign(nodes_.size(), false);
     for (const auto& source : sensor_sources_) need(source.node);
     std::vector<bool> reached(nodes_.size(), false);
-    for (const auto& target : actuator_targets_) {
-      if (actuators_.contains(target.name)) reach(target.node, reached);
+    for (const auto& sink : actuator_sinks_) {
+      if (actuators_.contains(sink.name)) reach(sink.node, reached);
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (reached[i] && nodes_[i].input("tick") != nullptr) need(i);
     }
-    for (const auto& target : actuator_targets_) {
-      if (actuators_.contains(target.name)) need(target.node);
+    for (const auto& sink : actuator_sinks_) {
+      if (actuators_.contains(sink.name)) need(sink.node);
     }
   }
 
@@ -304,9 +303,8 @@ class ObjectBuilder {
     }
     for (const auto& source : sensor_sources_)
       object.sensors[source.name] = {place[source.node], source.port};
-    for (const auto& target : actuator_targets_) {
-      if (needed_[target.node])
-        object.actuators[target.name].push_back({place[target.node], target.port});
+    for (const auto& sink : actuator_sinks_) {
+      if (needed_[sink.node]) object.actuators[sink.name].push_back({place[sink.node], sink.port});
     }
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (!needed_[i]) continue;
@@ -331,7 +329,7 @@ class ObjectBuilder {
   std::set<std::string> sensors_, actuators_;
   std::vector<DraftNode> nodes_;
   std::vector<Link> links_;
-  std::vector<Outside> sensor_sources_, actuator_targets_;
+  std::vector<Outside> sensor_sources_, actuator_sinks_;
   std::vector<bool> needed_;
 };
 

@@ -17,13 +17,13 @@ struct Owner {
   const Entity* entity = nullptr;
 };
 
-class TargetResolver {
+class ResetTargetResolver {
  public:
-  explicit TargetResolver(Draft& draft) : draft_(draft) {}
+  explicit ResetTargetResolver(Draft& draft) : draft_(draft) {}
 
   void run() {
     for (const auto& connection : draft_.spec.connections) {
-      if (is_target(connection)) connect(connection);
+      if (is_reset_target(connection)) connect(connection);
     }
     for (const auto& node : draft_.nodes) report_idle(node);
   }
@@ -36,12 +36,12 @@ class TargetResolver {
     const Owner owner = find_owner(connection.from);
     if (node == nullptr || owner.states == nullptr) return;
     const std::string name = parse_port(connection.to.value).name;
-    const PortManifest* port = node->node.entity->target(name);
+    const PortManifest* port = node->node.entity->reset_target(name);
     if (port == nullptr) {
       diagnostics()
           .error("E0307", connection.to.span,
                  fmt::format("`{}` has no target `{}`", node->node.entity->id.value, name))
-          .help = suggestion(name, names_of(node->node.entity->targets), "it has no targets");
+          .help = suggestion(name, names_of(node->node.entity->reset_targets), "it has no targets");
       return;
     }
     refuse_settings(connection);
@@ -72,7 +72,7 @@ class TargetResolver {
     for (auto& node : draft_.nodes) {
       if (node.node.name != name || node.node.role != NodeRole::node) continue;
       if (node.node.entity == nullptr) return nullptr;  // reported already
-      if (!node.node.entity->targets.empty()) return &node;
+      if (node.node.entity->is_reset_node()) return &node;
       diagnostics()
           .error(
               "E0307", to.span,
@@ -82,7 +82,7 @@ class TargetResolver {
     }
     std::vector<std::string> known;
     for (const auto& node : draft_.nodes) {
-      if (node.node.entity != nullptr && !node.node.entity->targets.empty())
+      if (node.node.entity != nullptr && node.node.entity->is_reset_node())
         known.push_back(node.node.name);
     }
     if (!draft_.doubtful.contains(name)) {
@@ -138,12 +138,12 @@ class TargetResolver {
   }
 
   bool is_free(const DraftNode& node, const std::string& name, const ConnectionSpec& connection) {
-    for (const auto& target : node.node.targets) {
-      if (target.name != name) continue;
+    for (const auto& reset_target : node.node.reset_targets) {
+      if (reset_target.name != name) continue;
       diagnostics()
           .error("E0311", connection.to.span,
                  fmt::format("`{}` is connected twice", connection.to.value))
-          .notes.push_back({"the first connection", target.span, ""});
+          .notes.push_back({"the first connection", reset_target.span, ""});
       return false;
     }
     return true;
@@ -152,47 +152,47 @@ class TargetResolver {
   void add(DraftNode& node, const PortManifest& port, const Owner& owner, std::size_t index,
            const ConnectionSpec& connection) {
     const State& state = (*owner.states)[index];
-    ResetTarget target;
-    target.name = port.name.value;
-    target.object = owner.object;
-    target.node = owner.node;
-    target.state = index;
-    target.space = state.space;
-    target.span = connection.to.span;
+    ResetTarget reset_target;
+    reset_target.name = port.name.value;
+    reset_target.object = owner.object;
+    reset_target.node = owner.node;
+    reset_target.state = index;
+    reset_target.space = state.space;
+    reset_target.span = connection.to.span;
     if (connection.settings.processor) {
-      target.processor =
+      reset_target.processor =
           make_processor(draft_, *connection.settings.processor, state.space, connection.from.span);
-      if (!target.processor) return;
-      target.space = target.processor->output;
+      if (!reset_target.processor) return;
+      reset_target.space = reset_target.processor->output;
     }
     const EntitySpec* spec = find_named(draft_.spec.nodes, node.node.name);
     const PartialSpace declared =
         partial_space(port.space, references_of(*node.node.entity, spec->config), diagnostics());
-    if (!fits(declared, target.space)) {
-      const bool dtype = !declared.dtype || *declared.dtype == target.space.dtype;
+    if (!fits(declared, reset_target.space)) {
+      const bool dtype = !declared.dtype || *declared.dtype == reset_target.space.dtype;
       auto& problem =
           diagnostics().error(dtype ? "E0306" : "E0305", connection.to.span,
                               fmt::format("`{}` takes {}, but gets {}", connection.to.value,
-                                          describe(declared), target.space.describe()));
+                                          describe(declared), reset_target.space.describe()));
       problem.notes.push_back(
-          {"this is where it comes from", connection.from.span, target.space.describe()});
+          {"this is where it comes from", connection.from.span, reset_target.space.describe()});
       return;
     }
-    node.node.targets.push_back(std::move(target));
+    node.node.reset_targets.push_back(std::move(reset_target));
   }
 
   /// A reset node that nobody asks for anything would never run.
   void report_idle(const DraftNode& node) {
     const Entity* entity = node.node.entity;
-    if (entity == nullptr || node.node.role != NodeRole::node || entity->targets.empty()) return;
+    if (entity == nullptr || node.node.role != NodeRole::node || !entity->is_reset_node()) return;
     const bool tried = std::ranges::any_of(draft_.spec.connections, [&](const auto& c) {
-      return is_target(c) && parse_port(c.to.value).owner == node.node.name;
+      return is_reset_target(c) && parse_port(c.to.value).owner == node.node.name;
     });
     if (tried) return;
     diagnostics()
         .error("E0310", node.node.span, fmt::format("`{}` has no target", node.node.name))
         .help = fmt::format("add a connection `{{from: object.states.name, to: {}.targets.{}}}`",
-                            node.node.name, entity->targets.front().name.value);
+                            node.node.name, entity->reset_targets.front().name.value);
   }
 
   Draft& draft_;
@@ -246,17 +246,17 @@ bool is_stuck(const GraphNode& node) {
   const bool synchronised =
       node.role == NodeRole::engine_node &&
       std::ranges::find(node.inputs, Graph::kEngine, &Input::source_node) != node.inputs.end();
-  return node.waits_during_reset && (synchronised || !node.targets.empty());
+  return node.waits_during_reset && (synchronised || node.is_reset_node());
 }
 
 }  // namespace
 
-bool is_target(const ConnectionSpec& connection) {
+bool is_reset_target(const ConnectionSpec& connection) {
   return parse_port(connection.to.value).section == "targets";
 }
 
-void resolve_targets(Draft& draft) {
-  TargetResolver(draft).run();
+void resolve_reset_targets(Draft& draft) {
+  ResetTargetResolver(draft).run();
 }
 
 void check_resets(Graph& graph, Diagnostics& diagnostics) {
@@ -279,7 +279,7 @@ void check_resets(Graph& graph, Diagnostics& diagnostics) {
         "E0318", input->span,
         fmt::format("`{}` waits for an action, and during a reset there is none", input->written));
     problem.label = "the reset would never end";
-    problem.help = node.targets.empty()
+    problem.help = !node.is_reset_node()
                        ? "put a reset node in between: it takes the action as a feedthrough"
                        : "a reset node decides without the agent";
   }

@@ -154,7 +154,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   add_objects(draft);
   connect(draft);
   resolve_states(draft);
-  resolve_targets(draft);
+  resolve_reset_targets(draft);
   resolve_agent(draft);
   check_cycles(draft);
   place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);

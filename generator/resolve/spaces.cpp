@@ -50,7 +50,7 @@ class SpaceResolver {
         continue;
       }
       if (declared.dtype && declared.shape) continue;
-      const DraftInput* input = first_target(a);
+      const DraftInput* input = first_sink(a);
       if (input != nullptr && input->outside) {
         declared = overlay(*input->outside, declared);
       } else if (input != nullptr && !input->settings.processor) {
@@ -73,7 +73,7 @@ class SpaceResolver {
         .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
   }
 
-  const DraftInput* first_target(std::size_t action) const {
+  const DraftInput* first_sink(std::size_t action) const {
     const auto place = [](const DraftInput& input) {
       return std::tuple(input.edge->span.line, input.edge->span.column);
     };

@@ -45,7 +45,7 @@ class RandomReader {
  private:
   std::vector<double> values(const YamlValue& yaml, bool in_space) {
     auto result = numbers_of(yaml, diagnostics_);
-    if (!result || !are_kept(yaml, space_.dtype, "E0327", diagnostics_)) {
+    if (!result || !are_exact_as_doubles(yaml, space_.dtype, "E0327", diagnostics_)) {
       good_ = false;
       return {};
     }

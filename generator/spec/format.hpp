@@ -40,7 +40,7 @@ struct Format {
     list,
     map,     // names chosen by the user
     record,  // names chosen by us
-    one_of,  // the first option that takes the kind of node it meets
+    one_of,  // the first option that takes the kind of value it meets
   };
 
   Kind kind = Kind::any;

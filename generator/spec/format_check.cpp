@@ -179,7 +179,7 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   return good;
 }
 
-/// Whether a node of this kind could be meant for the format at all.
+/// Whether a value of this kind could be meant for the format at all.
 bool takes(const YamlValue& yaml, const Format& format) {
   switch (format.kind) {
     case Format::Kind::any:

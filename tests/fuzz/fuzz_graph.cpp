@@ -54,7 +54,7 @@ void emit_all(const Plan& plan, Diagnostics& diagnostics) {
 
 void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) {
   ReadLimits limits;
-  limits.max_nodes = 5000;
+  limits.max_values = 5000;
   const YamlValue tree =
       read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::refuse, limits);
   if (diagnostics.has_errors()) return;

@@ -29,7 +29,7 @@ const Library& library() {
 
 void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) {
   ReadLimits limits;
-  limits.max_nodes = 5000;
+  limits.max_values = 5000;
   const YamlValue tree =
       read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::accept, limits);
   if (diagnostics.has_errors() || !is_saved_graph(tree)) return;

@@ -60,7 +60,7 @@ void check_node(const YamlValue& node, const SourceMap& sources) {
 
 void read(const std::string& text, Tags tags) {
   ReadLimits limits;
-  limits.max_nodes = 2000;
+  limits.max_values = 2000;
   limits.max_bytes = 1U << 16U;
   SourceMap sources;
   Diagnostics diagnostics;

@@ -55,7 +55,7 @@ TEST(Limits, DepthPastTheParsersOwn) {
 
 TEST(Limits, Nodes) {
   ReadLimits limits;
-  limits.max_nodes = 4;  // the map, a key, the list, one item
+  limits.max_values = 4;  // the map, a key, the list, one item
   EXPECT_EQ(Reading("a:\n- b\n", Tags::refuse, limits).report(), "");
   expect_error("a:\n- b\n- c\n", "E0110", "3:3+1", "more than 4 values", limits);
   expect_error("a: [b, c, d, e]\n", "E0110", "1:8+1", "more than 4 values", limits);
@@ -69,7 +69,7 @@ TEST(Limits, BillionLaughs) {
             "]\n";
   }
   ReadLimits limits;
-  limits.max_nodes = 20'000;
+  limits.max_values = 20'000;
   expect_error(text, "E0110", "4:9+1", "more than 20000 values", limits);
 }
 
@@ -83,7 +83,7 @@ TEST(Limits, LongTextBehindManyAliases) {
 
 TEST(Limits, AnchorsInsideAnchors) {
   ReadLimits limits;
-  limits.max_nodes = 10'000;
+  limits.max_values = 10'000;
   std::string text;
   for (int i = 0; i < 60; ++i) text += "&b" + std::to_string(i) + " [";
   text += repeat("1,", 1000) + std::string(60, ']');

@@ -43,7 +43,7 @@ TEST(Exact, BoundsOfParameters) {
 
 bool kept(const std::string& value, std::optional<Dtype> dtype) {
   Diagnostics diagnostics;
-  const bool result = are_kept(scalar(value), dtype, "E0326", diagnostics);
+  const bool result = are_exact_as_doubles(scalar(value), dtype, "E0326", diagnostics);
   EXPECT_EQ(diagnostics.has_errors(), !result);
   return result;
 }
