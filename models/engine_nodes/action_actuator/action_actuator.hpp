@@ -3,48 +3,24 @@
 
 #include <cstddef>
 #include <eagerx/message.hpp>
-#include <eagerx/rate.hpp>
+#include <models/engine_nodes/actuator.hpp>
 
 namespace eagerx::models {
 
-/// Every tick: action of the next steps := last action [n], which is also the output. At a reset,
-/// and as long as no action has come (skipped connections): `zero_action`.
+/// Action of the next steps [n] := action; after a reset `zero_action`.
 template <class Io>
-class ActionActuator {
+class ActionActuator : public Actuator<Io, ActionActuator<Io>, Io::Config::zero_action> {
  public:
   using Simulator = typename Io::Simulator;
 
-  void reset(const typename Io::States& /*states*/, Simulator& simulator) { set(simulator, kZero); }
-
-  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out,
-                Simulator& simulator) {
-    const Message action = in.action.empty() ? kZero : in.action.back();
-    set(simulator, action);
-    out.action_applied = action;
-  }
-
- private:
-  using Message = typename decltype(Io::Inputs::action)::value_type;
-  using Scalar = ScalarOf<Message>;
-  static constexpr std::size_t kSize = size_of<Message>;
-  static_assert(kSize == Simulator::Model::kActions,
-                "ActionActuator: the action must have as many elements as the object's model");
-  static_assert(Io::Config::zero_action.size() == kSize,
-                "ActionActuator: `zero_action` must have as many elements as the action");
-
-  static constexpr Message zero_message() {
-    Message message{};
-    for (std::size_t i = 0; i < kSize; ++i) {
-      element(message, i) = static_cast<Scalar>(Io::Config::zero_action[i]);
-    }
-    return message;
-  }
-  static constexpr Message kZero = zero_message();
-
-  static void set(Simulator& simulator, const Message& action) {
-    for (std::size_t i = 0; i < kSize; ++i) {
+  template <class Message>
+  static void apply(Simulator& simulator, const Message& action) {
+    static_assert(size_of<Message> == Simulator::Model::kActions,
+                  "ActionActuator: the action must have as many elements as the object's model");
+    static_assert(Io::Config::zero_action.size() == size_of<Message>,
+                  "ActionActuator: `zero_action` must have as many elements as the action");
+    for (std::size_t i = 0; i < size_of<Message>; ++i)
       simulator.next_action[i] = static_cast<typename Simulator::Real>(element(action, i));
-    }
   }
 };
 

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 #include <eagerx/message.hpp>
-#include <models/engines/open_dynamics_engine/actuator.hpp>
+#include <models/engine_nodes/actuator.hpp>
 #include <models/engines/open_dynamics_engine/scene.hpp>
 
 namespace eagerx::models {
 
 /// Force on a body in its centre of mass [N] := action [3], in the axes of the world.
 template <class Io>
-class BodyForceActuator : public RigidActuator<Io, BodyForceActuator<Io>> {
+class BodyForceActuator : public Actuator<Io, BodyForceActuator<Io>> {
  public:
   using Simulator = typename Io::Simulator;
 

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 #include <eagerx/message.hpp>
-#include <models/engines/open_dynamics_engine/actuator.hpp>
+#include <models/engine_nodes/actuator.hpp>
 #include <models/engines/open_dynamics_engine/joint_list.hpp>
 
 namespace eagerx::models {
 
 /// Velocity that the joint's motor holds [rad/s, m/s] := action, for each of `joints`.
 template <class Io>
-class JointMotorActuator : public RigidActuator<Io, JointMotorActuator<Io>> {
+class JointMotorActuator : public Actuator<Io, JointMotorActuator<Io>> {
  public:
   using Simulator = typename Io::Simulator;
 

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 #include <eagerx/message.hpp>
-#include <models/engines/open_dynamics_engine/actuator.hpp>
+#include <models/engine_nodes/actuator.hpp>
 #include <models/engines/open_dynamics_engine/joint_list.hpp>
 
 namespace eagerx::models {
 
 /// Position that the joint's servo turns to [rad, m] := action, for each of `joints`.
 template <class Io>
-class JointPositionActuator : public RigidActuator<Io, JointPositionActuator<Io>> {
+class JointPositionActuator : public Actuator<Io, JointPositionActuator<Io>> {
  public:
   using Simulator = typename Io::Simulator;
 

@@ -3,14 +3,14 @@
 
 #include <cstddef>
 #include <eagerx/message.hpp>
-#include <models/engines/open_dynamics_engine/actuator.hpp>
+#include <models/engine_nodes/actuator.hpp>
 #include <models/engines/open_dynamics_engine/joint_list.hpp>
 
 namespace eagerx::models {
 
 /// Torque of a hinge [N·m] or force of a slider [N] := action, for each of `joints`.
 template <class Io>
-class JointTorqueActuator : public RigidActuator<Io, JointTorqueActuator<Io>> {
+class JointTorqueActuator : public Actuator<Io, JointTorqueActuator<Io>> {
  public:
   using Simulator = typename Io::Simulator;
 

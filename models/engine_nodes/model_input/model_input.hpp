@@ -2,13 +2,13 @@
 #pragma once
 
 #include <eagerx/math.hpp>
-#include <models/engines/open_dynamics_engine/actuator.hpp>
+#include <models/engine_nodes/actuator.hpp>
 
 namespace eagerx::models {
 
 /// The input of the object's model := action.
 template <class Io>
-class ModelInput : public RigidActuator<Io, ModelInput<Io>> {
+class ModelInput : public Actuator<Io, ModelInput<Io>> {
  public:
   template <class Message>
   static void apply(typename Io::Simulator& simulator, const Message& action) {

@@ -12,6 +12,18 @@
 
 namespace eagerx::models {
 
+/// "sensor link lost", … by BusError, as the summary of a run calls how often it was met.
+constexpr auto counts_of_errors() {
+  constexpr std::size_t kLongest = 24;
+  std::array<std::array<char, kLongest>, kBusErrors> names{};
+  for (std::size_t i = 0; i < kBusErrors; ++i) {
+    std::size_t end = 0;
+    for (const char* part : {"sensor ", name_of(static_cast<BusError>(i))})
+      for (; *part != '\0'; ++part) names[i][end++] = *part;
+  }
+  return names;
+}
+
 /// "Simulator" is EAGERx's word for what an engine holds of an object; this one is real. `Link` is
 /// a bus with a clock (Link::Clock). All bytes are zero until attach().
 template <HardwareModel ModelType, class LinkType>
@@ -122,7 +134,7 @@ class HardwareSimulator {
   /// f(name, count) for each; errors of the link are counted there.
   template <class F>
   void for_each_count(F&& f) const {
-    for (std::size_t i = 1; i < kBusErrors; ++i) f(kErrorNames[i], errors_[i]);
+    for (std::size_t i = 1; i < kBusErrors; ++i) f(kErrorNames[i].data(), errors_[i]);
     f("actions out of limits", limited_);
     f("actions not finite", not_finite_);
     f("late in resets", late_in_resets_);
@@ -130,19 +142,7 @@ class HardwareSimulator {
   }
 
  private:
-  static constexpr std::array<const char*, kBusErrors> kErrorNames = {"",
-                                                                      "sensor full",
-                                                                      "sensor unsupported",
-                                                                      "sensor link lost",
-                                                                      "sensor timeout",
-                                                                      "sensor short reply",
-                                                                      "sensor nak",
-                                                                      "sensor parity",
-                                                                      "sensor checksum",
-                                                                      "sensor frame",
-                                                                      "sensor refused",
-                                                                      "sensor not ready",
-                                                                      "sensor out of range"};
+  static constexpr auto kErrorNames = counts_of_errors();
 
   bool is_allowed(const Values& values) const {
     bool allowed = true;

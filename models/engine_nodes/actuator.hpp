@@ -1,4 +1,4 @@
-// What the actuators of OpenDynamicsEngine have in common.
+// What the actuators of simulations have in common.
 #pragma once
 
 #include <cstddef>
@@ -9,9 +9,9 @@ namespace eagerx::models {
 
 /// Every tick: Derived::apply(simulator, last action [n]), which is also the output. The engine
 /// step that begins at the time of the tick is the first to use it. At a reset, and as long as no
-/// action has come (skipped connections): `default_action`.
-template <class Io, class Derived>
-class RigidActuator {
+/// action has come (skipped connections): `Default` [n].
+template <class Io, class Derived, const auto& Default = Io::Config::default_action>
+class Actuator {
  public:
   using Simulator = typename Io::Simulator;
 
@@ -31,14 +31,13 @@ class RigidActuator {
   static constexpr std::size_t kSize = size_of<Message>;
 
  private:
-  static_assert(Io::Config::default_action.size() == kSize,
+  static_assert(Default.size() == kSize,
                 "`default_action` must have as many elements as the action");
 
   static constexpr Message default_message() {
     Message message{};
-    for (std::size_t i = 0; i < kSize; ++i) {
-      element(message, i) = static_cast<ScalarOf<Message>>(Io::Config::default_action[i]);
-    }
+    for (std::size_t i = 0; i < kSize; ++i)
+      element(message, i) = static_cast<ScalarOf<Message>>(Default[i]);
     return message;
   }
   static constexpr Message kDefault = default_message();
