@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "generator/agent/contract.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/diagnostics/pages.hpp"
-#include "generator/emit/policy_contract.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "generator/agent/use.hpp"
 #include "generator/cli/commands.hpp"
-#include "generator/emit/policy_use.hpp"
 #include "generator/import/import.hpp"
+#include "generator/network/network.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/policy/network.hpp"
 
 namespace eagerx::gen {
 

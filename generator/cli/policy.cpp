@@ -4,10 +4,10 @@
 #include <limits>
 
 #include "generator/cli/pipeline.hpp"
-#include "generator/policy/cost.hpp"
-#include "generator/policy/evaluate.hpp"
-#include "generator/policy/int8.hpp"
-#include "generator/policy/network.hpp"
+#include "generator/network/cost.hpp"
+#include "generator/network/evaluate.hpp"
+#include "generator/network/int8.hpp"
+#include "generator/network/network.hpp"
 
 namespace eagerx::gen {
 namespace {

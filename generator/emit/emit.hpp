@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "generator/emit/policy_use.hpp"
+#include "generator/agent/use.hpp"
+#include "generator/network/network.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/policy/network.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "generator/agent/use.hpp"
 #include "generator/emit/namer.hpp"
-#include "generator/emit/policy_use.hpp"
 #include "generator/emit/render.hpp"
+#include "generator/network/network.hpp"
 #include "generator/plan/plan.hpp"
-#include "generator/policy/network.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {

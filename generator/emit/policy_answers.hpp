@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "generator/agent/use.hpp"
 #include "generator/emit/names.hpp"
-#include "generator/emit/policy_use.hpp"
 
 namespace eagerx::gen {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "generator/policy/network.hpp"
+#include "generator/network/network.hpp"
 
 namespace eagerx::gen {
 

@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "generator/emit/policy_tables.hpp"
-#include "generator/policy/cost.hpp"
-#include "generator/policy/evaluate.hpp"
-#include "generator/policy/int8.hpp"
+#include "generator/network/cost.hpp"
+#include "generator/network/evaluate.hpp"
+#include "generator/network/int8.hpp"
 
 namespace eagerx::gen {
 namespace {

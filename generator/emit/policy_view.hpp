@@ -3,7 +3,7 @@
 
 #include <kainjow/mustache.hpp>
 
-#include "generator/policy/network.hpp"
+#include "generator/network/network.hpp"
 
 namespace eagerx::gen {
 

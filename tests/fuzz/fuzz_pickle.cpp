@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "generator/policy/actor.hpp"
-#include "generator/policy/json.hpp"
-#include "generator/policy/pickle.hpp"
+#include "generator/formats/actor/actor.hpp"
+#include "generator/formats/tensors/json.hpp"
+#include "generator/formats/tensors/pickle.hpp"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/policy/cost.hpp"
-#include "generator/policy/evaluate.hpp"
-#include "generator/policy/formats.hpp"
+#include "generator/formats/read.hpp"
+#include "generator/network/cost.hpp"
+#include "generator/network/evaluate.hpp"
 
 namespace {
 

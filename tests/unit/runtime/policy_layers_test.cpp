@@ -1,5 +1,5 @@
 // Recurrent, convolutional and elementwise layers against plain loops in the documented order:
-// every bit. tests/unit/policy/architectures_test.cpp compares networks of them with torch.
+// every bit. tests/unit/formats/architectures_test.cpp compares networks of them with torch.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,0 +1,386 @@
+// How libraries name the parts of an actor.
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "generator/formats/actor/parts.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::string_view kWeight = ".weight";
+constexpr std::string_view kMean = ".running_mean";  // of a batch norm, which may have no weight
+constexpr std::string_view kRenormMean = ".ra_mean";
+constexpr std::int64_t kWidestGap = 3;  // Linear, activation, Dropout, Linear
+
+/// Parameters of one torch Sequential, by position.
+using Sequence = std::map<std::int64_t, std::string>;
+/// By what stands before the position: "actor.latent_pi.", "fc".
+using Sequences = std::map<std::string, Sequence, std::less<>>;
+
+Sequences find_sequences(const TensorTable& table) {
+  constexpr std::size_t kMostDigits = 4;
+  Sequences sequences;
+  for (const auto& [name, tensor] : table.tensors) {
+    std::optional<std::string> base_of_name;
+    for (const std::string_view end : {kWeight, kMean, kRenormMean}) {
+      if (name.ends_with(end)) base_of_name = name.substr(0, name.size() - end.size());
+    }
+    if (!base_of_name) continue;
+    const std::string& base = *base_of_name;
+    const std::size_t letters = base.find_last_not_of("0123456789") + 1;  // npos + 1 is 0
+    const std::size_t digits = base.size() - letters;
+    if (digits == 0 || digits > kMostDigits) continue;
+    std::int64_t position = 0;
+    std::from_chars(base.data() + letters, base.data() + base.size(), position);
+    sequences[base.substr(0, letters)][position] = base;
+  }
+  return sequences;
+}
+
+/// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
+struct KnownLayout {
+  const char* about;
+  const char* algorithms;
+  std::array<const char*, 2> bodies;
+  const char* head;
+  bool head_is_sequence;
+  std::array<const char*, 2> must_have;  // names that start like one of these tell layouts apart
+  const char* must_not_have;
+  ActionKind action;
+  std::optional<Activation> activation;
+  Activation output = Activation::identity;
+  bool has_bias = false;
+  const char* memory = "";  // a GRU or LSTM before the bodies
+  MemoryPlace memory_place = MemoryPlace::unknown;
+  std::array<const char*, 2> extractors = {};  // the first that is there
+  Squash squash = Squash::never;
+  bool has_quantiles = false;
+};
+constexpr std::array kKnownLayouts = {
+    KnownLayout{.about = "Stable-Baselines3's SAC",
+                .algorithms = "SAC TQC CROSSQ",
+                .bodies = {"actor.latent_pi."},
+                .head = "actor.mu",
+                .head_is_sequence = false,
+                .must_have = {"actor.latent_pi.", "actor.mu.weight"},
+                .must_not_have = nullptr,
+                .action = ActionKind::squashed,
+                .activation = Activation::relu,
+                .output = Activation::tanh,
+                .has_bias = true,
+                .extractors = {"actor.features_extractor."}},
+    KnownLayout{.about = "Stable-Baselines3's TD3",
+                .algorithms = "TD3 DDPG",
+                .bodies = {},
+                .head = "actor.mu.",
+                .head_is_sequence = true,
+                .must_have = {"actor.mu.0."},
+                .must_not_have = "actor.latent_pi.",
+                .action = ActionKind::squashed,
+                .activation = Activation::relu,
+                .output = Activation::tanh,
+                .has_bias = true,
+                .extractors = {"actor.features_extractor."}},
+    KnownLayout{.about = "Stable-Baselines3's RecurrentPPO",
+                .algorithms = "RecurrentPPO",
+                .bodies = {"mlp_extractor.policy_net."},
+                .head = "action_net",
+                .head_is_sequence = false,
+                .must_have = {"lstm_actor."},
+                .must_not_have = nullptr,
+                .action = ActionKind::raw,
+                .activation = Activation::tanh,
+                .has_bias = true,
+                .memory = "lstm_actor",
+                .extractors = {"pi_features_extractor.", "features_extractor."},
+                .squash = Squash::if_said},
+    KnownLayout{.about = "Stable-Baselines3's PPO or A2C",
+                .algorithms = "PPO A2C TRPO MaskablePPO",
+                .bodies = {"mlp_extractor.shared_net.", "mlp_extractor.policy_net."},
+                .head = "action_net",
+                .head_is_sequence = false,
+                .must_have = {"action_net.weight", "mlp_extractor.policy_net."},
+                .must_not_have = "lstm_actor.",
+                .action = ActionKind::raw,
+                .activation = Activation::tanh,
+                .has_bias = true,
+                .extractors = {"pi_features_extractor.", "features_extractor."},
+                .squash = Squash::if_said},
+    KnownLayout{.about = "sb3-contrib's ARS",
+                .algorithms = "ARS",
+                .bodies = {},
+                .head = "action_net.",
+                .head_is_sequence = true,
+                .must_have = {"action_net.0."},
+                .must_not_have = nullptr,
+                .action = ActionKind::raw,
+                .activation = Activation::relu,
+                .extractors = {"features_extractor."},
+                .squash = Squash::unless_linear},
+    KnownLayout{.about = "Stable-Baselines3's DQN",
+                .algorithms = "DQN",
+                .bodies = {},
+                .head = "q_net.q_net.",
+                .head_is_sequence = true,
+                .must_have = {"q_net.q_net."},
+                .must_not_have = nullptr,
+                .action = ActionKind::argmax,
+                .activation = Activation::relu,
+                .has_bias = true,
+                .extractors = {"q_net.features_extractor."}},
+    KnownLayout{.about = "sb3-contrib's QR-DQN",
+                .algorithms = "QRDQN",
+                .bodies = {},
+                .head = "quantile_net.quantile_net.",
+                .head_is_sequence = true,
+                .must_have = {"quantile_net.quantile_net."},
+                .must_not_have = nullptr,
+                .action = ActionKind::argmax,
+                .activation = Activation::relu,
+                .has_bias = true,
+                .extractors = {"quantile_net.features_extractor."},
+                .has_quantiles = true},
+    KnownLayout{.about = "rl_games",
+                .algorithms = "",
+                .bodies = {"a2c_network.actor_mlp."},
+                .head = "a2c_network.mu",
+                .head_is_sequence = false,
+                .must_have = {"a2c_network.actor_mlp."},
+                .must_not_have = nullptr,
+                .action = ActionKind::raw,
+                .activation = std::nullopt,
+                .memory_place = MemoryPlace::before_head},
+    KnownLayout{.about = "rsl_rl",
+                .algorithms = "",
+                .bodies = {},
+                .head = "actor.",
+                .head_is_sequence = true,
+                .must_have = {"actor.0."},
+                .must_not_have = nullptr,
+                .action = ActionKind::raw,
+                .activation = std::nullopt,
+                .memory_place = MemoryPlace::first},
+    KnownLayout{.about = "skrl",
+                .algorithms = "",
+                .bodies = {"net_container."},
+                .head = "policy_layer",
+                .head_is_sequence = false,
+                .must_have = {"policy_layer."},
+                .must_not_have = nullptr,
+                .action = ActionKind::raw,
+                .activation = std::nullopt},
+    KnownLayout{.about = "CleanRL's PPO",
+                .algorithms = "",
+                .bodies = {},
+                .head = "actor_mean.",
+                .head_is_sequence = true,
+                .must_have = {"actor_mean.0."},
+                .must_not_have = nullptr,
+                .action = ActionKind::raw,
+                .activation = std::nullopt},
+    KnownLayout{.about = "CleanRL's SAC",
+                .algorithms = "",
+                .bodies = {"fc"},
+                .head = "fc_mean",
+                .head_is_sequence = false,
+                .must_have = {"fc_mean."},
+                .must_not_have = nullptr,
+                .action = ActionKind::squashed,
+                .activation = Activation::relu,
+                .output = Activation::tanh},
+    KnownLayout{.about = "CleanRL's TD3 or DDPG",
+                .algorithms = "",
+                .bodies = {"fc"},
+                .head = "fc_mu",
+                .head_is_sequence = false,
+                .must_have = {"fc_mu."},
+                .must_not_have = nullptr,
+                .action = ActionKind::squashed,
+                .activation = Activation::relu,
+                .output = Activation::tanh},
+};
+
+class Layouts {
+ public:
+  Layouts(const TensorTable& table, PolicyProblem& problem)
+      : table_(table), problem_(problem), sequences_(find_sequences(table)) {}
+
+  std::optional<ActorLayout> find() {
+    std::vector<ActorLayout> found;
+    for (const KnownLayout& known : kKnownLayouts) {
+      if (!matches(known)) continue;
+      auto layout = make(known);
+      if (!layout) return std::nullopt;
+      found.push_back(std::move(*layout));
+    }
+    if (found.size() > 1) return ambiguous(found[0].about, found[1].about);
+    if (found.size() == 1) return found.front();
+    return only_sequence();
+  }
+
+ private:
+  bool any_starts_with(std::string_view start) const {
+    const auto next = table_.tensors.lower_bound(start);
+    return next != table_.tensors.end() && std::string_view(next->first).starts_with(start);
+  }
+  bool matches(const KnownLayout& known) const {
+    if (known.must_not_have != nullptr && any_starts_with(known.must_not_have)) return false;
+    return std::any_of(known.must_have.begin(), known.must_have.end(),
+                       [&](const char* name) { return name != nullptr && any_starts_with(name); });
+  }
+
+  std::nullopt_t ambiguous(const std::string& a, const std::string& b) {
+    return refuse(problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
+                  "save a file with the tensors of one of them");
+  }
+  std::nullopt_t missing(const std::string& what) {
+    return refuse(problem_, "E0624",
+                  fmt::format("has an actor without tensor `{}`", printable(what)),
+                  "the file is damaged: save it again");
+  }
+
+  /// Appends the modules of a sequence; `last_activates`: an activation follows the last one too.
+  bool append(std::string_view prefix, bool last_activates, ActorLayout& layout) {
+    const auto found = sequences_.find(prefix);
+    if (found == sequences_.end()) return true;
+    const Sequence& sequence = found->second;
+    const bool dotted = prefix.empty() || prefix.back() == '.';
+    std::int64_t before = dotted ? -1 : sequence.begin()->first - 1;
+    for (auto it = sequence.begin(); it != sequence.end(); ++it) {
+      // A hole wider than activation and dropout is a layer that is not there.
+      if (it->first - before > (before < 0 ? 2 : kWidestGap)) {
+        missing(
+            fmt::format("{}{}.weight", prefix, dotted && before >= 0 ? before + 2 : before + 1));
+        return false;
+      }
+      const bool had_gap = before >= 0 && it->first - before > 1;
+      before = it->first;
+      const auto next = std::next(it);
+      const bool last = next == sequence.end();
+      const bool gap = !dotted || (!last && next->first - it->first > 1);
+      if (!gap && !last && is_linear(it->second) && is_linear(next->second)) {
+        return nothing_between(it->second, next->second);
+      }
+      // CrossQ's last batch norm follows an activation, and nothing follows it.
+      const bool activates = last_activates && !(had_gap && is_batch_norm(table_, it->second));
+      layout.modules.push_back({it->second, last ? activates : gap, {}});
+    }
+    return true;
+  }
+  bool is_linear(const std::string& base) const {
+    const StoredTensor* weight = table_.find(base + std::string(kWeight));
+    return weight != nullptr && weight->shape.size() == 2;
+  }
+  /// Of a ModuleList only its owner knows what comes between; in a Sequential nobody puts a Linear
+  /// behind another.
+  bool nothing_between(const std::string& a, const std::string& b) {
+    problem_ = {"E0628",
+                fmt::format("has nothing between the layers `{}` and `{}`, as a ModuleList, which "
+                            "does not say what follows its layers",
+                            printable(a), printable(b)),
+                "export the actor to ONNX, or save it as a `Sequential` with its activations"};
+    return false;
+  }
+
+  std::optional<ActorLayout> make(const KnownLayout& known) {
+    ActorLayout layout{
+        known.about,  known.algorithms,   {},           known.action,       known.activation,
+        known.output, known.has_bias,     known.memory, known.memory_place, "",
+        known.squash, known.has_quantiles};
+    for (const char* prefix : known.extractors) {
+      if (prefix == nullptr || !layout.extractor.empty()) continue;
+      if (any_starts_with(prefix)) layout.extractor = prefix;
+    }
+    for (const char* body : known.bodies) {
+      if (body != nullptr && !append(body, true, layout)) return std::nullopt;
+    }
+    if (known.head_is_sequence) {
+      if (!append(known.head, false, layout)) return std::nullopt;
+    } else {
+      const std::string head = known.head;
+      const std::string weight = head + std::string(kWeight);
+      // With gSDE SAC's mean is a Linear and a Hardtanh.
+      const bool limited = table_.find(head + ".0.weight") != nullptr;
+      if (table_.find(weight) == nullptr && !limited) return missing(weight);
+      layout.modules.push_back({limited ? head + ".0" : head, false, {}, limited});
+    }
+    if (layout.modules.empty()) return missing(std::string(known.head) + "0.weight");
+    return layout;
+  }
+
+  /// A GRU or LSTM with single Linear layers before or behind it: {"gru.weight_ih_l0",
+  /// "head.weight"}.
+  std::optional<ActorLayout> around_memory() const {
+    constexpr std::string_view kInput = ".weight_ih_l0";
+    ActorLayout layout;
+    layout.about = "a torch module with a memory";
+    const StoredTensor* memory = nullptr;
+    for (const auto& [name, tensor] : table_.tensors) {
+      if (name.ends_with(kInput)) memory = memory == nullptr ? &tensor : nullptr;
+      if (!name.ends_with(kWeight) || tensor.shape.size() != 2) continue;
+      layout.modules.push_back({name.substr(0, name.size() - kWeight.size()), false, {}});
+    }
+    if (!sequences_.empty() || memory == nullptr || memory->shape.size() != 2) return std::nullopt;
+    if (layout.modules.empty() || layout.modules.size() > 2) return std::nullopt;
+    const auto gives = [&](const ActorModule& module) {
+      return table_.find(module.base + ".weight")->shape[0];
+    };
+    if (layout.modules.size() == 2) {
+      // The one before the memory gives what it takes, and is followed by an activation.
+      if (gives(layout.modules[0]) != memory->shape[1])
+        std::swap(layout.modules[0], layout.modules[1]);
+      layout.modules[0].activation_after = true;
+    }
+    return layout;
+  }
+
+  /// A file of nothing but one network.
+  std::optional<ActorLayout> only_sequence() {
+    if (auto layout = around_memory()) return layout;
+    if (sequences_.empty()) {
+      return refuse(problem_, "E0624",
+                    fmt::format("has no actor among its {} tensors", table_.tensors.size()),
+                    "known are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN) and "
+                    "sb3-contrib (ARS, CrossQ, QR-DQN, RecurrentPPO, TQC, TRPO), rsl_rl, rl_games, "
+                    "skrl, CleanRL, and one torch `Sequential` alone");
+    }
+    const std::string critic = sequences_.begin()->first;
+    std::erase_if(sequences_, [](const auto& item) { return is_critic(item.first); });
+    if (sequences_.empty()) {
+      return refuse(problem_, "E0624",
+                    fmt::format("holds a critic (`{}…`) and no actor", printable(critic)),
+                    "save the tensors of the actor");
+    }
+    if (sequences_.size() > 1) {
+      const auto second = std::next(sequences_.begin());
+      return ambiguous(fmt::format("`{}…`", printable(sequences_.begin()->first)),
+                       fmt::format("`{}…`", printable(second->first)));
+    }
+    ActorLayout layout;
+    layout.about = "a torch `Sequential`";
+    if (!append(sequences_.begin()->first, false, layout)) return std::nullopt;
+    return layout;
+  }
+
+  const TensorTable& table_;
+  PolicyProblem& problem_;
+  Sequences sequences_;
+};
+
+}  // namespace
+
+bool is_critic(std::string_view name) {
+  return name.find("critic") != name.npos || name.find("value") != name.npos ||
+         name.find("qf") != name.npos || name.find("vf") != name.npos ||
+         name.starts_with("memory_c");
+}
+
+std::optional<ActorLayout> find_actor(const TensorTable& table, PolicyProblem& problem) {
+  return Layouts(table, problem).find();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,112 @@
+// What files say of themselves in words.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "generator/formats/actor/actor.hpp"
+#include "generator/formats/tensors/json.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts(1);
+  for (const char c : text) {
+    if (c == ',') {
+      parts.emplace_back();
+    } else if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
+               c == '/') {
+      parts.back() += c;
+    }
+  }
+  if (parts.size() == 1 && parts.front().empty()) parts.clear();
+  return parts;
+}
+
+class Notes {
+ public:
+  Notes(const TensorTable& table, PolicyProblem& problem) : table_(table), problem_(problem) {}
+
+  std::optional<PolicyFacts> read() {
+    PolicyFacts facts;
+    facts.contract.algorithm = upper(text("algo"));
+    for (const std::string& name : split(text("obs"))) {
+      facts.contract.observations.push_back({name, 1});
+    }
+    const bool read = read_activation(facts) && read_action(facts) &&
+                      bounds("low", facts.contract.action_low) &&
+                      bounds("high", facts.contract.action_high) && one("clip_obs", facts.clip) &&
+                      one("epsilon", facts.epsilon) && one("rate", facts.contract.rate_hz);
+    if (!read) return std::nullopt;
+    if (!facts.contract.observations.empty()) {
+      facts.observations = static_cast<std::int64_t>(facts.contract.observations.size());
+    }
+    return facts;
+  }
+
+ private:
+  std::string text(const char* key) const {
+    const auto found = table_.notes.find(key);
+    return found == table_.notes.end() ? std::string() : found->second;
+  }
+  bool fail(const char* key) {
+    problem_ = {"E0626",
+                fmt::format("has metadata `{}: {}` that makes no sense", key, printable(text(key))),
+                "correct it, or leave it out"};
+    return false;
+  }
+
+  bool read_activation(PolicyFacts& facts) {
+    const std::string name =
+        text("activation").empty() ? text("activation_fn") : text("activation");
+    if (name.empty()) return true;
+    facts.activation = activation_of(name);
+    return facts.activation.has_value() || fail("activation");
+  }
+  bool read_action(PolicyFacts& facts) {
+    const std::string squash = upper(text("squash"));
+    if (squash == "TRUE") facts.action = ActionKind::squashed;
+    if (squash == "FALSE" && facts.contract.algorithm != "DQN") facts.action = ActionKind::raw;
+    if (!squash.empty() && squash != "TRUE" && squash != "FALSE") return fail("squash");
+    return true;
+  }
+  bool bounds(const char* key, std::vector<double>& out) {
+    const std::string note = text(key);
+    if (!note.empty()) {
+      const auto values = numbers_of(nlohmann::json(note));
+      if (!values) return fail(key);
+      out = *values;
+    } else if (const StoredTensor* tensor = table_.find(key); tensor != nullptr) {
+      out = values_of(*tensor);
+    }
+    const bool finite =
+        std::none_of(out.begin(), out.end(), [](double value) { return std::isnan(value); });
+    return finite || fail(key);
+  }
+  bool one(const char* key, std::optional<double>& out) {
+    std::vector<double> values;
+    if (!bounds(key, values)) return false;
+    if (values.empty()) return true;
+    out = values.front();
+    return (values.size() == 1 && *out > 0.0) || fail(key);
+  }
+
+  const TensorTable& table_;
+  PolicyProblem& problem_;
+};
+
+}  // namespace
+
+std::optional<PolicyFacts> facts_of_notes(const TensorTable& table, PolicyProblem& problem) {
+  return Notes(table, problem).read();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,290 @@
+#include "generator/formats/onnx/network.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr const char* kExportHelp =
+    "export the actor alone: Linear layers with LayerNorm or not, and an activation after them";
+
+/// The bias as `outputs` values, with its factor applied; NaN and infinity are caught later.
+std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t outputs,
+                                            PolicyProblem& problem) {
+  std::vector<float> bias(outputs, 0.0F);
+  if (!dense.bias) return bias;
+  const std::optional<std::vector<float>> values = read_floats(*dense.bias, problem);
+  if (!values) return std::nullopt;
+  for (std::size_t i = 0; i < outputs; ++i) {
+    bias[i] = dense.bias_scale * (values->size() == 1 ? values->front() : (*values)[i]);
+  }
+  return bias;
+}
+
+std::optional<DenseLayer> make_layer(const OnnxDense& dense, PolicyProblem& problem) {
+  std::optional<std::vector<float>> weights = read_floats(dense.weights, problem);
+  if (!weights) return std::nullopt;
+  for (float& weight : *weights) weight *= dense.scale;
+  DenseLayer layer;
+  layer.outputs = static_cast<std::uint32_t>(dense.weights.dims[0]);
+  layer.inputs = static_cast<std::uint32_t>(dense.weights.dims[1]);
+  std::optional<std::vector<float>> bias = read_bias(dense, layer.outputs, problem);
+  if (!bias) return std::nullopt;
+  for (const std::vector<float>* values : {&*weights, &*bias}) {
+    for (const float value : *values) {
+      if (std::isfinite(value)) continue;
+      problem = {"E0616",
+                 fmt::format("has a layer whose factors turn `{}` into NaN or infinity",
+                             printable(dense.weights.tensor->name())),
+                 "export the actor again"};
+      return std::nullopt;
+    }
+  }
+  layer.weights = std::move(*weights);
+  layer.bias = std::move(*bias);
+  return layer;
+}
+
+/// How many constants the layer of a step will have.
+std::int64_t parameters_of(const OnnxStep& step) {
+  const auto count = [](const OnnxConstant& constant) {
+    return element_count(constant.dims).value_or(kMaxParameters);
+  };
+  if (const auto* dense = std::get_if<OnnxDense>(&step.what)) {
+    return count(dense->weights) + dense->weights.dims[0];
+  }
+  if (const auto* work = std::get_if<OnnxConvolution>(&step.what)) return count(work->weights);
+  if (const auto* work = std::get_if<OnnxRecurrence>(&step.what)) {
+    return count(work->weights) + count(work->hidden_weights);
+  }
+  const bool each = std::holds_alternative<OnnxElementwise>(step.what) ||
+                    std::holds_alternative<OnnxNorm>(step.what) ||
+                    std::holds_alternative<Reorder>(step.what);
+  return each ? step.count : 0;
+}
+
+/// The steps from the observation to `last`; nothing if they are too many or too large.
+std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>& steps,
+                                                    std::int32_t last, PolicyProblem& problem) {
+  std::vector<const OnnxStep*> path;
+  std::int64_t parameters = 0;
+  for (std::int32_t at = last; at >= 0; at = path.back()->before) {
+    path.push_back(&steps[static_cast<std::size_t>(at)]);
+    parameters += parameters_of(*path.back());
+    if (parameters > kMaxParameters || path.size() > 2 * kMaxLayers) {
+      problem = {
+          "E0619",
+          fmt::format("has more than {} layers or {} parameters", kMaxLayers, kMaxParameters),
+          "use a smaller network"};
+      return std::nullopt;
+    }
+  }
+  return std::vector<const OnnxStep*>(path.rbegin(), path.rend());
+}
+
+/// Layers, one after the other.
+class Builder {
+ public:
+  Builder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
+          PolicyProblem& problem)
+      : count_(inputs), used_(used), problem_(problem) {}
+
+  bool add(const OnnxStep& step) {
+    node_ = step.node;
+    after_ = static_cast<std::uint32_t>(step.count);
+    const bool added = std::visit([this](const auto& work) { return add(work); }, step.what);
+    if (added) count_ = after_;
+    return added;
+  }
+  std::vector<DenseLayer> take() { return std::move(layers_); }
+
+ private:
+  bool fail(const char* code, std::string message, std::string help = kExportHelp) {
+    problem_ = {code, std::move(message), std::move(help)};
+    return false;
+  }
+
+  bool add(const OnnxDense& dense) {
+    auto layer = make_layer(dense, problem_);
+    if (!layer) return false;
+    use(dense.weights);
+    if (dense.bias) use(*dense.bias);
+    layers_.push_back(std::move(*layer));
+    return true;
+  }
+
+  /// On the last layer, if it has none; relu after relu changes nothing.
+  bool add(const OnnxActivation& activation) {
+    if (!std::isfinite(activation.slope)) {
+      return fail("E0616",
+                  fmt::format("has an activation without a finite slope (node `{}`)", node_),
+                  "export the actor again");
+    }
+    const bool relu = activation.kind == Activation::relu;
+    if (!layers_.empty() && relu && layers_.back().activation == Activation::relu) return true;
+    if (layers_.empty() || layers_.back().activation != Activation::identity) {
+      add_form(Elementwise{});
+    }
+    layers_.back().activation = activation.kind;
+    layers_.back().slope = activation.slope;
+    return true;
+  }
+
+  /// Between the last layer and its activation.
+  bool add(const OnnxNorm& norm) {
+    if (!(norm.epsilon >= 0.0F)) {
+      return fail("E0616",
+                  fmt::format("has a LayerNorm whose epsilon is no number (node `{}`)", node_),
+                  "export the actor again");
+    }
+    LayerNorm result{std::vector<float>(count_, 1.0F), std::vector<float>(count_, 0.0F),
+                     norm.epsilon};
+    if (norm.gamma && !read(*norm.gamma, result.gamma)) return false;
+    if (norm.beta && !read(*norm.beta, result.beta)) return false;
+    if (result.gamma.size() != count_ || result.beta.size() != count_) {
+      return fail("E0618", fmt::format("has a LayerNorm of another size than {} (node `{}`)",
+                                       count_, node_));
+    }
+    if (layers_.empty() || layers_.back().norm ||
+        layers_.back().activation != Activation::identity) {
+      add_form(Elementwise{});
+    }
+    layers_.back().norm = std::move(result);
+    return true;
+  }
+
+  /// What a robot cannot compute in a step, and a generator not in a minute.
+  bool is_short(const KernelShape& kernel, std::uint64_t values) {
+    constexpr std::uint64_t kMostProducts = std::uint64_t{1} << 30U;
+    const std::uint64_t size = std::uint64_t{kernel.rows} * kernel.columns;
+    if (size <= kMostProducts && size * values <= kMostProducts / after_) return true;
+    return fail(
+        "E0619",
+        fmt::format("needs more than {} products in one layer (node `{}`)", kMostProducts, node_),
+        "use a smaller network");
+  }
+
+  bool add(const OnnxConvolution& work) {
+    if (!is_short(work.form.kernel, work.form.kernel.channels / work.form.groups)) return false;
+    DenseLayer& layer = add_form(work.form);
+    layer.bias.assign(work.form.channels, 0.0F);
+    return read(work.weights, layer.weights) && (!work.bias || read(*work.bias, layer.bias));
+  }
+  bool add(const Pooling& work) {
+    if (!is_short(work.kernel, 1)) return false;
+    add_form(work);
+    return true;
+  }
+  bool add(const OnnxPad& /*work*/) {
+    return fail("E0613", fmt::format("has zeros around values that no convolution or average pool "
+                                     "takes (node `{}`)",
+                                     node_));
+  }
+  bool add(const Reorder& work) {
+    add_form(work);
+    return true;
+  }
+
+  /// A constant for all, or for each after broadcasting.
+  bool add(const OnnxElementwise& work) {
+    DenseLayer& layer = add_form(Elementwise{work.operation});
+    std::vector<float> values;
+    if (!read(work.constant, values)) return false;
+    if (values.size() == 1) {
+      layer.bias = std::move(values);
+    } else {
+      layer.bias = broadcast_to(values, work.constant.dims, work.shape);
+    }
+    const bool divides = work.operation == Elementwise::Operation::divide;
+    if (!divides || std::find(layer.bias.begin(), layer.bias.end(), 0.0F) == layer.bias.end()) {
+      return true;
+    }
+    return fail("E0616", fmt::format("divides by zero (node `{}`)", node_),
+                "the training diverged: export a policy that works");
+  }
+
+  /// ONNX's order of gates becomes torch's.
+  bool add(const OnnxRecurrence& work) {
+    DenseLayer& layer = add_form(Recurrence{work.is_lstm, {}, {}});
+    auto& cell = std::get<Recurrence>(layer.form);
+    const std::size_t gates = cell.gates();
+    std::vector<float> bias(2 * gates * after_, 0.0F);
+    if (!read(work.weights, layer.weights) || !read(work.hidden_weights, cell.hidden_weights) ||
+        (work.bias && !read(*work.bias, bias))) {
+      return false;
+    }
+    const auto half = bias.begin() + static_cast<std::ptrdiff_t>(bias.size() / 2);
+    layer.bias.assign(bias.begin(), half);
+    cell.hidden_bias.assign(half, bias.end());
+    constexpr std::array<std::size_t, 4> kLstm = {0, 2, 3, 1};  // torch's i, f, g, o in i, o, f, c
+    constexpr std::array<std::size_t, 4> kGru = {1, 0, 2, 3};   // r, z, n in z, r, h
+    for (auto* values : {&layer.weights, &layer.bias, &cell.hidden_weights, &cell.hidden_bias}) {
+      *values = gates_in_order(*values, gates, work.is_lstm ? kLstm : kGru);
+    }
+    return true;
+  }
+
+  static std::vector<float> gates_in_order(const std::vector<float>& values, std::size_t gates,
+                                           const std::array<std::size_t, 4>& order) {
+    const std::size_t size = values.size() / gates;
+    std::vector<float> result;
+    result.reserve(values.size());
+    for (std::size_t gate = 0; gate < gates; ++gate) {
+      const auto first = values.begin() + static_cast<std::ptrdiff_t>(order.at(gate) * size);
+      result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(size));
+    }
+    return result;
+  }
+
+  template <class Form>
+  DenseLayer& add_form(Form form) {
+    DenseLayer layer;
+    layer.inputs = count_;
+    layer.outputs = after_;
+    layer.form = std::move(form);
+    layers_.push_back(std::move(layer));
+    return layers_.back();
+  }
+  void use(const OnnxConstant& constant) { used_.insert(constant.tensor); }
+  bool read(const OnnxConstant& constant, std::vector<float>& values) {
+    auto numbers = read_floats(constant, problem_);
+    if (!numbers) return false;
+    use(constant);
+    values = std::move(*numbers);
+    return true;
+  }
+
+  std::uint32_t count_;      // values before the step
+  std::uint32_t after_ = 0;  // and after it
+  std::string node_;
+  std::unordered_set<const onnx::TensorProto*>& used_;
+  PolicyProblem& problem_;
+  std::vector<DenseLayer> layers_;
+};
+
+}  // namespace
+
+std::optional<std::vector<DenseLayer>> make_layers(
+    const std::vector<OnnxStep>& steps, std::int32_t last, std::uint32_t inputs,
+    std::unordered_set<const onnx::TensorProto*>& used, PolicyProblem& problem) {
+  const auto path = path_to(steps, last, problem);
+  if (!path) return std::nullopt;
+  Builder builder(inputs, used, problem);
+  bool computes = false;
+  for (const OnnxStep* step : *path) {
+    if (!builder.add(*step)) return std::nullopt;
+    computes = computes || !std::holds_alternative<Reorder>(step->what);
+  }
+  if (!computes) {
+    problem = {"E0620", "has no layer between its input and its first output", kExportHelp};
+    return std::nullopt;
+  }
+  return builder.take();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,17 @@
+// From the steps that lead to the action to layers with their weights.
+#pragma once
+
+#include <optional>
+#include <unordered_set>
+#include <vector>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+
+/// The layers from `inputs` numbers up to step `last`; `used` receives the tensors in them.
+std::optional<std::vector<DenseLayer>> make_layers(
+    const std::vector<OnnxStep>& steps, std::int32_t last, std::uint32_t inputs,
+    std::unordered_set<const onnx::TensorProto*>& used, PolicyProblem& problem);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,113 @@
+// The largest of several values: what exporters write between the scores of actions and the index
+// of the best one changes the scores, but not their order.
+#include <fmt/core.h>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Role = OnnxPart::Role;
+
+/// Scores x, or what has the order of x: the step of x.
+std::optional<std::int32_t> scores_of(const OnnxValue& value) {
+  if (value.kind == Kind::data) return value.step;
+  const bool ordered = value.kind == Kind::other &&
+                       (value.part.role == Role::ordered || value.part.role == Role::centred);
+  return ordered ? std::optional(value.part.of) : std::nullopt;
+}
+
+/// Axis of the call, counted from the front, if it holds all values of `x`.
+std::optional<std::size_t> whole_axis(const OnnxCall& call, const OnnxValue& x,
+                                      std::int64_t otherwise) {
+  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
+  std::int64_t axis = call.integer("axis", otherwise);
+  if (axis < 0) axis += rank;
+  if (axis < 0 || axis >= rank) return std::nullopt;
+  const auto place = static_cast<std::size_t>(axis);
+  if ((*x.shape)[place] != element_count(*x.shape)) return std::nullopt;
+  return place;
+}
+
+OnnxValue in_order_of(const OnnxCall& call, std::int32_t step, const std::optional<Dims>& shape,
+                      Role role, const char* how) {
+  OnnxValue value = call.misused(how, shape);
+  value.problem = {"E0613", fmt::format("has {} {}", call.who(), how),
+                   "export the network's outputs, or the index of the largest (ArgMax)"};
+  value.part = {role, step, false, 0.0F};
+  return value;
+}
+
+/// exp(x) / sum(exp(x)), or its logarithm.
+OnnxValue softmax(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const auto step = scores_of(x);
+  constexpr std::int64_t kLastAxisIsDefault = 13;
+  const bool whole = whole_axis(call, x, call.opset() < kLastAxisIsDefault ? 1 : -1).has_value();
+  if (!step || !whole) return call.misused("that is not of all outputs of a layer", x.shape);
+  return in_order_of(call, *step, x.shape, Role::ordered,
+                     "on the way to the action, without an ArgMax behind it");
+}
+
+OnnxValue arg_max(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const auto step = scores_of(x);
+  const auto axis = whole_axis(call, x, 0);
+  if (!step || !axis || call.integer("select_last_index", 0) != 0) {
+    return call.misused("that is not of all outputs of a layer");
+  }
+  Dims shape = *x.shape;
+  shape[*axis] = 1;
+  if (call.integer("keepdims", 1) == 0) {
+    shape.erase(shape.begin() + static_cast<std::ptrdiff_t>(*axis));
+  }
+  return in_order_of(call, *step, shape, Role::choice,
+                     "whose result is not the action: something is calculated from it");
+}
+
+/// Its value is not needed, but its shape is: one number.
+OnnxValue reduction(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const auto axes = call.integers(1, "axes");
+  if (!x.shape || call.is_unreadable(1)) return call.misused("on the way to the action");
+  const auto rank = static_cast<std::int64_t>(x.shape->size());
+  Dims shape = *x.shape;
+  const bool all = !axes || axes->empty();
+  if (all && call.integer("noop_with_empty_axes", 0) == 0) shape.assign(shape.size(), 1);
+  for (const std::int64_t axis : axes.value_or(std::vector<std::int64_t>{})) {
+    if (axis < -rank || axis >= rank) return call.misused("with axes that are not there");
+    shape[static_cast<std::size_t>(axis < 0 ? axis + rank : axis)] = 1;
+  }
+  if (call.integer("keepdims", 1) == 0) return call.misused("on the way to the action");
+  return call.misused("on the way to the action", shape);
+}
+
+}  // namespace
+
+std::optional<OnnxValue> same_order(const OnnxCall& call) {
+  const bool adds = call.node().op_type() == "Add";
+  if (!adds && call.node().op_type() != "Sub") return std::nullopt;
+  const auto one = [](const OnnxValue& value) {
+    return value.shape && element_count(*value.shape) == 1;
+  };
+  for (const auto& [i, k] : {std::pair{0, 1}, std::pair{1, 0}}) {
+    const OnnxValue& x = call.input(static_cast<std::size_t>(i));
+    const OnnxValue& offset = call.input(static_cast<std::size_t>(k));
+    const auto step = scores_of(x);
+    if (!step || one(x) || !one(offset) || offset.kind == Kind::constant || (i == 1 && !adds)) {
+      continue;
+    }
+    return in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
+                       "of a value that is no constant");
+  }
+  return std::nullopt;
+}
+
+std::vector<OnnxOperatorEntry> choice_operators() {
+  return {{"ArgMax", arg_max},      {"Softmax", softmax},
+          {"LogSoftmax", softmax},  {"ReduceLogSumExp", reduction},
+          {"ReduceMax", reduction}, {"ReduceSum", reduction}};
+}
+
+}  // namespace eagerx::gen

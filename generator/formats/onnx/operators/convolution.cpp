@@ -1,0 +1,315 @@
+// Operators over images and sequences: [1, channels, height, width] or [1, channels, width].
+#include <fmt/core.h>
+
+#include <array>
+#include <utility>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Integers = std::vector<std::int64_t>;
+
+constexpr std::int64_t kMaxSide = std::int64_t{1} << 16U;
+
+/// Attribute `name` with a value for each axis; `otherwise` for all if it is not there.
+std::optional<Integers> per_axis(const OnnxCall& call, std::string_view name, std::size_t axes,
+                                 std::int64_t otherwise, std::int64_t lowest) {
+  const onnx::AttributeProto* found = call.attribute(name);
+  Integers values(axes, otherwise);
+  if (found != nullptr) values.assign(found->ints().begin(), found->ints().end());
+  if (values.size() != axes) return std::nullopt;
+  for (const std::int64_t value : values) {
+    if (value < lowest || value > kMaxSide) return std::nullopt;
+  }
+  return values;
+}
+
+/// One axis of a kernel.
+struct Axis {
+  std::int64_t size = 1, kernel = 1, stride = 1, dilation = 1, before = 0, after = 0;
+  [[nodiscard]] std::int64_t results() const {
+    const std::int64_t room = size + before + after - dilation * (kernel - 1) - 1;
+    return room < 0 ? 0 : room / stride + 1;
+  }
+};
+
+/// How a kernel is moved; and why it cannot be.
+struct Geometry {
+  KernelShape kernel;
+  Dims result;  // [1, channels, places…], channels as read
+  std::string problem;
+};
+
+Geometry geometry_of(const OnnxCall& call, const Dims& dims, const Integers& kernel,
+                     const OnnxPad* pad) {
+  Geometry geometry;
+  const std::size_t axes = dims.size() - 2;
+  const auto strides = per_axis(call, "strides", axes, 1, 1);
+  const auto dilations = per_axis(call, "dilations", axes, 1, 1);
+  const auto pads = per_axis(call, "pads", 2 * axes, 0, 0);
+  const onnx::AttributeProto* automatic = call.attribute("auto_pad");
+  const bool plain = automatic == nullptr || automatic->s().empty() || automatic->s() == "NOTSET" ||
+                     automatic->s() == "VALID";
+  if (!strides || !dilations || !pads || !plain || call.integer("ceil_mode", 0) != 0) {
+    geometry.problem = plain ? "with strides, dilations, pads or a ceil_mode that are not supported"
+                             : "with automatic padding";
+    return geometry;
+  }
+  std::array<Axis, 2> axis;  // down, right
+  for (std::size_t i = 0; i < axes; ++i) {
+    Axis& one = axis[2 - axes + i];
+    one = {dims[2 + i], kernel[i], (*strides)[i], (*dilations)[i], (*pads)[i], (*pads)[axes + i]};
+  }
+  if (pad != nullptr) {
+    axis[0].before += pad->top;
+    axis[0].after += pad->bottom;
+    axis[1].before += pad->left;
+    axis[1].after += pad->right;
+  }
+  geometry.result = {1, dims[1]};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Axis& one = axis[i];
+    if (one.size > kMaxSide || one.kernel < 1 || one.kernel > kMaxSide || one.results() < 1 ||
+        one.results() > kMaxSide) {
+      geometry.problem = "whose kernel does not fit";
+      return geometry;
+    }
+    if (i >= 2 - axes) geometry.result.push_back(one.results());
+  }
+  const auto small = [](std::int64_t value) { return static_cast<std::uint32_t>(value); };
+  geometry.kernel = {small(dims[1]),          small(axis[0].size),     small(axis[1].size),
+                     small(axis[0].kernel),   small(axis[1].kernel),   small(axis[0].stride),
+                     small(axis[1].stride),   small(axis[0].before),   small(axis[1].before),
+                     small(axis[0].dilation), small(axis[1].dilation), small(axis[0].results()),
+                     small(axis[1].results())};
+  return geometry;
+}
+
+bool is_image(const OnnxValue& x) {
+  return x.kind == Kind::data && x.shape && (x.shape->size() == 3 || x.shape->size() == 4) &&
+         x.shape->front() == 1 && (*x.shape)[1] <= kMaxValues;
+}
+
+/// Zeros that are put around `x`, and what is before them.
+struct Padded {
+  const OnnxPad* pad = nullptr;
+  std::int32_t before = -1;
+  Dims dims;
+};
+
+Padded padded(const OnnxCall& call, const OnnxValue& x) {
+  Padded result{nullptr, x.step, *x.shape};
+  if (x.step < 0) return result;
+  const OnnxStep& step = call.state().steps[static_cast<std::size_t>(x.step)];
+  result.pad = std::get_if<OnnxPad>(&step.what);
+  if (result.pad == nullptr) return result;
+  result.before = step.before;
+  const std::size_t rank = result.dims.size();
+  result.dims[rank - 1] -= std::int64_t{result.pad->left} + result.pad->right;
+  if (rank == 4) result.dims[2] -= std::int64_t{result.pad->top} + result.pad->bottom;
+  return result;
+}
+
+OnnxValue convolution(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const OnnxValue& w = call.input(1);
+  const OnnxValue& b = call.input(2);
+  if (!is_image(x) || w.kind != Kind::constant || w.constant.transposed ||
+      w.constant.dims.size() != x.shape->size()) {
+    return call.misused("that is not of an image and constant weights");
+  }
+  const Dims& weights = w.constant.dims;
+  const Padded from = padded(call, x);
+  const std::int64_t groups = call.integer("group", 1);
+  const std::int64_t channels = weights[0];
+  if (groups < 1 || groups > from.dims[1] || from.dims[1] % groups != 0 || channels < 1 ||
+      channels > kMaxSide || channels % groups != 0 || weights[1] != from.dims[1] / groups) {
+    return call.other(
+        {"E0618",
+         fmt::format("moves weights `{}` of shape {} over {} channels in {}",
+                     printable(w.constant.tensor->name()), show(weights), from.dims[1], call.who()),
+         "the layers of the file do not fit together: export the actor again"});
+  }
+  Geometry geometry = geometry_of(call, from.dims, {weights.begin() + 2, weights.end()}, from.pad);
+  if (!geometry.problem.empty()) return call.misused(geometry.problem);
+  geometry.result[1] = channels;
+  OnnxConvolution work{
+      {geometry.kernel, static_cast<std::uint32_t>(groups), static_cast<std::uint32_t>(channels)},
+      w.constant,
+      std::nullopt};
+  if (b.kind != Kind::absent) {
+    if (b.kind != Kind::constant || b.constant.dims != Dims{channels}) {
+      return call.misused("with a bias that does not fit", geometry.result);
+    }
+    work.bias = b.constant;
+  }
+  return call.data_after(from.before, std::move(work), std::move(geometry.result));
+}
+
+/// Whether there is a value under the kernel at every place.
+bool reaches_all(const KernelShape& kernel) {
+  const auto meets = [](std::int64_t size, std::int64_t count, std::int64_t step,
+                        std::int64_t reach, std::int64_t before, std::int64_t places) {
+    for (std::int64_t place = 0; place < places; ++place) {
+      bool found = false;
+      for (std::int64_t k = 0; k < count && !found; ++k) {
+        const std::int64_t at = place * step + k * reach - before;
+        found = at >= 0 && at < size;
+      }
+      if (!found) return false;
+    }
+    return true;
+  };
+  return meets(kernel.height, kernel.rows, kernel.stride_down, kernel.dilation_down, kernel.pad_top,
+               kernel.out_height) &&
+         meets(kernel.width, kernel.columns, kernel.stride_right, kernel.dilation_right,
+               kernel.pad_left, kernel.out_width);
+}
+
+OnnxValue pool(const OnnxCall& call, Pooling::Kind kind, bool global) {
+  const OnnxValue& x = call.input(0);
+  if (!is_image(x)) return call.misused("that is not of an image", x.shape);
+  const Padded from = padded(call, x);
+  if (from.pad != nullptr && (kind == Pooling::Kind::max || global)) {
+    return call.misused("behind padding", x.shape);
+  }
+  Integers kernel(from.dims.begin() + 2, from.dims.end());
+  if (!global) {
+    const auto given = per_axis(call, "kernel_shape", kernel.size(), 0, 1);
+    if (!given) return call.misused("without the shape of its kernel");
+    kernel = *given;
+  }
+  const bool counts = call.integer("count_include_pad", 0) != 0;
+  if (kind == Pooling::Kind::average && (counts || from.pad != nullptr)) {
+    const onnx::AttributeProto* pads = call.attribute("pads");
+    for (int i = 0; !counts && pads != nullptr && i < pads->ints_size(); ++i) {
+      if (pads->ints(i) != 0) return call.misused("with two kinds of padding");
+    }
+    kind = Pooling::Kind::average_with_padding;
+  }
+  Geometry geometry = geometry_of(call, from.dims, kernel, from.pad);
+  if (!geometry.problem.empty()) return call.misused(geometry.problem);
+  const KernelShape& moved = geometry.kernel;
+  if (!call.spend(std::int64_t{moved.rows} * moved.out_height +
+                  std::int64_t{moved.columns} * moved.out_width)) {
+    return call.too_much();
+  }
+  if (!reaches_all(moved)) {
+    return call.misused("with a kernel that lies in the padding alone");
+  }
+  return call.data_after(from.before, Pooling{geometry.kernel, kind}, std::move(geometry.result));
+}
+
+OnnxValue max_pool(const OnnxCall& call) {
+  return pool(call, Pooling::Kind::max, false);
+}
+OnnxValue average_pool(const OnnxCall& call) {
+  return pool(call, Pooling::Kind::average, false);
+}
+OnnxValue global_max_pool(const OnnxCall& call) {
+  return pool(call, Pooling::Kind::max, true);
+}
+OnnxValue global_average_pool(const OnnxCall& call) {
+  return pool(call, Pooling::Kind::average, true);
+}
+
+/// The mean along one axis of [outer, n, inner], as a pool over that axis.
+OnnxValue mean_along(const OnnxCall& call, std::int64_t axis) {
+  const OnnxValue& x = call.input(0);
+  const Dims& dims = *x.shape;
+  const auto product = [](const Dims& some) {
+    return static_cast<std::uint32_t>(element_count(some).value_or(0));
+  };
+  Pooling work;
+  work.kind = Pooling::Kind::average;
+  work.kernel.channels = product(Dims(dims.begin(), dims.begin() + axis));
+  work.kernel.height = work.kernel.rows = product({dims[static_cast<std::size_t>(axis)]});
+  work.kernel.width = product(Dims(dims.begin() + axis + 1, dims.end()));
+  work.kernel.out_width = work.kernel.width;
+  Dims shape = dims;
+  shape[static_cast<std::size_t>(axis)] = 1;
+  if (call.integer("keepdims", 1) == 0) shape.erase(shape.begin() + axis);
+  return call.data_after(x.step, work, shape);
+}
+
+/// A part of LayerNorm, the mean of each channel, or one along an axis: of quantiles.
+OnnxValue reduce_mean(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
+  const OnnxValue& x = call.input(0);
+  auto axes = call.integers(1, "axes");
+  if (x.kind == Kind::data && axes && axes->size() == 1) {
+    const auto size = static_cast<std::int64_t>(x.shape->size());
+    const std::int64_t axis = axes->front() < 0 ? axes->front() + size : axes->front();
+    if (axis < 0 || axis >= size) return call.misused("with axes that are not there");
+    if (size != 3 || axis != 2) return mean_along(call, axis);
+  }
+  if (!is_image(x) || !axes || axes->size() + 2 != x.shape->size()) {
+    return call.misused("that is neither of a LayerNorm nor of an image", x.shape);
+  }
+  const auto rank = static_cast<std::int64_t>(x.shape->size());
+  std::int64_t sum = 0;
+  for (const std::int64_t axis : *axes) {
+    if (axis < -rank || axis >= rank) return call.misused("with axes that are not there");
+    sum += axis < 0 ? axis + rank : axis;
+  }
+  if (sum != (rank == 4 ? 5 : 2)) return call.misused("over other axes than an image's");
+  OnnxValue value = pool(call, Pooling::Kind::average, true);
+  if (value.kind != Kind::data || call.integer("keepdims", 1) != 0) return value;
+  value.shape = Dims{1, (*x.shape)[1]};
+  return value;
+}
+
+/// Zeros around an image; elsewhere only none.
+OnnxValue pad(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const auto pads = call.integers(1, "pads");
+  const onnx::AttributeProto* mode = call.attribute("mode");
+  const bool constant = mode == nullptr || mode->s() == "constant";
+  const OnnxValue& filling = call.input(2);
+  const bool zeros = (filling.kind == Kind::absent || scalar_of(filling) == 0.0F) &&
+                     call.real("value", 0.0F) == 0.0F;  // an attribute before opset 11
+  if (x.kind != Kind::data || !pads || pads->size() != 2 * x.shape->size() || !constant || !zeros ||
+      call.input(3).kind != Kind::absent) {
+    return call.misused("other than with zeros", x.shape);
+  }
+  const std::size_t rank = x.shape->size();
+  Dims shape = *x.shape;
+  bool inside = true;
+  std::int64_t total = 0;
+  for (std::size_t i = 0; i < rank; ++i) {
+    const std::int64_t before = (*pads)[i];
+    const std::int64_t after = (*pads)[rank + i];
+    if (before < 0 || after < 0 || before > kMaxSide || after > kMaxSide) {
+      return call.misused("by an impossible number", x.shape);
+    }
+    inside = inside && (i >= 2 || before + after == 0);
+    total += before + after;
+    shape[i] += before + after;
+  }
+  if (total == 0) return x;
+  if (!is_image(x) || !inside) return call.misused("of something else than an image", x.shape);
+  const auto side = [&](std::size_t i) { return static_cast<std::uint32_t>((*pads)[i]); };
+  OnnxPad work{0, side(rank - 1), 0, side(2 * rank - 1)};
+  if (rank == 4) {
+    work.top = side(2);
+    work.bottom = side(rank + 2);
+  }
+  return call.data_after(x.step, work, std::move(shape));
+}
+
+}  // namespace
+
+std::vector<OnnxOperatorEntry> image_operators() {
+  return {{"Conv", convolution},
+          {"MaxPool", max_pool},
+          {"AveragePool", average_pool},
+          {"GlobalMaxPool", global_max_pool},
+          {"GlobalAveragePool", global_average_pool},
+          {"ReduceMean", reduce_mean},
+          {"Pad", pad}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,298 @@
+// Operators with a constant for all numbers, or one for each: scaling, shifting, clipping; biases.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Operation = Elementwise::Operation;
+
+/// True if every value of the (small) constant is zero.
+bool is_zero(const OnnxConstant& constant) {
+  PolicyProblem ignored;
+  const auto values = read_floats(constant, ignored);
+  return values && std::all_of(values->begin(), values->end(), [](float v) { return v == 0.0F; });
+}
+
+/// The data and the constant of an operator of two inputs; nothing if it has others.
+struct Operands {
+  const OnnxValue& data;
+  const OnnxValue& constant;
+  bool data_left;
+};
+
+std::optional<Operands> operands_of(const OnnxCall& call) {
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  if (a.kind == Kind::data && b.kind == Kind::constant) return Operands{a, b, true};
+  if (a.kind == Kind::constant && b.kind == Kind::data) return Operands{b, a, false};
+  return std::nullopt;
+}
+
+OnnxValue with_constant(const OnnxCall& call, Operation operation) {
+  const std::optional<Dims> shape = broadcast(call.input(0).shape, call.input(1).shape);
+  const auto operands = operands_of(call);
+  if (!operands) return call.misused("that is not of a layer and a constant", shape);
+  const auto value = elementwise_step(call, operands->data, operation, operands->constant);
+  return value ? *value
+               : call.misused(fmt::format("on shapes {} and {}", show(*call.input(0).shape),
+                                          show(*call.input(1).shape)),
+                              shape);
+}
+
+/// A bias of the product before, or a constant that is added.
+OnnxValue add(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
+  const auto operands = operands_of(call);
+  const std::optional<Dims> sum = broadcast(call.input(0).shape, call.input(1).shape);
+  if (!operands) {
+    if (auto value = same_order(call)) return *value;
+  }
+  if (!operands || !sum) return call.misused("that does not add a constant to a layer", sum);
+  const OnnxValue& data = operands->data;
+  const std::int64_t outputs = element_count(*data.shape).value_or(0);
+  if (!call.spend(element_count(operands->constant.constant.dims).value_or(0))) {
+    return call.too_much();
+  }
+  if (element_count(*sum) == outputs && is_zero(operands->constant.constant)) {
+    OnnxValue same = data;
+    same.shape = sum;
+    return same;
+  }
+  if (data.step >= 0 && fits_as_bias(operands->constant, *data.shape, outputs)) {
+    // Not copied whole: it may be a Reorder of millions.
+    const OnnxStep& step = call.state().steps[static_cast<std::size_t>(data.step)];
+    if (const auto* dense = std::get_if<OnnxDense>(&step.what); dense != nullptr && !dense->bias) {
+      OnnxDense biased = *dense;
+      biased.bias = operands->constant.constant;
+      return call.data_after(std::int32_t{step.before}, std::move(biased), *sum);
+    }
+  }
+  return with_constant(call, Operation::add);
+}
+
+OnnxValue subtract(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
+  const auto operands = operands_of(call);
+  if (!operands) {
+    if (auto value = same_order(call)) return *value;
+  }
+  if (!operands || operands->data_left) return with_constant(call, Operation::subtract);
+  // c - x is (-1 x) + c, to the bit.
+  const auto negative =
+      elementwise_step(call, operands->data, Operation::multiply, made_constant(call, -1.0F));
+  const auto value = negative && negative->kind == Kind::data
+                         ? elementwise_step(call, *negative, Operation::add, operands->constant)
+                         : std::nullopt;
+  return value ? *value : call.misused("on shapes that do not fit");
+}
+
+OnnxValue divide(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
+  const auto operands = operands_of(call);
+  if (operands && !operands->data_left) return call.misused("of a constant by a layer");
+  return with_constant(call, Operation::divide);
+}
+
+OnnxValue negate(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  const auto value = elementwise_step(call, x, Operation::multiply, made_constant(call, -1.0F));
+  return value ? *value : call.misused("on an unknown shape", x.shape);
+}
+
+/// x sigmoid(x), as torch exports SiLU; parts of formulas; a factor.
+OnnxValue multiply(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  if (a.kind != Kind::data || b.kind != Kind::data) return with_constant(call, Operation::multiply);
+  const auto shape = broadcast(a.shape, b.shape);
+  const bool each = shape && element_count(*shape) == element_count(*a.shape);  // no outer product
+  for (const auto& [x, gate] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    if (gate->step < 0 || !each) continue;
+    const OnnxStep& step = call.state().steps[static_cast<std::size_t>(gate->step)];
+    const auto* work = std::get_if<OnnxActivation>(&step.what);
+    if (work != nullptr && work->kind == Activation::sigmoid && step.before == x->step) {
+      return call.data_after(x->step, OnnxActivation{Activation::silu}, *shape);
+    }
+  }
+  return call.misused("that is not x times sigmoid(x)", shape);
+}
+
+/// One bound of a Clip, which may be infinite; nothing if there is none; `known` is false if it is
+/// computed.
+struct Bound {
+  std::optional<float> value;
+  bool known = true;
+};
+
+Bound bound_of(const OnnxCall& call, std::size_t i, std::string_view name) {
+  constexpr std::int64_t kBoundsAreInputs = 11;
+  if (call.opset() < kBoundsAreInputs) {
+    const onnx::AttributeProto* found = call.attribute(name);
+    return {found != nullptr ? std::optional<float>(found->f()) : std::nullopt, true};
+  }
+  const OnnxValue& input = call.input(i);
+  if (input.kind == Kind::absent) return {};
+  PolicyProblem ignored;
+  if (input.kind != Kind::constant || element_count(input.constant.dims) != 1) return {{}, false};
+  if (const auto infinite = infinity_of(input.constant)) return {infinite, true};
+  const auto values = read_floats(input.constant, ignored);
+  return values ? Bound{values->front(), true} : Bound{{}, false};
+}
+
+OnnxValue clip(const OnnxCall& call) {
+  constexpr float kLargest = std::numeric_limits<float>::max();
+  const OnnxValue& x = call.input(0);
+  const Bound low = bound_of(call, 1, "min");
+  const Bound high = bound_of(call, 2, "max");
+  if (x.kind != Kind::data || !low.known || !high.known) {
+    return call.misused("whose bounds are not constant", x.shape);
+  }
+  const bool no_high = !high.value || *high.value >= kLargest;
+  const bool no_low = !low.value || *low.value <= -kLargest;
+  if (no_high && !no_low && *low.value == 0.0F) {
+    return call.data_after(x.step, OnnxActivation{Activation::relu}, *x.shape);
+  }
+  OnnxValue value = x;
+  for (const auto& [skip, operation, bound] :
+       {std::tuple{no_low, Operation::at_least, low.value},
+        std::tuple{no_high, Operation::at_most, high.value}}) {
+    if (skip || value.kind != Kind::data) continue;
+    const auto clipped = elementwise_step(call, value, operation, made_constant(call, *bound));
+    if (!clipped) return call.misused("of an unknown shape", x.shape);
+    value = *clipped;
+  }
+  return value;
+}
+
+OnnxValue maximum(const OnnxCall& call) {
+  if (call.input_count() == 1) return call.input(0);
+  if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
+  return with_constant(call, Operation::at_least);
+}
+OnnxValue minimum(const OnnxCall& call) {
+  if (call.input_count() == 1) return call.input(0);
+  if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
+  return with_constant(call, Operation::at_most);
+}
+
+/// Of two inputs.
+OnnxValue sum(const OnnxCall& call) {
+  if (call.input_count() == 1) return call.input(0);
+  if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
+  return add(call);
+}
+
+/// gamma elu(x).
+OnnxValue selu(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  const OnnxActivation elu{Activation::elu, call.real("alpha", 1.67326319F)};
+  const OnnxValue curve = call.data_after(x.step, elu, *x.shape);
+  const auto value = elementwise_step(call, curve, Operation::multiply,
+                                      made_constant(call, call.real("gamma", 1.05070102F)));
+  return value ? *value : call.misused("on an unknown shape", x.shape);
+}
+
+OnnxValue formula_only(const OnnxCall& call) {
+  const auto part = part_of_formula(call);
+  return part ? *part
+              : call.misused("that is no part of a LayerNorm or a gelu", call.input(0).shape);
+}
+
+/// (x - mean) * (scale / sqrt(variance + epsilon)) + offset, of a trained layer.
+OnnxValue batch_normalization(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind != Kind::data || call.integer("training_mode", 0) != 0 || x.shape->size() < 2) {
+    return call.misused("that is not of a layer", x.shape);
+  }
+  if (!call.spend(8 * (*x.shape)[1])) return call.too_much();
+  std::array<std::vector<float>, 4> parts;  // scale, offset, mean, variance
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    PolicyProblem problem;
+    const OnnxValue& part = call.input(i + 1);
+    if (part.kind != Kind::constant) return call.misused("without constant statistics", x.shape);
+    if (part.constant.dims != Dims{(*x.shape)[1]}) {
+      return call.misused("with statistics of another size", x.shape);
+    }
+    auto values = read_floats(part.constant, problem);
+    if (!values) return call.other(problem, x.shape);
+    parts[i] = std::move(*values);
+  }
+  const auto epsilon = static_cast<double>(call.real("epsilon", 1e-5F));
+  std::vector<float> factors;
+  for (std::size_t i = 0; i < parts[0].size(); ++i) {
+    const double factor =
+        static_cast<double>(parts[0][i]) / std::sqrt(static_cast<double>(parts[3][i]) + epsilon);
+    factors.push_back(static_cast<float>(factor));
+  }
+  OnnxValue value = x;
+  const std::array<std::pair<Operation, const std::vector<float>*>, 3> steps = {
+      std::pair{Operation::subtract, &parts[2]}, std::pair{Operation::multiply, &factors},
+      std::pair{Operation::add, &parts[1]}};
+  for (const auto& [operation, numbers] : steps) {
+    if (value.kind != Kind::data) return value;
+    Dims shape(x.shape->size() - 1, 1);
+    shape[0] = (*x.shape)[1];
+    const auto next =
+        elementwise_step(call, value, operation, made_constant(call, *numbers, shape));
+    if (!next) return call.misused("of an unknown shape", x.shape);
+    value = *next;
+  }
+  return value;
+}
+
+}  // namespace
+
+OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers,
+                        const Dims& shape) {
+  onnx::TensorProto tensor;
+  tensor.set_name(call.node().output_size() > 0 ? call.node().output(0) : "");
+  tensor.set_data_type(onnx::TensorProto::FLOAT);
+  for (const std::int64_t dim : shape) tensor.add_dims(dim);
+  for (const float number : numbers) tensor.add_float_data(number);
+  call.state().made.push_back(std::move(tensor));
+  OnnxValue value;
+  value.kind = Kind::constant;
+  value.shape = shape;
+  value.constant = {&call.state().made.back(), shape, false};
+  return value;
+}
+
+OnnxValue made_constant(const OnnxCall& call, float number) {
+  return made_constant(call, std::vector<float>{number}, {});
+}
+
+std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
+                                          Operation operation, const OnnxValue& constant) {
+  if (data.kind != Kind::data || !data.shape || constant.kind != Kind::constant ||
+      constant.constant.transposed) {
+    return std::nullopt;
+  }
+  const std::optional<Dims> shape = broadcast(data.shape, constant.shape);
+  if (!shape || element_count(*shape) != element_count(*data.shape)) return std::nullopt;
+  return call.data_after(data.step, OnnxElementwise{operation, constant.constant, *shape}, *shape);
+}
+
+std::vector<OnnxOperatorEntry> elementwise_operators() {
+  return {{"Add", add},          {"Sub", subtract},
+          {"Mul", multiply},     {"Div", divide},
+          {"Neg", negate},       {"Clip", clip},
+          {"Max", maximum},      {"Min", minimum},
+          {"Pow", formula_only}, {"Sum", sum},
+          {"Selu", selu},        {"Sqrt", formula_only},
+          {"Erf", formula_only}, {"BatchNormalization", batch_normalization}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,236 @@
+// Formulas that exporters write out operator by operator: LayerNorm before opset 17, gelu before
+// opset 20. Each operator recognises the next part; the last one becomes one step.
+#include <cmath>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Role = OnnxPart::Role;
+
+constexpr float kSqrtTwo = 1.41421356F;
+constexpr float kSqrtTwoOverPi = 0.79788456F;
+constexpr float kCubic = 0.044715F;
+
+bool near(const std::optional<float>& value, float wanted) {
+  constexpr float kRelative = 1e-5F;  // constants are written in float32, or as text
+  return value && std::fabs(*value - wanted) <= kRelative * wanted;
+}
+
+/// What an input is to a formula: a part of one, the data itself, a number.
+class Formula {
+ public:
+  explicit Formula(const OnnxCall& call)
+      : call_(call), a_(call.input(0)), b_(call.input(1)), type_(call.node().op_type()) {}
+
+  std::optional<OnnxValue> next() {
+    if (type_ != "Add" && type_ != "Sub" && type_ != "Mul" && type_ != "Div" && type_ != "Pow") {
+      return of_one();
+    }
+    const std::optional<Dims> shape = broadcast(a_.shape, b_.shape);
+    if (!shape || !is_each_with_each(*shape)) return std::nullopt;
+    auto value = of_two();
+    if (value && value->shape) value->shape = shape;
+    return value;
+  }
+
+ private:
+  using Result = std::optional<OnnxValue>;
+
+  /// Number by number, or all with the same one: no outer product of a row and a column.
+  bool is_each_with_each(const Dims& shape) const {
+    const auto count = element_count(shape);
+    return count == element_count(*a_.shape) || count == element_count(*b_.shape);
+  }
+  Result of_two() const {
+    if (type_ == "Add") return add();
+    if (type_ == "Sub") return subtract();
+    if (type_ == "Mul") return multiply();
+    if (type_ == "Div") return divide();
+    return power();
+  }
+  Result of_one() const {
+    if (type_ == "Sqrt") return is(a_, Role::variance) ? change(a_, Role::deviation) : std::nullopt;
+    if (type_ == "Erf") return erf();
+    if (type_ == "Tanh" && is(a_, Role::gelu_inner)) return by_tanh();
+    if (type_ == "ReduceMean") return mean();
+    return std::nullopt;
+  }
+
+  static bool is(const OnnxValue& value, Role role) {
+    return value.kind == Kind::other && value.part.role == role;
+  }
+  static bool is_data(const OnnxValue& value) { return value.kind == Kind::data; }
+  /// The part and the other input, in any order.
+  bool pick(Role role, const OnnxValue*& part, const OnnxValue*& rest) const {
+    if (!is(a_, role) && !is(b_, role)) return false;
+    part = is(a_, role) ? &a_ : &b_;
+    rest = is(a_, role) ? &b_ : &a_;
+    return true;
+  }
+  const OnnxStep* step_of(const OnnxValue& data) const {
+    return data.step < 0 ? nullptr : &call_.state().steps[static_cast<std::size_t>(data.step)];
+  }
+  /// Data that is x times (or divided by) a number: the step of x.
+  bool is_scaled(const OnnxValue& data, Elementwise::Operation operation, float number,
+                 std::int32_t& before) const {
+    const OnnxStep* step = is_data(data) ? step_of(data) : nullptr;
+    const auto* work = step != nullptr ? std::get_if<OnnxElementwise>(&step->what) : nullptr;
+    if (work == nullptr || work->operation != operation) return false;
+    OnnxValue constant;
+    constant.kind = Kind::constant;
+    constant.constant = work->constant;
+    before = step->before;
+    return near(scalar_of(constant), number);
+  }
+
+  /// Should the action depend on a part alone, this is what is wrong with it.
+  OnnxValue part(Role role, std::int32_t of, const std::optional<Dims>& shape) const {
+    OnnxValue value = call_.misused("that is no part of a LayerNorm or a gelu", shape);
+    value.problem = {"E0613", "has " + call_.who() + " that is no part of a LayerNorm or a gelu",
+                     "export the actor alone, layer by layer"};
+    value.part = {role, of, false, 0.0F};
+    return value;
+  }
+  Result change(const OnnxValue& from, Role role) const {
+    OnnxValue value = part(role, from.part.of, from.shape);
+    value.part.by_tanh = from.part.by_tanh;
+    value.part.epsilon = from.part.epsilon;
+    return value;
+  }
+
+  Result mean() const {
+    if (!is_data(a_) && !is(a_, Role::centred_square)) return std::nullopt;
+    const auto axes = call_.integers(1, "axes");
+    const Dims& dims = *a_.shape;
+    const auto rank = static_cast<std::int64_t>(dims.size());
+    const bool last = axes && axes->size() == 1 && rank > 0 &&
+                      (axes->front() == -1 || axes->front() == rank - 1) &&
+                      element_count(dims) == dims.back() && call_.integer("keepdims", 1) != 0;
+    if (!last) return std::nullopt;
+    if (is(a_, Role::centred_square)) return change(a_, Role::variance);
+    OnnxValue value = part(Role::mean, a_.step, Dims(dims.size(), 1));
+    return value;
+  }
+  Result subtract() const {
+    const bool fits = is_data(a_) && is(b_, Role::mean) && b_.part.of == a_.step;
+    return fits ? Result(part(Role::centred, a_.step, a_.shape)) : std::nullopt;
+  }
+  Result power() const {
+    const auto exponent = scalar_of(b_);
+    if (is(a_, Role::centred) && exponent == 2.0F) return change(a_, Role::centred_square);
+    if (is_data(a_) && exponent == 3.0F) return part(Role::cube, a_.step, a_.shape);
+    if (is_data(a_) && exponent == 2.0F) return part(Role::square, a_.step, a_.shape);
+    return std::nullopt;
+  }
+  Result divide() const {
+    if (!is(a_, Role::centred) || !is(b_, Role::deviation) || a_.part.of != b_.part.of) {
+      return std::nullopt;
+    }
+    return call_.data_after(a_.part.of, OnnxNorm{std::nullopt, std::nullopt, b_.part.epsilon},
+                            *a_.shape);
+  }
+  Result erf() const {
+    std::int32_t before = -1;
+    using Operation = Elementwise::Operation;
+    if (!is_scaled(a_, Operation::divide, kSqrtTwo, before) &&
+        !is_scaled(a_, Operation::multiply, 1.0F / kSqrtTwo, before)) {
+      return std::nullopt;
+    }
+    return part(Role::erf, before, a_.shape);
+  }
+  Result by_tanh() const {
+    OnnxValue value = part(Role::erf, a_.part.of, a_.shape);
+    value.part.by_tanh = true;
+    return value;
+  }
+
+  Result add() const {
+    const OnnxValue* found = nullptr;
+    const OnnxValue* rest = nullptr;
+    if (pick(Role::variance, found, rest)) {
+      const auto epsilon = scalar_of(*rest);
+      if (!epsilon || *epsilon < 0.0F) return std::nullopt;
+      Result value = change(*found, Role::variance);
+      value->part.epsilon += *epsilon;
+      return value;
+    }
+    if (pick(Role::erf, found, rest) && near(scalar_of(*rest), 1.0F)) {
+      return change(*found, Role::one_plus_erf);
+    }
+    if (pick(Role::cubic, found, rest) && is_data(*rest) && rest->step == found->part.of) {
+      return change(*found, Role::gelu_sum);
+    }
+    return is_data(a_) ? parameter_of_norm(a_, b_) : parameter_of_norm(b_, a_);
+  }
+
+  Result multiply() const {
+    const OnnxValue* found = nullptr;
+    const OnnxValue* rest = nullptr;
+    const auto of_x = [&] { return is_data(*rest) && rest->step == found->part.of; };
+    if (is(a_, Role::centred) && is(b_, Role::centred) && a_.part.of == b_.part.of) {
+      return change(a_, Role::centred_square);
+    }
+    if (is_data(a_) && is_data(b_) && a_.step == b_.step) {
+      return part(Role::square, a_.step, a_.shape);
+    }
+    if (pick(Role::square, found, rest) && of_x()) return change(*found, Role::cube);
+    if (pick(Role::cube, found, rest) && near(scalar_of(*rest), kCubic)) {
+      return change(*found, Role::cubic);
+    }
+    if (pick(Role::gelu_sum, found, rest) && near(scalar_of(*rest), kSqrtTwoOverPi)) {
+      return change(*found, Role::gelu_inner);
+    }
+    if (pick(Role::one_plus_erf, found, rest)) return from_one_plus_erf(*found, *rest);
+    if (pick(Role::half_plus_erf, found, rest) && of_x()) return gelu(*found, *rest->shape);
+    if (pick(Role::twice_gelu, found, rest) && near(scalar_of(*rest), 0.5F)) {
+      return gelu(*found, *found->shape);
+    }
+    return is_data(a_) ? parameter_of_norm(a_, b_) : parameter_of_norm(b_, a_);
+  }
+  Result from_one_plus_erf(const OnnxValue& found, const OnnxValue& rest) const {
+    if (near(scalar_of(rest), 0.5F)) return change(found, Role::half_plus_erf);
+    if (is_data(rest) && rest.step == found.part.of) return change(found, Role::twice_gelu);
+    std::int32_t before = -1;
+    if (is_scaled(rest, Elementwise::Operation::multiply, 0.5F, before) &&
+        before == found.part.of) {
+      return gelu(found, *rest.shape);
+    }
+    return std::nullopt;
+  }
+  Result gelu(const OnnxValue& found, const Dims& shape) const {
+    const Activation kind = found.part.by_tanh ? Activation::gelu_tanh : Activation::gelu;
+    return call_.data_after(found.part.of, OnnxActivation{kind}, shape);
+  }
+
+  /// gamma or beta of a LayerNorm that has none yet.
+  Result parameter_of_norm(const OnnxValue& data, const OnnxValue& constant) const {
+    const OnnxStep* step = is_data(data) ? step_of(data) : nullptr;
+    const auto* work = step != nullptr ? std::get_if<OnnxNorm>(&step->what) : nullptr;
+    if (work == nullptr || work->beta || constant.kind != Kind::constant ||
+        constant.constant.transposed || element_count(constant.constant.dims) != step->count ||
+        !broadcast(data.shape, constant.shape)) {
+      return std::nullopt;
+    }
+    OnnxNorm norm = *work;
+    const bool is_gamma = type_ == "Mul";
+    if (is_gamma && norm.gamma) return std::nullopt;
+    (is_gamma ? norm.gamma : norm.beta) = constant.constant;
+    return call_.data_after(step->before, std::move(norm), *data.shape);
+  }
+
+  const OnnxCall& call_;
+  const OnnxValue& a_;
+  const OnnxValue& b_;
+  const std::string& type_;
+};
+
+}  // namespace
+
+std::optional<OnnxValue> part_of_formula(const OnnxCall& call) {
+  return Formula(call).next();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,199 @@
+// Operators that compute: dense layers and activations.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+bool fits_as_bias(const OnnxValue& bias, const Dims& result, std::int64_t outputs) {
+  const std::int64_t count = element_count(bias.constant.dims).value_or(0);
+  const std::optional<Dims> sum = broadcast(result, bias.constant.dims);
+  return !bias.constant.transposed && (count == 1 || count == outputs) && sum &&
+         element_count(*sum) == outputs;
+}
+
+namespace {
+
+using Kind = OnnxValue::Kind;
+
+OnnxConstant transpose(OnnxConstant constant) {
+  std::swap(constant.dims[0], constant.dims[1]);
+  constant.transposed = !constant.transposed;
+  return constant;
+}
+
+/// A constant times data of `length` values: `weights` [outputs, inputs] and the result's shape.
+OnnxValue product(const OnnxCall& call, const OnnxValue& data, OnnxDense dense, Dims result) {
+  const Dims& dims = dense.weights.dims;
+  const std::int64_t length = element_count(*data.shape).value_or(0);
+  if (dims[1] != length || dims[0] < 1 || length < 1) {
+    return call.other(
+        {"E0618",
+         fmt::format("multiplies {} values by tensor `{}`, which takes {}, in {}", length,
+                     printable(dense.weights.tensor->name()), dims[1], call.who()),
+         "the layers of the file do not fit together: export the actor again"});
+  }
+  return call.data_after(data.step, std::move(dense), std::move(result));
+}
+
+/// [1, K] (or [K, 1] where `transposed`): the shape of one observation as a row.
+bool is_row(const Dims& dims, bool transposed) {
+  return dims.size() == 2 && dims[transposed ? 1 : 0] == 1;
+}
+
+OnnxValue gemm(const OnnxCall& call) {
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  const OnnxValue& c = call.input(2);
+  const bool trans_a = call.integer("transA", 0) != 0;
+  const bool trans_b = call.integer("transB", 0) != 0;
+  const bool data_left = a.kind == Kind::data && b.kind == Kind::constant;
+  const bool data_right = a.kind == Kind::constant && b.kind == Kind::data;
+  if (!data_left && !data_right) return call.misused("without exactly one constant matrix");
+  const OnnxValue& data = data_left ? a : b;
+  const OnnxValue& matrix = data_left ? b : a;
+  // y = x B is W = B^T; y = A x is W = A.
+  const bool transposed = data_left ? !trans_b : trans_a;
+  if (matrix.constant.dims.size() != 2 || !is_row(*data.shape, data_left ? trans_a : !trans_b)) {
+    return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
+                                    show(*a.shape), show(*b.shape)));
+  }
+  OnnxDense dense;
+  dense.weights = transposed ? transpose(matrix.constant) : matrix.constant;
+  dense.scale = call.real("alpha", 1.0F);
+  const std::int64_t outputs = dense.weights.dims[0];
+  Dims result = data_left ? Dims{1, outputs} : Dims{outputs, 1};
+  if (c.kind != Kind::absent) {
+    if (c.kind != Kind::constant) return call.misused("with a bias that is not constant", result);
+    if (!fits_as_bias(c, result, outputs)) {
+      return call.other({"E0618",
+                         fmt::format("adds bias `{}` of shape {} to {} values in {}",
+                                     printable(c.constant.tensor->name()), show(c.constant.dims),
+                                     outputs, call.who()),
+                         "the layers of the file do not fit together: export the actor again"});
+    }
+    dense.bias = c.constant;
+    dense.bias_scale = call.real("beta", 1.0F);  // not of a bias that a later Add brings
+  }
+  return product(call, data, std::move(dense), std::move(result));
+}
+
+OnnxValue matmul(const OnnxCall& call) {
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  const bool data_left = a.kind == Kind::data && b.kind == Kind::constant;
+  const bool data_right = a.kind == Kind::constant && b.kind == Kind::data;
+  if (!data_left && !data_right) return call.misused("without exactly one constant matrix");
+  const OnnxValue& data = data_left ? a : b;
+  const OnnxConstant& matrix = (data_left ? b : a).constant;
+  Dims result = *data.shape;
+  // Left [..., 1, K] or [K]; right [K, 1] or [K]: one vector, not a batch of them.
+  const std::size_t along = data_left ? result.size() - 1 : 0;
+  const bool vector = !result.empty() && element_count(result) == result[along];
+  if (matrix.dims.size() != 2 || !vector || (data_right && result.size() > 2)) {
+    return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
+                                    show(*a.shape), show(*b.shape)));
+  }
+  OnnxDense dense;
+  dense.weights = data_left ? transpose(matrix) : matrix;
+  result[along] = dense.weights.dims[0];
+  return product(call, data, std::move(dense), std::move(result));
+}
+
+OnnxValue activation(const OnnxCall& call, Activation kind, float slope = 0.0F) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
+  return call.data_after(x.step, OnnxActivation{kind, slope}, *x.shape);
+}
+
+OnnxValue relu(const OnnxCall& call) {
+  return activation(call, Activation::relu);
+}
+OnnxValue tanh_operator(const OnnxCall& call) {
+  if (const auto part = part_of_formula(call)) return *part;
+  return activation(call, Activation::tanh);
+}
+
+/// elu with an alpha of 1, the only one that celu shares with it.
+OnnxValue celu(const OnnxCall& call) {
+  if (call.real("alpha", 1.0F) != 1.0F) return call.misused("whose alpha is not 1");
+  return activation(call, Activation::elu, 1.0F);
+}
+/// With one slope for all values.
+OnnxValue parametric_relu(const OnnxCall& call) {
+  const auto slope = scalar_of(call.input(1));
+  if (!slope) return call.misused("with more than one slope", call.input(0).shape);
+  return activation(call, Activation::leaky_relu, *slope);
+}
+
+OnnxValue elu(const OnnxCall& call) {
+  return activation(call, Activation::elu, call.real("alpha", 1.0F));
+}
+OnnxValue leaky_relu(const OnnxCall& call) {
+  return activation(call, Activation::leaky_relu, call.real("alpha", 0.01F));
+}
+OnnxValue sigmoid(const OnnxCall& call) {
+  return activation(call, Activation::sigmoid);
+}
+OnnxValue softplus(const OnnxCall& call) {
+  return activation(call, Activation::softplus);
+}
+
+/// Opset 20 on.
+OnnxValue gelu(const OnnxCall& call) {
+  const onnx::AttributeProto* how = call.attribute("approximate");
+  const bool by_tanh = how != nullptr && how->s() == "tanh";
+  return activation(call, by_tanh ? Activation::gelu_tanh : Activation::gelu);
+}
+
+/// Over the last axis, which is the only one longer than 1.
+OnnxValue layer_normalization(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const OnnxValue& gamma = call.input(1);
+  const OnnxValue& beta = call.input(2);
+  if (x.kind != Kind::data || gamma.kind != Kind::constant || x.shape->empty()) {
+    return call.misused("without a constant scale", x.shape);
+  }
+  const std::int64_t axis = call.integer("axis", -1);
+  const auto last = static_cast<std::int64_t>(x.shape->size()) - 1;
+  const std::int64_t count = element_count(*x.shape).value_or(0);
+  const bool whole = (axis == -1 || axis == last) && x.shape->back() == count;
+  const bool fits = gamma.constant.dims == Dims{count} &&
+                    (beta.kind == Kind::absent ||
+                     (beta.kind == Kind::constant && beta.constant.dims == Dims{count}));
+  if (!whole || !fits) return call.misused("that does not take all values of a layer", x.shape);
+  OnnxNorm norm{std::optional(gamma.constant), std::nullopt, call.real("epsilon", 1e-5F)};
+  if (beta.kind == Kind::constant) norm.beta = beta.constant;
+  return call.data_after(x.step, std::move(norm), *x.shape);
+}
+
+OnnxValue dropout(const OnnxCall& call) {
+  const auto training = integers_of(call.input(2));
+  const bool given = call.input(2).kind != Kind::absent;
+  if (given && (!training || training->empty() || training->front() != 0)) {
+    return call.misused("in training mode", call.input(0).shape);
+  }
+  return call.input(0);
+}
+
+}  // namespace
+
+std::vector<OnnxOperatorEntry> layer_operators() {
+  return {{"Gemm", gemm},
+          {"MatMul", matmul},
+          {"Relu", relu},
+          {"Tanh", tanh_operator},
+          {"Elu", elu},
+          {"Celu", celu},
+          {"PRelu", parametric_relu},
+          {"LeakyRelu", leaky_relu},
+          {"Sigmoid", sigmoid},
+          {"Softplus", softplus},
+          {"Gelu", gelu},
+          {"LayerNormalization", layer_normalization},
+          {"Dropout", dropout}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,177 @@
+// GRU and LSTM, one observation at a time, and the states that they take and give.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+
+/// Whether the activations are those that the operator has if nothing is said.
+bool usual_activations(const OnnxCall& call, bool is_lstm) {
+  const onnx::AttributeProto* given = call.attribute("activations");
+  if (given == nullptr || given->strings_size() == 0) return true;
+  constexpr std::array kUsual = {"Sigmoid", "Tanh", "Tanh"};
+  const int count = is_lstm ? 3 : 2;
+  if (given->strings_size() != count) return false;
+  for (int i = 0; i < count; ++i) {
+    if (given->strings(i) != kUsual.at(static_cast<std::size_t>(i))) return false;
+  }
+  return true;
+}
+
+/// What is unusual about the operator, or empty.
+std::string unusual(const OnnxCall& call, bool is_lstm) {
+  const onnx::AttributeProto* direction = call.attribute("direction");
+  if (direction != nullptr && !direction->s().empty() && direction->s() != "forward") {
+    return "that does not run forward";
+  }
+  if (!usual_activations(call, is_lstm)) return "with other activations than Sigmoid and Tanh";
+  if (call.attribute("clip") != nullptr) return "with a clip";
+  if (call.integer("layout", 0) != 0) return "with layout 1";
+  if (call.integer("input_forget", 0) != 0) return "whose gates are coupled";
+  if (!is_lstm && call.integer("linear_before_reset", 0) == 0) {
+    return "with `linear_before_reset` 0, which torch's GRU has not";
+  }
+  if (is_lstm && call.input(7).kind != Kind::absent) return "with peepholes";
+  return {};
+}
+
+/// Whether a state is zeros. Its shape comes first and its values count: a file of a few bytes may
+/// name the same large tensor in each of many nodes.
+bool is_zero(const OnnxCall& call, const OnnxValue& value, std::int64_t hidden) {
+  if (value.kind == Kind::absent || value.is_zero) return true;
+  if (value.kind != Kind::constant || value.constant.dims != Dims{1, 1, hidden} ||
+      !call.spend(hidden)) {
+    return false;
+  }
+  PolicyProblem ignored;
+  const auto numbers = read_floats(value.constant, ignored);
+  return numbers &&
+         std::all_of(numbers->begin(), numbers->end(), [](float x) { return x == 0.0F; });
+}
+
+class Recurrent {
+ public:
+  Recurrent(const OnnxCall& call, bool is_lstm) : call_(call), is_lstm_(is_lstm) {}
+
+  OnnxValue run() {
+    const OnnxValue& x = call_.input(0);
+    if (x.kind != Kind::data || x.shape->size() != 3 || (*x.shape)[0] != 1 || (*x.shape)[1] != 1) {
+      return call_.misused("that does not take one observation at a time");
+    }
+    if (const std::string how = unusual(call_, is_lstm_); !how.empty()) return call_.misused(how);
+    const auto lengths = integers_of(call_.input(4));
+    if (call_.input(4).kind != Kind::absent && lengths != std::vector<std::int64_t>{1}) {
+      return call_.misused("with lengths of sequences that are not one step");
+    }
+    work_.is_lstm = is_lstm_;
+    if (auto problem = take_weights((*x.shape)[2])) return call_.other(*problem);
+    if (auto problem = take_state(call_.input(5), work_.h)) return call_.other(*problem);
+    if (is_lstm_) {
+      if (auto problem = take_state(call_.input(6), work_.c)) return call_.other(*problem);
+      if (work_.h.has_value() != work_.c.has_value()) {
+        return call_.misused("that takes a half of its state only");
+      }
+    }
+    return call_.data_after(x.step, std::move(work_), {1, 1, 1, hidden_});
+  }
+
+ private:
+  std::optional<PolicyProblem> take_weights(std::int64_t inputs) {
+    const OnnxValue& w = call_.input(1);
+    const OnnxValue& r = call_.input(2);
+    const OnnxValue& b = call_.input(3);
+    const std::int64_t gates = is_lstm_ ? 4 : 3;
+    const auto plain = [](const OnnxValue& value) {
+      return value.kind == Kind::constant && !value.constant.transposed;
+    };
+    if (!plain(w) || !plain(r) || (b.kind != Kind::absent && !plain(b))) {
+      return PolicyProblem{"E0613", fmt::format("has {} without constant weights", call_.who()),
+                           "export the actor again"};
+    }
+    hidden_ = r.constant.dims.size() == 3 ? r.constant.dims[2] : 0;
+    const bool fits = hidden_ > 0 && hidden_ <= kMaxValues &&
+                      w.constant.dims == Dims{1, gates * hidden_, inputs} &&
+                      r.constant.dims == Dims{1, gates * hidden_, hidden_} &&
+                      (b.kind == Kind::absent || b.constant.dims == Dims{1, 2 * gates * hidden_}) &&
+                      call_.integer("hidden_size", hidden_) == hidden_;
+    if (!fits) {
+      return PolicyProblem{
+          "E0618",
+          fmt::format("has weights of shapes {} and {} for {} values in {}", show(w.constant.dims),
+                      show(r.constant.dims), inputs, call_.who()),
+          "the layers of the file do not fit together: export the actor again"};
+    }
+    work_.weights = w.constant;
+    work_.hidden_weights = r.constant;
+    if (b.kind == Kind::constant) work_.bias = b.constant;
+    return std::nullopt;
+  }
+
+  std::optional<PolicyProblem> take_state(const OnnxValue& state,
+                                          std::optional<OnnxStateSource>& source) {
+    if (state.kind == Kind::state) {
+      if (state.slots != 1 || state.shape != Dims{1, 1, hidden_}) {
+        return PolicyProblem{"E0618",
+                             fmt::format("gives a state of shape {} to {}, which has {} values",
+                                         show(state.shape.value_or(Dims{})), call_.who(), hidden_),
+                             "the layers of the file do not fit together: export the actor again"};
+      }
+      source = state.state;
+      return std::nullopt;
+    }
+    const bool zero = is_zero(call_, state, hidden_);
+    if (call_.state().budget < 0) return call_.too_much().problem;
+    if (zero && call_.state().is_sequence) return std::nullopt;
+    if (zero) {
+      return PolicyProblem{
+          "E0640",
+          fmt::format("starts from zeros at every observation in {}: it remembers nothing",
+                      call_.who()),
+          "export it with its state as an input and an output, or with batch and time as "
+          "`dynamic_axes`"};
+    }
+    return PolicyProblem{"E0640",
+                         fmt::format("computes the state that {} starts from", call_.who()),
+                         "export it with its state as an input and an output"};
+  }
+
+  const OnnxCall& call_;
+  bool is_lstm_;
+  OnnxRecurrence work_;
+  std::int64_t hidden_ = 0;
+};
+
+OnnxValue gru(const OnnxCall& call) {
+  return Recurrent(call, false).run();
+}
+OnnxValue lstm(const OnnxCall& call) {
+  return Recurrent(call, true).run();
+}
+
+}  // namespace
+
+OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
+  if (call.node().op_type() == "Split") return along_time(call, split_part(call, i));
+  const bool is_lstm = call.node().op_type() == "LSTM";
+  const bool is_state = (is_lstm && i <= 2) || (call.node().op_type() == "GRU" && i == 1);
+  if (!is_state || first.kind != Kind::data) return call.misused("whose second output is used");
+  OnnxValue value = first;
+  value.time = 0;  // the last step's
+  if (i == 2) value = call.misused("whose cell state is used");
+  value.shape = Dims{1, 1, first.shape->back()};
+  value.remembered = {{first.step, i == 2}};
+  return value;
+}
+
+std::vector<OnnxOperatorEntry> recurrent_operators() {
+  return {{"GRU", gru}, {"LSTM", lstm}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,33 @@
+// Tensors of an ONNX file: sizes checked before anything is believed, values read on demand.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/formats/onnx/onnx.pb.h"
+#include "generator/formats/tensors/tensor.hpp"
+
+namespace eagerx::gen {
+
+/// A constant of the file, without a copy of its values.
+struct OnnxConstant {
+  const onnx::TensorProto* tensor = nullptr;
+  Dims dims;                // as seen after a transposition
+  bool transposed = false;  // two dimensions only: values lie in the order of the swapped dims
+};
+
+/// Checks type, dims and amount of data (not the values); or sets `problem`.
+std::optional<OnnxConstant> make_constant(const onnx::TensorProto& tensor, PolicyProblem& problem);
+
+/// The values in row-major order of `constant.dims`, converted to float where that is exact.
+std::optional<std::vector<float>> read_floats(const OnnxConstant& constant, PolicyProblem& problem);
+
+/// Plus or minus infinity, if that is the only value.
+std::optional<float> infinity_of(const OnnxConstant& constant);
+
+/// The values of a small integer tensor (a shape, axes); nothing if it is something else.
+std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant);
+
+}  // namespace eagerx::gen

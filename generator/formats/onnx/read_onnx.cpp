@@ -1,0 +1,355 @@
+// ONNX files: the whole model is untrusted, and only what leads to the first output is read.
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "generator/formats/onnx/graph.hpp"
+#include "generator/formats/onnx/guard.hpp"
+#include "generator/formats/onnx/inputs.hpp"
+#include "generator/formats/onnx/network.hpp"
+#include "generator/formats/onnx/onnx.pb.h"
+#include "generator/formats/onnx/operators/value.hpp"
+#include "generator/formats/read.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+
+// Between these versions none of the supported operators changed its meaning.
+constexpr std::int64_t kOldestOpset = 9;
+constexpr std::int64_t kNewestOpset = 23;
+
+constexpr const char* kExportHelp =
+    "export the actor alone with `torch.onnx.export`: one observation in, the action first";
+
+std::optional<onnx::ModelProto> parse(std::string_view bytes, PolicyProblem& problem) {
+  constexpr char kIrVersionTag = '\x08';  // how every ONNX file begins
+  const bool onnx_like = bytes.front() == kIrVersionTag;
+  const bool is_small = is_onnx_of_few_parts(bytes);
+  if (!is_small && onnx_like) {
+    return refuse(problem, "E0619", "has more parts than an ONNX network can need",
+                  "use a smaller network, or look where the file is from");
+  }
+  onnx::ModelProto model;
+  const bool parsed = is_small &&
+                      bytes.size() <= static_cast<std::size_t>(std::numeric_limits<int>::max()) &&
+                      model.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()));
+  if (!parsed && onnx_like) {
+    problem = {"E0604", "is a damaged or truncated ONNX file", "copy or export the file again"};
+    return std::nullopt;
+  }
+  if (!parsed || (!model.has_ir_version() && !model.has_graph())) {
+    problem = {"E0603", "is not an ONNX file", "export the actor with `torch.onnx.export`"};
+    return std::nullopt;
+  }
+  return model;
+}
+
+std::optional<std::int64_t> checked_opset(const onnx::ModelProto& model, PolicyProblem& problem) {
+  std::optional<std::int64_t> opset;
+  for (const onnx::OperatorSetIdProto& set : model.opset_import()) {
+    if (set.domain().empty() || set.domain() == "ai.onnx") opset = set.version();
+  }
+  if (!model.has_graph() || !opset) {
+    problem = {"E0605", fmt::format("has no {}", model.has_graph() ? "operator set" : "graph"),
+               "copy or export the file again"};
+    return std::nullopt;
+  }
+  if (*opset < kOldestOpset || *opset > kNewestOpset) {
+    problem = {
+        "E0605", fmt::format("is written for ONNX opset {}", *opset),
+        fmt::format("export it with an `opset_version` from {} to {}", kOldestOpset, kNewestOpset)};
+    return std::nullopt;
+  }
+  return opset;
+}
+
+bool is_recurrent(const onnx::NodeProto& node) {
+  return node.op_type() == "GRU" || node.op_type() == "LSTM";
+}
+
+using Inputs = std::vector<const onnx::ValueInfoProto*>;
+using InputSet = std::unordered_set<const onnx::ValueInfoProto*>;
+
+/// The observation: the needed inputs in the order of the file. With a memory the first one, and
+/// others are states.
+std::optional<Inputs> find_observation(const onnx::GraphProto& graph,
+                                       const OnnxDependencies& needed, PolicyProblem& problem) {
+  const bool has_memory = std::any_of(needed.nodes.begin(), needed.nodes.end(),
+                                      [](const auto* node) { return is_recurrent(*node); });
+  if (needed.inputs.empty()) {
+    return refuse(problem, "E0620", "has a first output that depends on no input", kExportHelp);
+  }
+  Inputs found;
+  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
+  for (const onnx::ValueInfoProto& input : graph.input()) {
+    const bool is_needed = wanted.contains(&input);
+    if (is_needed && (found.empty() || !has_memory)) found.push_back(&input);
+  }
+  return found;
+}
+
+/// Every value that is computed or given, by name.
+class Values {
+ public:
+  explicit Values(const OnnxNames& names) : names_(names) {}
+  void set(std::string_view name, OnnxValue value) { values_[name] = std::move(value); }
+  /// The value of `name`; tensors of the file are looked at when they are first asked for.
+  const OnnxValue* get(std::string_view name) {
+    const auto [place, fresh] = values_.try_emplace(name);
+    const auto tensor = names_.tensors.find(name);
+    if (fresh && !name.empty() && tensor != names_.tensors.end()) {
+      OnnxValue& value = place->second;
+      const auto constant = make_constant(*tensor->second, value.problem);
+      value.kind = constant ? Kind::constant : Kind::other;
+      if (constant) {
+        value.shape = constant->dims;
+        value.constant = *constant;
+      }
+    }
+    return &place->second;
+  }
+
+ private:
+  const OnnxNames& names_;
+  std::unordered_map<std::string_view, OnnxValue> values_;  // its elements never move
+};
+
+/// Sets the inputs of an observation of several parts, which come one after the other.
+bool set_parts(const Inputs& inputs, OnnxCall::State& state, Values& values, Network& network,
+               PolicyProblem& problem) {
+  for (const onnx::ValueInfoProto* input : inputs) {
+    OnnxValue part;
+    part.kind = Kind::data;
+    part.shape = input_shape(*input, false, problem);
+    if (!part.shape) return false;
+    const std::int64_t count = element_count(*part.shape).value_or(kMaxValues);
+    if (count > kMaxValues - state.observed) {
+      problem = {"E0608", "has inputs of an impossible size", kExportHelp};
+      return false;
+    }
+    Reorder order;
+    for (std::int64_t i = 0; i < count; ++i) {
+      order.from.push_back(static_cast<std::uint32_t>(state.observed + i));
+    }
+    state.observed += count;
+    part.step = static_cast<std::int32_t>(state.steps.size());
+    state.steps.push_back({-1, std::move(order), printable(input->name()), count});
+    values.set(input->name(), std::move(part));
+    network.contract.observations.push_back(
+        {printable(input->name()), static_cast<std::uint64_t>(count)});
+  }
+  return true;
+}
+
+/// Sets the inputs behind the observation that may be states.
+bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
+                const OnnxDependencies& needed, const onnx::ValueInfoProto& observation,
+                Values& values, PolicyProblem& problem) {
+  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
+  for (const onnx::ValueInfoProto& input : graph.input()) {
+    if (&input == &observation || !names.inputs.contains(input.name())) continue;
+    PolicyProblem why;
+    auto value = state_value(input, why);
+    const bool needs = wanted.contains(&input);
+    if (!value && needs) {
+      problem = why;
+      return false;
+    }
+    if (value) values.set(input.name(), std::move(*value));
+  }
+  return true;
+}
+
+void evaluate_nodes(const OnnxDependencies& needed, OnnxCall::State& state, Values& values,
+                    std::unordered_set<const onnx::NodeProto*>& done) {
+  for (const onnx::NodeProto* node : needed.nodes) {
+    if (!done.insert(node).second) continue;
+    std::vector<const OnnxValue*> inputs;
+    for (const std::string& input : node->input()) inputs.push_back(values.get(input));
+    const OnnxCall call(*node, std::move(inputs), state);
+    if (node->output_size() == 0) continue;
+    const OnnxValue first = evaluate(call);
+    for (int i = 0; i < node->output_size(); ++i) {
+      if (node->output(i).empty()) continue;
+      values.set(node->output(i), i == 0 ? first : later_output(call, first, i));
+    }
+  }
+}
+
+/// Whether `output` is the new state for input `source`, which layer `step` takes as its own.
+bool gives_back(const OnnxValue& output, const OnnxStateSource& source, bool is_cell,
+                const std::vector<OnnxStep>& steps) {
+  for (std::size_t slot = 0; slot < output.remembered.size(); ++slot) {
+    const OnnxRemembered& part = output.remembered[slot];
+    const auto* work =
+        std::get_if<OnnxRecurrence>(&steps[static_cast<std::size_t>(part.step)].what);
+    const auto& from = is_cell ? work->c : work->h;
+    if (part.is_cell != is_cell || !from || from->name != source.name ||
+        from->slot != static_cast<std::int64_t>(slot)) {
+      return false;
+    }
+  }
+  return source.slot < static_cast<std::int64_t>(output.remembered.size());
+}
+
+/// Every state on the way to the action comes back as an output, layer by layer: E0641.
+bool check_states(const std::vector<OnnxStep>& steps, std::int32_t last,
+                  const std::vector<const OnnxValue*>& outputs, PolicyProblem& problem) {
+  std::unordered_set<std::string> taken;
+  for (std::int32_t at = last; at >= 0; at = steps[static_cast<std::size_t>(at)].before) {
+    const auto* work = std::get_if<OnnxRecurrence>(&steps[static_cast<std::size_t>(at)].what);
+    if (work == nullptr) continue;
+    for (const bool is_cell : {false, true}) {
+      const auto& source = is_cell ? work->c : work->h;
+      if (!source) continue;
+      const bool found = std::any_of(outputs.begin(), outputs.end(), [&](const OnnxValue* output) {
+        return gives_back(*output, *source, is_cell, steps);
+      });
+      const std::string key = fmt::format("{}/{}", source->name, source->slot);
+      if (found && taken.insert(key).second) continue;
+      problem = {"E0641",
+                 found ? fmt::format("starts two layers from the same state, input `{}`",
+                                     printable(source->name))
+                       : fmt::format("takes a state as input `{}`, but none of its outputs is the "
+                                     "new state of the same layers",
+                                     printable(source->name)),
+                 "export the new state too: `return action, state`"};
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Other outputs, inputs and tensors that have no part in the action.
+std::vector<std::string> ignored_parts(const onnx::GraphProto& graph,
+                                       const OnnxDependencies& needed,
+                                       const std::unordered_set<const onnx::TensorProto*>& used,
+                                       const std::vector<const OnnxValue*>& others) {
+  std::vector<std::string> ignored;
+  for (int i = 1; i < graph.output_size(); ++i) {
+    const auto at = static_cast<std::size_t>(i) - 1;
+    if (at < others.size() && !others[at]->remembered.empty()) continue;  // a state: kept
+    ignored.push_back(fmt::format("output `{}`", printable(graph.output(i).name())));
+  }
+  std::unordered_set<std::string_view> tensors;
+  for (const onnx::TensorProto& tensor : graph.initializer()) {
+    tensors.insert(tensor.name());
+    if (used.contains(&tensor)) continue;
+    const Dims dims(tensor.dims().begin(), tensor.dims().end());
+    ignored.push_back(fmt::format("tensor `{}` {}", printable(tensor.name()), show(dims)));
+  }
+  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
+  for (const onnx::ValueInfoProto& input : graph.input()) {
+    if (wanted.contains(&input) || tensors.contains(input.name())) continue;
+    ignored.push_back(fmt::format("input `{}`", printable(input.name())));
+  }
+  return ignored;
+}
+
+std::string describe(const onnx::ModelProto& model, std::int64_t opset) {
+  std::string text = fmt::format("ONNX opset {}", opset);
+  if (!model.producer_name().empty()) {
+    text += fmt::format(", exported by {}", printable(model.producer_name()));
+    if (!model.producer_version().empty()) {
+      text += fmt::format(" {}", printable(model.producer_version()));
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem) {
+  const std::optional<onnx::ModelProto> model = parse(bytes, problem);
+  if (!model) return std::nullopt;
+  const std::optional<std::int64_t> opset = checked_opset(*model, problem);
+  if (!opset) return std::nullopt;
+  const onnx::GraphProto& graph = model->graph();
+  if (graph.output_size() == 0) {
+    problem = {"E0606", "has a graph without an output", kExportHelp};
+    return std::nullopt;
+  }
+  const std::optional<OnnxNames> names = collect_names(graph, problem);
+  if (!names) return std::nullopt;
+  const std::string& action = graph.output(0).name();
+  const std::optional<OnnxDependencies> needed = walk_back(action, *names, problem);
+  if (!needed) return std::nullopt;
+  const auto observation = find_observation(graph, *needed, problem);
+  if (!observation) return std::nullopt;
+
+  Network network;
+  OnnxCall::State state;
+  state.opset = *opset;
+  state.is_sequence = is_sequence(*observation->front());
+  Values values(*names);
+  const bool has_memory = std::any_of(needed->nodes.begin(), needed->nodes.end(),
+                                      [](const auto* node) { return is_recurrent(*node); });
+  std::optional<Dims> observed;
+  if (observation->size() > 1) {
+    if (!set_parts(*observation, state, values, network, problem)) return std::nullopt;
+    observed = Dims{state.observed};
+  } else {
+    observed = input_shape(*observation->front(), has_memory, problem);
+    if (!observed) return std::nullopt;
+    state.observed = element_count(*observed).value_or(0);
+    OnnxValue first;
+    first.kind = Kind::data;
+    first.shape = observed;
+    state.follows_time = has_memory && state.is_sequence && needed->inputs.size() == 1;
+    first.time = state.follows_time ? 3 : 0;  // [batch, time, …] or [time, batch, …]
+    values.set(observation->front()->name(), std::move(first));
+  }
+  if (has_memory && !set_states(graph, *names, *needed, *observation->front(), values, problem)) {
+    return std::nullopt;
+  }
+  std::unordered_set<const onnx::NodeProto*> done;
+  evaluate_nodes(*needed, state, values, done);
+  OnnxValue result = *values.get(action);
+  if (result.kind == Kind::other && result.part.role == OnnxPart::Role::choice) {
+    network.action = ActionKind::argmax;
+    result.kind = Kind::data;
+    result.step = result.part.of;
+  }
+  if (result.kind != Kind::data) {
+    problem = result.kind == Kind::other
+                  ? result.problem
+                  : PolicyProblem{"E0620", "has a first output that is constant", kExportHelp};
+    return std::nullopt;
+  }
+  std::vector<const OnnxValue*> others;
+  for (int i = 1; has_memory && i < graph.output_size(); ++i) {
+    constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
+    PolicyProblem ignored;
+    const auto more = state.budget >= 0 ? walk_back(graph.output(i).name(), *names, ignored)
+                                        : std::optional<OnnxDependencies>();
+    if (more) {
+      state.budget -= kSteps * static_cast<std::int64_t>(more->nodes.size());
+      evaluate_nodes(*more, state, values, done);
+    }
+    others.push_back(values.get(graph.output(i).name()));
+  }
+  if (!check_states(state.steps, result.step, others, problem)) return std::nullopt;
+  std::unordered_set<const onnx::TensorProto*> used;
+  const auto inputs = static_cast<std::uint32_t>(state.observed);
+  std::optional<std::vector<DenseLayer>> layers =
+      make_layers(state.steps, result.step, inputs, used, problem);
+  if (!layers) return std::nullopt;
+  network.format = describe(*model, *opset);
+  network.layers = std::move(*layers);
+  network.ignored = ignored_parts(graph, *needed, used, others);
+  if (std::any_of(network.layers.begin(), network.layers.end(),
+                  [](const DenseLayer& layer) { return layer.depends_on_shape(); })) {
+    network.input_shape.assign(observed->begin() + (observed->size() > 1 ? 1 : 0), observed->end());
+  }
+  return network;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,151 @@
+// Statistics of observations that lie in a file of their own.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "generator/formats/actor/actor.hpp"
+#include "generator/formats/tensors/archive.hpp"
+#include "generator/formats/tensors/containers.hpp"
+#include "generator/formats/tensors/json.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr const char* kHelp =
+    "save it with `VecNormalize.save`, or as JSON: {\"mean\": […], \"var\": […], \"clip_obs\": 10, "
+    "\"epsilon\": 1e-8}";
+
+constexpr std::int64_t kMostNumbers = std::int64_t{1} << 23U;  // one array may be named often
+
+std::nullopt_t unusable(PolicyProblem& problem, std::string how) {
+  return refuse(problem, "E0627", std::move(how), kHelp);
+}
+
+std::optional<Normalization> checked(Normalization statistics, PolicyProblem& problem) {
+  if (!check_statistics(statistics, problem)) return std::nullopt;
+  return statistics;
+}
+
+/// Appends the arrays of one RunningMeanStd. False if they are none.
+bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
+  const PickleValue* mean = pickle.find(rms, "mean");
+  const PickleValue* variance = pickle.find(rms, "var");
+  const auto means = mean != nullptr ? pickle.array(*mean) : std::nullopt;
+  const auto variances = variance != nullptr ? pickle.array(*variance) : std::nullopt;
+  if (!means || !variances) return false;
+  const std::size_t count = statistics.mean.size() + statistics.variance.size();
+  const std::int64_t more = element_count(means->shape).value_or(kMostNumbers) +
+                            element_count(variances->shape).value_or(kMostNumbers);
+  if (static_cast<std::int64_t>(count) + more > kMostNumbers) return false;
+  for (const double value : values_of(*means)) statistics.mean.push_back(value);
+  for (const double value : values_of(*variances)) statistics.variance.push_back(value);
+  return true;
+}
+
+/// Of a Box, or of a Dict of them in the order of the pickle, which is that of the space's names:
+/// gymnasium sorts those of a plain dict only.
+bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
+  if (rms.kind != PickleValue::Kind::dictionary) return append_rms(pickle, rms, statistics);
+  for (std::size_t i = 0; i + 1 < rms.items.size(); i += 2) {
+    constexpr std::size_t kLongestName = 4096;  // one may be there often
+    const std::string_view name = pickle.at(rms.items[i]).text;
+    const std::size_t before = statistics.mean.size();
+    if (name.size() > kLongestName) return false;
+    if (!append_rms(pickle, pickle.at(rms.items[i + 1]), statistics)) return false;
+    statistics.parts.push_back({std::string(name), statistics.mean.size() - before});
+  }
+  return !rms.items.empty();
+}
+
+std::optional<Normalization> from_pickle(std::string_view bytes, PolicyProblem& problem) {
+  const auto pickle = read_pickle(bytes, PickleNames::statistics, problem);
+  if (!pickle) return std::nullopt;
+  const PickleValue& top = pickle->top();
+  const PickleValue* wanted = pickle->find(top, "norm_obs");
+  if (wanted != nullptr && wanted->integer == 0) {
+    return unusable(problem, "normalises no observations (`norm_obs=False`)");
+  }
+  const PickleValue* rms = pickle->find(top, "obs_rms");
+  if (rms == nullptr) return unusable(problem, "has no `obs_rms`");
+  Normalization statistics;
+  if (!append_all(*pickle, *rms, statistics)) {
+    return unusable(problem, "has an `obs_rms` without arrays `mean` and `var`");
+  }
+  const auto clip = pickle->number(pickle->find(top, "clip_obs"));
+  const auto epsilon = pickle->number(pickle->find(top, "epsilon"));
+  statistics.clip = clip.value_or(statistics.clip);
+  statistics.epsilon = epsilon.value_or(statistics.epsilon);
+  return checked(std::move(statistics), problem);
+}
+
+std::optional<Normalization> from_npz(std::string_view bytes, PolicyProblem& problem) {
+  const auto archive = Archive::open(bytes, problem);
+  TensorTable table;
+  if (!archive || !read_npz(*archive, table, problem)) return std::nullopt;
+  const auto find = [&](const char* a, const char* b) {
+    const StoredTensor* found = table.find(a);
+    return found != nullptr ? found : table.find(b);
+  };
+  const StoredTensor* mean = find("obs_rms.mean", "mean");
+  const StoredTensor* variance = find("obs_rms.var", "var");
+  if (mean == nullptr || variance == nullptr) return unusable(problem, "has no `mean` and `var`");
+  const auto facts = facts_of_notes(table, problem);
+  if (!facts) return std::nullopt;
+  Normalization statistics;
+  statistics.mean = values_of(*mean);
+  statistics.variance = values_of(*variance);
+  statistics.clip = facts->clip.value_or(statistics.clip);
+  statistics.epsilon = facts->epsilon.value_or(statistics.epsilon);
+  return checked(std::move(statistics), problem);
+}
+
+/// A key that would be read as if it were not there.
+std::optional<std::string> unknown_key(const nlohmann::json& object) {
+  constexpr std::array kKnown = {"mean", "var", "count", "clip_obs", "epsilon", "obs_rms"};
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return key;
+  }
+  return std::nullopt;
+}
+
+std::optional<Normalization> from_json(std::string_view bytes, PolicyProblem& problem) {
+  const auto value = parse_json(bytes);
+  if (!value || !value->is_object()) return unusable(problem, "is not one JSON object");
+  const nlohmann::json* rms = member(*value, "obs_rms");
+  const nlohmann::json& from = rms != nullptr && rms->is_object() ? *rms : *value;
+  for (const nlohmann::json* object : {&*value, &from}) {
+    const auto key = unknown_key(*object);
+    if (key) return unusable(problem, fmt::format("has an unknown `{}`", printable(*key)));
+  }
+  const nlohmann::json* mean = member(from, "mean");
+  const nlohmann::json* variance = member(from, "var");
+  const auto means = mean != nullptr ? numbers_of(*mean) : std::nullopt;
+  const auto variances = variance != nullptr ? numbers_of(*variance) : std::nullopt;
+  if (!means || !variances) return unusable(problem, "has no `mean` and `var`");
+  Normalization statistics;
+  statistics.mean = *means;
+  statistics.variance = *variances;
+  for (const auto& [key, target] :
+       {std::pair{"clip_obs", &statistics.clip}, std::pair{"epsilon", &statistics.epsilon}}) {
+    const nlohmann::json* inner = member(from, key);
+    const nlohmann::json* number = inner != nullptr ? inner : member(*value, key);
+    if (number == nullptr) continue;
+    if (!number->is_number())
+      return unusable(problem, fmt::format("has a `{}` that is no number", key));
+    *target = number->get<double>();
+  }
+  return checked(std::move(statistics), problem);
+}
+
+}  // namespace
+
+std::optional<Normalization> read_statistics(std::string_view bytes, PolicyProblem& problem) {
+  if (bytes.starts_with("PK\x03\x04")) return from_npz(bytes, problem);
+  if (bytes.starts_with("\x80")) return from_pickle(bytes, problem);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && bytes[first] == '{') return from_json(bytes, problem);
+  return unusable(problem, "is neither a pickle, nor npz, nor JSON");
+}
+
+}  // namespace eagerx::gen

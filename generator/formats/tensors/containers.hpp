@@ -1,0 +1,27 @@
+// Files that are nothing but named tensors: npz, torch.save, safetensors.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "generator/formats/tensors/archive.hpp"
+#include "generator/formats/tensors/pickle.hpp"
+#include "generator/formats/tensors/tensor.hpp"
+
+namespace eagerx::gen {
+
+/// The arrays of an npz archive, by name without `.npy`. E0621, E0630.
+bool read_npz(const Archive& archive, TensorTable& table, PolicyProblem& problem);
+
+/// One array of NumPy's format. E0630.
+std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& name,
+                                     PolicyProblem& problem);
+
+/// The tensors of a torch.save archive: a state dict, or a dictionary that holds one under
+/// `model_state_dict`, `state_dict`, `model` or `policy`. Views into `archive`. E0621 to E0623.
+bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& problem);
+
+/// Tensors and metadata of a safetensors file. E0604, E0614.
+bool read_safetensors_table(std::string_view bytes, TensorTable& table, PolicyProblem& problem);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,368 @@
+#include "generator/formats/tensors/pickle.hpp"
+
+#include <fmt/core.h>
+
+#include <bit>
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = PickleValue::Kind;
+using Index = std::uint32_t;
+
+constexpr std::size_t kMaxValues = 500'000;
+constexpr std::size_t kMaxMemo = 500'000;
+
+/// Runs the instructions over a stack of indices. Every instruction makes at most one value.
+class Reader {
+ public:
+  Reader(std::string_view bytes, PickleNames known, PolicyProblem& problem)
+      : bytes_(bytes), known_(known), problem_(problem) {
+    pickle_.values.emplace_back();  // None
+  }
+
+  std::optional<Pickle> run() {
+    while (!stopped_) {
+      start_ = at_;
+      std::string_view code;
+      if (!take(1, code)) return std::nullopt;
+      if (!step(static_cast<unsigned char>(code.front()))) return std::nullopt;
+    }
+    return std::move(pickle_);
+  }
+
+ private:
+  bool fail(const std::string& how) {
+    problem_ = {"E0623", fmt::format("has a pickle that {} (byte {})", how, start_),
+                "the file is damaged, or was not made by `save`: save it again"};
+    return false;
+  }
+  bool damaged() { return fail("is damaged"); }
+
+  bool take(std::size_t count, std::string_view& out) {
+    if (bytes_.size() - at_ < count) return fail("ends early");
+    out = bytes_.substr(at_, count);
+    at_ += count;
+    return true;
+  }
+  bool number(std::size_t count, std::uint64_t& out) {
+    std::string_view raw;
+    if (!take(count, raw)) return false;
+    out = 0;
+    for (std::size_t i = count; i-- > 0;) out = out << 8U | static_cast<unsigned char>(raw[i]);
+    return true;
+  }
+  /// A count of `count` bytes, then as many bytes.
+  bool counted(std::size_t count, std::string_view& out) {
+    std::uint64_t size = 0;
+    if (!number(count, size)) return false;
+    return size > bytes_.size() ? fail("ends early") : take(static_cast<std::size_t>(size), out);
+  }
+  bool line(std::string_view& out) {
+    const std::size_t end = bytes_.find('\n', at_);
+    if (end == std::string_view::npos) return fail("ends early");
+    out = bytes_.substr(at_, end - at_);
+    at_ = end + 1;
+    return true;
+  }
+
+  bool push(PickleValue value) {
+    if (pickle_.values.size() >= kMaxValues) return fail("has too many values");
+    stack_.push_back(static_cast<Index>(pickle_.values.size()));
+    pickle_.values.push_back(std::move(value));
+    return true;
+  }
+  bool push_integer(std::int64_t value) { return push(with(Kind::integer, value)); }
+  static PickleValue with(Kind kind, std::int64_t integer) {
+    PickleValue value;
+    value.kind = kind;
+    value.integer = integer;
+    return value;
+  }
+  bool push_text(Kind kind, std::string_view text) {
+    PickleValue value;
+    value.kind = kind;
+    value.text = text;
+    return push(std::move(value));
+  }
+  bool push_counted(Kind kind, std::size_t count) {
+    std::string_view text;
+    return counted(count, text) && push_text(kind, text);
+  }
+  PickleValue& value(Index index) { return pickle_.values[index]; }
+
+  bool pop(Index& out) {
+    if (stack_.empty() || value(stack_.back()).kind == Kind::mark) return damaged();
+    out = stack_.back();
+    stack_.pop_back();
+    return true;
+  }
+  /// Everything above the last mark, and the mark.
+  bool pop_to_mark(std::vector<Index>& out) {
+    std::size_t at = stack_.size();
+    while (at > 0 && value(stack_[at - 1]).kind != Kind::mark) --at;
+    if (at == 0) return damaged();
+    out.assign(stack_.begin() + static_cast<std::ptrdiff_t>(at), stack_.end());
+    stack_.resize(at - 1);
+    return true;
+  }
+  bool push_sequence(std::vector<Index> items) {
+    PickleValue sequence;
+    sequence.kind = Kind::sequence;
+    sequence.items = std::move(items);
+    return push(std::move(sequence));
+  }
+  bool tuple(std::size_t count) {
+    std::vector<Index> items(count);
+    for (std::size_t i = count; i-- > 0;) {
+      if (!pop(items[i])) return false;
+    }
+    return push_sequence(std::move(items));
+  }
+  /// Adds `items` to the container on top of the stack.
+  bool extend(const std::vector<Index>& items, bool pairs) {
+    if (stack_.empty()) return damaged();
+    PickleValue& container = value(stack_.back());
+    const bool fits = container.kind == Kind::object ||
+                      container.kind == (pairs ? Kind::dictionary : Kind::sequence);
+    if (!fits || (pairs && items.size() % 2 != 0)) return damaged();
+    container.items.insert(container.items.end(), items.begin(), items.end());
+    return true;
+  }
+
+  bool import(std::string_view module, std::string_view name) {
+    std::string whole = fmt::format("{}.{}", module, name);
+    if (!is_known_in_pickles(whole, known_)) {
+      problem_ = {"E0622", fmt::format("has a pickle that imports `{}`", printable(whole)),
+                  "nothing of it was run: only tensors, arrays and plain values are read; do not "
+                  "open files from strangers in Python"};
+      return false;
+    }
+    pickle_.names.push_back(std::move(whole));
+    return push_text(Kind::name, pickle_.names.back());
+  }
+  bool import_from_stack() {
+    Index name = 0;
+    Index module = 0;
+    if (!pop(name) || !pop(module)) return false;
+    if (value(name).kind != Kind::text || value(module).kind != Kind::text) return damaged();
+    return import(value(module).text, value(name).text);
+  }
+  bool import_from_lines() {
+    std::string_view module;
+    std::string_view name;
+    return line(module) && line(name) && import(module, name);
+  }
+
+  /// Records a call.
+  bool call() {
+    PickleValue object;
+    object.kind = Kind::object;
+    if (!pop(object.arguments) || !pop(object.function)) return false;
+    if (value(object.function).kind != Kind::name) return fail("calls what is not a function");
+    return push(std::move(object));
+  }
+  bool build() {
+    Index state = 0;
+    if (!pop(state)) return false;
+    if (stack_.empty() || value(stack_.back()).kind != Kind::object) return damaged();
+    value(stack_.back()).state = state;
+    return true;
+  }
+  bool persistent() {
+    PickleValue reference;
+    reference.kind = Kind::persistent;
+    return pop(reference.function) && push(std::move(reference));
+  }
+
+  bool memoize(std::uint64_t key) {
+    if (stack_.empty()) return damaged();
+    if (key >= kMaxMemo) return fail("has too many values");
+    if (memo_.size() <= key) memo_.resize(static_cast<std::size_t>(key) + 1, kNothing);
+    memo_[static_cast<std::size_t>(key)] = stack_.back();
+    if (key + 1 > next_memo_) next_memo_ = key + 1;
+    return true;
+  }
+  bool recall(std::size_t count) {
+    std::uint64_t key = 0;
+    if (!number(count, key)) return false;
+    if (key >= memo_.size() || memo_[static_cast<std::size_t>(key)] == kNothing) return damaged();
+    stack_.push_back(memo_[static_cast<std::size_t>(key)]);
+    return stack_.size() <= kMaxValues || fail("has too many values");
+  }
+  bool store(std::size_t count) {
+    std::uint64_t key = 0;
+    return number(count, key) && memoize(key);
+  }
+
+  bool push_real() {
+    std::string_view raw;
+    if (!take(sizeof(double), raw)) return false;
+    std::uint64_t bits = 0;
+    for (const char c : raw) bits = bits << 8U | static_cast<unsigned char>(c);
+    PickleValue real;
+    real.kind = Kind::real;
+    real.real = std::bit_cast<double>(bits);
+    return push(std::move(real));
+  }
+  /// Integers of any length; those of more than eight bytes are seeds that nobody needs.
+  bool push_long(std::size_t count) {
+    std::string_view raw;
+    if (!counted(count, raw)) return false;
+    constexpr std::size_t kMost = sizeof(std::int64_t);
+    if (raw.size() > kMost) return push(PickleValue{});
+    std::uint64_t bits = !raw.empty() && (raw.back() & 0x80) != 0 ? ~std::uint64_t{0} : 0;
+    for (std::size_t i = raw.size(); i-- > 0;) {
+      bits = bits << 8U | static_cast<unsigned char>(raw[i]);
+    }
+    return push_integer(static_cast<std::int64_t>(bits));
+  }
+  bool push_int(std::size_t count) {
+    std::uint64_t bits = 0;
+    if (!number(count, bits)) return false;
+    const bool wide = count == 4;
+    return push_integer(wide ? static_cast<std::int32_t>(static_cast<std::uint32_t>(bits))
+                             : static_cast<std::int64_t>(bits));
+  }
+  bool push_empty(Kind kind) { return push(with(kind, 0)); }
+
+  bool stop() {
+    stopped_ = true;
+    return pop(pickle_.root);
+  }
+
+  bool step(unsigned char code);
+  bool collect(unsigned char code);
+
+  static constexpr Index kNothing = 0xffffffff;
+  std::string_view bytes_;
+  PickleNames known_;
+  PolicyProblem& problem_;
+  std::size_t at_ = 0, start_ = 0;
+  bool stopped_ = false;
+  Pickle pickle_;
+  std::vector<Index> stack_;
+  std::vector<Index> memo_;
+  std::uint64_t next_memo_ = 0;
+};
+
+/// Instructions that gather what is on the stack.
+bool Reader::collect(unsigned char code) {
+  std::vector<Index> items;
+  Index one = 0;
+  switch (code) {
+    case 't':   // TUPLE
+    case 0x91:  // FROZENSET
+    case 'l':   // LIST
+      return pop_to_mark(items) && push_sequence(std::move(items));
+    case 'a':  // APPEND
+      return pop(one) && extend({one}, false);
+    case 'e':   // APPENDS
+    case 0x90:  // ADDITEMS
+      return pop_to_mark(items) && extend(items, false);
+    case 's': {  // SETITEM
+      Index key = 0;
+      return pop(one) && pop(key) && extend({key, one}, true);
+    }
+    case 'u':  // SETITEMS
+      return pop_to_mark(items) && extend(items, true);
+    case '0':  // POP
+      return pop(one);
+    case '1':  // POP_MARK
+      return pop_to_mark(items);
+    case 0x92:  // NEWOBJ_EX: its keyword arguments are not looked at
+      return pop(one) && call();
+    default:
+      return fail(fmt::format("has instruction 0x{:02x}, which data does not need", code));
+  }
+}
+
+bool Reader::step(unsigned char code) {
+  std::string_view ignored;
+  switch (code) {
+    case 0x80:  // PROTO
+      return take(1, ignored);
+    case 0x95:  // FRAME
+      return take(8, ignored);
+    case '.':
+      return stop();
+    case '(':
+      return push_empty(Kind::mark);
+    case 'N':
+      return push(PickleValue{});
+    case 0x88:
+    case 0x89:
+      return push(with(Kind::boolean, code == 0x88 ? 1 : 0));
+    case 'J':
+      return push_int(4);
+    case 'K':
+      return push_int(1);
+    case 'M':
+      return push_int(2);
+    case 0x8a:
+      return push_long(1);
+    case 0x8b:
+      return push_long(4);
+    case 'G':
+      return push_real();
+    case 'X':
+    case 'T':
+      return push_counted(Kind::text, 4);
+    case 0x8c:
+    case 'U':
+      return push_counted(Kind::text, 1);
+    case 0x8d:
+      return push_counted(Kind::text, 8);
+    case 'C':
+      return push_counted(Kind::bytes, 1);
+    case 'B':
+      return push_counted(Kind::bytes, 4);
+    case 0x8e:
+    case 0x96:
+      return push_counted(Kind::bytes, 8);
+    case ')':
+    case ']':
+    case 0x8f:
+      return push_empty(Kind::sequence);
+    case '}':
+      return push_empty(Kind::dictionary);
+    case 0x85:
+      return tuple(1);
+    case 0x86:
+      return tuple(2);
+    case 0x87:
+      return tuple(3);
+    case 'h':
+      return recall(1);
+    case 'j':
+      return recall(4);
+    case 'q':
+      return store(1);
+    case 'r':
+      return store(4);
+    case 0x94:
+      return memoize(next_memo_);
+    case 'c':
+      return import_from_lines();
+    case 0x93:
+      return import_from_stack();
+    case 'R':
+    case 0x81:
+      return call();
+    case 'b':
+      return build();
+    case 'Q':
+      return persistent();
+    default:
+      return collect(code);
+  }
+}
+
+}  // namespace
+
+std::optional<Pickle> read_pickle(std::string_view bytes, PickleNames known,
+                                  PolicyProblem& problem) {
+  return Reader(bytes, known, problem).run();
+}
+
+}  // namespace eagerx::gen

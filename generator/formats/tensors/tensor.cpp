@@ -1,0 +1,221 @@
+#include "generator/formats/tensors/tensor.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace eagerx::gen {
+namespace {
+
+static_assert(std::endian::native == std::endian::little,
+              "values are read as they lie in the file");
+
+constexpr std::size_t kMaxTensors = 100'000;
+constexpr std::size_t kMaxRank = 16;
+constexpr const char* kDamaged = "the file is damaged: save it again";
+
+template <class T>
+double read(const char* from) {
+  T value;
+  std::memcpy(&value, from, sizeof value);
+  return static_cast<double>(value);
+}
+
+double value_at(ElementType type, const char* from) {
+  std::uint16_t bits = 0;
+  switch (type) {
+    case ElementType::float16:
+      std::memcpy(&bits, from, sizeof bits);
+      return half(bits);
+    case ElementType::bfloat16:
+      std::memcpy(&bits, from, sizeof bits);
+      return static_cast<double>(std::bit_cast<float>(std::uint32_t{bits} << 16U));
+    case ElementType::float32:
+      return read<float>(from);
+    case ElementType::float64:
+      return read<double>(from);
+    case ElementType::int8:
+      return read<std::int8_t>(from);
+    case ElementType::uint8:
+    case ElementType::boolean:
+      return read<std::uint8_t>(from);
+    case ElementType::int16:
+      return read<std::int16_t>(from);
+    case ElementType::int32:
+      return read<std::int32_t>(from);
+    case ElementType::int64:
+      return read<std::int64_t>(from);
+  }
+  return 0.0;
+}
+
+bool is_floating(ElementType type) {
+  return type == ElementType::float16 || type == ElementType::bfloat16 ||
+         type == ElementType::float32 || type == ElementType::float64;
+}
+
+/// Elements from the first to the last one, plus one; nothing if a stride is negative or huge.
+std::optional<std::int64_t> extent(const StoredTensor& tensor) {
+  const auto count = element_count(tensor.shape);
+  if (!count || tensor.strides.empty() || *count == 0) return count;
+  if (tensor.strides.size() != tensor.shape.size()) return std::nullopt;
+  std::int64_t last = 0;
+  for (std::size_t i = 0; i < tensor.shape.size(); ++i) {
+    const std::int64_t steps = tensor.shape[i] - 1;
+    const std::int64_t stride = tensor.strides[i];
+    if (stride < 0 || stride > kMaxElements || (steps > 0 && stride > kMaxElements / steps)) {
+      return std::nullopt;
+    }
+    last += steps * stride;
+    if (last > kMaxElements) return std::nullopt;
+  }
+  return last + 1;
+}
+
+}  // namespace
+
+double half(std::uint16_t bits) {
+  constexpr unsigned kExponentBits = 0x1f;
+  constexpr unsigned kMantissaBits = 10;
+  const unsigned exponent = (bits >> kMantissaBits) & kExponentBits;
+  const double mantissa = bits & 0x3ffU;
+  double value = 0.0;
+  if (exponent == kExponentBits) {
+    value = mantissa == 0.0 ? std::numeric_limits<double>::infinity()
+                            : std::numeric_limits<double>::quiet_NaN();
+  } else if (exponent == 0) {
+    value = std::ldexp(mantissa, -24);
+  } else {
+    value = std::ldexp(mantissa + 1024.0, static_cast<int>(exponent) - 25);
+  }
+  return (bits & 0x8000U) != 0 ? -value : value;
+}
+
+std::optional<std::int64_t> element_count(const Dims& dims) {
+  std::int64_t bound = 1;  // with 1 for every 0, so that [2^62, 0, 2^62] is refused too
+  bool empty = false;
+  for (const std::int64_t dim : dims) {
+    if (dim < 0 || (dim > 0 && bound > kMaxElements / dim)) return std::nullopt;
+    if (dim > 0) bound *= dim;
+    empty = empty || dim == 0;
+  }
+  return empty ? 0 : bound;
+}
+
+std::string show(const Dims& dims) {
+  return fmt::format("[{}]", fmt::join(dims, ", "));
+}
+
+std::size_t size_of(ElementType type) {
+  constexpr std::array<std::size_t, 10> kSizes = {2, 2, 4, 8, 1, 1, 2, 4, 8, 1};
+  return kSizes.at(static_cast<std::size_t>(type));
+}
+
+std::optional<ElementType> numpy_type(std::string_view code) {
+  if (code == "f2") return ElementType::float16;
+  if (code == "f4") return ElementType::float32;
+  if (code == "f8") return ElementType::float64;
+  if (code == "i1") return ElementType::int8;
+  if (code == "u1") return ElementType::uint8;
+  if (code == "i2") return ElementType::int16;
+  if (code == "i4") return ElementType::int32;
+  if (code == "i8") return ElementType::int64;
+  if (code == "b1") return ElementType::boolean;
+  return std::nullopt;
+}
+
+bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& problem) {
+  const auto elements = extent(tensor);
+  const std::size_t held = tensor.bytes.size() / size_of(tensor.type);
+  if (elements && tensor.shape.size() <= kMaxRank &&
+      static_cast<std::uint64_t>(*elements) <= held &&
+      element_count(tensor.shape) <= kMaxElements) {
+    // Strides of zero would let a few bytes stand for a terabyte.
+    if (static_cast<std::uint64_t>(*element_count(tensor.shape)) <= held) return true;
+  }
+  problem = {"E0614",
+             fmt::format("says that tensor `{}` has shape {}, but holds {} values", printable(name),
+                         show(tensor.shape), held),
+             kDamaged};
+  return false;
+}
+
+std::vector<double> values_of(const StoredTensor& tensor) {
+  const std::size_t size = size_of(tensor.type);
+  const auto count = static_cast<std::size_t>(element_count(tensor.shape).value_or(0));
+  std::vector<double> values(count);
+  std::vector<std::int64_t> at(tensor.shape.size(), 0);
+  std::int64_t place = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t offset = tensor.strides.empty() ? i : static_cast<std::size_t>(place);
+    values[i] = value_at(tensor.type, tensor.bytes.data() + offset * size);
+    for (std::size_t d = at.size(); !tensor.strides.empty() && d-- > 0;) {
+      place += tensor.strides[d];
+      if (++at[d] < tensor.shape[d]) break;
+      place -= tensor.strides[d] * tensor.shape[d];
+      at[d] = 0;
+    }
+  }
+  return values;
+}
+
+std::optional<std::vector<double>> finite_values_of(const std::string& name,
+                                                    const StoredTensor& tensor,
+                                                    PolicyProblem& problem) {
+  std::vector<double> values = values_of(tensor);
+  for (const double value : values) {
+    if (std::isfinite(value)) continue;
+    problem = {"E0616",
+               fmt::format("has {} in tensor `{}`", std::isnan(value) ? "NaN" : "infinity",
+                           printable(name)),
+               "the training diverged: save a policy that works"};
+    return std::nullopt;
+  }
+  return values;
+}
+
+std::optional<std::vector<float>> floats_of(const std::string& name, const StoredTensor& tensor,
+                                            PolicyProblem& problem) {
+  if (!is_floating(tensor.type)) {
+    problem = {"E0615",
+               fmt::format("has weights that are integers in tensor `{}`", printable(name)),
+               "save the actor in float32"};
+    return std::nullopt;
+  }
+  const auto values = finite_values_of(name, tensor, problem);
+  if (!values) return std::nullopt;
+  std::vector<float> result(values->size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double value = (*values)[i];
+    // Out of float's range the conversion itself would be undefined.
+    const bool in_range =
+        std::fabs(value) <= static_cast<double>(std::numeric_limits<float>::max());
+    result[i] = in_range ? static_cast<float>(value) : 0.0F;
+    if (!in_range || static_cast<double>(result[i]) != value) {
+      problem = {"E0615",
+                 fmt::format("has float64 values in tensor `{}` that float32 cannot hold",
+                             printable(name)),
+                 "convert the actor with `.float()` before saving it"};
+      return std::nullopt;
+    }
+  }
+  return result;
+}
+
+bool TensorTable::add(const std::string& name, StoredTensor tensor, PolicyProblem& problem) {
+  if (!fits(name, tensor, problem)) return false;
+  if (tensors.size() >= kMaxTensors) {
+    problem = {"E0619", fmt::format("has more than {} tensors", kMaxTensors), kDamaged};
+    return false;
+  }
+  if (tensors.emplace(name, std::move(tensor)).second) return true;
+  problem = {"E0610", fmt::format("has two tensors `{}`", printable(name)), kDamaged};
+  return false;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,83 @@
+// Tensors of a file by name, whatever its format. Values are only looked at on demand, so that
+// parts of a file that nobody needs may hold anything.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/formats/read.hpp"
+
+namespace eagerx::gen {
+
+using Dims = std::vector<std::int64_t>;  // each at least 0, product below kMaxElements
+
+inline constexpr std::int64_t kMaxElements = std::int64_t{1} << 40U;
+
+/// Product of `dims`; nothing for a negative dimension or more than kMaxElements.
+std::optional<std::int64_t> element_count(const Dims& dims);
+
+/// "[64, 3]".
+std::string show(const Dims& dims);
+
+enum class ElementType : std::uint8_t {
+  float16,
+  bfloat16,
+  float32,
+  float64,
+  int8,
+  uint8,
+  int16,
+  int32,
+  int64,
+  boolean,
+};
+std::size_t size_of(ElementType type);
+/// By NumPy's code without its byte order: "f4".
+std::optional<ElementType> numpy_type(std::string_view code);
+
+/// A tensor as it lies in the file.
+struct StoredTensor {
+  ElementType type = ElementType::float32;
+  Dims shape;
+  std::vector<std::int64_t> strides;  // elements from one to the next; empty: row-major
+  std::string_view bytes;             // from its first element on, little-endian
+};
+
+/// E0614 unless every element of the shape lies inside of `bytes`.
+bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& problem);
+
+/// The float16 with these bits.
+double half(std::uint16_t bits);
+
+/// All values in row-major order; `fits` was true.
+std::vector<double> values_of(const StoredTensor& tensor);
+
+/// The values as float32: E0616 for NaN and infinity, E0615 for what float32 cannot hold and for
+/// integers.
+std::optional<std::vector<float>> floats_of(const std::string& name, const StoredTensor& tensor,
+                                            PolicyProblem& problem);
+
+/// The finite values of a small table: E0616.
+std::optional<std::vector<double>> finite_values_of(const std::string& name,
+                                                    const StoredTensor& tensor,
+                                                    PolicyProblem& problem);
+
+/// Everything that a file with named tensors holds.
+struct TensorTable {
+  std::map<std::string, StoredTensor, std::less<>> tensors;
+  std::map<std::string, std::string, std::less<>> notes;  // safetensors' metadata
+  std::deque<std::string> buffers;                        // bytes that are not in the file itself
+
+  [[nodiscard]] const StoredTensor* find(std::string_view name) const {
+    const auto found = tensors.find(name);
+    return found == tensors.end() ? nullptr : &found->second;
+  }
+  /// Adds a tensor that fits and whose name is new: E0614, E0610.
+  bool add(const std::string& name, StoredTensor tensor, PolicyProblem& problem);
+};
+
+}  // namespace eagerx::gen

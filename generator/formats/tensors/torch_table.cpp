@@ -1,0 +1,194 @@
+// torch.save: a pickle whose tensors point into files beside it.
+#include <fmt/core.h>
+
+#include <array>
+
+#include "generator/formats/tensors/containers.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = PickleValue::Kind;
+
+constexpr std::string_view kPickleName = "data.pkl";
+constexpr const char* kHelp = "save it again with `torch.save`, or with Stable-Baselines3";
+constexpr int kDeepest = 8;
+constexpr std::size_t kMostVisits = 500'000;
+constexpr std::size_t kLongestName = 4096;
+
+std::optional<ElementType> storage_type(std::string_view name) {
+  struct Row {
+    std::string_view name;
+    ElementType type;
+  };
+  constexpr std::array kTypes = {
+      Row{"torch.FloatStorage", ElementType::float32},
+      Row{"torch.DoubleStorage", ElementType::float64},
+      Row{"torch.HalfStorage", ElementType::float16},
+      Row{"torch.BFloat16Storage", ElementType::bfloat16},
+      Row{"torch.IntStorage", ElementType::int32},
+      Row{"torch.LongStorage", ElementType::int64},
+      Row{"torch.ShortStorage", ElementType::int16},
+      Row{"torch.CharStorage", ElementType::int8},
+      Row{"torch.ByteStorage", ElementType::uint8},
+      Row{"torch.BoolStorage", ElementType::boolean},
+  };
+  for (const Row& row : kTypes) {
+    if (row.name == name) return row.type;
+  }
+  return std::nullopt;
+}
+
+class TorchReader {
+ public:
+  TorchReader(const Archive& archive, TensorTable& table, PolicyProblem& problem)
+      : archive_(archive), table_(table), problem_(problem) {}
+
+  bool run(const std::string& folder) {
+    folder_ = folder;
+    std::string& buffer = table_.buffers.emplace_back();
+    const auto bytes = archive_.read(folder_ + std::string(kPickleName), buffer, problem_);
+    if (!bytes || !check_byte_order()) return false;
+    auto pickle = read_pickle(*bytes, PickleNames::tensors, problem_);
+    if (!pickle) return false;
+    pickle_ = std::move(*pickle);
+    const PickleValue* dictionary = &pickle_.top();
+    // CleanRL saves the state dicts of actor and critics as a tuple.
+    if (dictionary->kind == Kind::sequence && !dictionary->items.empty()) {
+      dictionary = &pickle_.at(dictionary->items.front());
+    }
+    const PickleValue& top = *dictionary;
+    for (const char* key :
+         {"actor_state_dict", "model_state_dict", "state_dict", "model", "policy"}) {
+      const PickleValue* inner = pickle_.find(*dictionary, key);
+      if (inner == nullptr || pickle_.made_by(*inner, "torch._utils._rebuild_tensor_v2")) continue;
+      dictionary = inner;
+      break;
+    }
+    if (dictionary == &top) return add_all(top, "", 0);
+    for (const char* key :
+         {"obs_norm_state_dict", "state_preprocessor", "observation_preprocessor"}) {
+      const PickleValue* beside = pickle_.find(top, key);
+      if (beside != nullptr && !add_all(*beside, std::string(key) + ".", 1)) return false;
+    }
+    return add_all(*dictionary, "", 0);
+  }
+
+ private:
+  bool fail(const std::string& how) {
+    problem_ = {"E0623", fmt::format("has {}", how), kHelp};
+    return false;
+  }
+
+  bool check_byte_order() {
+    const std::string name = folder_ + "byteorder";
+    if (!archive_.has(name)) return true;
+    std::string buffer;
+    const auto order = archive_.read(name, buffer, problem_);
+    if (!order) return false;
+    return *order == "little" || fail("big-endian numbers");
+  }
+
+  bool add_all(const PickleValue& dictionary, const std::string& prefix, int depth) {
+    if (depth > kDeepest) return fail("dictionaries nested too deeply");
+    for (std::size_t i = 0; i + 1 < dictionary.items.size(); i += 2) {
+      // The same dictionary may be in many, and they in many more.
+      if (++visited_ > kMostVisits) return fail("too many dictionaries");
+      const PickleValue& key = pickle_.at(dictionary.items[i]);
+      const PickleValue* item = &pickle_.at(dictionary.items[i + 1]);
+      if (key.kind != Kind::text) continue;
+      // One key of megabytes may be in a dictionary half a million times.
+      if (key.text.size() > kLongestName) return fail("a name of impossible length");
+      const std::string name = prefix + std::string(key.text);
+      if (pickle_.made_by(*item, "torch._utils._rebuild_parameter")) {
+        const PickleValue& arguments = pickle_.at(item->arguments);
+        if (arguments.items.empty()) return fail("a damaged parameter");
+        item = &pickle_.at(arguments.items.front());
+      }
+      if (pickle_.made_by(*item, "torch._utils._rebuild_tensor_v2")) {
+        if (!add_tensor(name, *item)) return false;
+      } else if (item->kind == Kind::dictionary ||
+                 pickle_.made_by(*item, "collections.OrderedDict")) {
+        if (!add_all(*item, name + ".", depth + 1)) return false;
+      }
+    }
+    return true;
+  }
+
+  /// _rebuild_tensor_v2(storage, offset, shape, strides, needs gradient, hooks)
+  bool add_tensor(const std::string& name, const PickleValue& call) {
+    const auto damaged = [&] {
+      return fail(fmt::format("a damaged tensor `{}`", printable(name)));
+    };
+    const std::vector<std::uint32_t>& arguments = pickle_.at(call.arguments).items;
+    if (arguments.size() < 4) return damaged();
+    const PickleValue& reference = pickle_.at(arguments[0]);
+    const auto shape = pickle_.integers(pickle_.at(arguments[2]));
+    const auto strides = pickle_.integers(pickle_.at(arguments[3]));
+    const std::int64_t offset = pickle_.at(arguments[1]).integer;
+    if (reference.kind != Kind::persistent || !shape || !strides || offset < 0 ||
+        offset > kMaxElements || strides->size() != shape->size()) {
+      return damaged();
+    }
+    // ('storage', class, key, where it was, number of elements)
+    const std::vector<std::uint32_t>& storage = pickle_.at(reference.function).items;
+    if (storage.size() < 5) return damaged();
+    const auto type = storage_type(pickle_.at(storage[1]).text);
+    if (!type) return damaged();
+    const auto bytes = storage_bytes(pickle_.at(storage[2]).text);
+    if (!bytes) return false;
+    const std::size_t start = static_cast<std::size_t>(offset) * size_of(*type);
+    const auto said = static_cast<std::uint64_t>(pickle_.at(storage[4]).integer);
+    if (said != bytes->size() / size_of(*type)) {
+      problem_ = {"E0614",
+                  fmt::format("says that the storage of tensor `{}` has {} values, but it holds {}",
+                              printable(name), said, bytes->size() / size_of(*type)),
+                  kHelp};
+      return false;
+    }
+    StoredTensor tensor{*type, *shape, *strides, bytes->substr(std::min(start, bytes->size()))};
+    return table_.add(name, std::move(tensor), problem_);
+  }
+
+  std::optional<std::string_view> storage_bytes(std::string_view key) {
+    const std::string name = fmt::format("{}data/{}", folder_, key);
+    if (const auto known = storages_.find(name); known != storages_.end()) return known->second;
+    const auto bytes = archive_.read(name, table_.buffers.emplace_back(), problem_);
+    if (bytes) storages_.emplace(name, *bytes);
+    unpacked_ += table_.buffers.back().size();
+    if (unpacked_ > kMaxPolicyBytes) {
+      return refuse(problem_, "E0621",
+                    "is a zip archive that unpacks to more than the 64 MB that are read", kHelp);
+    }
+    return bytes;
+  }
+
+  const Archive& archive_;
+  TensorTable& table_;
+  PolicyProblem& problem_;
+  Pickle pickle_;
+  std::string folder_;
+  std::map<std::string, std::string_view> storages_;
+  std::size_t unpacked_ = 0;
+  std::size_t visited_ = 0;
+};
+
+}  // namespace
+
+bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& problem) {
+  for (const std::string& name : archive.names()) {
+    if (!name.ends_with("/constants.pkl")) continue;
+    problem = {"E0603", "is a TorchScript program, not its tensors",
+               "save `state_dict()` with `torch.save`, or export the actor to ONNX"};
+    return false;
+  }
+  for (const std::string& name : archive.names()) {
+    if (name != kPickleName && !name.ends_with("/data.pkl")) continue;
+    return TorchReader(archive, table, problem)
+        .run(name.substr(0, name.size() - kPickleName.size()));
+  }
+  problem = {"E0621", "is a zip archive without `data.pkl`", kHelp};
+  return false;
+}
+
+}  // namespace eagerx::gen

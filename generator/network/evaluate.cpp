@@ -1,0 +1,167 @@
+#include "generator/network/evaluate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <eagerx/policy.hpp>
+
+#include "generator/network/evaluate_layer.hpp"
+#include "generator/network/sums.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace runtime = eagerx;
+
+template <eagerx::Activation A>
+void apply_all(std::vector<float>& y, float slope) {
+  for (float& value : y) value = runtime::policy::activated<A>(value, slope);
+}
+
+void activate(Activation activation, float slope, std::vector<float>& y) {
+  switch (activation) {
+    case Activation::identity:
+      return;
+    case Activation::relu:
+      return apply_all<runtime::Activation::relu>(y, slope);
+    case Activation::tanh:
+      return apply_all<runtime::Activation::tanh>(y, slope);
+    case Activation::elu:
+      return apply_all<runtime::Activation::elu>(y, slope);
+    case Activation::leaky_relu:
+      return apply_all<runtime::Activation::leaky_relu>(y, slope);
+    case Activation::silu:
+      return apply_all<runtime::Activation::silu>(y, slope);
+    case Activation::gelu:
+      return apply_all<runtime::Activation::gelu>(y, slope);
+    case Activation::gelu_tanh:
+      return apply_all<runtime::Activation::gelu_tanh>(y, slope);
+    case Activation::softplus:
+      return apply_all<runtime::Activation::softplus>(y, slope);
+    case Activation::sigmoid:
+      return apply_all<runtime::Activation::sigmoid>(y, slope);
+  }
+}
+
+double activated(Activation activation, double slope, double x) {
+  constexpr double kSqrtTwoOverPi = 0.7978845608028654;
+  constexpr double kSoftplusIsX = 20.0;
+  switch (activation) {
+    case Activation::identity:
+      break;
+    case Activation::relu:
+      return x < 0.0 ? 0.0 : x;
+    case Activation::tanh:
+      return std::tanh(x);
+    case Activation::elu:
+      return x < 0.0 ? slope * std::expm1(x) : x;
+    case Activation::leaky_relu:
+      return x < 0.0 ? slope * x : x;
+    case Activation::silu:
+      return x / (1.0 + std::exp(-x));
+    case Activation::gelu:
+      return 0.5 * x * std::erfc(-x * std::sqrt(0.5));
+    case Activation::gelu_tanh:
+      return 0.5 * x * (1.0 + std::tanh(kSqrtTwoOverPi * (x + 0.044715 * x * x * x)));
+    case Activation::softplus:
+      return x > kSoftplusIsX ? x : std::log1p(std::exp(x));
+    case Activation::sigmoid:
+      return 1.0 / (1.0 + std::exp(-x));
+  }
+  return x;
+}
+
+void apply_norm(const LayerNorm& norm, std::vector<float>& y) {
+  const auto size = static_cast<float>(y.size());
+  const float mean = grouped_sum(0.0F, y.size(), [&](std::size_t i) { return y[i]; }) / size;
+  for (float& value : y) value = value - mean;
+  const float variance =
+      grouped_sum(0.0F, y.size(), [&](std::size_t i) { return y[i] * y[i]; }) / size;
+  const float scale = 1.0F / runtime::sqrt(variance + norm.epsilon);
+  for (std::size_t i = 0; i < y.size(); ++i) y[i] = (y[i] * scale) * norm.gamma[i] + norm.beta[i];
+}
+
+void apply_norm(const LayerNorm& norm, std::vector<double>& y) {
+  double mean = 0.0;
+  double variance = 0.0;
+  for (const double value : y) mean += value / static_cast<double>(y.size());
+  for (const double value : y) {
+    variance += (value - mean) * (value - mean) / static_cast<double>(y.size());
+  }
+  const double scale = 1.0 / std::sqrt(variance + static_cast<double>(norm.epsilon));
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    y[i] = (y[i] - mean) * scale * static_cast<double>(norm.gamma[i]) +
+           static_cast<double>(norm.beta[i]);
+  }
+}
+
+}  // namespace
+
+std::vector<float> normalized(const Network& network, std::vector<float> observation) {
+  if (!network.normalization) return observation;
+  const Normalization& statistics = *network.normalization;
+  for (std::size_t i = 0; i < observation.size(); ++i) {
+    const double deviation = std::sqrt(statistics.variance[i] + statistics.epsilon);
+    const double value = (static_cast<double>(observation[i]) - statistics.mean[i]) / deviation;
+    observation[i] = static_cast<float>(runtime::clamp(value, -statistics.clip, statistics.clip));
+  }
+  return observation;
+}
+
+std::vector<float> evaluate(const Network& network, std::vector<float> input,
+                            Memory<float>* memory) {
+  Memory<float> fresh;
+  if (memory == nullptr) memory = &fresh;
+  memory->resize(network.layers.size());
+  for (std::size_t i = 0; i < network.layers.size(); ++i) {
+    const DenseLayer& layer = network.layers[i];
+    std::vector<float> y = evaluate_form(layer, input, (*memory)[i]);
+    if (layer.norm) apply_norm(*layer.norm, y);
+    activate(layer.activation, layer.slope, y);
+    input = std::move(y);
+  }
+  return input;
+}
+
+std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input,
+                                       Memory<double>* memory) {
+  Memory<double> fresh;
+  if (memory == nullptr) memory = &fresh;
+  memory->resize(network.layers.size());
+  std::vector<double> x(input.begin(), input.end());
+  for (std::size_t i = 0; i < network.layers.size(); ++i) {
+    const DenseLayer& layer = network.layers[i];
+    std::vector<double> y = evaluate_form(layer, x, (*memory)[i]);
+    if (layer.norm) apply_norm(*layer.norm, y);
+    for (double& value : y) {
+      value = activated(layer.activation, static_cast<double>(layer.slope), value);
+    }
+    x = std::move(y);
+  }
+  return x;
+}
+
+std::optional<std::vector<double>> action_of(const Network& network,
+                                             const std::vector<float>& outputs) {
+  if (network.action_kind() == ActionKind::argmax) {
+    const auto best = std::max_element(outputs.begin(), outputs.end()) - outputs.begin();
+    return std::vector<double>{
+        static_cast<double>(network.contract.first_choice.value_or(0) + best)};
+  }
+  const std::vector<double>& lows = network.contract.action_low;
+  const std::vector<double>& highs = network.contract.action_high;
+  const auto usable = [&](const std::vector<double>& bounds) {
+    return bounds.size() == 1 || bounds.size() == outputs.size();
+  };
+  if (!usable(lows) || !usable(highs)) return std::nullopt;
+  std::vector<double> action(outputs.size());
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const double low = lows.size() == 1 ? lows[0] : lows[i];
+    const double high = highs.size() == 1 ? highs[0] : highs[i];
+    const auto x = static_cast<double>(outputs[i]);
+    action[i] = network.action_kind() == ActionKind::squashed ? low + 0.5 * (x + 1.0) * (high - low)
+                                                              : std::clamp(x, low, high);
+  }
+  return action;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,173 @@
+#include "generator/network/int8.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <eagerx/policy/int8.hpp>
+#include <limits>
+
+#include "generator/network/cost.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr double kMost = 127.0;
+
+/// Rounds weights [scales][…] row by row.
+void round_rows(const std::vector<float>& weights, std::size_t rows,
+                std::vector<std::int8_t>& rounded, std::vector<float>& scales) {
+  const std::size_t columns = weights.size() / rows;
+  scales.assign(rows, 0.0F);
+  rounded.assign(weights.size(), 0);
+  for (std::size_t row = 0; row < rows; ++row) {
+    const float* first = weights.data() + row * columns;
+    float largest = 0.0F;
+    for (std::size_t i = 0; i < columns; ++i) largest = std::max(largest, std::fabs(first[i]));
+    const auto scale = static_cast<float>(static_cast<double>(largest) / kMost);
+    scales[row] = scale;
+    if (scale == 0.0F) continue;
+    for (std::size_t i = 0; i < columns; ++i) {
+      const double ratio = static_cast<double>(first[i]) / static_cast<double>(scale);
+      rounded[row * columns + i] =
+          static_cast<std::int8_t>(std::clamp(std::nearbyint(ratio), -kMost, kMost));
+    }
+  }
+}
+
+void round_layer(DenseLayer& layer) {
+  if (layer.weights.empty()) return;
+  round_rows(layer.weights, layer.bias.size(), layer.rounded, layer.scales);
+  if (auto* cell = std::get_if<Recurrence>(&layer.form)) {
+    round_rows(cell->hidden_weights, cell->hidden_bias.size(), cell->hidden_rounded,
+               cell->hidden_scales);
+  }
+}
+
+/// Inputs of the network: the observations of golden rows, or drawn ones.
+std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRows* rows) {
+  std::vector<std::vector<float>> inputs;
+  if (rows != nullptr) {
+    const bool elsewhere = !network.normalization && !rows->normalized.empty();
+    for (const auto& row : elsewhere ? rows->normalized : rows->observations) {
+      std::vector<float> input(row.size());
+      std::transform(row.begin(), row.end(), input.begin(),
+                     [](double value) { return static_cast<float>(value); });
+      inputs.push_back(elsewhere ? std::move(input) : normalized(network, std::move(input)));
+    }
+    return inputs;
+  }
+  constexpr std::size_t kMostRows = 256;
+  constexpr std::size_t kFewRows = 8;
+  constexpr std::size_t kWork = 500'000'000;  // products
+  std::size_t products = 1;
+  for (const DenseLayer& layer : network.layers) products += cost_of(layer).multiply_adds;
+  const std::size_t count = std::clamp(kWork / products, kFewRows, kMostRows);
+  std::uint32_t state = 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    inputs.emplace_back(network.inputs());
+    for (float& value : inputs.back()) {
+      state = state * 1664525U + 1013904223U;  // Numerical Recipes' generator
+      value = static_cast<float>(state >> 16U) * 0x1p-15F - 1.0F;
+    }
+  }
+  return inputs;
+}
+
+/// Whether row `i` begins an episode: as the golden rows say, else every 32 rows.
+bool starts_episode(const GoldenRows* rows, std::size_t i) {
+  constexpr std::size_t kEpisode = 32;
+  if (rows == nullptr) return i % kEpisode == 0;
+  return i == 0 || rows->starts.empty() || rows->starts[i].front() != 0.0;
+}
+
+}  // namespace
+
+Network with_int8_weights(Network network) {
+  for (DenseLayer& layer : network.layers) round_layer(layer);
+  return network;
+}
+
+std::vector<float> int8_product(const Int8Rows& rows, const std::vector<float>& x) {
+  namespace policy = eagerx::policy;
+  std::vector<std::int16_t> q(policy::int8_row(x.size()));
+  const float step = policy::round_inputs(x.data(), x.size(), q.data());
+  std::vector<float> y(rows.rows);
+  for (std::size_t out = 0; out < y.size(); ++out) {
+    std::int32_t sum = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      sum += std::int32_t{rows.rounded[out * x.size() + i]} * std::int32_t{q[i]};
+    }
+    y[out] = policy::int8_output(rows.bias[out], rows.scales[out], step, sum);
+  }
+  return y;
+}
+
+std::vector<int> int8_stored(const DenseLayer& layer) {
+  std::vector<int> values(layer.outputs * eagerx::policy::int8_row(layer.inputs));
+  for (std::size_t out = 0; out < layer.outputs; ++out) {
+    for (std::size_t in = 0; in < layer.inputs; ++in) {
+      values[eagerx::policy::int8_index(layer.inputs, layer.outputs, out, in)] =
+          int{layer.rounded[out * layer.inputs + in]};
+    }
+  }
+  return values;
+}
+
+std::size_t int8_bytes(const DenseLayer& layer) {
+  if (layer.weights.empty()) return cost_of(layer).bytes;
+  const auto bytes = [](const std::vector<float>& weights, std::size_t rows) {
+    return rows * (eagerx::policy::int8_row(weights.size() / rows) + 2 * sizeof(float));
+  };
+  std::size_t sum = layer.norm ? 2 * std::size_t{layer.outputs} * sizeof(float) : 0;
+  sum += bytes(layer.weights, layer.bias.size());
+  if (const Recurrence* cell = layer.recurrence()) {
+    sum += bytes(cell->hidden_weights, cell->hidden_bias.size());
+  }
+  return sum;
+}
+
+RoundingError rounding_error(const Network& given, const Network& rounded, const GoldenRows* rows) {
+  RoundingError error;
+  error.golden = rows != nullptr;
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  Memory<float> memory;  // each network goes on from its own
+  Memory<float> rounded_memory;
+  for (const std::vector<float>& input : inputs_of(given, rows)) {
+    if (starts_episode(rows, error.rows)) {
+      memory.clear();
+      rounded_memory.clear();
+    }
+    const std::vector<float> a = evaluate(given, input, &memory);
+    const std::vector<float> b = evaluate(rounded, input, &rounded_memory);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const double difference = std::fabs(static_cast<double>(a[i]) - static_cast<double>(b[i]));
+      largest = difference <= largest ? largest : difference;
+      low = std::min(low, static_cast<double>(a[i]));
+      high = std::max(high, static_cast<double>(a[i]));
+    }
+    error.mean += largest;
+    error.largest = largest <= error.largest ? error.largest : largest;
+    const auto choice = [](const auto& y) {
+      return std::max_element(y.begin(), y.end()) - y.begin();
+    };
+    if (choice(a) != choice(b)) ++error.choices;
+    ++error.rows;
+  }
+  error.mean /= static_cast<double>(std::max<std::size_t>(error.rows, 1));
+  error.range = error.rows == 0 ? 0.0 : high - low;
+  if (given.action_kind() != ActionKind::argmax) error.choices = 0;
+  return error;
+}
+
+std::string to_string(const RoundingError& error) {
+  std::string text = fmt::format("mean {:.2g}, largest {:.2g} of a range of {:.2g}, on {} {}",
+                                 error.mean, error.largest, error.range, error.rows,
+                                 error.golden ? "golden rows" : "drawn rows in -1…1");
+  if (error.choices > 0) text += fmt::format("; {} with another choice", error.choices);
+  return text;
+}
+
+}  // namespace eagerx::gen
