@@ -32,7 +32,7 @@ void print_layers(const Network& network) {
   std::size_t remembered = 0;
   std::size_t int8 = 0;
   fmt::print("layers\n");
-  for (const DenseLayer& layer : network.layers) {
+  for (const Layer& layer : network.layers) {
     const LayerCost cost = cost_of(layer);
     sum.parameters += cost.parameters;
     sum.bytes += cost.bytes;

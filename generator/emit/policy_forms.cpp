@@ -17,14 +17,14 @@ struct Rows {
 };
 
 /// The rows `first` to `last` of a matrix as a dense layer of their own.
-DenseLayer rows_of(const Rows& rows, std::size_t first, std::size_t last) {
+Layer rows_of(const Rows& rows, std::size_t first, std::size_t last) {
   const std::size_t inputs = rows.weights.size() / rows.bias.size();
   const auto part_of = [](const auto& values, std::size_t begin, std::size_t end) {
     using Values = std::decay_t<decltype(values)>;
     const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i); };
     return values.empty() ? Values() : Values(at(begin), at(end));
   };
-  DenseLayer part;
+  Layer part;
   part.inputs = static_cast<std::uint32_t>(inputs);
   part.outputs = static_cast<std::uint32_t>(last - first);
   part.weights = part_of(rows.weights, first * inputs, last * inputs);
@@ -34,7 +34,7 @@ DenseLayer rows_of(const Rows& rows, std::size_t first, std::size_t last) {
   return part;
 }
 
-void add_part(const DenseLayer& part, data& parts) {
+void add_part(const Layer& part, data& parts) {
   const bool int8 = !part.rounded.empty();
   data item{data::type::object};
   item.set("weights", int8 ? int8_table(part) : weight_table(part));
@@ -61,7 +61,7 @@ std::string kernel_literal(const KernelShape& kernel) {
 /// The statements of one layer, and the constants that they name.
 class Form {
  public:
-  Form(const DenseLayer& layer, std::size_t number, data& view)
+  Form(const Layer& layer, std::size_t number, data& view)
       : layer_(layer),
         number_(number),
         x_(view.get("input")->string_value()),
@@ -185,7 +185,7 @@ class Form {
     view_["weighted"] = std::move(item);
   }
 
-  const DenseLayer& layer_;
+  const Layer& layer_;
   std::size_t number_;
   std::string x_, y_;
   data& view_;
@@ -195,14 +195,14 @@ class Form {
 
 }  // namespace
 
-void add_form(const DenseLayer& layer, std::size_t number, data& view) {
+void add_form(const Layer& layer, std::size_t number, data& view) {
   Form(layer, number, view).write();
 }
 
 void add_headers(const Network& network, data& view) {
   bool kernels = false;
   bool elements = false;
-  for (const DenseLayer& layer : network.layers) {
+  for (const Layer& layer : network.layers) {
     kernels = kernels || std::holds_alternative<Convolution>(layer.form) ||
               std::holds_alternative<Pooling>(layer.form);
     elements = elements || std::holds_alternative<Elementwise>(layer.form) ||

@@ -10,20 +10,20 @@
 namespace eagerx::gen {
 
 /// Weights in panels of outputs: in a full panel, a line holds the weights of one input.
-std::string weight_table(const DenseLayer& layer);
-std::string bias_table(const DenseLayer& layer);
+std::string weight_table(const Layer& layer);
+std::string bias_table(const Layer& layer);
 /// Weights of eight bits, sixteen a line.
-std::string int8_table(const DenseLayer& layer);
+std::string int8_table(const Layer& layer);
 
 /// "1.0F, 0.5F".
 std::string list_of(const std::vector<float>& values);
 
 /// Slope of elu and leaky relu as one more argument.
-std::string slope_argument(const DenseLayer& layer);
+std::string slope_argument(const Layer& layer);
 
 /// Constants and statements of layer `number` (from 1), if it is not dense; "input" and "output" of
 /// the view are their variables.
-void add_form(const DenseLayer& layer, std::size_t number, kainjow::mustache::data& view);
+void add_form(const Layer& layer, std::size_t number, kainjow::mustache::data& view);
 
 /// Headers that the network's layers need.
 void add_headers(const Network& network, kainjow::mustache::data& view);

@@ -76,7 +76,7 @@ std::string list_of(const std::vector<float>& values) {
   return fmt::format("{}", fmt::join(literals, ", "));
 }
 
-std::string int8_table(const DenseLayer& layer) {
+std::string int8_table(const Layer& layer) {
   const std::vector<int> values = int8_stored(layer);
   constexpr std::size_t kInLine = 16;
   std::string text;
@@ -87,14 +87,14 @@ std::string int8_table(const DenseLayer& layer) {
   return text;
 }
 
-std::string bias_table(const DenseLayer& layer) {
+std::string bias_table(const Layer& layer) {
   const std::size_t count = padded_outputs(layer.outputs);
   Table table(count);
   for (std::size_t k = 0; k < count; ++k) table.add(k < layer.outputs ? layer.bias[k] : 0.0F);
   return table.text();
 }
 
-std::string weight_table(const DenseLayer& layer) {
+std::string weight_table(const Layer& layer) {
   const std::size_t count = padded_outputs(layer.outputs);
   Table table(count * layer.inputs);
   for (std::size_t first = 0; first < layer.outputs; first += kPanel) {
@@ -123,14 +123,14 @@ std::string comment_text(std::string_view text) {
 
 }  // namespace
 
-std::string slope_argument(const DenseLayer& layer) {
+std::string slope_argument(const Layer& layer) {
   return layer.slope == 0.0F ? std::string() : fmt::format(", {}F", literal(layer.slope));
 }
 
 namespace {
 
 data layer_view(const Network& network, std::size_t i) {
-  const DenseLayer& layer = network.layers[i];
+  const Layer& layer = network.layers[i];
   const bool last = i + 1 == network.layers.size();
   const std::string first = network.normalization ? "normalized" : "observation";
   data view{data::type::object};
@@ -206,7 +206,7 @@ data policy_view(const Network& network) {
   std::size_t stored = 0;
   bool int8 = false;
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
-    const DenseLayer& layer = network.layers[i];
+    const Layer& layer = network.layers[i];
     const LayerCost cost = cost_of(layer);
     parameters += cost.parameters;
     stored += layer.rounded.empty() ? cost.bytes : int8_bytes(layer);

@@ -17,7 +17,7 @@ std::string kernel_note(const char* what, const KernelShape& kernel) {
   return fmt::format(" {} {}x{}", what, kernel.rows, kernel.columns);
 }
 
-std::string form_note(const DenseLayer& layer) {
+std::string form_note(const Layer& layer) {
   if (const auto* form = std::get_if<Convolution>(&layer.form)) {
     return kernel_note("convolution", form->kernel);
   }
@@ -36,7 +36,7 @@ std::string form_note(const DenseLayer& layer) {
 
 }  // namespace
 
-std::string note_of(const DenseLayer& layer) {
+std::string note_of(const Layer& layer) {
   std::string note = form_note(layer);
   if (layer.norm) note += " layer norm";
   if (layer.activation != Activation::identity) {
@@ -51,7 +51,7 @@ std::size_t padded_outputs(std::size_t outputs) {
   return outputs - tail + (tail == 0 ? 0 : std::bit_ceil(tail));
 }
 
-LayerCost cost_of(const DenseLayer& layer) {
+LayerCost cost_of(const Layer& layer) {
   const std::size_t norm = layer.norm ? 2 * std::size_t{layer.outputs} : 0;
   LayerCost cost{layer.weights.size() + layer.bias.size() + norm, 0, layer.weights.size()};
   std::size_t floats = norm;

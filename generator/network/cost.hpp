@@ -10,14 +10,14 @@ namespace eagerx::gen {
 
 /// For people: " relu", " gru", " convolution 3x3 relu"; empty for a dense layer without
 /// activation.
-std::string note_of(const DenseLayer& layer);
+std::string note_of(const Layer& layer);
 
 struct LayerCost {
   std::size_t parameters = 0;
   std::size_t bytes = 0;          // of flash
   std::size_t multiply_adds = 0;  // of one answer
 };
-LayerCost cost_of(const DenseLayer& layer);
+LayerCost cost_of(const Layer& layer);
 
 /// Outputs as they are stored: in panels of eight, the rest padded to a power of two.
 std::size_t padded_outputs(std::size_t outputs);

@@ -113,7 +113,7 @@ std::vector<float> evaluate(const Network& network, std::vector<float> input,
   if (memory == nullptr) memory = &fresh;
   memory->resize(network.layers.size());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
-    const DenseLayer& layer = network.layers[i];
+    const Layer& layer = network.layers[i];
     std::vector<float> y = evaluate_form(layer, input, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     activate(layer.activation, layer.slope, y);
@@ -129,7 +129,7 @@ std::vector<double> evaluate_in_double(const Network& network, const std::vector
   memory->resize(network.layers.size());
   std::vector<double> x(input.begin(), input.end());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
-    const DenseLayer& layer = network.layers[i];
+    const Layer& layer = network.layers[i];
     std::vector<double> y = evaluate_form(layer, x, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     for (double& value : y) {

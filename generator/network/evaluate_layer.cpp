@@ -57,7 +57,7 @@ Values<Real> product(const std::vector<float>& weights, const std::vector<float>
 }
 
 template <class Real>
-Values<Real> gru(const DenseLayer& layer, const Recurrence& cell, const Values<Real>& x,
+Values<Real> gru(const Layer& layer, const Recurrence& cell, const Values<Real>& x,
                  Values<Real>& h) {
   const std::size_t n = layer.outputs;
   const Values<Real> a = product(layer.weights, layer.bias, layer.rounded, layer.scales, x);
@@ -76,7 +76,7 @@ Values<Real> gru(const DenseLayer& layer, const Recurrence& cell, const Values<R
 
 /// `memory` is h, then c.
 template <class Real>
-Values<Real> lstm(const DenseLayer& layer, const Recurrence& cell, const Values<Real>& x,
+Values<Real> lstm(const Layer& layer, const Recurrence& cell, const Values<Real>& x,
                   Values<Real>& memory) {
   const std::size_t n = layer.outputs;
   const Values<Real> h(memory.begin(), memory.begin() + static_cast<std::ptrdiff_t>(n));
@@ -111,7 +111,7 @@ std::optional<std::size_t> under(const KernelShape& kernel, std::size_t place, s
 }
 
 template <class Real>
-Values<Real> convolve(const DenseLayer& layer, const Convolution& form, const Values<Real>& x) {
+Values<Real> convolve(const Layer& layer, const Convolution& form, const Values<Real>& x) {
   const KernelShape& kernel = form.kernel;
   const std::size_t read = kernel.channels / form.groups;  // channels of a group
   const std::size_t made = form.channels / form.groups;
@@ -175,7 +175,7 @@ Real largest_under(const KernelShape& kernel, const Values<Real>& x, std::size_t
 }
 
 template <class Real>
-Values<Real> pool(const DenseLayer& layer, const Pooling& form, const Values<Real>& x) {
+Values<Real> pool(const Layer& layer, const Pooling& form, const Values<Real>& x) {
   const std::size_t places = form.kernel.places();
   Values<Real> y(layer.outputs);
   for (std::size_t i = 0; i < y.size(); ++i) {
@@ -215,7 +215,7 @@ Real operated(Elementwise::Operation operation, Real x, Real c) {
 }
 
 template <class Real>
-Values<Real> evaluate(const DenseLayer& layer, const Values<Real>& x, Values<Real>& memory) {
+Values<Real> evaluate(const Layer& layer, const Values<Real>& x, Values<Real>& memory) {
   if (const auto* form = std::get_if<Convolution>(&layer.form)) return convolve(layer, *form, x);
   if (const auto* form = std::get_if<Pooling>(&layer.form)) return pool(layer, *form, x);
   if (const Recurrence* cell = layer.recurrence()) {
@@ -241,12 +241,12 @@ Values<Real> evaluate(const DenseLayer& layer, const Values<Real>& x, Values<Rea
 
 }  // namespace
 
-std::vector<float> evaluate_form(const DenseLayer& layer, const std::vector<float>& x,
+std::vector<float> evaluate_form(const Layer& layer, const std::vector<float>& x,
                                  std::vector<float>& memory) {
   return evaluate(layer, x, memory);
 }
 
-std::vector<double> evaluate_form(const DenseLayer& layer, const std::vector<double>& x,
+std::vector<double> evaluate_form(const Layer& layer, const std::vector<double>& x,
                                   std::vector<double>& memory) {
   return evaluate(layer, x, memory);
 }

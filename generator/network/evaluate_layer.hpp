@@ -10,9 +10,9 @@ namespace eagerx::gen {
 
 /// What `layer` makes of `x`, before norm and activation. `memory` is what it remembers: empty for
 /// nothing yet; changed by layers that remember.
-std::vector<float> evaluate_form(const DenseLayer& layer, const std::vector<float>& x,
+std::vector<float> evaluate_form(const Layer& layer, const std::vector<float>& x,
                                  std::vector<float>& memory);
-std::vector<double> evaluate_form(const DenseLayer& layer, const std::vector<double>& x,
+std::vector<double> evaluate_form(const Layer& layer, const std::vector<double>& x,
                                   std::vector<double>& memory);
 
 }  // namespace eagerx::gen

@@ -35,7 +35,7 @@ void round_rows(const std::vector<float>& weights, std::size_t rows,
   }
 }
 
-void round_layer(DenseLayer& layer) {
+void round_layer(Layer& layer) {
   if (layer.weights.empty()) return;
   round_rows(layer.weights, layer.bias.size(), layer.rounded, layer.scales);
   if (auto* cell = std::get_if<Recurrence>(&layer.form)) {
@@ -61,7 +61,7 @@ std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRo
   constexpr std::size_t kFewRows = 8;
   constexpr std::size_t kWork = 500'000'000;  // products
   std::size_t products = 1;
-  for (const DenseLayer& layer : network.layers) products += cost_of(layer).multiply_adds;
+  for (const Layer& layer : network.layers) products += cost_of(layer).multiply_adds;
   const std::size_t count = std::clamp(kWork / products, kFewRows, kMostRows);
   std::uint32_t state = 1;
   for (std::size_t i = 0; i < count; ++i) {
@@ -84,7 +84,7 @@ bool starts_episode(const GoldenRows* rows, std::size_t i) {
 }  // namespace
 
 Network with_int8_weights(Network network) {
-  for (DenseLayer& layer : network.layers) round_layer(layer);
+  for (Layer& layer : network.layers) round_layer(layer);
   return network;
 }
 
@@ -103,7 +103,7 @@ std::vector<float> int8_product(const Int8Rows& rows, const std::vector<float>& 
   return y;
 }
 
-std::vector<int> int8_stored(const DenseLayer& layer) {
+std::vector<int> int8_stored(const Layer& layer) {
   std::vector<int> values(layer.outputs * eagerx::policy::int8_row(layer.inputs));
   for (std::size_t out = 0; out < layer.outputs; ++out) {
     for (std::size_t in = 0; in < layer.inputs; ++in) {
@@ -114,7 +114,7 @@ std::vector<int> int8_stored(const DenseLayer& layer) {
   return values;
 }
 
-std::size_t int8_bytes(const DenseLayer& layer) {
+std::size_t int8_bytes(const Layer& layer) {
   if (layer.weights.empty()) return cost_of(layer).bytes;
   const auto bytes = [](const std::vector<float>& weights, std::size_t rows) {
     return rows * (eagerx::policy::int8_row(weights.size() / rows) + 2 * sizeof(float));

@@ -25,10 +25,10 @@ struct Int8Rows {
 std::vector<float> int8_product(const Int8Rows& rows, const std::vector<float>& x);
 
 /// Rounded weights of a dense layer in the order of eagerx::Int8Weights.
-std::vector<int> int8_stored(const DenseLayer& layer);
+std::vector<int> int8_stored(const Layer& layer);
 
 /// Bytes that a layer takes in flash if its weights have eight bits.
-std::size_t int8_bytes(const DenseLayer& layer);
+std::size_t int8_bytes(const Layer& layer);
 
 /// The answers with rounded weights against those with the weights of the file.
 struct RoundingError {

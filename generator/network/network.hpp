@@ -91,7 +91,7 @@ struct Reorder {
 };
 
 /// y = activation(norm(W x + b)), or what `form` says in place of W x + b.
-struct DenseLayer {
+struct Layer {
   std::uint32_t inputs = 0;
   std::uint32_t outputs = 0;
   std::vector<float> weights;  // dense: [outputs][inputs], row-major
@@ -156,9 +156,9 @@ enum class Profile : std::uint8_t { exact, fast };
 
 /// Layers in a row: n_obs values in, n_act values out.
 struct Network {
-  std::string file;                // as the user wrote it
-  std::string format;              // for people: "ONNX opset 17, exported by pytorch 1.13"
-  std::vector<DenseLayer> layers;  // at least one; sizes fit together
+  std::string file;           // as the user wrote it
+  std::string format;         // for people: "ONNX opset 17, exported by pytorch 1.13"
+  std::vector<Layer> layers;  // at least one; sizes fit together
   std::vector<std::string>
       ignored;  // parts of the file that do not lead to the action, for the report
   std::vector<std::string> assumed{};  // what the file does not say, for people
@@ -174,7 +174,7 @@ struct Network {
   /// Whether the answer depends on the observations before, since the start of the episode.
   [[nodiscard]] bool has_memory() const {
     return std::any_of(layers.begin(), layers.end(),
-                       [](const DenseLayer& layer) { return layer.remembers() > 0; });
+                       [](const Layer& layer) { return layer.remembers() > 0; });
   }
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }

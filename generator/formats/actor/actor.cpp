@@ -103,7 +103,7 @@ class Assembly {
         return fail("E0619", fmt::format("takes images of more than {} values", kMaxPixels),
                     "use smaller images");
       }
-      DenseLayer layer;
+      Layer layer;
       layer.inputs = layer.outputs = static_cast<std::uint32_t>(*facts_.observations);
       layer.form = Elementwise{Elementwise::Operation::divide};
       layer.bias = {255.0F};
@@ -174,7 +174,7 @@ class Assembly {
   /// Many layers may be made of the same bytes.
   bool check_size() {
     std::size_t parameters = 0;
-    for (const DenseLayer& layer : network_.layers) {
+    for (const Layer& layer : network_.layers) {
       parameters += layer.weights.size() + layer.bias.size();
       if (layer.recurrence() != nullptr) parameters += layer.recurrence()->hidden_weights.size();
     }
@@ -253,7 +253,7 @@ class Assembly {
     auto bias = bias_of(base, outputs, layout_.has_bias);
     if (!bias) return false;
     used_.insert(name);
-    DenseLayer layer;
+    Layer layer;
     layer.inputs = static_cast<std::uint32_t>(inputs);
     layer.outputs = static_cast<std::uint32_t>(outputs);
     layer.weights = std::move(*weights);
@@ -264,7 +264,7 @@ class Assembly {
 
   bool add_norm(const std::string& base, const StoredTensor& weight) {
     const std::string name = base + ".weight";
-    DenseLayer* layer = network_.layers.empty() ? nullptr : &network_.layers.back();
+    Layer* layer = network_.layers.empty() ? nullptr : &network_.layers.back();
     if (layer == nullptr || !layer->is_dense() || layer->norm ||
         layer->activation != Activation::identity) {
       return fail("E0628",

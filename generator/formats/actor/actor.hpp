@@ -91,8 +91,7 @@ std::optional<ActorLayout> find_actor(const TensorTable& table, PolicyProblem& p
 bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& problem);
 
 /// Layer `index` of the GRU or LSTM `base`. E0618, E0628 and those of `floats_of`.
-std::optional<DenseLayer> recurrent_layer(const TensorTable& table, const std::string& base,
-                                          int index, std::vector<std::string>& used,
-                                          PolicyProblem& problem);
+std::optional<Layer> recurrent_layer(const TensorTable& table, const std::string& base, int index,
+                                     std::vector<std::string>& used, PolicyProblem& problem);
 
 }  // namespace eagerx::gen

@@ -110,9 +110,8 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
   return true;
 }
 
-std::optional<DenseLayer> recurrent_layer(const TensorTable& table, const std::string& base,
-                                          int index, std::vector<std::string>& used,
-                                          PolicyProblem& problem) {
+std::optional<Layer> recurrent_layer(const TensorTable& table, const std::string& base, int index,
+                                     std::vector<std::string>& used, PolicyProblem& problem) {
   const std::string input_name = name_of(base, "weight_ih", index);
   const std::string hidden_name = name_of(base, "weight_hh", index);
   const StoredTensor* input = table.find(input_name);
@@ -144,7 +143,7 @@ std::optional<DenseLayer> recurrent_layer(const TensorTable& table, const std::s
                   fmt::format("has a memory `{}` that is no plain GRU or LSTM", printable(base)),
                   "supported are torch's GRU and LSTM, in one direction and without projection");
   }
-  DenseLayer layer;
+  Layer layer;
   Recurrence cell;
   cell.is_lstm = gates == 4;
   layer.inputs = static_cast<std::uint32_t>(input->shape[1]);

@@ -28,7 +28,7 @@ std::optional<std::vector<float>> numbers(const ActorParts& parts, const std::st
 
 void add_elementwise(Network& network, std::uint32_t count, Elementwise::Operation operation,
                      std::vector<float> values) {
-  DenseLayer layer;
+  Layer layer;
   layer.inputs = layer.outputs = count;
   layer.form = Elementwise{operation};
   layer.bias = std::move(values);
@@ -92,7 +92,7 @@ bool add_convolution(const ActorParts& parts, const std::string& base, std::uint
   if (!has_room(parts, name, weight->shape[0], places, std::int64_t{channels} * size * size)) {
     return false;
   }
-  DenseLayer layer;
+  Layer layer;
   layer.inputs = channels * height * width;
   layer.outputs = form.channels * form.kernel.places();
   layer.activation = Activation::relu;
@@ -147,7 +147,7 @@ bool add_nature_cnn(const ActorParts& parts, const std::string& prefix) {
                     weight == nullptr ? "is missing" : "is " + show(weight->shape)),
         kSaveAgain);
   }
-  DenseLayer layer;
+  Layer layer;
   layer.inputs = static_cast<std::uint32_t>(inputs);
   layer.outputs = static_cast<std::uint32_t>(weight->shape[0]);
   layer.activation = Activation::relu;
@@ -209,7 +209,7 @@ bool add_batch_norm(const ActorParts& parts, const std::string& base) {
 }
 
 bool average_quantiles(const ActorParts& parts) {
-  DenseLayer& layer = parts.network.layers.back();
+  Layer& layer = parts.network.layers.back();
   const std::int64_t actions = parts.facts.actions.value_or(0);
   if (actions < 1) {
     return parts.fail("E0628", "gives quantiles, but does not say of how many actions",

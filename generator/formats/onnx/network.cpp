@@ -26,11 +26,11 @@ std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t 
   return bias;
 }
 
-std::optional<DenseLayer> make_layer(const OnnxDense& dense, PolicyProblem& problem) {
+std::optional<Layer> make_layer(const OnnxDense& dense, PolicyProblem& problem) {
   std::optional<std::vector<float>> weights = read_floats(dense.weights, problem);
   if (!weights) return std::nullopt;
   for (float& weight : *weights) weight *= dense.scale;
-  DenseLayer layer;
+  Layer layer;
   layer.outputs = static_cast<std::uint32_t>(dense.weights.dims[0]);
   layer.inputs = static_cast<std::uint32_t>(dense.weights.dims[1]);
   std::optional<std::vector<float>> bias = read_bias(dense, layer.outputs, problem);
@@ -101,7 +101,7 @@ class Builder {
     if (added) count_ = after_;
     return added;
   }
-  std::vector<DenseLayer> take() { return std::move(layers_); }
+  std::vector<Layer> take() { return std::move(layers_); }
 
  private:
   bool fail(const char* code, std::string message, std::string help = kExportHelp) {
@@ -171,7 +171,7 @@ class Builder {
 
   bool add(const OnnxConvolution& work) {
     if (!is_short(work.form.kernel, work.form.kernel.channels / work.form.groups)) return false;
-    DenseLayer& layer = add_form(work.form);
+    Layer& layer = add_form(work.form);
     layer.bias.assign(work.form.channels, 0.0F);
     return read(work.weights, layer.weights) && (!work.bias || read(*work.bias, layer.bias));
   }
@@ -192,7 +192,7 @@ class Builder {
 
   /// A constant for all, or for each after broadcasting.
   bool add(const OnnxElementwise& work) {
-    DenseLayer& layer = add_form(Elementwise{work.operation});
+    Layer& layer = add_form(Elementwise{work.operation});
     std::vector<float> values;
     if (!read(work.constant, values)) return false;
     if (values.size() == 1) {
@@ -210,7 +210,7 @@ class Builder {
 
   /// ONNX's order of gates becomes torch's.
   bool add(const OnnxRecurrence& work) {
-    DenseLayer& layer = add_form(Recurrence{work.is_lstm, {}, {}});
+    Layer& layer = add_form(Recurrence{work.is_lstm, {}, {}});
     auto& cell = std::get<Recurrence>(layer.form);
     const std::size_t gates = cell.gates();
     std::vector<float> bias(2 * gates * after_, 0.0F);
@@ -242,8 +242,8 @@ class Builder {
   }
 
   template <class Form>
-  DenseLayer& add_form(Form form) {
-    DenseLayer layer;
+  Layer& add_form(Form form) {
+    Layer layer;
     layer.inputs = count_;
     layer.outputs = after_;
     layer.form = std::move(form);
@@ -264,14 +264,15 @@ class Builder {
   std::string node_;
   std::unordered_set<const onnx::TensorProto*>& used_;
   PolicyProblem& problem_;
-  std::vector<DenseLayer> layers_;
+  std::vector<Layer> layers_;
 };
 
 }  // namespace
 
-std::optional<std::vector<DenseLayer>> make_layers(
-    const std::vector<OnnxStep>& steps, std::int32_t last, std::uint32_t inputs,
-    std::unordered_set<const onnx::TensorProto*>& used, PolicyProblem& problem) {
+std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps, std::int32_t last,
+                                              std::uint32_t inputs,
+                                              std::unordered_set<const onnx::TensorProto*>& used,
+                                              PolicyProblem& problem) {
   const auto path = path_to(steps, last, problem);
   if (!path) return std::nullopt;
   Builder builder(inputs, used, problem);

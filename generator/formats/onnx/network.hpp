@@ -10,8 +10,9 @@
 namespace eagerx::gen {
 
 /// The layers from `inputs` numbers up to step `last`; `used` receives the tensors in them.
-std::optional<std::vector<DenseLayer>> make_layers(
-    const std::vector<OnnxStep>& steps, std::int32_t last, std::uint32_t inputs,
-    std::unordered_set<const onnx::TensorProto*>& used, PolicyProblem& problem);
+std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps, std::int32_t last,
+                                              std::uint32_t inputs,
+                                              std::unordered_set<const onnx::TensorProto*>& used,
+                                              PolicyProblem& problem);
 
 }  // namespace eagerx::gen

@@ -339,14 +339,14 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   if (!check_states(state.steps, result.step, others, problem)) return std::nullopt;
   std::unordered_set<const onnx::TensorProto*> used;
   const auto inputs = static_cast<std::uint32_t>(state.observed);
-  std::optional<std::vector<DenseLayer>> layers =
+  std::optional<std::vector<Layer>> layers =
       make_layers(state.steps, result.step, inputs, used, problem);
   if (!layers) return std::nullopt;
   network.format = describe(*model, *opset);
   network.layers = std::move(*layers);
   network.ignored = ignored_parts(graph, *needed, used, others);
   if (std::any_of(network.layers.begin(), network.layers.end(),
-                  [](const DenseLayer& layer) { return layer.depends_on_shape(); })) {
+                  [](const Layer& layer) { return layer.depends_on_shape(); })) {
     network.input_shape.assign(observed->begin() + (observed->size() > 1 ? 1 : 0), observed->end());
   }
   return network;

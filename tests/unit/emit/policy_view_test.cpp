@@ -113,7 +113,7 @@ TEST(PolicyView, StatisticsNormAndKnownAnswersAreVisible) {
 
 TEST(PolicyView, LiteralsAreTheWeightsToTheBit) {
   Network network;
-  DenseLayer layer{1, 8, {}, std::vector<float>(8, 0.0F), Activation::identity};
+  Layer layer{1, 8, {}, std::vector<float>(8, 0.0F), Activation::identity};
   layer.weights = {0.1F,
                    std::numeric_limits<float>::max(),
                    std::numeric_limits<float>::denorm_min(),

@@ -59,7 +59,7 @@ TEST(Architectures, LayersAreThoseOfTheFile) {
   EXPECT_EQ(std::get<Pooling>(image.layers[4].form).kind, Pooling::Kind::average_with_padding);
   const Network scaled = read("scaled.onnx");
   std::size_t norms = 0;
-  for (const DenseLayer& layer : scaled.layers) norms += layer.norm ? 1U : 0U;
+  for (const Layer& layer : scaled.layers) norms += layer.norm ? 1U : 0U;
   EXPECT_EQ(norms, 2U);
   EXPECT_EQ(scaled.layers[4].activation, Activation::gelu);
 }

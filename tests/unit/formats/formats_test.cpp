@@ -29,7 +29,7 @@ Network read(const std::string& name, const std::string& statistics = {}) {
   Diagnostics diagnostics;
   auto network = read_policy(request, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << name << ": " << problem.message;
-  return network ? *network : Network{{}, {}, {DenseLayer{1, 1, {0}, {0}}}, {}};
+  return network ? *network : Network{{}, {}, {Layer{1, 1, {0}, {0}}}, {}};
 }
 
 void expect_same(const Network& a, const Network& b) {

@@ -36,7 +36,7 @@ Network read(const std::string& name) {
   Diagnostics diagnostics;
   auto network = read_policy(request, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << name << ": " << problem.message;
-  return network ? *network : Network{{}, {}, {DenseLayer{1, 1, {0}, {0}}}, {}};
+  return network ? *network : Network{{}, {}, {Layer{1, 1, {0}, {0}}}, {}};
 }
 
 struct Saved {

@@ -68,7 +68,7 @@ void check(const std::string& bytes, const ReadContext& context = {}) {
   ASSERT_FALSE(network->layers.empty());
   std::uint32_t inputs = network->inputs();
   std::size_t work = 0;
-  for (const DenseLayer& layer : network->layers) {
+  for (const Layer& layer : network->layers) {
     EXPECT_EQ(layer.inputs, inputs);
     work += cost_of(layer).multiply_adds + layer.outputs;
     if (layer.is_dense()) {

@@ -105,7 +105,7 @@ inline Network read_good(const std::string& bytes) {
   for (const Diagnostic& diagnostic : diagnostics.all()) {
     ADD_FAILURE() << diagnostic.code << ": " << diagnostic.message;
   }
-  return network ? *network : Network{{}, {}, {DenseLayer{}}, {}};
+  return network ? *network : Network{{}, {}, {Layer{}}, {}};
 }
 
 /// The only diagnostic that `bytes` give; a test failure if there is not exactly one.

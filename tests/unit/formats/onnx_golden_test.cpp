@@ -23,7 +23,7 @@ constexpr const char* kData = EAGERX_SOURCE_DIR "/tests/data/policy/";
 /// The network by plain loops, in the order of eagerx/policy.hpp (tests/unit/runtime checks that
 /// the layers have these bits).
 std::vector<float> evaluate(const Network& network, std::vector<float> x) {
-  for (const DenseLayer& layer : network.layers) {
+  for (const Layer& layer : network.layers) {
     std::vector<float> y(layer.bias);
     for (std::size_t out = 0; out < y.size(); ++out) {
       const float* weights = layer.weights.data() + out * layer.inputs;

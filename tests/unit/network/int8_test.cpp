@@ -18,7 +18,7 @@ constexpr std::size_t kOutputs = 6;
 
 /// One layer with weights that need rounding.
 Network one_layer() {
-  DenseLayer layer;
+  Layer layer;
   layer.inputs = kInputs;
   layer.outputs = kOutputs;
   for (std::size_t i = 0; i < kInputs * kOutputs; ++i) {
@@ -34,7 +34,7 @@ Network one_layer() {
 TEST(Int8Weights, AreRoundedToTheNearestOfEachOutputsScale) {
   const Network given = one_layer();
   const Network rounded = with_int8_weights(given);
-  const DenseLayer& layer = rounded.layers.front();
+  const Layer& layer = rounded.layers.front();
   for (std::size_t out = 0; out < kOutputs; ++out) {
     int largest = 0;
     for (std::size_t in = 0; in < kInputs; ++in) {
@@ -49,7 +49,7 @@ TEST(Int8Weights, AreRoundedToTheNearestOfEachOutputsScale) {
 
 TEST(Int8Weights, AnswerWithTheBitsOfTheProgram) {
   const Network rounded = with_int8_weights(one_layer());
-  const DenseLayer& layer = rounded.layers.front();
+  const Layer& layer = rounded.layers.front();
   eagerx::Int8Weights<kInputs, kOutputs> program{};
   const std::vector<int> stored = int8_stored(layer);
   ASSERT_EQ(stored.size(), sizeof program.w);
@@ -72,7 +72,7 @@ TEST(Int8Weights, AnswerWithTheBitsOfTheProgram) {
 /// Rows `first` to `first` + Out of rounded weights as the program stores them.
 template <std::size_t In, std::size_t Out>
 eagerx::Int8Weights<In, Out> stored(const Int8Rows& rows, std::size_t first = 0) {
-  DenseLayer part;
+  Layer part;
   part.inputs = In;
   part.outputs = Out;
   part.rounded.assign(rows.rounded + first * In, rows.rounded + (first + Out) * In);
@@ -109,7 +109,7 @@ TEST(Int8Weights, OfMemoriesAnswerWithTheBitsOfTheProgram) {
   constexpr std::size_t kHidden = 5;
   for (const bool is_lstm : {false, true}) {
     const std::size_t rows = (is_lstm ? 4 : 3) * kHidden;
-    DenseLayer layer;
+    Layer layer;
     layer.inputs = kInputs;
     layer.outputs = kHidden;
     layer.weights = numbers(rows * kInputs, 0.3F);
@@ -118,7 +118,7 @@ TEST(Int8Weights, OfMemoriesAnswerWithTheBitsOfTheProgram) {
     Network given;
     given.layers.push_back(layer);
     const Network rounded = with_int8_weights(given);
-    const DenseLayer& r = rounded.layers.front();
+    const Layer& r = rounded.layers.front();
     const Recurrence& cell = *r.recurrence();
     const Int8Rows input{r.rounded.data(), r.scales.data(), r.bias.data(), rows};
     const Int8Rows hidden{cell.hidden_rounded.data(), cell.hidden_scales.data(),
@@ -170,7 +170,7 @@ TEST(Int8Weights, OfConvolutionsAnswerWithTheBitsOfTheProgram) {
   form.kernel = {4, 5, 4, 2, 3, 2, 1, 0, 1, 1, 1, 2, 3};
   form.groups = 2;
   form.channels = kChannels;
-  DenseLayer layer;
+  Layer layer;
   layer.inputs = kKernel.inputs();
   layer.outputs = kChannels * kKernel.places();
   layer.weights = numbers(kChannels * kPatch, 0.3F);
@@ -180,7 +180,7 @@ TEST(Int8Weights, OfConvolutionsAnswerWithTheBitsOfTheProgram) {
   Network given;
   given.layers.push_back(layer);
   const Network rounded = with_int8_weights(given);
-  const DenseLayer& r = rounded.layers.front();
+  const Layer& r = rounded.layers.front();
   const Int8Rows rows{r.rounded.data(), r.scales.data(), r.bias.data(), kChannels};
   const eagerx::ConvolutionWeights<kKernel, kChannels, 2, eagerx::Int8Weights> program{
       {stored<kPatch, 3>(rows), stored<kPatch, 3>(rows, 3)}};
