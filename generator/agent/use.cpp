@@ -1,6 +1,6 @@
 #include "generator/agent/use.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 
@@ -21,8 +21,7 @@ PolicyUse agent_use(const Graph& graph) {
   for (const std::size_t i : graph.agent.observations) use.inputs.push_back(&environment.inputs[i]);
   if (!use.inputs.empty()) use.place = use.inputs.front()->span;
   for (const auto& action : environment.outputs) use.outputs.push_back(&action);
-  std::sort(use.outputs.begin(), use.outputs.end(),
-            [](const Output* a, const Output* b) { return a->name < b->name; });
+  std::ranges::sort(use.outputs, {}, &Output::name);
   use.output = graph.agent.output;
   use.rate_hz = environment.rate_hz;
   use.takes = "observations of this graph";
@@ -48,6 +47,10 @@ PolicyUse node_use(const Graph& graph, std::size_t node, const AgentSpec& policy
   use.out = where.name + ".";
   use.is_agent = false;
   return use;
+}
+
+std::string policy_namespace(const std::string& node) {
+  return "policy_of_" + node;
 }
 
 }  // namespace eagerx::gen

@@ -31,7 +31,10 @@ PolicyUse agent_use(const Graph& graph);
 /// A node: inputs and outputs in the order in which they are written.
 PolicyUse node_use(const Graph& graph, std::size_t node, const AgentSpec& policy);
 
-/// A node's policy, for templates.
+/// The namespace and the header of a node's policy: "policy_of_balance".
+std::string policy_namespace(const std::string& node);
+
+/// A node's policy, and where it is used.
 struct NodePolicy {
   std::size_t node = 0;
   PolicyUse use;

@@ -83,7 +83,7 @@ std::string depfile_text(const Run& run, const Options& options) {
                                  : options.depfile;
   std::vector<std::string> inputs = {options.graph};
   for (const auto& [id, entity] : run.library.entities) inputs.push_back(entity.path);
-  if (run.network) inputs.push_back(run.graph->agent.path);
+  if (run.policies.agent) inputs.push_back(run.graph->agent.path);
   for (const auto& file : run.graph->agent.other_files) inputs.push_back(file);
   const fs::path folder = fs::path(run.spec->path).parent_path();
   for (const auto& node : run.spec->nodes) {
@@ -122,6 +122,12 @@ bool write_depfile(Run& run, const Options& options) {
   return written && closed;
 }
 
+/// The program, or one of the two of a split graph.
+std::optional<std::vector<GeneratedFile>> emit_part(Run& run, const EmitOptions& options) {
+  return emit(*run.plan, run.policies.agent, node_policies(*run.spec, *run.graph, run.policies),
+              options, run.diagnostics);
+}
+
 /// The two programs of a split graph, in the folders `host` and `board`.
 std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions& options) {
   std::vector<GeneratedFile> files;
@@ -131,7 +137,7 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
     of_part.graph_hash = hash;
     of_part.output = options.output + "/" + folder;
     if (part == Part::board) of_part.targets = {run.graph->placement->board};
-    auto made = emit(*run.plan, run.network, node_policies(run), of_part, run.diagnostics);
+    auto made = emit_part(run, of_part);
     for (auto& file : made.value_or(std::vector<GeneratedFile>()))
       files.push_back({folder + "/" + file.path, std::move(file.text)});
     return made.has_value();
@@ -189,9 +195,7 @@ int generate_command(const Options& options) {
         .help = "leave out `--standalone` and `--package`";
   }
   if (run.diagnostics.has_errors()) return finish(run, options);
-  auto files =
-      split ? emit_parts(run, emit_options)
-            : emit(*run.plan, run.network, node_policies(run), emit_options, run.diagnostics);
+  auto files = split ? emit_parts(run, emit_options) : emit_part(run, emit_options);
   if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   if (!write_depfile(run, options)) return finish(run, options);

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "generator/agent/contract.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/diagnostics/pages.hpp"
 
@@ -49,13 +48,6 @@ bool read_own_graph(Run& run, const YamlValue& tree, const Options& options) {
   const std::size_t errors_before = run.diagnostics.error_count();
   load_library_for(run, options, folders);
   return run.spec && run.diagnostics.error_count() == errors_before;
-}
-
-/// Before the graph is resolved, so that a bad file is told of along with everything else.
-void read_networks(Run& run) {
-  const AgentSpec& agent = run.spec->agent;
-  if (agent.kind == AgentSpec::Kind::policy) run.network = read_weights(run, agent);
-  read_node_policies(run);
 }
 
 }  // namespace
@@ -113,14 +105,13 @@ bool make(Run& run, const Options& options) {
   } else if (!read_own_graph(run, tree, options)) {
     return false;
   }
-  read_networks(run);
+  // Before the graph is resolved, so that a bad file is told of along with everything else.
+  run.policies = read_policies(*run.spec, run.library, run.diagnostics);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},
                       run.diagnostics);
   if (!run.graph) return false;
   run.plan = make_plan(*run.graph, run.diagnostics);
-  if (run.network) check_policy(agent_use(*run.graph), *run.network, run.diagnostics);
-  for (const NodePolicy& policy : node_policies(run))
-    check_policy(policy.use, *policy.network, run.diagnostics);
+  check_policies(*run.spec, *run.graph, run.policies, run.diagnostics);
   return !run.diagnostics.has_errors();
 }
 

@@ -4,8 +4,9 @@
 #include <limits>
 
 #include "generator/cli/pipeline.hpp"
+#include "generator/formats/golden.hpp"
+#include "generator/formats/read.hpp"
 #include "generator/network/cost.hpp"
-#include "generator/network/evaluate.hpp"
 #include "generator/network/int8.hpp"
 #include "generator/network/network.hpp"
 

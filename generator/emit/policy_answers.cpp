@@ -33,10 +33,6 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
   return answers;
 }
 
-std::string policy_namespace(const std::string& node) {
-  return "policy_of_" + node;
-}
-
 View policy_node_view(const Plan& plan, const ProgramNames& names, const NodePolicy& policy) {
   const GraphNode& node = plan.graph->nodes[policy.node];
   View view = object();

@@ -12,9 +12,6 @@ namespace eagerx::gen {
 /// `output` from position `out` on, and the spaces `<prefix><Name>`.
 View policy_answers(const PolicyUse& use, const Network& network, const std::string& prefix);
 
-/// The namespace and the header of a node's policy: "policy_of_balance".
-std::string policy_namespace(const std::string& node);
-
 /// The class of a node that runs a policy, for cpp/policy_node.mustache.
 View policy_node_view(const Plan& plan, const ProgramNames& names, const NodePolicy& policy);
 

@@ -14,13 +14,12 @@
 #include "generator/network/cost.hpp"
 #include "generator/network/evaluate.hpp"
 #include "generator/network/int8.hpp"
+#include "generator/network/panels.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 using kainjow::mustache::data;
-
-constexpr std::size_t kPanel = 8;  // as eagerx::DenseWeights lays them out
 
 /// The shortest decimal literal that is exactly `value`: "0.1", "-0.0", "1e-07".
 template <class Float>
@@ -51,7 +50,7 @@ class Table {
     text_ += literal(value);
     text_ += 'F';
     if (--left_ > 0) text_ += ',';
-    in_line_ = (in_line_ + 1) % kPanel;
+    in_line_ = (in_line_ + 1) % kInLine;
   }
   void add_comment(const std::string& comment) {
     if (!text_.empty()) text_ += '\n';
@@ -62,6 +61,7 @@ class Table {
 
  private:
   static constexpr std::size_t kTypicalLiteral = 16;
+  static constexpr std::size_t kInLine = 8;
   std::string text_;
   std::size_t left_;
   std::size_t in_line_ = 0;
@@ -97,9 +97,7 @@ std::string bias_table(const Layer& layer) {
 std::string weight_table(const Layer& layer) {
   const std::size_t count = padded_outputs(layer.outputs);
   Table table(count * layer.inputs);
-  for (std::size_t first = 0; first < layer.outputs; first += kPanel) {
-    const std::size_t end = std::min(first + kPanel, count);
-    const std::size_t last = std::min<std::size_t>(end, layer.outputs) - 1;
+  for (const auto& [first, last, end] : panels_of(layer.outputs)) {
     table.add_comment(first == last ? fmt::format("      // output {}", first)
                                     : fmt::format("      // outputs {} to {}", first, last));
     for (std::size_t in = 0; in < layer.inputs; ++in) {

@@ -3,17 +3,18 @@
 
 #include <fmt/core.h>
 
-#include <cerrno>
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 #include <string>
-#include <system_error>
+
+#include "generator/formats/actor/files.hpp"
+#include "generator/formats/files.hpp"
+#include "generator/formats/onnx/read_onnx.hpp"
+#include "generator/formats/statistics.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-constexpr std::size_t kMaxShownName = 80;
-constexpr const char* kHelp =
+constexpr const char* kKnownFormats =
     "known are Stable-Baselines3's zip, ONNX, safetensors, npz and torch.save";
 
 bool is_safetensors(std::string_view bytes) {
@@ -40,19 +41,13 @@ std::string_view known_other_format(std::string_view bytes) {
 
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
                                 PolicyProblem& problem) {
-  if (bytes.empty()) return refuse(problem, "E0603", "is empty", kHelp);
+  if (bytes.empty()) return refuse(problem, "E0603", "is empty", kKnownFormats);
   if (bytes.starts_with("PK\x03\x04")) return read_zip_policy(bytes, context, problem);
   if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
   if (const std::string_view other = known_other_format(bytes); !other.empty()) {
-    return refuse(problem, "E0603", fmt::format("is {}", other), kHelp);
+    return refuse(problem, "E0603", fmt::format("is {}", other), kKnownFormats);
   }
   return read_onnx(bytes, problem);
-}
-
-void report(const PolicyProblem& problem, const char* what, const std::string& name, Span mention,
-            Diagnostics& diagnostics) {
-  diagnostics.error(problem.code, mention, fmt::format("{} `{}` {}", what, name, problem.message))
-      .help = problem.help;
 }
 
 /// "`angle` (2), `speed` (1)"
@@ -101,7 +96,8 @@ bool add_normalization(const PolicyRequest& request, Network& network, Diagnosti
     statistics.reset();
   }
   if (!statistics) {
-    report(problem, "statistics", request.normalize_name, request.normalize_span, diagnostics);
+    report_problem(problem, "statistics", request.normalize_name, request.normalize_span,
+                   diagnostics);
     return false;
   }
   network.normalization = std::move(statistics);
@@ -111,55 +107,18 @@ bool add_normalization(const PolicyRequest& request, Network& network, Diagnosti
 
 }  // namespace
 
-std::string printable(std::string_view name) {
-  constexpr char kFirst = ' ';
-  constexpr char kLast = '~';
-  std::string shown;
-  for (const char c : name.substr(0, kMaxShownName)) {
-    shown += c >= kFirst && c <= kLast && c != '`' ? c : '?';
-  }
-  if (name.size() > kMaxShownName) shown += "...";
-  return shown;
-}
-
 std::optional<Network> read_policy_bytes(std::string_view bytes, const std::string& name,
                                          Span mention, Diagnostics& diagnostics,
                                          const ReadContext& context) {
   PolicyProblem problem;
   std::optional<Network> network = read_any(bytes, context, problem);
   if (!network) {
-    report(problem, "policy", name, mention, diagnostics);
+    report_problem(problem, "policy", name, mention, diagnostics);
     return std::nullopt;
   }
   network->file = name;
   if (network->normalization) network->normalization->source = name;
   return network;
-}
-
-std::optional<std::string> read_bytes(const std::string& path, const std::string& name,
-                                      Span mention, const char* what, Diagnostics& diagnostics) {
-  const auto unreadable = [&](const std::string& why) {
-    diagnostics.io_error("E0601", mention, fmt::format("cannot read {} `{}`: {}", what, name, why));
-    return std::nullopt;
-  };
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return unreadable("no such file");
-  if (!std::filesystem::is_regular_file(status)) return unreadable("not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) return unreadable(error.message());
-  if (size > kMaxPolicyBytes) {
-    diagnostics.error("E0602", mention,
-                      fmt::format("{} `{}` has {} bytes; at most {} are read", what, name, size,
-                                  kMaxPolicyBytes));
-    return std::nullopt;
-  }
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return unreadable(std::error_code(errno, std::generic_category()).message());
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (!file) return unreadable("the file ended early");
-  return bytes;
 }
 
 std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics) {

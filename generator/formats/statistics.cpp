@@ -1,4 +1,6 @@
 // Statistics of observations that lie in a file of their own.
+#include "generator/formats/statistics.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,19 +9,19 @@
 #include "generator/formats/actor/actor.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
-#include "generator/formats/tensors/json.hpp"
+#include "generator/formats/tensors/numbers.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kHelp =
+constexpr const char* kStatisticsHelp =
     "save it with `VecNormalize.save`, or as JSON: {\"mean\": […], \"var\": […], \"clip_obs\": 10, "
     "\"epsilon\": 1e-8}";
 
 constexpr std::int64_t kMostNumbers = std::int64_t{1} << 23U;  // one array may be named often
 
 std::nullopt_t unusable(PolicyProblem& problem, std::string how) {
-  return refuse(problem, "E0627", std::move(how), kHelp);
+  return refuse(problem, "E0627", std::move(how), kStatisticsHelp);
 }
 
 std::optional<Normalization> checked(Normalization statistics, PolicyProblem& problem) {
@@ -58,7 +60,7 @@ bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& sta
   return !rms.items.empty();
 }
 
-std::optional<Normalization> from_pickle(std::string_view bytes, PolicyProblem& problem) {
+std::optional<Normalization> statistics_of_pickle(std::string_view bytes, PolicyProblem& problem) {
   const auto pickle = read_pickle(bytes, PickleNames::statistics, problem);
   if (!pickle) return std::nullopt;
   const PickleValue& top = pickle->top();
@@ -79,7 +81,7 @@ std::optional<Normalization> from_pickle(std::string_view bytes, PolicyProblem& 
   return checked(std::move(statistics), problem);
 }
 
-std::optional<Normalization> from_npz(std::string_view bytes, PolicyProblem& problem) {
+std::optional<Normalization> statistics_of_npz(std::string_view bytes, PolicyProblem& problem) {
   const auto archive = Archive::open(bytes, problem);
   TensorTable table;
   if (!archive || !read_npz(*archive, table, problem)) return std::nullopt;
@@ -101,39 +103,37 @@ std::optional<Normalization> from_npz(std::string_view bytes, PolicyProblem& pro
 }
 
 /// A key that would be read as if it were not there.
-std::optional<std::string> unknown_key(const nlohmann::json& object) {
+std::optional<std::string> unknown_key(const Json& object) {
   constexpr std::array kKnown = {"mean", "var", "count", "clip_obs", "epsilon", "obs_rms"};
-  for (const auto& [key, value] : object.items()) {
+  for (const auto& [key, value] : *object.as<Json::Object>()) {
     if (std::find(kKnown.begin(), kKnown.end(), key) == kKnown.end()) return key;
   }
   return std::nullopt;
 }
 
-std::optional<Normalization> from_json(std::string_view bytes, PolicyProblem& problem) {
+std::optional<Normalization> statistics_of_json(std::string_view bytes, PolicyProblem& problem) {
   const auto value = parse_json(bytes);
-  if (!value || !value->is_object()) return unusable(problem, "is not one JSON object");
-  const nlohmann::json* rms = member(*value, "obs_rms");
-  const nlohmann::json& from = rms != nullptr && rms->is_object() ? *rms : *value;
-  for (const nlohmann::json* object : {&*value, &from}) {
+  if (!value || !value->is<Json::Object>()) return unusable(problem, "is not one JSON object");
+  const Json* rms = member(&*value, "obs_rms");
+  const Json& from = rms != nullptr && rms->is<Json::Object>() ? *rms : *value;
+  for (const Json* object : {&*value, &from}) {
     const auto key = unknown_key(*object);
     if (key) return unusable(problem, fmt::format("has an unknown `{}`", printable(*key)));
   }
-  const nlohmann::json* mean = member(from, "mean");
-  const nlohmann::json* variance = member(from, "var");
-  const auto means = mean != nullptr ? numbers_of(*mean) : std::nullopt;
-  const auto variances = variance != nullptr ? numbers_of(*variance) : std::nullopt;
+  const auto means = numbers_of(member(&from, "mean"));
+  const auto variances = numbers_of(member(&from, "var"));
   if (!means || !variances) return unusable(problem, "has no `mean` and `var`");
   Normalization statistics;
   statistics.mean = *means;
   statistics.variance = *variances;
   for (const auto& [key, target] :
        {std::pair{"clip_obs", &statistics.clip}, std::pair{"epsilon", &statistics.epsilon}}) {
-    const nlohmann::json* inner = member(from, key);
-    const nlohmann::json* number = inner != nullptr ? inner : member(*value, key);
-    if (number == nullptr) continue;
-    if (!number->is_number())
-      return unusable(problem, fmt::format("has a `{}` that is no number", key));
-    *target = number->get<double>();
+    const Json* inner = member(&from, key);
+    const Json* given = inner != nullptr ? inner : member(&*value, key);
+    if (given == nullptr) continue;
+    const auto number = number_of(given);
+    if (!number) return unusable(problem, fmt::format("has a `{}` that is no number", key));
+    *target = *number;
   }
   return checked(std::move(statistics), problem);
 }
@@ -141,10 +141,11 @@ std::optional<Normalization> from_json(std::string_view bytes, PolicyProblem& pr
 }  // namespace
 
 std::optional<Normalization> read_statistics(std::string_view bytes, PolicyProblem& problem) {
-  if (bytes.starts_with("PK\x03\x04")) return from_npz(bytes, problem);
-  if (bytes.starts_with("\x80")) return from_pickle(bytes, problem);
+  if (bytes.starts_with("PK\x03\x04")) return statistics_of_npz(bytes, problem);
+  if (bytes.starts_with("\x80")) return statistics_of_pickle(bytes, problem);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && bytes[first] == '{') return from_json(bytes, problem);
+  if (first != std::string_view::npos && bytes[first] == '{')
+    return statistics_of_json(bytes, problem);
   return unusable(problem, "is neither a pickle, nor npz, nor JSON");
 }
 

@@ -1,8 +1,8 @@
 #include "generator/network/cost.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
-#include <bit>
+#include "generator/network/panels.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -43,12 +43,6 @@ std::string note_of(const Layer& layer) {
     note += fmt::format(" {}", to_string(layer.activation));
   }
   return note;
-}
-
-std::size_t padded_outputs(std::size_t outputs) {
-  constexpr std::size_t kPanel = 8;
-  const std::size_t tail = outputs % kPanel;
-  return outputs - tail + (tail == 0 ? 0 : std::bit_ceil(tail));
 }
 
 LayerCost cost_of(const Layer& layer) {

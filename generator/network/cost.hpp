@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "generator/network/network.hpp"
+#include "generator/network/layer.hpp"
 
 namespace eagerx::gen {
 
@@ -18,8 +18,5 @@ struct LayerCost {
   std::size_t multiply_adds = 0;  // of one answer
 };
 LayerCost cost_of(const Layer& layer);
-
-/// Outputs as they are stored: in panels of eight, the rest padded to a power of two.
-std::size_t padded_outputs(std::size_t outputs);
 
 }  // namespace eagerx::gen

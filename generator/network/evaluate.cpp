@@ -114,7 +114,7 @@ std::vector<float> evaluate(const Network& network, std::vector<float> input,
   memory->resize(network.layers.size());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
-    std::vector<float> y = evaluate_form(layer, input, (*memory)[i]);
+    std::vector<float> y = evaluate_layer(layer, input, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     activate(layer.activation, layer.slope, y);
     input = std::move(y);
@@ -130,7 +130,7 @@ std::vector<double> evaluate_in_double(const Network& network, const std::vector
   std::vector<double> x(input.begin(), input.end());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
-    std::vector<double> y = evaluate_form(layer, x, (*memory)[i]);
+    std::vector<double> y = evaluate_layer(layer, x, (*memory)[i]);
     if (layer.norm) apply_norm(*layer.norm, y);
     for (double& value : y) {
       value = activated(layer.activation, static_cast<double>(layer.slope), value);

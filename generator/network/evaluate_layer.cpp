@@ -215,7 +215,7 @@ Real operated(Elementwise::Operation operation, Real x, Real c) {
 }
 
 template <class Real>
-Values<Real> evaluate(const Layer& layer, const Values<Real>& x, Values<Real>& memory) {
+Values<Real> answer_of(const Layer& layer, const Values<Real>& x, Values<Real>& memory) {
   if (const auto* form = std::get_if<Convolution>(&layer.form)) return convolve(layer, *form, x);
   if (const auto* form = std::get_if<Pooling>(&layer.form)) return pool(layer, *form, x);
   if (const Recurrence* cell = layer.recurrence()) {
@@ -241,14 +241,14 @@ Values<Real> evaluate(const Layer& layer, const Values<Real>& x, Values<Real>& m
 
 }  // namespace
 
-std::vector<float> evaluate_form(const Layer& layer, const std::vector<float>& x,
-                                 std::vector<float>& memory) {
-  return evaluate(layer, x, memory);
+std::vector<float> evaluate_layer(const Layer& layer, const std::vector<float>& x,
+                                  std::vector<float>& memory) {
+  return answer_of(layer, x, memory);
 }
 
-std::vector<double> evaluate_form(const Layer& layer, const std::vector<double>& x,
-                                  std::vector<double>& memory) {
-  return evaluate(layer, x, memory);
+std::vector<double> evaluate_layer(const Layer& layer, const std::vector<double>& x,
+                                   std::vector<double>& memory) {
+  return answer_of(layer, x, memory);
 }
 
 }  // namespace eagerx::gen

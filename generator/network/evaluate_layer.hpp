@@ -1,18 +1,17 @@
-// Layers other than dense ones: what they answer, with the bits of generated programs, and in
-// float64.
+// What one layer answers, with the bits of generated programs, and in float64.
 #pragma once
 
 #include <vector>
 
-#include "generator/network/network.hpp"
+#include "generator/network/layer.hpp"
 
 namespace eagerx::gen {
 
 /// What `layer` makes of `x`, before norm and activation. `memory` is what it remembers: empty for
 /// nothing yet; changed by layers that remember.
-std::vector<float> evaluate_form(const Layer& layer, const std::vector<float>& x,
-                                 std::vector<float>& memory);
-std::vector<double> evaluate_form(const Layer& layer, const std::vector<double>& x,
-                                  std::vector<double>& memory);
+std::vector<float> evaluate_layer(const Layer& layer, const std::vector<float>& x,
+                                  std::vector<float>& memory);
+std::vector<double> evaluate_layer(const Layer& layer, const std::vector<double>& x,
+                                   std::vector<double>& memory);
 
 }  // namespace eagerx::gen

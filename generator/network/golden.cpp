@@ -1,150 +1,15 @@
-// Golden rows: inputs that a policy is known to answer, and how well it does.
+#include "generator/network/golden.hpp"
+
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 
-#include "generator/formats/tensors/archive.hpp"
-#include "generator/formats/tensors/containers.hpp"
 #include "generator/network/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-constexpr const char* kHelp =
-    "columns are obs0, obs1 …, network_out, action; arrays obs, network_out, action";
-constexpr std::size_t kMaxRows = 1'000'000;
-
-/// What a column or an array may be called.
-enum class Role : std::uint8_t {
-  none,
-  start,
-  observation,
-  normalized,
-  output,
-  output_double,
-  action
-};
-
-Role role_of(std::string_view name) {
-  const std::size_t letters = name.find_last_not_of("0123456789");
-  const std::string_view stem = name.substr(0, letters + 1);
-  // "network_out_f64" and "float32" end in digits that are no index.
-  if (name == "network_out_f64" || name == "float64" || stem == "network_out_f64_") {
-    return Role::output_double;
-  }
-  if (name == "float32" || stem == "network_out" || stem == "output") return Role::output;
-  if (name == "episode_start") return Role::start;
-  if (stem == "obs" || stem == "observation") return Role::observation;
-  if (stem == "nobs" || stem == "obs_normalized") return Role::normalized;
-  if (stem == "action") return Role::action;
-  return Role::none;
-}
-
-std::vector<std::vector<double>>* rows_of(GoldenRows& golden, Role role) {
-  switch (role) {
-    case Role::start:
-      return &golden.starts;
-    case Role::observation:
-      return &golden.observations;
-    case Role::normalized:
-      return &golden.normalized;
-    case Role::output:
-      return &golden.outputs;
-    case Role::output_double:
-      return &golden.outputs_double;
-    case Role::action:
-      return &golden.actions;
-    case Role::none:
-      break;
-  }
-  return nullptr;
-}
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    std::string_view cell = line.substr(0, comma);
-    while (!cell.empty() && cell.front() == ' ') cell.remove_prefix(1);
-    while (!cell.empty() && cell.back() == ' ') cell.remove_suffix(1);
-    cells.push_back(cell);
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
-std::optional<GoldenRows> from_csv(std::string_view text, PolicyProblem& problem) {
-  const auto fail = [&](const std::string& how) { return refuse(problem, "E0632", how, kHelp); };
-  GoldenRows golden;
-  std::vector<Role> roles;
-  std::size_t number = 0;
-  while (!text.empty()) {
-    const std::size_t end = text.find('\n');
-    std::string_view line = text.substr(0, end);
-    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-    ++number;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.empty() || line.front() == '#') continue;
-    const auto cells = cells_of(line);
-    if (roles.empty()) {
-      for (const std::string_view cell : cells) roles.push_back(role_of(cell));
-      if (std::count(roles.begin(), roles.end(), Role::observation) > 0) continue;
-      return fail(fmt::format("has no column `obs0` in line {}: `{}`", number, printable(line)));
-    }
-    if (cells.size() != roles.size()) {
-      return fail(fmt::format("has {} cells in line {}, but {} columns", cells.size(), number,
-                              roles.size()));
-    }
-    if (golden.observations.size() >= kMaxRows) return fail("has too many rows");
-    for (const Role role : {Role::start, Role::observation, Role::normalized, Role::output,
-                            Role::output_double, Role::action}) {
-      if (std::count(roles.begin(), roles.end(), role) > 0) rows_of(golden, role)->emplace_back();
-    }
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      auto* rows = rows_of(golden, roles[i]);
-      if (rows == nullptr) continue;
-      double value = 0.0;
-      const auto result =
-          std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
-      if (result.ec != std::errc{} || result.ptr != cells[i].data() + cells[i].size()) {
-        return fail(
-            fmt::format("has `{}` in line {}, which is no number", printable(cells[i]), number));
-      }
-      if (!std::isfinite(value)) {
-        return fail(fmt::format("has `{}` in line {}, column {}, which is no finite number",
-                                printable(cells[i]), number, i + 1));
-      }
-      rows->back().push_back(value);
-    }
-  }
-  return golden;
-}
-
-std::optional<GoldenRows> from_npz(std::string_view bytes, PolicyProblem& problem) {
-  const auto archive = Archive::open(bytes, problem);
-  TensorTable table;
-  if (!archive || !read_npz(*archive, table, problem)) return std::nullopt;
-  GoldenRows golden;
-  for (const auto& [name, tensor] : table.tensors) {
-    auto* rows = rows_of(golden, role_of(name));
-    if (rows == nullptr || tensor.shape.empty()) continue;
-    const std::vector<double> values = values_of(tensor);
-    if (!std::all_of(values.begin(), values.end(), [](double x) { return std::isfinite(x); })) {
-      return refuse(problem, "E0632",
-                    fmt::format("has NaN or infinity in array `{}`", printable(name)), kHelp);
-    }
-    const auto count = static_cast<std::size_t>(tensor.shape[0]);
-    if (count == 0 || count > kMaxRows) continue;
-    const std::size_t width = values.size() / count;
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto first = values.begin() + static_cast<std::ptrdiff_t>(i * width);
-      rows->emplace_back(first, first + static_cast<std::ptrdiff_t>(width));
-    }
-  }
-  return golden;
-}
 
 double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double largest = 0.0;
@@ -191,15 +56,10 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
   return {};
 }
 
-/// Whether an episode starts with row `i`.
-bool starts(const GoldenRows& rows, std::size_t i) {
-  return i == 0 || rows.starts.empty() || rows.starts[i].front() != 0.0;
-}
-
 /// Rows of the first episode.
 std::size_t first_episode(const GoldenRows& rows) {
   std::size_t count = std::min<std::size_t>(1, rows.observations.size());
-  while (count < rows.observations.size() && !starts(rows, count)) ++count;
+  while (count < rows.observations.size() && !starts_episode(rows, count)) ++count;
   return count;
 }
 
@@ -212,18 +72,26 @@ std::vector<float> to_float(const std::vector<double>& values) {
 
 }  // namespace
 
-std::optional<GoldenRows> read_golden(const std::string& path, const std::string& name,
-                                      Span mention, Diagnostics& diagnostics) {
-  const auto bytes = read_bytes(path, name, mention, "golden rows", diagnostics);
-  if (!bytes) return std::nullopt;
-  PolicyProblem problem;
-  auto golden =
-      bytes->starts_with("PK\x03\x04") ? from_npz(*bytes, problem) : from_csv(*bytes, problem);
-  if (golden) return golden;
-  diagnostics
-      .error(problem.code, mention, fmt::format("golden rows `{}` {}", name, problem.message))
-      .help = problem.help;
-  return std::nullopt;
+bool starts_episode(const GoldenRows& rows, std::size_t i) {
+  return i == 0 || rows.starts.empty() || rows.starts[i].front() != 0.0;
+}
+
+std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, std::size_t i) {
+  if (!network.normalization && !rows.normalized.empty()) return to_float(rows.normalized[i]);
+  return normalized(network, to_float(rows.observations[i]));
+}
+
+std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width) {
+  constexpr unsigned kUnused = 16;
+  std::vector<std::vector<float>> result(count, std::vector<float>(width));
+  std::uint32_t state = 1;
+  for (std::vector<float>& row : result) {
+    for (float& value : row) {
+      state = state * 1664525U + 1013904223U;  // Numerical Recipes' generator
+      value = static_cast<float>(state >> kUnused) * 0x1p-15F - 1.0F;
+    }
+  }
+  return result;
 }
 
 std::vector<std::vector<float>> self_test_rows(const Network& network, const GoldenRows* rows) {
@@ -242,16 +110,7 @@ std::vector<std::vector<float>> self_test_rows(const Network& network, const Gol
     }
     return result;
   }
-  std::uint32_t state = 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    result.emplace_back(network.inputs());
-    for (float& value : result.back()) {
-      state = state * 1664525U + 1013904223U;  // Numerical Recipes' generator
-      constexpr unsigned kUnused = 16;
-      value = static_cast<float>(state >> kUnused) * 0x1p-15F - 1.0F;
-    }
-  }
-  return result;
+  return drawn_rows(count, network.inputs());
 }
 
 bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,
@@ -281,7 +140,8 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
                                     const std::string& name, Span mention,
                                     Diagnostics& diagnostics) {
   if (const std::string how = misfit(network, rows); !how.empty()) {
-    diagnostics.error("E0632", mention, fmt::format("golden rows `{}` {}", name, how)).help = kHelp;
+    diagnostics.error("E0632", mention, fmt::format("golden rows `{}` {}", name, how)).help =
+        kGoldenHelp;
     return std::nullopt;
   }
   GoldenResult result;
@@ -290,15 +150,11 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
   double farthest = 0.0;
   std::size_t farthest_row = 0;
   double largest_action = 1.0;
-  // Without statistics a policy is given what was normalised elsewhere.
-  const bool normalized_elsewhere = !network.normalization && !rows.normalized.empty();
   Memory<float> memory;
   Memory<double> exact_memory;
   for (std::size_t i = 0; i < result.rows; ++i) {
-    const std::vector<float> input = normalized_elsewhere
-                                         ? to_float(rows.normalized[i])
-                                         : normalized(network, to_float(rows.observations[i]));
-    if (starts(rows, i)) {
+    const std::vector<float> input = input_of_row(network, rows, i);
+    if (starts_episode(rows, i)) {
       memory.clear();
       exact_memory.clear();
     }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "generator/network/cost.hpp"
+#include "generator/network/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -44,41 +45,25 @@ void round_layer(Layer& layer) {
   }
 }
 
-/// Inputs of the network: the observations of golden rows, or drawn ones.
+/// Inputs of the network: those of golden rows, or drawn ones.
 std::vector<std::vector<float>> inputs_of(const Network& network, const GoldenRows* rows) {
   std::vector<std::vector<float>> inputs;
-  if (rows != nullptr) {
-    const bool elsewhere = !network.normalization && !rows->normalized.empty();
-    for (const auto& row : elsewhere ? rows->normalized : rows->observations) {
-      std::vector<float> input(row.size());
-      std::transform(row.begin(), row.end(), input.begin(),
-                     [](double value) { return static_cast<float>(value); });
-      inputs.push_back(elsewhere ? std::move(input) : normalized(network, std::move(input)));
-    }
-    return inputs;
+  for (std::size_t i = 0; rows != nullptr && i < rows->observations.size(); ++i) {
+    inputs.push_back(input_of_row(network, *rows, i));
   }
+  if (rows != nullptr) return inputs;
   constexpr std::size_t kMostRows = 256;
   constexpr std::size_t kFewRows = 8;
   constexpr std::size_t kWork = 500'000'000;  // products
   std::size_t products = 1;
   for (const Layer& layer : network.layers) products += cost_of(layer).multiply_adds;
-  const std::size_t count = std::clamp(kWork / products, kFewRows, kMostRows);
-  std::uint32_t state = 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    inputs.emplace_back(network.inputs());
-    for (float& value : inputs.back()) {
-      state = state * 1664525U + 1013904223U;  // Numerical Recipes' generator
-      value = static_cast<float>(state >> 16U) * 0x1p-15F - 1.0F;
-    }
-  }
-  return inputs;
+  return drawn_rows(std::clamp(kWork / products, kFewRows, kMostRows), network.inputs());
 }
 
 /// Whether row `i` begins an episode: as the golden rows say, else every 32 rows.
-bool starts_episode(const GoldenRows* rows, std::size_t i) {
+bool is_first(const GoldenRows* rows, std::size_t i) {
   constexpr std::size_t kEpisode = 32;
-  if (rows == nullptr) return i % kEpisode == 0;
-  return i == 0 || rows->starts.empty() || rows->starts[i].front() != 0.0;
+  return rows == nullptr ? i % kEpisode == 0 : starts_episode(*rows, i);
 }
 
 }  // namespace
@@ -135,7 +120,7 @@ RoundingError rounding_error(const Network& given, const Network& rounded, const
   Memory<float> memory;  // each network goes on from its own
   Memory<float> rounded_memory;
   for (const std::vector<float>& input : inputs_of(given, rows)) {
-    if (starts_episode(rows, error.rows)) {
+    if (is_first(rows, error.rows)) {
       memory.clear();
       rounded_memory.clear();
     }

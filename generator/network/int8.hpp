@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <string>
 #include <vector>
 
-#include "generator/network/evaluate.hpp"
+#include "generator/network/golden.hpp"
 #include "generator/network/network.hpp"
 
 namespace eagerx::gen {

@@ -6,7 +6,8 @@
 #include <string_view>
 
 #include "generator/formats/actor/actor.hpp"
-#include "generator/formats/tensors/json.hpp"
+#include "generator/formats/common/problem.hpp"
+#include "generator/formats/statistics.hpp"
 #include "generator/formats/tensors/pickle.hpp"
 
 namespace {

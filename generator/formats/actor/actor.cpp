@@ -10,11 +10,10 @@
 #include <set>
 
 #include "generator/formats/actor/parts.hpp"
+#include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 22U;
 
 class Assembly {
  public:
@@ -99,8 +98,8 @@ class Assembly {
   /// Pixels become numbers from 0 to 1, and features if there is a network for them.
   bool add_observation() {
     if (facts_.scales_pixels && facts_.observations) {
-      if (*facts_.observations > kMaxPixels) {
-        return fail("E0619", fmt::format("takes images of more than {} values", kMaxPixels),
+      if (*facts_.observations > kMaxValues) {
+        return fail("E0619", fmt::format("takes images of more than {} values", kMaxValues),
                     "use smaller images");
       }
       Layer layer;
@@ -227,7 +226,7 @@ class Assembly {
       return refuse(problem_, "E0618",
                     fmt::format("has tensor `{}` of shape {} for {} outputs", printable(name),
                                 show(bias->shape), count),
-                    "the layers of the file do not fit together: save it again");
+                    kMisfit);
     }
     used_.insert(name);
     return floats_of(name, *bias, problem_);
@@ -246,7 +245,7 @@ class Assembly {
       return fail("E0618",
                   fmt::format("multiplies {} values by tensor `{}`, which takes {}",
                               network_.outputs(), printable(name), inputs),
-                  "the layers of the file do not fit together: save it again");
+                  kMisfit);
     }
     auto weights = floats_of(name, weight, problem_);
     if (!weights) return false;

@@ -4,13 +4,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "generator/formats/common/problem.hpp"
+#include "generator/formats/common/read_context.hpp"
 #include "generator/formats/tensors/tensor.hpp"
+#include "generator/network/network.hpp"
 
 namespace eagerx::gen {
-
-inline constexpr const char* kSaveAgain = "the file is damaged: save it again";
 
 /// Whether a module or tensor belongs to a critic, which has no part in the action.
 bool is_critic(std::string_view name);

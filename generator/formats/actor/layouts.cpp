@@ -239,8 +239,7 @@ class Layouts {
   }
   std::nullopt_t missing(const std::string& what) {
     return refuse(problem_, "E0624",
-                  fmt::format("has an actor without tensor `{}`", printable(what)),
-                  "the file is damaged: save it again");
+                  fmt::format("has an actor without tensor `{}`", printable(what)), kSaveAgain);
   }
 
   /// Appends the modules of a sequence; `last_activates`: an activation follows the last one too.

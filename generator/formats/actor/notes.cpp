@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "generator/formats/actor/actor.hpp"
-#include "generator/formats/tensors/json.hpp"
+#include "generator/formats/tensors/numbers.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -17,7 +17,8 @@ std::string upper(std::string text) {
   return text;
 }
 
-std::vector<std::string> split(const std::string& text) {
+/// "theta, theta_dot" as two names.
+std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
     if (c == ',') {
@@ -38,7 +39,7 @@ class Notes {
   std::optional<PolicyFacts> read() {
     PolicyFacts facts;
     facts.contract.algorithm = upper(text("algo"));
-    for (const std::string& name : split(text("obs"))) {
+    for (const std::string& name : parts_of(text("obs"))) {
       facts.contract.observations.push_back({name, 1});
     }
     const bool read = read_activation(facts) && read_action(facts) &&
@@ -81,7 +82,7 @@ class Notes {
   bool bounds(const char* key, std::vector<double>& out) {
     const std::string note = text(key);
     if (!note.empty()) {
-      const auto values = numbers_of(nlohmann::json(note));
+      const auto values = numbers_in(note);
       if (!values) return fail(key);
       out = *values;
     } else if (const StoredTensor* tensor = table_.find(key); tensor != nullptr) {

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "generator/network/limits.hpp"
+
 namespace eagerx::gen {
 namespace {
-
-constexpr std::int64_t kMostValues = std::int64_t{1} << 22U;  // between two layers
 
 /// The finite numbers of tensor `name`, as many as `count`. E0618 and those of `floats_of`.
 std::optional<std::vector<float>> numbers(const ActorParts& parts, const std::string& name,
@@ -45,13 +45,12 @@ bool is_image_size(const Dims& image) {
 /// E0619 for images and results that no robot keeps, and that 32 bits may not count.
 bool has_room(const ActorParts& parts, const std::string& name, std::int64_t channels,
               std::int64_t places, std::int64_t products = 1) {
-  constexpr std::int64_t kMostProducts = std::int64_t{1} << 30U;
-  if (channels <= kMostValues / places && products <= kMostProducts / (channels * places)) {
+  if (channels <= kMaxValues / places && products <= kMaxProducts / (channels * places)) {
     return true;
   }
   return parts.fail("E0619",
-                    fmt::format("has more than {} values or {} products at `{}`", kMostValues,
-                                kMostProducts, printable(name)),
+                    fmt::format("has more than {} values or {} products at `{}`", kMaxValues,
+                                kMaxProducts, printable(name)),
                     "use smaller images, or a smaller network");
 }
 

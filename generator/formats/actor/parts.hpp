@@ -1,5 +1,5 @@
 // Parts of an actor besides dense layers: the image in front of it, batch norms, quantiles,
-// statistics that lie among its tensors. Inside policy/ only.
+// statistics that lie among its tensors. Inside formats/actor only.
 #pragma once
 
 #include <set>

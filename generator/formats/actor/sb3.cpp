@@ -7,12 +7,10 @@
 #include "generator/formats/actor/actor.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
-#include "generator/formats/tensors/json.hpp"
+#include "generator/formats/tensors/numbers.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-using nlohmann::json;
 
 /// The bytes of base64 text; nothing if it is not.
 std::optional<std::string> from_base64(std::string_view text) {
@@ -40,9 +38,8 @@ std::optional<std::string> from_base64(std::string_view text) {
   return bytes;
 }
 
-std::optional<Pickle> unpickled(const json& value, std::string& bytes, PolicyProblem& problem) {
-  const json* text = member(value, ":serialized:");
-  auto decoded = from_base64(text_of(text));
+std::optional<Pickle> unpickled(const Json& value, std::string& bytes, PolicyProblem& problem) {
+  auto decoded = from_base64(text_of(member(&value, ":serialized:")));
   if (!decoded || decoded->empty()) return std::nullopt;
   bytes = std::move(*decoded);
   return read_pickle(bytes, PickleNames::statistics, problem);
@@ -63,7 +60,7 @@ std::optional<std::vector<double>> bounds(const Pickle& pickle, const PickleValu
 
 class DataReader {
  public:
-  DataReader(const json& data, PolicyProblem& problem) : data_(data), problem_(problem) {}
+  DataReader(const Json* data, PolicyProblem& problem) : data_(data), problem_(problem) {}
 
   std::optional<PolicyFacts> read() {
     read_algorithm();
@@ -80,8 +77,8 @@ class DataReader {
 
   /// From the module of its policy: "stable_baselines3.sac.policies".
   void read_algorithm() {
-    const json* policy = member(data_, "policy_class");
-    const std::string module = policy != nullptr ? text_of(member(*policy, "__module__")) : "";
+    const Json* policy = member(data_, "policy_class");
+    const std::string module = text_of(member(policy, "__module__"));
     for (const char* name : {"sac", "td3", "dqn", "tqc", "qrdqn", "ars", "crossq"}) {
       if (module.find(fmt::format(".{}.", name)) == std::string::npos) continue;
       for (const char* c = name; *c != '\0'; ++c) {
@@ -102,55 +99,49 @@ class DataReader {
     if (facts_.contract.algorithm == "ARS" && policy != nullptr) read_class(*policy);
   }
   /// ARS's two policies differ by a tanh. The name of the class is in a pickle of nothing else.
-  void read_class(const json& policy) {
-    const auto pickled = from_base64(text_of(member(policy, ":serialized:")));
+  void read_class(const Json& policy) {
+    const auto pickled = from_base64(text_of(member(&policy, ":serialized:")));
     if (!pickled) return;
     if (pickled->find("ARSPolicy") != std::string::npos) facts_.squash = true;
     if (pickled->find("ARSLinearPolicy") != std::string::npos) facts_.squash = false;
   }
 
   bool read_keywords() {
-    const json* keywords = member(data_, "policy_kwargs");
+    const Json* keywords = member(data_, "policy_kwargs");
     if (keywords == nullptr) return true;
-    if (const json* squash = member(*keywords, "squash_output");
-        squash != nullptr && squash->is_boolean()) {
-      facts_.squash = squash->get<bool>();
+    if (const auto squash = truth_of(member(keywords, "squash_output"))) facts_.squash = squash;
+    if (const auto limit = number_of(member(keywords, "clip_mean"))) facts_.limit = *limit;
+    if (const auto epsilon = number_of(member(keywords, "batch_norm_eps"))) {
+      facts_.norm_epsilon = *epsilon;
     }
-    if (const json* limit = member(*keywords, "clip_mean");
-        limit != nullptr && limit->is_number()) {
-      facts_.limit = limit->get<double>();
+    if (const auto scales = truth_of(member(keywords, "normalize_images"))) {
+      scales_pixels_ = *scales;
     }
-    if (const json* epsilon = member(*keywords, "batch_norm_eps");
-        epsilon != nullptr && epsilon->is_number()) {
-      facts_.norm_epsilon = epsilon->get<double>();
-    }
-    if (const json* scales = member(*keywords, "normalize_images");
-        scales != nullptr && scales->is_boolean()) {
-      scales_pixels_ = scales->get<bool>();
-    }
-    if (std::string name = text_of(member(*keywords, "features_extractor_class")); !name.empty()) {
+    if (std::string name = text_of(member(keywords, "features_extractor_class")); !name.empty()) {
       // "<class 'stable_baselines3.common.torch_layers.NatureCNN'>"
       while (!name.empty() && (name.back() == '>' || name.back() == '\'')) name.pop_back();
       facts_.extractor = name.substr(name.rfind('.') + 1);
     }
-    if (const std::string name = text_of(member(*keywords, "activation_fn")); !name.empty()) {
+    if (const std::string name = text_of(member(keywords, "activation_fn")); !name.empty()) {
       facts_.activation = activation_of(name);
       if (!facts_.activation) {
         return fail(fmt::format("with activation `{}`, which is not supported", printable(name)));
       }
     }
-    if (const json* arch = member(*keywords, "net_arch")) read_hidden(*arch);
+    if (const Json* arch = member(keywords, "net_arch")) read_hidden(*arch);
     return true;
   }
 
   /// [64, 64], {"pi": [64, 64], "vf": …} or [{"pi": …}].
-  void read_hidden(const json& arch) {
-    const json* list = &arch;
-    if (arch.is_array() && arch.size() == 1 && arch.front().is_object()) list = &arch.front();
-    if (list->is_object()) list = member(*list, "pi");
-    if (list == nullptr) return;
-    const auto sizes = numbers_of(*list);
-    if (!sizes || list->is_number()) return;
+  void read_hidden(const Json& arch) {
+    const Json* list = &arch;
+    const auto* items = arch.as<Json::List>();
+    if (items != nullptr && items->size() == 1 && items->front().is<Json::Object>()) {
+      list = &items->front();
+    }
+    if (list->is<Json::Object>()) list = member(list, "pi");
+    const auto sizes = numbers_of(list);
+    if (!sizes || number_of(list)) return;
     facts_.hidden.emplace();
     for (const double size : *sizes) {
       if (!(size >= 0.0 && size < 1e9)) return facts_.hidden.reset();
@@ -160,7 +151,7 @@ class DataReader {
 
   /// Only spaces: other pickles in `data` may hold anything, and are not looked at.
   std::optional<Pickle> space(const char* key, std::string& bytes) {
-    const json* value = member(data_, key);
+    const Json* value = member(data_, key);
     if (value == nullptr) {
       fail(fmt::format("without `{}`", key));
       return std::nullopt;
@@ -270,7 +261,7 @@ class DataReader {
     return true;
   }
 
-  const json& data_;
+  const Json* data_;  // an object
   PolicyProblem& problem_;
   PolicyFacts facts_;
   bool scales_pixels_ = true;
@@ -280,50 +271,10 @@ class DataReader {
 
 std::optional<PolicyFacts> facts_of_sb3(std::string_view text, PolicyProblem& problem) {
   const auto data = parse_json(text);
-  if (!data || !data->is_object()) {
-    return refuse(problem, "E0626", "has `data` that is not one JSON object",
-                  "the file is damaged: save it again");
+  if (!data || !data->is<Json::Object>()) {
+    return refuse(problem, "E0626", "has `data` that is not one JSON object", kSaveAgain);
   }
-  return DataReader(*data, problem).read();
-}
-
-std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext& context,
-                                       PolicyProblem& problem) {
-  const auto archive = Archive::open(bytes, problem);
-  if (!archive) return std::nullopt;
-  TensorTable table;
-  PolicyFacts facts;
-  std::string policy_buffer;
-  if (archive->has("policy.pth")) {
-    const auto inner_bytes = archive->read("policy.pth", policy_buffer, problem);
-    if (!inner_bytes) return std::nullopt;
-    const auto inner = Archive::open(*inner_bytes, problem);
-    if (!inner || !read_torch(*inner, table, problem)) return std::nullopt;
-    std::string data_buffer;
-    const auto data = archive->read("data", data_buffer, problem);
-    if (!data) return std::nullopt;
-    auto said = facts_of_sb3(*data, problem);
-    if (!said) return std::nullopt;
-    facts = std::move(*said);
-    std::string version_buffer;
-    PolicyProblem ignored;
-    const auto version = archive->read("_stable_baselines3_version", version_buffer, ignored);
-    facts.format = "Stable-Baselines3";
-    if (version && !version->empty()) {
-      facts.format += " " + printable(version->substr(0, version->find('\n')));
-    }
-    return make_actor(table, facts, context, problem);
-  }
-  const std::vector<std::string> names = archive->names();
-  const bool is_npz = std::any_of(names.begin(), names.end(),
-                                  [](const std::string& name) { return name.ends_with(".npy"); });
-  if (is_npz ? !read_npz(*archive, table, problem) : !read_torch(*archive, table, problem)) {
-    return std::nullopt;
-  }
-  auto said = facts_of_notes(table, problem);
-  if (!said) return std::nullopt;
-  said->format = is_npz ? "npz" : "torch.save";
-  return make_actor(table, *said, context, problem);
+  return DataReader(&*data, problem).read();
 }
 
 }  // namespace eagerx::gen

@@ -53,7 +53,7 @@ std::optional<std::vector<double>> one_for_each_input(const ActorParts& parts, c
   return finite_values_of(name, tensor, parts.problem);
 }
 
-bool add(const ActorParts& parts, const KnownStatistics& known) {
+bool add_known(const ActorParts& parts, const KnownStatistics& known) {
   if (parts.table.find(known.mean) == nullptr || parts.table.find(known.spread) == nullptr) {
     return parts.fail("E0627",
                       fmt::format("has only one of `{}` and `{}`", known.mean, known.spread),
@@ -93,7 +93,7 @@ bool add_statistics(const ActorParts& parts) {
     if (parts.table.find(known.mean) == nullptr && parts.table.find(known.spread) == nullptr) {
       continue;
     }
-    return add(parts, known);
+    return add_known(parts, known);
   }
   return true;
 }

@@ -4,15 +4,15 @@
 
 #include <cstdint>
 
+#include "generator/formats/onnx/operators/tensor.hpp"
+
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kDamaged = "the file is damaged: export the actor again";
-
 /// The walk, with a stack of its own: a hostile file may be a million nodes deep.
-class Walk {
+class GraphWalk {
  public:
-  Walk(const OnnxNames& names, PolicyProblem& problem) : names_(names), problem_(problem) {}
+  GraphWalk(const OnnxNames& names, PolicyProblem& problem) : names_(names), problem_(problem) {}
 
   std::optional<OnnxDependencies> run(std::string_view output) {
     if (!visit(output)) return std::nullopt;
@@ -43,7 +43,7 @@ class Walk {
       if (state == State::open) {
         problem_ = {"E0610",
                     fmt::format("needs `{}` to compute `{}`", printable(name), printable(name)),
-                    kDamaged};
+                    kExportAgain};
         return false;
       }
       if (state == State::unseen) {
@@ -60,7 +60,7 @@ class Walk {
     }
     if (names_.tensors.contains(name)) return true;
     problem_ = {"E0609", fmt::format("uses `{}`, which is not in the file", printable(name)),
-                kDamaged};
+                kExportAgain};
     return false;
   }
 
@@ -79,7 +79,7 @@ std::optional<OnnxNames> collect_names(const onnx::GraphProto& graph, PolicyProb
   std::unordered_map<std::string_view, bool> taken;
   const auto take = [&](std::string_view name) {
     if (taken.emplace(name, true).second) return true;
-    problem = {"E0611", fmt::format("defines `{}` twice", printable(name)), kDamaged};
+    problem = {"E0611", fmt::format("defines `{}` twice", printable(name)), kExportAgain};
     return false;
   };
   for (const onnx::TensorProto& tensor : graph.initializer()) {
@@ -103,7 +103,7 @@ std::optional<OnnxNames> collect_names(const onnx::GraphProto& graph, PolicyProb
 
 std::optional<OnnxDependencies> walk_back(std::string_view output, const OnnxNames& names,
                                           PolicyProblem& problem) {
-  return Walk(names, problem).run(output);
+  return GraphWalk(names, problem).run(output);
 }
 
 }  // namespace eagerx::gen

@@ -105,9 +105,9 @@ bool is_packed(Message in, std::uint64_t number) {
                      [&](const Field& field) { return field.in == in && field.number == number; });
 }
 
-class Walk {
+class WireWalk {
  public:
-  explicit Walk(std::string_view bytes) : bytes_(bytes) {
+  explicit WireWalk(std::string_view bytes) : bytes_(bytes) {
     open_.push_back({Message::model, bytes.size()});
   }
 
@@ -183,7 +183,7 @@ class Walk {
 }  // namespace
 
 bool is_onnx_of_few_parts(std::string_view bytes) {
-  return Walk(bytes).run();
+  return WireWalk(bytes).run();
 }
 
 }  // namespace eagerx::gen

@@ -5,14 +5,12 @@
 
 #include <algorithm>
 
+#include "generator/network/limits.hpp"
+
 namespace eagerx::gen {
 namespace {
 
-using Kind = OnnxValue::Kind;
-
 constexpr std::int64_t kMaxStateLayers = 64;
-constexpr const char* kExportHelp =
-    "export the actor alone with `torch.onnx.export`: one observation in, the action first";
 
 /// Types that a float32 observation stands for: it holds all numbers of the short integers, and a
 /// double's to its own precision.
@@ -28,7 +26,7 @@ std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memo
   const std::string name = printable(input.name());
   const onnx::TypeProto::Tensor& type = input.type().tensor_type();
   const auto fail = [&](const std::string& what) {
-    problem = {"E0608", fmt::format("has input `{}` {}", name, what), kExportHelp};
+    problem = {"E0608", fmt::format("has input `{}` {}", name, what), kExportActor};
     return std::nullopt;
   };
   if (!input.type().has_tensor_type() || !type.has_shape() || type.shape().dim_size() == 0) {
@@ -55,8 +53,8 @@ std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memo
     if (!batch && !time && dim.dim_value() < 1) return fail("of unknown size");
     shape.push_back(batch || time ? 1 : dim.dim_value());
   }
-  constexpr int kMaxRank = 8;
-  if (rank > kMaxRank || element_count(shape).value_or(kMaxElements) > kMaxValues) {
+  if (rank > static_cast<int>(kMaxOnnxRank) ||
+      element_count(shape).value_or(kMaxElements) > kMaxValues) {
     return fail("of an impossible size");
   }
   return shape;
@@ -79,7 +77,7 @@ std::optional<OnnxValue> state_value(const onnx::ValueInfoProto& input, PolicyPr
                   "export the actor with the observation first, then its states");
   }
   OnnxValue value;
-  value.kind = Kind::state;
+  value.kind = OnnxValue::Kind::state;
   value.shape = Dims{size(0), 1, size(2)};
   value.state.name = input.name();
   value.slots = size(0);

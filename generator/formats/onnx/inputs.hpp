@@ -1,4 +1,4 @@
-// What a graph's inputs are. Inside policy/ only.
+// What a graph's inputs are. Inside formats/onnx only.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,10 @@
 #include "generator/formats/onnx/operators/value.hpp"
 
 namespace eagerx::gen {
+
+/// What helps against graphs that are more than an actor.
+inline constexpr const char* kExportActor =
+    "export the actor alone with `torch.onnx.export`: one observation in, the action first";
 
 /// The shape of one observation: a batch axis becomes 1, and so does one of time, if there is a
 /// memory. E0608.

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <utility>
 
+#include "generator/network/limits.hpp"
+
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kExportHelp =
+constexpr const char* kLayersHelp =
     "export the actor alone: Linear layers with LayerNorm or not, and an activation after them";
 
 /// The bias as `outputs` values, with its factor applied; NaN and infinity are caught later.
@@ -88,10 +90,10 @@ std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>&
 }
 
 /// Layers, one after the other.
-class Builder {
+class LayerBuilder {
  public:
-  Builder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
-          PolicyProblem& problem)
+  LayerBuilder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
+               PolicyProblem& problem)
       : count_(inputs), used_(used), problem_(problem) {}
 
   bool add(const OnnxStep& step) {
@@ -104,7 +106,7 @@ class Builder {
   std::vector<Layer> take() { return std::move(layers_); }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kExportHelp) {
+  bool fail(const char* code, std::string message, std::string help = kLayersHelp) {
     problem_ = {code, std::move(message), std::move(help)};
     return false;
   }
@@ -160,7 +162,7 @@ class Builder {
 
   /// What a robot cannot compute in a step, and a generator not in a minute.
   bool is_short(const KernelShape& kernel, std::uint64_t values) {
-    constexpr std::uint64_t kMostProducts = std::uint64_t{1} << 30U;
+    constexpr auto kMostProducts = static_cast<std::uint64_t>(kMaxProducts);
     const std::uint64_t size = std::uint64_t{kernel.rows} * kernel.columns;
     if (size <= kMostProducts && size * values <= kMostProducts / after_) return true;
     return fail(
@@ -275,14 +277,14 @@ std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps
                                               PolicyProblem& problem) {
   const auto path = path_to(steps, last, problem);
   if (!path) return std::nullopt;
-  Builder builder(inputs, used, problem);
+  LayerBuilder builder(inputs, used, problem);
   bool computes = false;
   for (const OnnxStep* step : *path) {
     if (!builder.add(*step)) return std::nullopt;
     computes = computes || !std::holds_alternative<Reorder>(step->what);
   }
   if (!computes) {
-    problem = {"E0620", "has no layer between its input and its first output", kExportHelp};
+    problem = {"E0620", "has no layer between its input and its first output", kLayersHelp};
     return std::nullopt;
   }
   return builder.take();

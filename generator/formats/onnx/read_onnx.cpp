@@ -1,4 +1,6 @@
-// ONNX files: the whole model is untrusted, and only what leads to the first output is read.
+// The whole model is untrusted, and only what leads to the first output is read.
+#include "generator/formats/onnx/read_onnx.hpp"
+
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -15,7 +17,7 @@
 #include "generator/formats/onnx/network.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
 #include "generator/formats/onnx/operators/value.hpp"
-#include "generator/formats/read.hpp"
+#include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -25,9 +27,6 @@ using Kind = OnnxValue::Kind;
 // Between these versions none of the supported operators changed its meaning.
 constexpr std::int64_t kOldestOpset = 9;
 constexpr std::int64_t kNewestOpset = 23;
-
-constexpr const char* kExportHelp =
-    "export the actor alone with `torch.onnx.export`: one observation in, the action first";
 
 std::optional<onnx::ModelProto> parse(std::string_view bytes, PolicyProblem& problem) {
   constexpr char kIrVersionTag = '\x08';  // how every ONNX file begins
@@ -75,19 +74,20 @@ bool is_recurrent(const onnx::NodeProto& node) {
   return node.op_type() == "GRU" || node.op_type() == "LSTM";
 }
 
-using Inputs = std::vector<const onnx::ValueInfoProto*>;
+using GraphInputs = std::vector<const onnx::ValueInfoProto*>;
 using InputSet = std::unordered_set<const onnx::ValueInfoProto*>;
 
 /// The observation: the needed inputs in the order of the file. With a memory the first one, and
 /// others are states.
-std::optional<Inputs> find_observation(const onnx::GraphProto& graph,
-                                       const OnnxDependencies& needed, PolicyProblem& problem) {
+std::optional<GraphInputs> find_observation(const onnx::GraphProto& graph,
+                                            const OnnxDependencies& needed,
+                                            PolicyProblem& problem) {
   const bool has_memory = std::any_of(needed.nodes.begin(), needed.nodes.end(),
                                       [](const auto* node) { return is_recurrent(*node); });
   if (needed.inputs.empty()) {
-    return refuse(problem, "E0620", "has a first output that depends on no input", kExportHelp);
+    return refuse(problem, "E0620", "has a first output that depends on no input", kExportActor);
   }
-  Inputs found;
+  GraphInputs found;
   const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
     const bool is_needed = wanted.contains(&input);
@@ -97,9 +97,9 @@ std::optional<Inputs> find_observation(const onnx::GraphProto& graph,
 }
 
 /// Every value that is computed or given, by name.
-class Values {
+class ValueTable {
  public:
-  explicit Values(const OnnxNames& names) : names_(names) {}
+  explicit ValueTable(const OnnxNames& names) : names_(names) {}
   void set(std::string_view name, OnnxValue value) { values_[name] = std::move(value); }
   /// The value of `name`; tensors of the file are looked at when they are first asked for.
   const OnnxValue* get(std::string_view name) {
@@ -123,8 +123,8 @@ class Values {
 };
 
 /// Sets the inputs of an observation of several parts, which come one after the other.
-bool set_parts(const Inputs& inputs, OnnxCall::State& state, Values& values, Network& network,
-               PolicyProblem& problem) {
+bool set_parts(const GraphInputs& inputs, OnnxCall::State& state, ValueTable& values,
+               Network& network, PolicyProblem& problem) {
   for (const onnx::ValueInfoProto* input : inputs) {
     OnnxValue part;
     part.kind = Kind::data;
@@ -132,7 +132,7 @@ bool set_parts(const Inputs& inputs, OnnxCall::State& state, Values& values, Net
     if (!part.shape) return false;
     const std::int64_t count = element_count(*part.shape).value_or(kMaxValues);
     if (count > kMaxValues - state.observed) {
-      problem = {"E0608", "has inputs of an impossible size", kExportHelp};
+      problem = {"E0608", "has inputs of an impossible size", kExportActor};
       return false;
     }
     Reorder order;
@@ -152,7 +152,7 @@ bool set_parts(const Inputs& inputs, OnnxCall::State& state, Values& values, Net
 /// Sets the inputs behind the observation that may be states.
 bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
                 const OnnxDependencies& needed, const onnx::ValueInfoProto& observation,
-                Values& values, PolicyProblem& problem) {
+                ValueTable& values, PolicyProblem& problem) {
   const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
     if (&input == &observation || !names.inputs.contains(input.name())) continue;
@@ -168,7 +168,7 @@ bool set_states(const onnx::GraphProto& graph, const OnnxNames& names,
   return true;
 }
 
-void evaluate_nodes(const OnnxDependencies& needed, OnnxCall::State& state, Values& values,
+void evaluate_nodes(const OnnxDependencies& needed, OnnxCall::State& state, ValueTable& values,
                     std::unordered_set<const onnx::NodeProto*>& done) {
   for (const onnx::NodeProto* node : needed.nodes) {
     if (!done.insert(node).second) continue;
@@ -274,7 +274,7 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   if (!opset) return std::nullopt;
   const onnx::GraphProto& graph = model->graph();
   if (graph.output_size() == 0) {
-    problem = {"E0606", "has a graph without an output", kExportHelp};
+    problem = {"E0606", "has a graph without an output", kExportActor};
     return std::nullopt;
   }
   const std::optional<OnnxNames> names = collect_names(graph, problem);
@@ -289,7 +289,7 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   OnnxCall::State state;
   state.opset = *opset;
   state.is_sequence = is_sequence(*observation->front());
-  Values values(*names);
+  ValueTable values(*names);
   const bool has_memory = std::any_of(needed->nodes.begin(), needed->nodes.end(),
                                       [](const auto* node) { return is_recurrent(*node); });
   std::optional<Dims> observed;
@@ -321,7 +321,7 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   if (result.kind != Kind::data) {
     problem = result.kind == Kind::other
                   ? result.problem
-                  : PolicyProblem{"E0620", "has a first output that is constant", kExportHelp};
+                  : PolicyProblem{"E0620", "has a first output that is constant", kExportActor};
     return std::nullopt;
   }
   std::vector<const OnnxValue*> others;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "generator/network/limits.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -17,7 +19,6 @@ constexpr std::uint32_t kDirectoryMark = 0x02014b50;
 constexpr std::uint32_t kHeaderMark = 0x04034b50;
 constexpr std::uint32_t kInZip64 = 0xffffffff;
 constexpr std::uint32_t kEncrypted = 1;
-constexpr const char* kDamaged = "the file is damaged or truncated: save it again";
 
 /// `count` bytes at `at`, little-endian; the caller has checked that they exist.
 std::uint32_t number(std::string_view bytes, std::size_t at, std::size_t count) {
@@ -57,7 +58,7 @@ bool inflate_all(std::string_view packed, std::string& out) {
 
 std::optional<Archive> Archive::open(std::string_view bytes, PolicyProblem& problem) {
   const auto damaged = [&](const char* how) {
-    return refuse(problem, "E0621", fmt::format("is a zip archive {}", how), kDamaged);
+    return refuse(problem, "E0621", fmt::format("is a zip archive {}", how), kCutShort);
   };
   const auto end = find_end(bytes);
   if (!end) return damaged("without its directory");
@@ -86,7 +87,7 @@ std::optional<Archive> Archive::open(std::string_view bytes, PolicyProblem& prob
     if (!archive.entries_.emplace(name, entry).second) {
       return refuse(problem, "E0621",
                     fmt::format("is a zip archive with two entries `{}`", printable(name)),
-                    kDamaged);
+                    kCutShort);
     }
   }
   return archive;
@@ -100,7 +101,7 @@ std::vector<std::string> Archive::names() const {
 
 std::optional<std::string_view> Archive::read(std::string_view name, std::string& buffer,
                                               PolicyProblem& problem) const {
-  const auto fail = [&](const char* how, const char* help = kDamaged) {
+  const auto fail = [&](const char* how, const char* help = kCutShort) {
     return refuse(problem, "E0621",
                   fmt::format("is a zip archive whose entry `{}` {}", printable(name), how), help);
   };

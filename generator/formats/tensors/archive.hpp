@@ -7,8 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "generator/formats/read.hpp"
+#include "generator/formats/common/problem.hpp"
 
 namespace eagerx::gen {
 

@@ -4,11 +4,12 @@
 #include <charconv>
 
 #include "generator/formats/tensors/containers.hpp"
+#include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kHelp = "save it again with `numpy.savez`";
+constexpr const char* kNumpyHelp = "save it again with `numpy.savez`";
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -17,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// What follows `'key':` in the header, or empty.
-std::string_view entry(std::string_view header, std::string_view key) {
+std::string_view header_entry(std::string_view header, std::string_view key) {
   const std::string quoted = fmt::format("'{}':", key);
   const std::size_t at = header.find(quoted);
   return at == std::string_view::npos ? std::string_view{}
@@ -68,7 +69,8 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
   constexpr std::string_view kMagic = "\x93NUMPY";
   constexpr std::size_t kVersion = 6;
   const auto fail = [&](const std::string& how) {
-    return refuse(problem, "E0630", fmt::format("has array `{}` {}", printable(name), how), kHelp);
+    return refuse(problem, "E0630", fmt::format("has array `{}` {}", printable(name), how),
+                  kNumpyHelp);
   };
   if (bytes.size() < 12 || !bytes.starts_with(kMagic)) return fail("that is not NumPy's format");
   const std::size_t width = bytes[kVersion] == 1 ? 2 : 4;
@@ -78,8 +80,8 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
   }
   if (length > bytes.size() - 8 - width) return fail("that ends early");
   const std::string_view header = bytes.substr(8 + width, length);
-  const std::string_view code = quoted_text(entry(header, "descr"));
-  const auto shape = shape_of(entry(header, "shape"));
+  const std::string_view code = quoted_text(header_entry(header, "descr"));
+  const auto shape = shape_of(header_entry(header, "shape"));
   if (code.size() < 2 || !shape) return fail("whose header cannot be read");
   const auto type = numpy_type(code.substr(1));
   if (!type || code.front() == '>') {
@@ -90,7 +92,7 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
   StoredTensor tensor;
   tensor.type = *type;
   tensor.shape = *shape;
-  if (entry(header, "fortran_order").starts_with("True")) {
+  if (header_entry(header, "fortran_order").starts_with("True")) {
     tensor.strides = fortran_strides(tensor.shape);
   }
   tensor.bytes = bytes.substr(8 + width + length);
@@ -109,7 +111,7 @@ bool read_npz(const Archive& archive, TensorTable& table, PolicyProblem& problem
     unpacked += bytes->size();
     if (unpacked > kMaxPolicyBytes) {
       problem = {"E0621", "is a zip archive that unpacks to more than the 64 MB that are read",
-                 kHelp};
+                 kNumpyHelp};
       return false;
     }
     auto tensor = read_npy(*bytes, name, problem);

@@ -11,7 +11,7 @@ using Kind = PickleValue::Kind;
 using Index = std::uint32_t;
 
 /// NumPy's type behind `dtype('f4', False, True)` with state `(3, '<', …)`.
-std::optional<ElementType> type_of(const Pickle& pickle, const PickleValue& dtype) {
+std::optional<ElementType> numpy_dtype_of(const Pickle& pickle, const PickleValue& dtype) {
   if (!pickle.made_by(dtype, "numpy.dtype")) return std::nullopt;
   const PickleValue& arguments = pickle.at(dtype.arguments);
   if (arguments.items.empty()) return std::nullopt;
@@ -20,20 +20,11 @@ std::optional<ElementType> type_of(const Pickle& pickle, const PickleValue& dtyp
   return numpy_type(pickle.at(arguments.items[0]).text);
 }
 
+/// And the classes of torch's storages.
 constexpr std::array kTensorNames = {
     "collections.OrderedDict",
     "torch._utils._rebuild_tensor_v2",
     "torch._utils._rebuild_parameter",
-    "torch.FloatStorage",
-    "torch.DoubleStorage",
-    "torch.HalfStorage",
-    "torch.BFloat16Storage",
-    "torch.IntStorage",
-    "torch.LongStorage",
-    "torch.ShortStorage",
-    "torch.CharStorage",
-    "torch.ByteStorage",
-    "torch.BoolStorage",
     "torch.Size",
     "torch.device",
     "collections.defaultdict",
@@ -80,7 +71,8 @@ bool is_known_in_pickles(std::string_view name, PickleNames known) {
   const auto among = [&](const auto& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return known == PickleNames::tensors ? among(kTensorNames) : among(kStatisticsNames);
+  if (known == PickleNames::statistics) return among(kStatisticsNames);
+  return among(kTensorNames) || torch_storage_type(name).has_value();
 }
 
 const PickleValue* Pickle::find(const PickleValue& in, std::string_view key) const {
@@ -130,17 +122,17 @@ std::optional<StoredTensor> Pickle::array(const PickleValue& value) const {
   if (function.ends_with("multiarray._reconstruct") && state.size() == 5) {
     // (version, shape, dtype, is Fortran order, bytes)
     shape = integers(at(state[1]));
-    type = type_of(*this, at(state[2]));
+    type = numpy_dtype_of(*this, at(state[2]));
     if (at(state[3]).integer != 0 && shape && shape->size() > 1) return std::nullopt;
     tensor.bytes = at(state[4]).text;
   } else if (function.ends_with("numeric._frombuffer") && arguments.size() == 4) {
     // (bytes, dtype, shape, order)
     tensor.bytes = at(arguments[0]).text;
-    type = type_of(*this, at(arguments[1]));
+    type = numpy_dtype_of(*this, at(arguments[1]));
     shape = integers(at(arguments[2]));
     if (at(arguments[3]).text == "F" && shape && shape->size() > 1) return std::nullopt;
   } else if (function.ends_with("multiarray.scalar") && arguments.size() == 2) {
-    type = type_of(*this, at(arguments[0]));
+    type = numpy_dtype_of(*this, at(arguments[0]));
     tensor.bytes = at(arguments[1]).text;
     shape.emplace();
   }

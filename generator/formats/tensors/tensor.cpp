@@ -1,9 +1,7 @@
 #include "generator/formats/tensors/tensor.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -16,8 +14,7 @@ static_assert(std::endian::native == std::endian::little,
               "values are read as they lie in the file");
 
 constexpr std::size_t kMaxTensors = 100'000;
-constexpr std::size_t kMaxRank = 16;
-constexpr const char* kDamaged = "the file is damaged: save it again";
+constexpr std::size_t kMaxTensorRank = 16;
 
 template <class T>
 double read(const char* from) {
@@ -79,60 +76,10 @@ std::optional<std::int64_t> extent(const StoredTensor& tensor) {
 
 }  // namespace
 
-double half(std::uint16_t bits) {
-  constexpr unsigned kExponentBits = 0x1f;
-  constexpr unsigned kMantissaBits = 10;
-  const unsigned exponent = (bits >> kMantissaBits) & kExponentBits;
-  const double mantissa = bits & 0x3ffU;
-  double value = 0.0;
-  if (exponent == kExponentBits) {
-    value = mantissa == 0.0 ? std::numeric_limits<double>::infinity()
-                            : std::numeric_limits<double>::quiet_NaN();
-  } else if (exponent == 0) {
-    value = std::ldexp(mantissa, -24);
-  } else {
-    value = std::ldexp(mantissa + 1024.0, static_cast<int>(exponent) - 25);
-  }
-  return (bits & 0x8000U) != 0 ? -value : value;
-}
-
-std::optional<std::int64_t> element_count(const Dims& dims) {
-  std::int64_t bound = 1;  // with 1 for every 0, so that [2^62, 0, 2^62] is refused too
-  bool empty = false;
-  for (const std::int64_t dim : dims) {
-    if (dim < 0 || (dim > 0 && bound > kMaxElements / dim)) return std::nullopt;
-    if (dim > 0) bound *= dim;
-    empty = empty || dim == 0;
-  }
-  return empty ? 0 : bound;
-}
-
-std::string show(const Dims& dims) {
-  return fmt::format("[{}]", fmt::join(dims, ", "));
-}
-
-std::size_t size_of(ElementType type) {
-  constexpr std::array<std::size_t, 10> kSizes = {2, 2, 4, 8, 1, 1, 2, 4, 8, 1};
-  return kSizes.at(static_cast<std::size_t>(type));
-}
-
-std::optional<ElementType> numpy_type(std::string_view code) {
-  if (code == "f2") return ElementType::float16;
-  if (code == "f4") return ElementType::float32;
-  if (code == "f8") return ElementType::float64;
-  if (code == "i1") return ElementType::int8;
-  if (code == "u1") return ElementType::uint8;
-  if (code == "i2") return ElementType::int16;
-  if (code == "i4") return ElementType::int32;
-  if (code == "i8") return ElementType::int64;
-  if (code == "b1") return ElementType::boolean;
-  return std::nullopt;
-}
-
 bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& problem) {
   const auto elements = extent(tensor);
   const std::size_t held = tensor.bytes.size() / size_of(tensor.type);
-  if (elements && tensor.shape.size() <= kMaxRank &&
+  if (elements && tensor.shape.size() <= kMaxTensorRank &&
       static_cast<std::uint64_t>(*elements) <= held &&
       element_count(tensor.shape) <= kMaxElements) {
     // Strides of zero would let a few bytes stand for a terabyte.
@@ -141,7 +88,7 @@ bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& pr
   problem = {"E0614",
              fmt::format("says that tensor `{}` has shape {}, but holds {} values", printable(name),
                          show(tensor.shape), held),
-             kDamaged};
+             kSaveAgain};
   return false;
 }
 
@@ -210,11 +157,11 @@ std::optional<std::vector<float>> floats_of(const std::string& name, const Store
 bool TensorTable::add(const std::string& name, StoredTensor tensor, PolicyProblem& problem) {
   if (!fits(name, tensor, problem)) return false;
   if (tensors.size() >= kMaxTensors) {
-    problem = {"E0619", fmt::format("has more than {} tensors", kMaxTensors), kDamaged};
+    problem = {"E0619", fmt::format("has more than {} tensors", kMaxTensors), kSaveAgain};
     return false;
   }
   if (tensors.emplace(name, std::move(tensor)).second) return true;
-  problem = {"E0610", fmt::format("has two tensors `{}`", printable(name)), kDamaged};
+  problem = {"E0610", fmt::format("has two tensors `{}`", printable(name)), kSaveAgain};
   return false;
 }
 

@@ -9,35 +9,11 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/formats/read.hpp"
+#include "generator/formats/common/problem.hpp"
+#include "generator/formats/common/shape.hpp"
+#include "generator/formats/tensors/element_type.hpp"
 
 namespace eagerx::gen {
-
-using Dims = std::vector<std::int64_t>;  // each at least 0, product below kMaxElements
-
-inline constexpr std::int64_t kMaxElements = std::int64_t{1} << 40U;
-
-/// Product of `dims`; nothing for a negative dimension or more than kMaxElements.
-std::optional<std::int64_t> element_count(const Dims& dims);
-
-/// "[64, 3]".
-std::string show(const Dims& dims);
-
-enum class ElementType : std::uint8_t {
-  float16,
-  bfloat16,
-  float32,
-  float64,
-  int8,
-  uint8,
-  int16,
-  int32,
-  int64,
-  boolean,
-};
-std::size_t size_of(ElementType type);
-/// By NumPy's code without its byte order: "f4".
-std::optional<ElementType> numpy_type(std::string_view code);
 
 /// A tensor as it lies in the file.
 struct StoredTensor {
@@ -49,9 +25,6 @@ struct StoredTensor {
 
 /// E0614 unless every element of the shape lies inside of `bytes`.
 bool fits(const std::string& name, const StoredTensor& tensor, PolicyProblem& problem);
-
-/// The float16 with these bits.
-double half(std::uint16_t bits);
 
 /// All values in row-major order; `fits` was true.
 std::vector<double> values_of(const StoredTensor& tensor);

@@ -1,9 +1,10 @@
 // torch.save: a pickle whose tensors point into files beside it.
 #include <fmt/core.h>
 
-#include <array>
+#include <map>
 
 #include "generator/formats/tensors/containers.hpp"
+#include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -11,33 +12,10 @@ namespace {
 using Kind = PickleValue::Kind;
 
 constexpr std::string_view kPickleName = "data.pkl";
-constexpr const char* kHelp = "save it again with `torch.save`, or with Stable-Baselines3";
-constexpr int kDeepest = 8;
+constexpr const char* kTorchHelp = "save it again with `torch.save`, or with Stable-Baselines3";
+constexpr int kDeepestDictionary = 8;
 constexpr std::size_t kMostVisits = 500'000;
 constexpr std::size_t kLongestName = 4096;
-
-std::optional<ElementType> storage_type(std::string_view name) {
-  struct Row {
-    std::string_view name;
-    ElementType type;
-  };
-  constexpr std::array kTypes = {
-      Row{"torch.FloatStorage", ElementType::float32},
-      Row{"torch.DoubleStorage", ElementType::float64},
-      Row{"torch.HalfStorage", ElementType::float16},
-      Row{"torch.BFloat16Storage", ElementType::bfloat16},
-      Row{"torch.IntStorage", ElementType::int32},
-      Row{"torch.LongStorage", ElementType::int64},
-      Row{"torch.ShortStorage", ElementType::int16},
-      Row{"torch.CharStorage", ElementType::int8},
-      Row{"torch.ByteStorage", ElementType::uint8},
-      Row{"torch.BoolStorage", ElementType::boolean},
-  };
-  for (const Row& row : kTypes) {
-    if (row.name == name) return row.type;
-  }
-  return std::nullopt;
-}
 
 class TorchReader {
  public:
@@ -76,7 +54,7 @@ class TorchReader {
 
  private:
   bool fail(const std::string& how) {
-    problem_ = {"E0623", fmt::format("has {}", how), kHelp};
+    problem_ = {"E0623", fmt::format("has {}", how), kTorchHelp};
     return false;
   }
 
@@ -90,7 +68,7 @@ class TorchReader {
   }
 
   bool add_all(const PickleValue& dictionary, const std::string& prefix, int depth) {
-    if (depth > kDeepest) return fail("dictionaries nested too deeply");
+    if (depth > kDeepestDictionary) return fail("dictionaries nested too deeply");
     for (std::size_t i = 0; i + 1 < dictionary.items.size(); i += 2) {
       // The same dictionary may be in many, and they in many more.
       if (++visited_ > kMostVisits) return fail("too many dictionaries");
@@ -133,7 +111,7 @@ class TorchReader {
     // ('storage', class, key, where it was, number of elements)
     const std::vector<std::uint32_t>& storage = pickle_.at(reference.function).items;
     if (storage.size() < 5) return damaged();
-    const auto type = storage_type(pickle_.at(storage[1]).text);
+    const auto type = torch_storage_type(pickle_.at(storage[1]).text);
     if (!type) return damaged();
     const auto bytes = storage_bytes(pickle_.at(storage[2]).text);
     if (!bytes) return false;
@@ -143,7 +121,7 @@ class TorchReader {
       problem_ = {"E0614",
                   fmt::format("says that the storage of tensor `{}` has {} values, but it holds {}",
                               printable(name), said, bytes->size() / size_of(*type)),
-                  kHelp};
+                  kTorchHelp};
       return false;
     }
     StoredTensor tensor{*type, *shape, *strides, bytes->substr(std::min(start, bytes->size()))};
@@ -158,7 +136,8 @@ class TorchReader {
     unpacked_ += table_.buffers.back().size();
     if (unpacked_ > kMaxPolicyBytes) {
       return refuse(problem_, "E0621",
-                    "is a zip archive that unpacks to more than the 64 MB that are read", kHelp);
+                    "is a zip archive that unpacks to more than the 64 MB that are read",
+                    kTorchHelp);
     }
     return bytes;
   }
@@ -187,7 +166,7 @@ bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& probl
     return TorchReader(archive, table, problem)
         .run(name.substr(0, name.size() - kPickleName.size()));
   }
-  problem = {"E0621", "is a zip archive without `data.pkl`", kHelp};
+  problem = {"E0621", "is a zip archive without `data.pkl`", kTorchHelp};
   return false;
 }
 

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <string>
 
+#include "generator/formats/golden.hpp"
+#include "generator/formats/read.hpp"
 #include "generator/network/evaluate.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"

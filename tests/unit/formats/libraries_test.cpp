@@ -8,6 +8,9 @@
 #include <iterator>
 
 #include "generator/formats/actor/actor.hpp"
+#include "generator/formats/common/problem.hpp"
+#include "generator/formats/golden.hpp"
+#include "generator/formats/read.hpp"
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
 #include "generator/network/evaluate.hpp"

@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 
+#include "generator/formats/read.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 
 namespace eagerx::gen {

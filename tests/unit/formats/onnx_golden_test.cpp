@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/formats/read.hpp"
 #include "generator/network/network.hpp"
 #include "tests/support/plain_sum.hpp"
 

@@ -10,7 +10,6 @@ namespace eagerx::gen {
 namespace {
 
 using Kind = OnnxValue::Kind;
-using Integers = std::vector<std::int64_t>;
 
 constexpr std::int64_t kMaxSide = std::int64_t{1} << 16U;
 
@@ -131,7 +130,7 @@ OnnxValue convolution(const OnnxCall& call) {
         {"E0618",
          fmt::format("moves weights `{}` of shape {} over {} channels in {}",
                      printable(w.constant.tensor->name()), show(weights), from.dims[1], call.who()),
-         "the layers of the file do not fit together: export the actor again"});
+         kExportMisfit});
   }
   Geometry geometry = geometry_of(call, from.dims, {weights.begin() + 2, weights.end()}, from.pad);
   if (!geometry.problem.empty()) return call.misused(geometry.problem);

@@ -17,7 +17,7 @@ using Kind = OnnxValue::Kind;
 using Operation = Elementwise::Operation;
 
 /// True if every value of the (small) constant is zero.
-bool is_zero(const OnnxConstant& constant) {
+bool is_all_zero(const OnnxConstant& constant) {
   PolicyProblem ignored;
   const auto values = read_floats(constant, ignored);
   return values && std::all_of(values->begin(), values->end(), [](float v) { return v == 0.0F; });
@@ -63,7 +63,7 @@ OnnxValue add(const OnnxCall& call) {
   if (!call.spend(element_count(operands->constant.constant.dims).value_or(0))) {
     return call.too_much();
   }
-  if (element_count(*sum) == outputs && is_zero(operands->constant.constant)) {
+  if (element_count(*sum) == outputs && is_all_zero(operands->constant.constant)) {
     OnnxValue same = data;
     same.shape = sum;
     return same;

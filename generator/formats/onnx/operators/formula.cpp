@@ -9,6 +9,7 @@ namespace {
 
 using Kind = OnnxValue::Kind;
 using Role = OnnxPart::Role;
+using Operation = Elementwise::Operation;
 
 constexpr float kSqrtTwo = 1.41421356F;
 constexpr float kSqrtTwoOverPi = 0.79788456F;
@@ -134,7 +135,6 @@ class Formula {
   }
   Result erf() const {
     std::int32_t before = -1;
-    using Operation = Elementwise::Operation;
     if (!is_scaled(a_, Operation::divide, kSqrtTwo, before) &&
         !is_scaled(a_, Operation::multiply, 1.0F / kSqrtTwo, before)) {
       return std::nullopt;

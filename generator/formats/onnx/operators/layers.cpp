@@ -18,7 +18,7 @@ namespace {
 
 using Kind = OnnxValue::Kind;
 
-OnnxConstant transpose(OnnxConstant constant) {
+OnnxConstant swapped(OnnxConstant constant) {
   std::swap(constant.dims[0], constant.dims[1]);
   constant.transposed = !constant.transposed;
   return constant;
@@ -33,7 +33,7 @@ OnnxValue product(const OnnxCall& call, const OnnxValue& data, OnnxDense dense, 
         {"E0618",
          fmt::format("multiplies {} values by tensor `{}`, which takes {}, in {}", length,
                      printable(dense.weights.tensor->name()), dims[1], call.who()),
-         "the layers of the file do not fit together: export the actor again"});
+         kExportMisfit});
   }
   return call.data_after(data.step, std::move(dense), std::move(result));
 }
@@ -61,7 +61,7 @@ OnnxValue gemm(const OnnxCall& call) {
                                     show(*a.shape), show(*b.shape)));
   }
   OnnxDense dense;
-  dense.weights = transposed ? transpose(matrix.constant) : matrix.constant;
+  dense.weights = transposed ? swapped(matrix.constant) : matrix.constant;
   dense.scale = call.real("alpha", 1.0F);
   const std::int64_t outputs = dense.weights.dims[0];
   Dims result = data_left ? Dims{1, outputs} : Dims{outputs, 1};
@@ -72,7 +72,7 @@ OnnxValue gemm(const OnnxCall& call) {
                          fmt::format("adds bias `{}` of shape {} to {} values in {}",
                                      printable(c.constant.tensor->name()), show(c.constant.dims),
                                      outputs, call.who()),
-                         "the layers of the file do not fit together: export the actor again"});
+                         kExportMisfit});
     }
     dense.bias = c.constant;
     dense.bias_scale = call.real("beta", 1.0F);  // not of a bias that a later Add brings
@@ -97,7 +97,7 @@ OnnxValue matmul(const OnnxCall& call) {
                                     show(*a.shape), show(*b.shape)));
   }
   OnnxDense dense;
-  dense.weights = data_left ? transpose(matrix) : matrix;
+  dense.weights = data_left ? swapped(matrix) : matrix;
   result[along] = dense.weights.dims[0];
   return product(call, data, std::move(dense), std::move(result));
 }

@@ -11,7 +11,6 @@ namespace eagerx::gen {
 namespace {
 
 using Kind = OnnxValue::Kind;
-using Integers = std::vector<std::int64_t>;
 
 /// Integers with one axis, as those of a shape.
 bool is_list(const OnnxValue& integers) {

@@ -44,7 +44,7 @@ std::string unusual(const OnnxCall& call, bool is_lstm) {
 
 /// Whether a state is zeros. Its shape comes first and its values count: a file of a few bytes may
 /// name the same large tensor in each of many nodes.
-bool is_zero(const OnnxCall& call, const OnnxValue& value, std::int64_t hidden) {
+bool starts_at_zero(const OnnxCall& call, const OnnxValue& value, std::int64_t hidden) {
   if (value.kind == Kind::absent || value.is_zero) return true;
   if (value.kind != Kind::constant || value.constant.dims != Dims{1, 1, hidden} ||
       !call.spend(hidden)) {
@@ -106,7 +106,7 @@ class Recurrent {
           "E0618",
           fmt::format("has weights of shapes {} and {} for {} values in {}", show(w.constant.dims),
                       show(r.constant.dims), inputs, call_.who()),
-          "the layers of the file do not fit together: export the actor again"};
+          kExportMisfit};
     }
     work_.weights = w.constant;
     work_.hidden_weights = r.constant;
@@ -121,12 +121,12 @@ class Recurrent {
         return PolicyProblem{"E0618",
                              fmt::format("gives a state of shape {} to {}, which has {} values",
                                          show(state.shape.value_or(Dims{})), call_.who(), hidden_),
-                             "the layers of the file do not fit together: export the actor again"};
+                             kExportMisfit};
       }
       source = state.state;
       return std::nullopt;
     }
-    const bool zero = is_zero(call_, state, hidden_);
+    const bool zero = starts_at_zero(call_, state, hidden_);
     if (call_.state().budget < 0) return call_.too_much().problem;
     if (zero && call_.state().is_sequence) return std::nullopt;
     if (zero) {

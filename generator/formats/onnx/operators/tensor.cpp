@@ -12,7 +12,6 @@ namespace {
 
 using onnx::TensorProto;
 
-constexpr int kMaxRank = 8;
 constexpr std::int64_t kMaxShapeElements = 64;
 
 /// Bytes of one element in raw_data; 0 for types that are not read.
@@ -136,10 +135,9 @@ std::optional<OnnxConstant> make_constant(const TensorProto& tensor, PolicyProbl
                 fmt::format("has tensor `{}` of type {}", name, type_name(tensor.data_type())),
                 "export the actor in float32");
   }
-  constexpr const char* kDamaged = "the file is damaged: export the actor again";
-  if (tensor.dims_size() > kMaxRank) {
+  if (tensor.dims_size() > static_cast<int>(kMaxOnnxRank)) {
     return fail("E0614", fmt::format("has tensor `{}` of {} dimensions", name, tensor.dims_size()),
-                kDamaged);
+                kExportAgain);
   }
   OnnxConstant constant{&tensor, Dims(tensor.dims().begin(), tensor.dims().end()), false};
   const std::optional<std::int64_t> count = element_count(constant.dims);
@@ -151,7 +149,7 @@ std::optional<OnnxConstant> make_constant(const TensorProto& tensor, PolicyProbl
     return fail("E0614",
                 fmt::format("says that tensor `{}` has shape {}, but holds {} values{}", name,
                             show(constant.dims), held, whole ? "" : " and a rest"),
-                kDamaged);
+                kExportAgain);
   }
   return constant;
 }

@@ -1,15 +1,28 @@
 // Tensors of an ONNX file: sizes checked before anything is believed, values read on demand.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "generator/formats/common/problem.hpp"
+#include "generator/formats/common/shape.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
-#include "generator/formats/tensors/tensor.hpp"
 
 namespace eagerx::gen {
+
+/// What helps against damaged files, and layers of other sizes.
+inline constexpr const char* kExportAgain = "the file is damaged: export the actor again";
+inline constexpr const char* kExportMisfit =
+    "the layers of the file do not fit together: export the actor again";
+
+/// Dimensions of a tensor.
+inline constexpr std::size_t kMaxOnnxRank = 8;
+
+/// A shape, or axes, or places.
+using Integers = std::vector<std::int64_t>;
 
 /// A constant of the file, without a copy of its values.
 struct OnnxConstant {

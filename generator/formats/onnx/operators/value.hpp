@@ -12,7 +12,8 @@
 
 #include "generator/formats/onnx/onnx.pb.h"
 #include "generator/formats/onnx/operators/tensor.hpp"
-#include "generator/network/network.hpp"
+#include "generator/network/layer.hpp"
+#include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
 
@@ -199,8 +200,6 @@ class OnnxCall {
 /// The small integers a value stands for, if it does.
 std::optional<std::vector<std::int64_t>> integers_of(const OnnxValue& value);
 
-inline constexpr std::size_t kMaxOnnxRank = 8;
-
 /// A computed shape, or a part of one: a scalar has no axis, a list one.
 OnnxValue integers_value(std::vector<std::int64_t> integers, Dims shape);
 OnnxValue integers_value(std::vector<std::int64_t> integers);
@@ -216,9 +215,6 @@ bool fits_as_bias(const OnnxValue& bias, const Dims& result, std::int64_t output
 
 /// The constant as one number, if it is a single finite one.
 std::optional<float> scalar_of(const OnnxValue& value);
-
-/// The most values that there may be between two layers.
-inline constexpr std::int64_t kMaxValues = std::int64_t{1} << 22U;
 
 /// x op c as one more step; nothing if c cannot be broadcast to x.
 std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
@@ -255,9 +251,9 @@ struct OnnxOperatorEntry {
   std::string_view name;
   OnnxOperator run;
 };
-/// Operators that compute (onnx_layers.cpp), that only move or shape (onnx_shapes.cpp), that pick
-/// and reorder (onnx_order.cpp), with constants (onnx_elementwise.cpp), over images
-/// (onnx_convolution.cpp), with a memory (onnx_recurrent.cpp), that choose (onnx_choice.cpp).
+/// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
+/// and reorder (order.cpp), with constants (elementwise.cpp), over images
+/// (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
 std::vector<OnnxOperatorEntry> order_operators();

@@ -1,0 +1,60 @@
+#include "generator/formats/actor/files.hpp"
+
+#include <algorithm>
+
+#include "generator/formats/actor/actor.hpp"
+#include "generator/formats/tensors/archive.hpp"
+#include "generator/formats/tensors/containers.hpp"
+
+namespace eagerx::gen {
+
+std::optional<Network> read_safetensors(std::string_view bytes, const ReadContext& context,
+                                        PolicyProblem& problem) {
+  TensorTable table;
+  if (!read_safetensors_table(bytes, table, problem)) return std::nullopt;
+  auto facts = facts_of_notes(table, problem);
+  if (!facts) return std::nullopt;
+  facts->format = "safetensors";
+  return make_actor(table, *facts, context, problem);
+}
+
+std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext& context,
+                                       PolicyProblem& problem) {
+  const auto archive = Archive::open(bytes, problem);
+  if (!archive) return std::nullopt;
+  TensorTable table;
+  PolicyFacts facts;
+  std::string policy_buffer;
+  if (archive->has("policy.pth")) {
+    const auto inner_bytes = archive->read("policy.pth", policy_buffer, problem);
+    if (!inner_bytes) return std::nullopt;
+    const auto inner = Archive::open(*inner_bytes, problem);
+    if (!inner || !read_torch(*inner, table, problem)) return std::nullopt;
+    std::string data_buffer;
+    const auto data = archive->read("data", data_buffer, problem);
+    if (!data) return std::nullopt;
+    auto said = facts_of_sb3(*data, problem);
+    if (!said) return std::nullopt;
+    facts = std::move(*said);
+    std::string version_buffer;
+    PolicyProblem ignored;
+    const auto version = archive->read("_stable_baselines3_version", version_buffer, ignored);
+    facts.format = "Stable-Baselines3";
+    if (version && !version->empty()) {
+      facts.format += " " + printable(version->substr(0, version->find('\n')));
+    }
+    return make_actor(table, facts, context, problem);
+  }
+  const std::vector<std::string> names = archive->names();
+  const bool is_npz = std::any_of(names.begin(), names.end(),
+                                  [](const std::string& name) { return name.ends_with(".npy"); });
+  if (is_npz ? !read_npz(*archive, table, problem) : !read_torch(*archive, table, problem)) {
+    return std::nullopt;
+  }
+  auto said = facts_of_notes(table, problem);
+  if (!said) return std::nullopt;
+  said->format = is_npz ? "npz" : "torch.save";
+  return make_actor(table, *said, context, problem);
+}
+
+}  // namespace eagerx::gen

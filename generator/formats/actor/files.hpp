@@ -1,0 +1,21 @@
+// Files of tensors to networks.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "generator/formats/common/problem.hpp"
+#include "generator/formats/common/read_context.hpp"
+#include "generator/network/network.hpp"
+
+namespace eagerx::gen {
+
+/// The actor in the bytes of a safetensors file, `file` left empty; or why there is none.
+std::optional<Network> read_safetensors(std::string_view bytes, const ReadContext& context,
+                                        PolicyProblem& problem);
+
+/// The same of a zip archive: Stable-Baselines3, torch.save, npz.
+std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext& context,
+                                       PolicyProblem& problem);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,29 @@
+// Why a file is not usable, in words that can be shown.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace eagerx::gen {
+
+/// Why a file is not a usable policy: a diagnostic without its place.
+struct PolicyProblem {
+  std::string code;
+  std::string message;
+  std::string help;
+};
+
+/// Sets `problem` and returns nothing, for `return refuse(...)`.
+std::nullopt_t refuse(PolicyProblem& problem, const char* code, std::string message,
+                      std::string help);
+
+/// A name out of a file as it can be shown: ASCII, no control characters, not too long.
+std::string printable(std::string_view name);
+
+/// What helps against damaged files.
+inline constexpr const char* kSaveAgain = "the file is damaged: save it again";
+inline constexpr const char* kCutShort = "the file is damaged or truncated: save it again";
+inline constexpr const char* kMisfit = "the layers of the file do not fit together: save it again";
+
+}  // namespace eagerx::gen

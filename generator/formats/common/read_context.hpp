@@ -1,0 +1,14 @@
+// What a reader may need besides the bytes of a file.
+#pragma once
+
+#include <optional>
+
+#include "generator/network/layer.hpp"
+
+namespace eagerx::gen {
+
+struct ReadContext {
+  std::optional<Activation> activation;  // of hidden layers, as the graph says
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,20 @@
+// Bytes of files, and what is told of those that cannot be used.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/formats/common/problem.hpp"
+
+namespace eagerx::gen {
+
+/// The bytes of a file. `what` is for messages ("policy", "statistics"). E0601, E0602.
+std::optional<std::string> read_bytes(const std::string& path, const std::string& name,
+                                      Span mention, const char* what, Diagnostics& diagnostics);
+
+/// Adds "{what} `{name}` {problem}" at `mention`.
+void report_problem(const PolicyProblem& problem, const char* what, const std::string& name,
+                    Span mention, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

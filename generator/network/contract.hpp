@@ -1,0 +1,46 @@
+// The world that a policy was trained in: what it observed, how that was normalised, and what its
+// outputs were.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// A part of an observation.
+struct NamedPart {
+  std::string name;
+  std::uint64_t size = 1;
+};
+
+/// clip((x - mean) / sqrt(variance + epsilon), -clip, clip) in float64: VecNormalize.
+struct Normalization {
+  std::vector<double> mean;      // [inputs]
+  std::vector<double> variance;  // [inputs]
+  double clip = 10.0;
+  double epsilon = 1e-8;
+  std::string source;              // file, as the user wrote it
+  std::vector<NamedPart> parts{};  // of a Dict, in order; else empty
+};
+
+/// How the network's outputs become an action.
+enum class ActionKind : std::uint8_t {
+  raw,       // clipped to the bounds: PPO, A2C
+  squashed,  // from -1…1 to the bounds: SAC, TD3
+  argmax,    // the index of the largest one: DQN, discrete PPO
+};
+const char* to_string(ActionKind kind);
+
+/// What the file says of the world that it was trained in; empty where it says nothing.
+struct PolicyContract {
+  std::string algorithm;                                  // "SAC"
+  std::vector<NamedPart> observations;                    // in the order of the inputs
+  std::vector<double> action_low, action_high;            // one for each output, or for all
+  std::vector<double> observation_low, observation_high;  // one for each input, or empty
+  std::optional<std::int64_t> first_choice;               // argmax: the action of output 0
+  std::optional<double> rate_hz;                          // steps a second in training
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,66 @@
+// Golden rows: observations whose answers are known, and how well a network gives them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/diagnostics/diagnostics.hpp"
+#include "generator/network/network.hpp"
+
+namespace eagerx::gen {
+
+/// What files of golden rows look like, as help of an error.
+inline constexpr const char* kGoldenHelp =
+    "columns are obs0, obs1 …, network_out, action; arrays obs, network_out, action";
+
+/// Rows that a policy is known to answer. Outputs and actions are empty where the file has none.
+struct GoldenRows {
+  std::vector<std::vector<double>> starts;  // one number: whether an episode starts with this row
+  std::vector<std::vector<double>> observations;
+  std::vector<std::vector<double>> normalized;
+  std::vector<std::vector<double>> outputs;         // of the network, as trained: float32
+  std::vector<std::vector<double>> outputs_double;  // in float64
+  std::vector<std::vector<double>> actions;
+};
+
+/// Whether an episode starts with row `i`.
+bool starts_episode(const GoldenRows& rows, std::size_t i);
+
+/// What the network is given for row `i`: without statistics, what was normalised elsewhere.
+std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, std::size_t i);
+
+/// `count` rows of `width` numbers in -1…1, the same on every machine.
+std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width);
+
+/// A few observations for programs to check their answers on: golden rows, or numbers in -1…1. They
+/// take no more than half a kilobyte of flash, answers included, unless one row is larger. Those of
+/// a network with a memory are a sequence, the start of one episode.
+std::vector<std::vector<float>> self_test_rows(const Network& network, const GoldenRows* rows);
+
+/// How well a network answers golden rows. Errors are against float64.
+struct GoldenResult {
+  std::size_t rows = 0;
+  double ours = 0.0;             // largest error of the generated program
+  double theirs = 0.0;           // largest error of the file's float32 outputs
+  double limit = 0.0;            // twice theirs, but not below what rounding alone may cost
+  std::size_t worst = 0;         // row of the largest error, from 0
+  std::optional<double> action;  // largest difference of actions
+  double action_limit = 0.0;
+  [[nodiscard]] bool passed() const {
+    return ours <= limit && (!action || *action <= action_limit);
+  }
+};
+
+/// For a program, which gets observations as they are: false, and E0633, if the rows were
+/// normalised and the network has no statistics.
+bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,
+                      Span mention, Diagnostics& diagnostics);
+
+/// E0632 if the rows do not fit the network, E0633 if they belong to another function.
+std::optional<GoldenResult> compare(const Network& network, const GoldenRows& rows,
+                                    const std::string& name, Span mention,
+                                    Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,112 @@
+// One layer of a network: what it does to its input, and with which weights.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// As eagerx::Activation. `gelu` is the one with erf, torch's default.
+enum class Activation : std::uint8_t {
+  identity,
+  relu,
+  tanh,
+  elu,
+  leaky_relu,
+  silu,
+  gelu,
+  gelu_tanh,
+  softplus,
+  sigmoid,
+};
+const char* to_string(Activation activation);
+/// The activation called `name` in a description ("relu", "leaky_relu") or in torch ("LeakyReLU").
+std::optional<Activation> activation_of(std::string_view name);
+/// torch's default for what elu and leaky relu do below zero; 0 for the others.
+float default_slope(Activation activation);
+
+/// y = gamma (x - mean(x)) / sqrt(var(x) + epsilon) + beta, over all outputs of a layer.
+struct LayerNorm {
+  std::vector<float> gamma;  // [outputs]
+  std::vector<float> beta;   // [outputs]
+  float epsilon = 1e-5F;
+};
+
+/// A kernel that is moved over [channels][height][width]; one dimension is a height of 1. As
+/// eagerx::Kernel.
+struct KernelShape {
+  std::uint32_t channels = 1, height = 1, width = 1;
+  std::uint32_t rows = 1, columns = 1;
+  std::uint32_t stride_down = 1, stride_right = 1;
+  std::uint32_t pad_top = 0, pad_left = 0;
+  std::uint32_t dilation_down = 1, dilation_right = 1;
+  std::uint32_t out_height = 1, out_width = 1;
+  [[nodiscard]] std::uint32_t places() const { return out_height * out_width; }
+};
+
+/// What a layer is.
+struct Dense {};  // W x + b
+/// weights [outputs' channels][channels / groups][rows][columns], bias one a channel.
+struct Convolution {
+  KernelShape kernel;
+  std::uint32_t groups = 1;
+  std::uint32_t channels = 1;  // of the result
+};
+/// No weights.
+struct Pooling {
+  enum class Kind : std::uint8_t { max, average, average_with_padding };
+  KernelShape kernel;
+  Kind kind = Kind::max;
+};
+/// weights [gates * outputs][inputs], bias [gates * outputs]; gates in torch's order: GRU reset,
+/// update, candidate; LSTM input, forget, candidate, output. The state is what it remembers.
+struct Recurrence {
+  bool is_lstm = false;
+  std::vector<float> hidden_weights;          // [gates * outputs][outputs]
+  std::vector<float> hidden_bias;             // [gates * outputs]
+  std::vector<std::int8_t> hidden_rounded{};  // in place of hidden_weights; empty: float32
+  std::vector<float> hidden_scales{};         // [gates * outputs]
+  [[nodiscard]] std::uint32_t gates() const { return is_lstm ? 4 : 3; }
+};
+/// x op c with one constant, or one for each number: `bias`. No other weights.
+struct Elementwise {
+  enum class Operation : std::uint8_t { add, subtract, multiply, divide, at_least, at_most, none };
+  Operation operation = Operation::none;
+};
+const char* to_string(Elementwise::Operation operation);
+/// Number `from[i]` of the input becomes number i.
+struct Reorder {
+  std::vector<std::uint32_t> from;  // [outputs]
+};
+
+/// y = activation(norm(W x + b)), or what `form` says in place of W x + b.
+struct Layer {
+  std::uint32_t inputs = 0;
+  std::uint32_t outputs = 0;
+  std::vector<float> weights;  // dense: [outputs][inputs], row-major
+  std::vector<float> bias;     // dense: [outputs]
+  Activation activation = Activation::identity;
+  float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
+  std::optional<LayerNorm> norm{};
+  std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder> form{};
+  std::vector<std::int8_t> rounded{};  // as weights, in place of them; empty: float32
+  std::vector<float> scales{};         // as bias: a weight is rounded times this
+
+  [[nodiscard]] bool is_dense() const { return std::holds_alternative<Dense>(form); }
+  [[nodiscard]] const Recurrence* recurrence() const { return std::get_if<Recurrence>(&form); }
+  /// Whether it knows more of its input than how many numbers there are.
+  [[nodiscard]] bool depends_on_shape() const {
+    return std::holds_alternative<Convolution>(form) || std::holds_alternative<Pooling>(form) ||
+           std::holds_alternative<Reorder>(form);
+  }
+  /// Numbers that it remembers from one observation to the next.
+  [[nodiscard]] std::uint32_t remembers() const {
+    return recurrence() == nullptr ? 0 : outputs * (recurrence()->is_lstm ? 2 : 1);
+  }
+};
+
+}  // namespace eagerx::gen

@@ -1,0 +1,23 @@
+// The largest files and networks that are read. What is larger is refused before it takes memory
+// or time.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace eagerx::gen {
+
+/// Of a file with weights. A 1024-1024-512 network has 6 MB.
+inline constexpr std::size_t kMaxPolicyBytes = std::size_t{64} << 20U;
+
+/// As many parameters as the largest file can hold.
+inline constexpr std::int64_t kMaxParameters = std::int64_t{16} << 20U;
+inline constexpr std::size_t kMaxLayers = 256;
+
+/// Values between two layers, which is what a robot must keep in RAM.
+inline constexpr std::int64_t kMaxValues = std::int64_t{1} << 22U;
+
+/// Products in one layer: what a robot cannot compute in a step, and a generator not in a minute.
+inline constexpr std::int64_t kMaxProducts = std::int64_t{1} << 30U;
+
+}  // namespace eagerx::gen
