@@ -10,6 +10,8 @@
 #include <eagerx/policy/int8.hpp>
 #include <eagerx/policy/recurrent.hpp>
 
+#include "generator/network/evaluate.hpp"
+
 namespace eagerx::gen {
 namespace {
 
