@@ -18,11 +18,11 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kData = EAGERX_SOURCE_DIR "/tests/data/policy/architectures/";
+constexpr const char* kArchitectures = EAGERX_SOURCE_DIR "/tests/data/policy/architectures/";
 
-Network read(const std::string& file) {
+Network read_architecture(const std::string& file) {
   Diagnostics diagnostics;
-  const auto network = read_policy(kData + file, file, {}, diagnostics);
+  const auto network = read_policy(kArchitectures + file, file, {}, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << file << ": " << problem.message;
   return network.value();
 }
@@ -31,9 +31,9 @@ Network read(const std::string& file) {
 std::size_t answered(const std::string& file) {
   Diagnostics diagnostics;
   const std::string name = file.substr(0, file.find('.')) + "_golden.npz";
-  const auto rows = read_golden(kData + name, name, {}, diagnostics);
-  const auto result =
-      rows ? compare(read(file), *rows, name, {}, diagnostics) : std::optional<GoldenResult>();
+  const auto rows = read_golden(kArchitectures + name, name, {}, diagnostics);
+  const auto result = rows ? compare(read_architecture(file), *rows, name, {}, diagnostics)
+                           : std::optional<GoldenResult>();
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
   return result && result->passed() ? result->rows : 0;
 }
@@ -46,20 +46,20 @@ TEST(Architectures, AnswerAsTorchDoes) {
 }
 
 TEST(Architectures, LayersAreThoseOfTheFile) {
-  const Network gru = read("gru.onnx");
+  const Network gru = read_architecture("gru.onnx");
   ASSERT_EQ(gru.layers.size(), 2U);
   EXPECT_TRUE(gru.has_memory());
   EXPECT_EQ(gru.layers[0].remembers(), 8U);
   EXPECT_TRUE(gru.ignored.empty());
-  const Network lstm = read("lstm.onnx");
+  const Network lstm = read_architecture("lstm.onnx");
   ASSERT_EQ(lstm.layers.size(), 4U);
   EXPECT_EQ(lstm.layers[1].remembers(), 16U);
   EXPECT_EQ(lstm.layers[2].remembers(), 16U);
-  const Network image = read("image.onnx");
+  const Network image = read_architecture("image.onnx");
   EXPECT_EQ(image.input_shape, (std::vector<std::uint32_t>{1, 12, 12}));
   EXPECT_EQ(std::get<Convolution>(image.layers[3].form).groups, 2U);
   EXPECT_EQ(std::get<Pooling>(image.layers[4].form).kind, Pooling::Kind::average_with_padding);
-  const Network scaled = read("scaled.onnx");
+  const Network scaled = read_architecture("scaled.onnx");
   std::size_t norms = 0;
   for (const Layer& layer : scaled.layers) norms += layer.norm ? 1U : 0U;
   EXPECT_EQ(norms, 2U);
@@ -67,7 +67,7 @@ TEST(Architectures, LayersAreThoseOfTheFile) {
 }
 
 TEST(Architectures, MemoryBeginsWithTheEpisode) {
-  const Network network = read("gru.onnx");
+  const Network network = read_architecture("gru.onnx");
   const std::vector<float> observation = {0.5F, -1.0F, 2.0F};
   Memory<float> memory;
   const auto first = evaluate(network, observation, &memory);
@@ -80,14 +80,14 @@ TEST(Architectures, MemoryBeginsWithTheEpisode) {
 
 /// A file, changed: the bytes of its model.
 onnx::ModelProto model_of(const char* file) {
-  std::ifstream stream(std::string(kData) + file, std::ios::binary);
+  std::ifstream stream(std::string(kArchitectures) + file, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
   onnx::ModelProto model;
   EXPECT_TRUE(model.ParseFromString(bytes));
   return model;
 }
 
-void expect(const onnx::ModelProto& model, const char* code, const char* text) {
+void expect_refusal(const onnx::ModelProto& model, const char* code, const char* text) {
   const Diagnostic diagnostic = test::read_bad(model.SerializeAsString());
   EXPECT_EQ(diagnostic.code, code) << diagnostic.message;
   EXPECT_THAT(diagnostic.message, HasSubstr(text));
@@ -104,7 +104,7 @@ onnx::NodeProto& node_of(onnx::ModelProto& model, const char* type) {
 TEST(Architectures, AStateThatDoesNotComeBackIsRefused) {
   onnx::ModelProto model = model_of("gru.onnx");
   model.mutable_graph()->mutable_output()->RemoveLast();
-  expect(model, "E0641", "takes a state as input `h`");
+  expect_refusal(model, "E0641", "takes a state as input `h`");
   model = model_of("lstm.onnx");
   auto& outputs = *model.mutable_graph()->mutable_output();
   outputs.SwapElements(1, 2);  // the order of outputs does not matter
@@ -115,13 +115,13 @@ TEST(Architectures, AStateThatDoesNotComeBackIsRefused) {
   }
   ASSERT_NE(last, nullptr);
   last->mutable_input()->SwapElements(0, 1);
-  expect(model, "E0641", "takes a state as input `c`");
+  expect_refusal(model, "E0641", "takes a state as input `c`");
 }
 
 TEST(Architectures, AStateThatIsAlwaysZeroIsRefused) {
   onnx::ModelProto model = model_of("gru.onnx");
   node_of(model, "GRU").set_input(5, "");
-  expect(model, "E0640", "starts from zeros at every observation");
+  expect_refusal(model, "E0640", "starts from zeros at every observation");
   auto& shape = *model.mutable_graph()
                      ->mutable_input(0)
                      ->mutable_type()
@@ -137,28 +137,28 @@ TEST(Architectures, UnusualCellsAreRefused) {
   for (onnx::AttributeProto& attribute : *node_of(model, "GRU").mutable_attribute()) {
     if (attribute.name() == "linear_before_reset") attribute.set_i(0);
   }
-  expect(model, "E0613", "linear_before_reset");
+  expect_refusal(model, "E0613", "linear_before_reset");
   model = model_of("gru.onnx");
   onnx::AttributeProto& direction = *node_of(model, "GRU").add_attribute();
   direction.set_name("direction");
   direction.set_s("reverse");
-  expect(model, "E0613", "does not run forward");
+  expect_refusal(model, "E0613", "does not run forward");
 }
 
 TEST(Architectures, WeightsThatDoNotFitAreRefused) {
   onnx::ModelProto model = model_of("gru.onnx");
   node_of(model, "GRU").mutable_input()->SwapElements(1, 2);
-  expect(model, "E0618", "has weights of shapes [1, 24, 8] and [1, 24, 3] for 3 values");
+  expect_refusal(model, "E0618", "has weights of shapes [1, 24, 8] and [1, 24, 3] for 3 values");
   model = model_of("image.onnx");
   for (onnx::AttributeProto& attribute : *node_of(model, "Conv").mutable_attribute()) {
     if (attribute.name() == "group") attribute.set_i(3);
   }
-  expect(model, "E0618", "over 1 channels");
+  expect_refusal(model, "E0618", "over 1 channels");
   model = model_of("image.onnx");
   for (onnx::AttributeProto& attribute : *node_of(model, "Conv").mutable_attribute()) {
     if (attribute.name() == "dilations") attribute.set_ints(0, 9);
   }
-  expect(model, "E0613", "whose kernel does not fit");
+  expect_refusal(model, "E0613", "whose kernel does not fit");
 }
 
 TEST(Architectures, KernelsThatTakeForEverAreRefused) {
@@ -172,13 +172,13 @@ TEST(Architectures, KernelsThatTakeForEverAreRefused) {
   };
   onnx::NodeProto& pool = builder.add_node("AveragePool", {"observation"}, "action");
   set(pool, "kernel_shape", {1, 32768});
-  expect(builder.model, "E0619", "moves too many values");
+  expect_refusal(builder.model, "E0619", "moves too many values");
   pool.clear_attribute();
   set(pool, "kernel_shape", {1, 1024});
   builder.add_tensor("w", {64, 1, 1, 1024}, std::vector<float>(65536, 0.5F));
   pool.set_op_type("Conv");
   pool.add_input("w");
-  expect(builder.model, "E0619", "needs more than 1073741824 products in one layer");
+  expect_refusal(builder.model, "E0619", "needs more than 1073741824 products in one layer");
 }
 
 /// A memory of `hidden` values with as many gates.

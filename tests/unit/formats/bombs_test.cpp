@@ -12,14 +12,10 @@
 namespace eagerx::gen {
 namespace {
 
+using test::expect_problem;
 using test::little;
 using test::read_bad;
 using testing::HasSubstr;
-
-void expect(const Diagnostic& diagnostic, const char* code, const char* part) {
-  EXPECT_EQ(diagnostic.code, code) << diagnostic.message;
-  EXPECT_THAT(diagnostic.message, HasSubstr(part));
-}
 
 std::string text(const std::string& value) {
   return "X" + little(value.size(), 4) + value;
@@ -42,14 +38,16 @@ TEST(Bombs, DictionariesOfDictionaries) {
     for (int i = 0; i < 60; ++i) pickle += text(std::to_string(i)) + "h" + char(level - 1);
     pickle += std::string("uq") + level;
   }
-  expect(read_bad(test::zip({{"a/data.pkl", pickle + "."}})), "E0623", "too many dictionaries");
+  expect_problem(read_bad(test::zip({{"a/data.pkl", pickle + "."}})), "E0623",
+                 "too many dictionaries");
 }
 
 TEST(Bombs, OneLongNameOften) {
   std::string pickle =
       "\x80\x02}(" + text(std::string(5000, 'x')) + "q" + std::string(1, '\0') + "N";
   for (int i = 0; i < 10; ++i) pickle += std::string("h\0N", 3);
-  expect(read_bad(test::zip({{"a/data.pkl", pickle + "u."}})), "E0623", "impossible length");
+  expect_problem(read_bad(test::zip({{"a/data.pkl", pickle + "u."}})), "E0623",
+                 "impossible length");
 }
 
 TEST(Bombs, LayersOfTheSameBytes) {
@@ -67,7 +65,7 @@ TEST(Bombs, LayersOfTheSameBytes) {
                         diagnostics, context);
   EXPECT_FALSE(network.has_value());
   ASSERT_EQ(diagnostics.all().size(), 1U);
-  expect(diagnostics.all().front(), "E0619", "16777216 parameters");
+  expect_problem(diagnostics.all().front(), "E0619", "16777216 parameters");
 }
 
 TEST(Bombs, JsonOfManyOrDeepValues) {
@@ -88,7 +86,7 @@ TEST(Bombs, OnnxOfEmptyNodes) {
   const std::string length = {static_cast<char>(0x80 | (nodes.size() & 0x7f)),
                               static_cast<char>(0x80 | (nodes.size() >> 7 & 0x7f)),
                               static_cast<char>(nodes.size() >> 14)};
-  expect(read_bad("\x08\x08\x3a" + length + nodes), "E0619", "more parts");
+  expect_problem(read_bad("\x08\x08\x3a" + length + nodes), "E0619", "more parts");
 }
 
 /// `content` as field `tag`.
@@ -105,13 +103,13 @@ TEST(Bombs, OnnxOfEmptyNodesBehindTheDeepestMessage) {
   for (int i = 0; i < 600'000; ++i) graph += std::string("\x0a\x00", 2);
   const std::string bytes = "\x08\x08" + field('\x3a', graph);
   EXPECT_TRUE(onnx::ModelProto().ParseFromString(bytes));
-  expect(read_bad(bytes), "E0619", "more parts");
+  expect_problem(read_bad(bytes), "E0619", "more parts");
 }
 
 TEST(Bombs, OnnxOfPackedNumbers) {
   const std::string numbers(9'000'000, '\x01');                     // each becomes eight bytes
   const std::string graph = field('\x2a', field('\x3a', numbers));  // initializer.int64_data
-  expect(read_bad("\x08\x08" + field('\x3a', graph)), "E0619", "more parts");
+  expect_problem(read_bad("\x08\x08" + field('\x3a', graph)), "E0619", "more parts");
 }
 
 TEST(Bombs, OnnxSplitOfManyParts) {
@@ -121,7 +119,7 @@ TEST(Bombs, OnnxSplitOfManyParts) {
   test::OnnxBuilder::set(node, "axis", std::int64_t{1});
   for (int i = 1; i < kParts; ++i) node.add_output("p" + std::to_string(i));
   builder.add_node("Relu", {"p19999"}, "action");
-  expect(read_bad(builder.bytes()), "E0619", "too many values");
+  expect_problem(read_bad(builder.bytes()), "E0619", "too many values");
 }
 
 /// An LSTM over [time, batch, 1] with one value, which starts from `zeros`.
@@ -144,7 +142,7 @@ TEST(Bombs, OnnxOfOneLargeStateOften) {
   builder.add_tensor("r", {1, 4, 1}, std::vector<float>(4, 0.5F));
   builder.add_tensor("zeros", {1, 1, kMany}, std::vector<float>(kMany, 0.0F));
   add_lstm(builder, "observation", "action");
-  expect(read_bad(builder.bytes()), "E0640", "computes the state");
+  expect_problem(read_bad(builder.bytes()), "E0640", "computes the state");
 }
 
 TEST(Bombs, StatisticsOfALongName) {

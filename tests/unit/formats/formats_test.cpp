@@ -20,13 +20,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kData = EAGERX_SOURCE_DIR "/tests/data/policy/";
+const std::string kSavedPolicies = EAGERX_SOURCE_DIR "/tests/data/policy/";
 
-Network read(const std::string& name, const std::string& statistics = {}) {
+Network read_saved(const std::string& name, const std::string& statistics = {}) {
   PolicyRequest request;
-  request.path = kData + name;
+  request.path = kSavedPolicies + name;
   request.name = name;
-  request.normalize_path = kData + statistics;
+  request.normalize_path = kSavedPolicies + statistics;
   request.normalize_name = statistics;
   if (statistics.empty()) request.normalize_path.clear();
   Diagnostics diagnostics;
@@ -47,7 +47,7 @@ void expect_same(const Network& a, const Network& b) {
 
 GoldenResult golden(const Network& network, const std::string& name) {
   Diagnostics diagnostics;
-  const auto rows = read_golden(kData + name, name, {}, diagnostics);
+  const auto rows = read_golden(kSavedPolicies + name, name, {}, diagnostics);
   const auto result =
       rows ? compare(network, *rows, name, {}, diagnostics) : std::optional<GoldenResult>();
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
@@ -58,10 +58,10 @@ class Formats : public testing::TestWithParam<const char*> {};
 
 TEST_P(Formats, AreTheSameNetwork) {
   const std::string name = GetParam();
-  const Network onnx = read(name + ".onnx");
+  const Network onnx = read_saved(name + ".onnx");
   for (const char* ending : {".zip", ".safetensors", ".npz"}) {
     SCOPED_TRACE(name + ending);
-    const Network network = read(name + ending);
+    const Network network = read_saved(name + ending);
     expect_same(onnx, network);
     const GoldenResult result = golden(network, name + "_sb3.csv");
     EXPECT_EQ(result.rows, 200U);
@@ -72,27 +72,27 @@ TEST_P(Formats, AreTheSameNetwork) {
 INSTANTIATE_TEST_SUITE_P(Policies, Formats, testing::Values("sac_64", "ppo_64"));
 
 TEST(Sb3Zip, SaysWhatItWasTrainedWith) {
-  const Network sac = read("sac_64.zip");
+  const Network sac = read_saved("sac_64.zip");
   EXPECT_EQ(sac.format, "Stable-Baselines3 2.3.2, Stable-Baselines3's SAC");
   EXPECT_EQ(sac.contract.algorithm, "SAC");
   EXPECT_EQ(sac.action_kind(), ActionKind::squashed);
   EXPECT_THAT(sac.contract.action_low, ElementsAre(-2.0));
   EXPECT_THAT(sac.contract.action_high, ElementsAre(2.0));
-  EXPECT_EQ(read("ppo_64.zip").action_kind(), ActionKind::raw);
+  EXPECT_EQ(read_saved("ppo_64.zip").action_kind(), ActionKind::raw);
 }
 
 TEST(Statistics, OfThePickleAreThoseOfTheOtherFiles) {
-  const Network pickle = read("ppo_64.zip", "ppo_64_vecnormalize.pkl");
+  const Network pickle = read_saved("ppo_64.zip", "ppo_64_vecnormalize.pkl");
   ASSERT_TRUE(pickle.normalization.has_value());
   EXPECT_EQ(pickle.normalization->clip, 10.0);
   EXPECT_EQ(pickle.normalization->epsilon, 1e-8);
   for (const char* other : {"ppo_64.npz", "ppo_64.safetensors"}) {
-    const Network network = read(other);
+    const Network network = read_saved(other);
     ASSERT_TRUE(network.normalization.has_value());
     EXPECT_EQ(network.normalization->mean, pickle.normalization->mean);
     EXPECT_EQ(network.normalization->variance, pickle.normalization->variance);
   }
-  expect_same(pickle, read("ppo_64.onnx", "ppo_64.npz"));
+  expect_same(pickle, read_saved("ppo_64.onnx", "ppo_64.npz"));
 }
 
 TEST(Statistics, OfAnotherTrainingAreRefused) {
@@ -112,9 +112,9 @@ TEST(Statistics, OfAnotherTrainingAreRefused) {
 }
 
 TEST(Statistics, NormaliseWithNumPysBits) {
-  const Network network = read("ppo_64.zip", "ppo_64_vecnormalize.pkl");
+  const Network network = read_saved("ppo_64.zip", "ppo_64_vecnormalize.pkl");
   Diagnostics diagnostics;
-  const auto rows = read_golden(kData + "ppo_64_sb3.csv", "rows", {}, diagnostics);
+  const auto rows = read_golden(kSavedPolicies + "ppo_64_sb3.csv", "rows", {}, diagnostics);
   ASSERT_TRUE(rows.has_value());
   for (std::size_t i = 0; i < rows->observations.size(); ++i) {
     std::vector<float> observation;
@@ -152,20 +152,20 @@ TEST(Golden, RowsWithoutNumbersAreRefused) {
 
 TEST(Golden, RowsThatWereNormalisedNeedStatistics) {
   Diagnostics diagnostics;
-  const auto rows = read_golden(kData + "ppo_64_sb3.csv", "rows.csv", {}, diagnostics);
+  const auto rows = read_golden(kSavedPolicies + "ppo_64_sb3.csv", "rows.csv", {}, diagnostics);
   ASSERT_TRUE(rows.has_value());
-  const Network with = read("ppo_64.zip", "ppo_64_vecnormalize.pkl");
+  const Network with = read_saved("ppo_64.zip", "ppo_64_vecnormalize.pkl");
   EXPECT_TRUE(check_normalized(with, *rows, "rows.csv", {}, diagnostics));
-  EXPECT_FALSE(check_normalized(read("ppo_64.zip"), *rows, "rows.csv", {}, diagnostics));
+  EXPECT_FALSE(check_normalized(read_saved("ppo_64.zip"), *rows, "rows.csv", {}, diagnostics));
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(diagnostics.all().front().code, "E0633");
 }
 
 TEST(Golden, RowsOfAnotherPolicyAreRefused) {
   Diagnostics diagnostics;
-  const auto rows = read_golden(kData + "ppo_64_sb3.csv", "rows.csv", {}, diagnostics);
+  const auto rows = read_golden(kSavedPolicies + "ppo_64_sb3.csv", "rows.csv", {}, diagnostics);
   ASSERT_TRUE(rows.has_value());
-  EXPECT_FALSE(compare(read("sac_64.zip"), *rows, "rows.csv", {}, diagnostics).has_value());
+  EXPECT_FALSE(compare(read_saved("sac_64.zip"), *rows, "rows.csv", {}, diagnostics).has_value());
   ASSERT_EQ(diagnostics.all().size(), 1U);
   EXPECT_EQ(diagnostics.all().front().code, "E0633");
 }

@@ -28,11 +28,11 @@ using test::safetensors;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kData = EAGERX_SOURCE_DIR "/tests/data/policy/libraries/";
+const std::string kLibraries = EAGERX_SOURCE_DIR "/tests/data/policy/libraries/";
 
-Network read(const std::string& name) {
+Network read_library(const std::string& name) {
   PolicyRequest request;
-  request.path = kData + name;
+  request.path = kLibraries + name;
   request.name = name;
   const bool says_it = name.ends_with(".zip") || name.starts_with("cleanrl");
   if (!says_it) request.activation = Activation::elu;
@@ -52,12 +52,12 @@ struct Saved {
 class Libraries : public testing::TestWithParam<Saved> {};
 
 TEST_P(Libraries, AnswerAsTorch) {
-  const Network network = read(GetParam().file);
+  const Network network = read_library(GetParam().file);
   EXPECT_EQ(network.action_kind(), GetParam().action);
   EXPECT_THAT(network.format, HasSubstr(GetParam().about));
   Diagnostics diagnostics;
   const std::string name = std::string(GetParam().golden) + "_golden.npz";
-  const auto rows = read_golden(kData + name, name, {}, diagnostics);
+  const auto rows = read_golden(kLibraries + name, name, {}, diagnostics);
   const auto result = rows ? compare(network, *rows, name, {}, diagnostics) : std::nullopt;
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
   ASSERT_TRUE(result.has_value());
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// crossq.zip with `epsilon` for its batch norms.
 std::string crossq_with_epsilon(std::string_view epsilon) {
-  std::ifstream file(kData + "crossq.zip", std::ios::binary);
+  std::ifstream file(kLibraries + "crossq.zip", std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   PolicyProblem problem;
   const auto archive = Archive::open(bytes, problem);
@@ -123,7 +123,7 @@ TEST(CrossQ, EpsilonOfItsBatchNorms) {
   for (std::size_t i = 0; i < scaled.size(); ++i)
     EXPECT_LT(std::abs(scaled[i]), std::abs(known[i]));
   const std::vector<float> observation(usual.inputs(), 0.5F);
-  EXPECT_EQ(evaluate(usual, observation), evaluate(read("crossq.zip"), observation));
+  EXPECT_EQ(evaluate(usual, observation), evaluate(read_library("crossq.zip"), observation));
 }
 
 TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {
@@ -156,12 +156,12 @@ TEST(CrossQ, NothingFollowsItsLastBatchNorm) {
 }
 
 TEST(NatureCnn, KnowsTheSizeOfTheImage) {
-  const Network network = read("ppo_cnn.zip");
+  const Network network = read_library("ppo_cnn.zip");
   EXPECT_THAT(network.input_shape, ElementsAre(3, 36, 36));
   ASSERT_EQ(network.layers.size(), 7U);  // pixels, three convolutions, features, two of the policy
   EXPECT_EQ(network.inputs(), 3U * 36 * 36);
   EXPECT_TRUE(std::holds_alternative<Elementwise>(network.layers[0].form));
-  EXPECT_TRUE(std::holds_alternative<Convolution>(read("a2c_cnn.zip").layers[0].form))
+  EXPECT_TRUE(std::holds_alternative<Convolution>(read_library("a2c_cnn.zip").layers[0].form))
       << "normalize_images=False";
 }
 

@@ -1,6 +1,7 @@
 // Small ONNX models, built node by node. Tests change the parts afterwards as they like.
 #pragma once
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -119,6 +120,12 @@ inline Diagnostic read_bad(const std::string& bytes) {
   if (diagnostics.all().empty()) return {};
   EXPECT_EQ(diagnostics.all().front().span.line, mention.line);
   return diagnostics.all().front();
+}
+
+/// The code, and a part of the message.
+inline void expect_problem(const Diagnostic& diagnostic, const char* code, const char* part) {
+  EXPECT_EQ(diagnostic.code, code) << diagnostic.message;
+  EXPECT_THAT(diagnostic.message, testing::HasSubstr(part));
 }
 
 }  // namespace eagerx::gen::test

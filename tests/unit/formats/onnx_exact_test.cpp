@@ -42,7 +42,7 @@ void add_unknown(OnnxBuilder& builder, const char* name) {
   builder.add_node("Range", {"limit", "limit", "limit"}, name);
 }
 
-void expect(OnnxBuilder& builder, const char* text) {
+void expect_misused(OnnxBuilder& builder, const char* text) {
   const Diagnostic diagnostic = read_bad(builder.bytes());
   EXPECT_EQ(diagnostic.code, "E0613") << diagnostic.message;
   EXPECT_THAT(diagnostic.message, HasSubstr(text));
@@ -67,7 +67,7 @@ TEST(OnnxExact, PaddingOfOldOpsetsIsZero) {
   builder.add_node("Conv", {"p", "w"}, "action");
   EXPECT_THAT(evaluate(read_good(builder.bytes()), {1, 1, 1}), ElementsAre(2, 3, 2));
   builder.graph().mutable_node(0)->mutable_attribute(1)->set_f(5.0F);
-  expect(builder, "other than with zeros");
+  expect_misused(builder, "other than with zeros");
 }
 
 TEST(OnnxExact, ScalarIndicesTakeTheirAxisAway) {
@@ -103,7 +103,7 @@ TEST(OnnxExact, TablesOfIntegersAreNoShapes) {
   add_scalar(builder, "one", 1);
   builder.add_node("Gather", {"table", "one"}, "row");  // [2, 1], not 2
   builder.add_node("Reshape", {"observation", "row"}, "action");
-  expect(builder, "on values that are not a shape");
+  expect_misused(builder, "on values that are not a shape");
 }
 
 TEST(OnnxExact, SliceOfUnknownAxesOrStepsIsRefused) {
@@ -130,7 +130,7 @@ TEST(OnnxExact, SplitIntoUnknownOrManySizesIsRefused) {
   OnnxBuilder::set(node, "axis", std::int64_t{1});
   for (int i = 1; i < 70; ++i) node.add_output("p" + std::to_string(i));
   builder.add_node("Relu", {"p1"}, "action");
-  expect(builder, "into sizes that are not constant, or too many");
+  expect_misused(builder, "into sizes that are not constant, or too many");
 }
 
 TEST(OnnxExact, ReductionOverUnknownAxesHasNoShape) {
@@ -187,12 +187,12 @@ TEST(OnnxExact, OuterProductsAreRefused) {
   builder.add_tensor("column", {2, 1}, {1, 2});
   builder.add_node("LayerNormalization", {"observation", "gamma"}, "n");
   builder.add_node("Add", {"n", "column"}, "action");
-  expect(builder, "operator `Add`");
+  expect_misused(builder, "operator `Add`");
   OnnxBuilder silu(2);
   silu.add_node("Sigmoid", {"observation"}, "gate");
   silu.add_node("Transpose", {"gate"}, "column");
   silu.add_node("Mul", {"observation", "column"}, "action");
-  expect(silu, "not x times sigmoid(x)");
+  expect_misused(silu, "not x times sigmoid(x)");
 }
 
 TEST(OnnxExact, InfiniteBoundsAreNone) {

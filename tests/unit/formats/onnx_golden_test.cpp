@@ -19,11 +19,11 @@ namespace {
 
 using testing::Contains;
 
-constexpr const char* kData = EAGERX_SOURCE_DIR "/tests/data/policy/";
+constexpr const char* kKnownPolicies = EAGERX_SOURCE_DIR "/tests/data/policy/";
 
 /// The network by plain loops, in the order of eagerx/policy.hpp (tests/unit/runtime checks that
 /// the layers have these bits).
-std::vector<float> evaluate(const Network& network, std::vector<float> x) {
+std::vector<float> evaluate_plainly(const Network& network, std::vector<float> x) {
   for (const Layer& layer : network.layers) {
     std::vector<float> y(layer.bias);
     for (std::size_t out = 0; out < y.size(); ++out) {
@@ -45,7 +45,7 @@ struct Errors {
 
 /// Largest errors against torch's float64 output, over the golden rows of `name`.
 Errors largest_errors(const Network& network, const std::string& name) {
-  std::ifstream file(kData + name + "_golden.csv");
+  std::ifstream file(kKnownPolicies + name + "_golden.csv");
   std::string line;
   std::getline(file, line);  // header
   Errors errors;
@@ -57,7 +57,7 @@ Errors largest_errors(const Network& network, const std::string& name) {
                                             static_cast<float>(row.at(1)),
                                             static_cast<float>(row.at(2))};
     const double reference = row.at(4);
-    const double ours = static_cast<double>(evaluate(network, observation).front());
+    const double ours = static_cast<double>(evaluate_plainly(network, observation).front());
     errors.ours = std::max(errors.ours, std::abs(ours - reference));
     errors.torch = std::max(errors.torch, std::abs(row.at(3) - reference));
     ++errors.rows;
@@ -65,15 +65,16 @@ Errors largest_errors(const Network& network, const std::string& name) {
   return errors;
 }
 
-Network read_golden(const std::string& name) {
+Network read_known(const std::string& name) {
   Diagnostics diagnostics;
-  const auto network = read_policy(kData + name + ".onnx", name + ".onnx", {}, diagnostics);
+  const auto network =
+      read_policy(kKnownPolicies + name + ".onnx", name + ".onnx", {}, diagnostics);
   EXPECT_TRUE(diagnostics.all().empty()) << diagnostics.all().front().message;
   return network.value();
 }
 
 TEST(OnnxGolden, SacActorIsReadWithoutItsStandardDeviation) {
-  const Network network = read_golden("sac_64");
+  const Network network = read_known("sac_64");
   ASSERT_EQ(network.layers.size(), 3U);
   EXPECT_EQ(network.inputs(), 3U);
   EXPECT_EQ(network.layers[0].outputs, 64U);
@@ -89,7 +90,7 @@ TEST(OnnxGolden, SacActorIsReadWithoutItsStandardDeviation) {
 }
 
 TEST(OnnxGolden, PpoActorIsReadWithoutItsCritic) {
-  const Network network = read_golden("ppo_64");
+  const Network network = read_known("ppo_64");
   ASSERT_EQ(network.layers.size(), 3U);
   EXPECT_EQ(network.layers[0].activation, Activation::tanh);
   EXPECT_EQ(network.layers[1].activation, Activation::tanh);
@@ -99,14 +100,14 @@ TEST(OnnxGolden, PpoActorIsReadWithoutItsCritic) {
 }
 
 TEST(OnnxGolden, SacActorIsAsExactAsTorch) {
-  const Errors errors = largest_errors(read_golden("sac_64"), "sac_64");
+  const Errors errors = largest_errors(read_known("sac_64"), "sac_64");
   EXPECT_GE(errors.rows, 200);
   EXPECT_GT(errors.torch, 1e-7);
   EXPECT_LE(errors.ours, 2.0 * errors.torch);
 }
 
 TEST(OnnxGolden, PpoActorIsAsExactAsTorch) {
-  const Errors errors = largest_errors(read_golden("ppo_64"), "ppo_64");
+  const Errors errors = largest_errors(read_known("ppo_64"), "ppo_64");
   EXPECT_GE(errors.rows, 200);
   EXPECT_GT(errors.torch, 1e-7);
   EXPECT_LE(errors.ours, 2.0 * errors.torch);
