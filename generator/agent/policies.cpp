@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "generator/agent/contract.hpp"
+#include "generator/agent/check.hpp"
 #include "generator/agent/node_entity.hpp"
 #include "generator/agent/weights.hpp"
 

@@ -1,4 +1,4 @@
-#include "generator/agent/contract.hpp"
+#include "generator/agent/check.hpp"
 
 #include <fmt/format.h>
 
