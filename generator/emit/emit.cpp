@@ -42,7 +42,7 @@ class Emitter {
     program.set("has_memory", network_ && network_->has_memory());
     program.set("begin", partial("cpp/begin.mustache"));
     program.set("advance", partial("cpp/advance.mustache"));
-    add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
+    add_program(folder, std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
     for (const NodePolicy& policy : node_policies_) {
@@ -78,6 +78,15 @@ class Emitter {
 
   void add(const std::string& path, const std::string& template_file, View view) {
     add_rendered(path, (fs::path(options_.templates) / template_file).string(), std::move(view));
+  }
+
+  /// program.hpp, and what of it belongs to which node.
+  void add_program(const std::string& folder, View view) {
+    add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
+    if (failed_) return;
+    MarkedText program = take_marks(files_.back().text);
+    files_.push_back({folder + "program.map", to_text(program_map(plan_, names_, program))});
+    files_[files_.size() - 2].text = std::move(program.text);
   }
 
   void add_rendered(const std::string& path, const std::string& template_path, View view) {
@@ -179,12 +188,8 @@ class Emitter {
 }  // namespace
 
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
-  // FNV-1a, 64 bits.
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const auto& file : files) {
-    for (const char c : file.path + file.text)
-      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
+  std::uint64_t hash = hash_text({});
+  for (const auto& file : files) hash = hash_text(file.text, hash_text(file.path, hash));
   return hash;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/marks.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/emit/policy_use.hpp"
 #include "generator/emit/render.hpp"
@@ -67,6 +68,8 @@ struct IncludePaths {
 View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
 View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths);
 View program_view(const Plan& plan, const ProgramNames& names);
+/// What of the rendered program.hpp belongs to which node.
+ProgramMap program_map(const Plan& plan, const ProgramNames& names, const MarkedText& program);
 View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
                 const std::vector<NodePolicy>& node_policies);
 

@@ -183,6 +183,8 @@ class ProgramView {
     view.set("is_engine", engine);
     view.set("is_node", !engine && names_.runs(n));
     view.set("is_remote", !names_.runs(n));
+    view.set("begin_mark", begin_mark(node.name));
+    view.set("end_mark", end_mark());
     view.set("node", node.name);
     view.set("label", string_literal(node.name));
     view.set("entity", node.entity->id.value);

@@ -63,8 +63,8 @@ TEST(Wrapped, CommentsBreakBetweenWordsAndMoveAbove) {
             "  /// " + kLong + "\n  /// " + kLong + " b\n");
   EXPECT_EQ(wrapped("  int " + kLong + ";  // " + kLong),
             "  // " + kLong + "\n  int " + kLong + ";");
-  const std::string place = "// " + kLong + ": " + kLong + ", graph.yaml:3:5";
-  EXPECT_EQ(wrapped(place), place);
+  EXPECT_EQ(wrapped("// " + kLong + ": " + kLong + ", graph.yaml:3:5"),
+            "// " + kLong + ":\n// " + kLong + ", graph.yaml:3:5");
 }
 
 TEST(Wrapped, TablesStay) {
