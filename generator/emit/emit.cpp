@@ -36,12 +36,13 @@ class Emitter {
     const fs::path here = fs::path(options_.output) / folder;
     View io = io_view(plan_, names_,
                       {options_.builtin_root, here.string()});  // decides which nodes share an Io
+    io.set("config_of", partial("cpp/config.mustache"));
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     View program = program_view(plan_, names_);
-    program.set("group", partial("cpp/group.mustache"));
     program.set("has_memory", network_ && network_->has_memory());
-    program.set("begin", partial("cpp/begin.mustache"));
-    program.set("advance", partial("cpp/advance.mustache"));
+    for (const char* part : {"begin", "advance", "group", "callback"})
+      program.set(part, partial(fmt::format("cpp/{}.mustache", part)));
+    program.set("indented", indented());
     add_program(folder, std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());

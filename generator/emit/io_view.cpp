@@ -1,7 +1,6 @@
 // messages.hpp and io.hpp: what goes in and out of the program and of each node.
 #include <fmt/format.h>
 
-#include <limits>
 #include <map>
 
 #include "generator/emit/names.hpp"
@@ -9,19 +8,6 @@
 
 namespace eagerx::gen {
 namespace {
-
-std::string int_type(std::int64_t value) {
-  const bool small = value >= std::numeric_limits<std::int32_t>::min() &&
-                     value <= std::numeric_limits<std::int32_t>::max();
-  return small ? "int" : "std::int64_t";
-}
-
-/// The smallest number has no literal: C++ reads a minus and a number that is too large.
-std::string int_literal(std::int64_t value) {
-  constexpr std::int64_t kLowest = std::numeric_limits<std::int64_t>::lowest();
-  return value == kLowest ? "std::numeric_limits<std::int64_t>::lowest()"
-                          : fmt::format("{}", value);
-}
 
 struct CppValue {
   std::string type, value;
@@ -32,7 +18,7 @@ struct ConfigWriter {
 
   CppValue operator()(std::int64_t value) const { return {int_type(value), int_literal(value)}; }
   CppValue operator()(double value) const { return {"double", double_literal(value)}; }
-  CppValue operator()(bool value) const { return {"bool", value ? "true" : "false"}; }
+  CppValue operator()(bool value) const { return {"bool", bool_literal(value)}; }
   CppValue operator()(const std::string& value) const {
     if (parameter.type == Parameter::Type::keyword)
       return {"auto", parameter.cpp_class + "::" + value};
@@ -45,31 +31,33 @@ struct ConfigWriter {
       if (int_type(value) != "int") type = "std::int64_t";
       literals.push_back(int_literal(value));
     }
-    return {fmt::format("std::array<{}, {}>", type, values.size()),
-            fmt::format("{{{}}}", fmt::join(literals, ", "))};
+    return {fmt::format("std::array<{}, {}>", type, values.size()), braced(literals)};
   }
   CppValue operator()(const std::vector<double>& values) const {
     std::vector<std::string> literals;
     literals.reserve(values.size());
     for (const double value : values) literals.push_back(double_literal(value));
-    return {fmt::format("std::array<double, {}>", values.size()),
-            fmt::format("{{{}}}", fmt::join(literals, ", "))};
+    return {fmt::format("std::array<double, {}>", values.size()), braced(literals)};
   }
 };
 
+/// What a struct is compiled for; false where that is nothing.
 View config_view(const Config& config) {
-  View views = list();
+  if (config.empty()) return View(false);
+  View parameters = list();
   for (const auto& item : config) {
     const CppValue cpp = std::visit(ConfigWriter{*item.parameter}, item.value);
-    View view = object();
-    view.set("key", item.parameter->name.value);
-    view.set("type", cpp.type);
-    view.set("value", cpp.value);
-    view.set("comment",
-             item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
-    views.push_back(view);
+    View parameter = object();
+    parameter.set("key", item.parameter->name.value);
+    parameter.set("type", cpp.type);
+    parameter.set("value", cpp.value);
+    parameter.set("comment",
+                  item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
+    parameters.push_back(parameter);
   }
-  return views;
+  View view = object();
+  view["parameters"] = std::move(parameters);
+  return view;
 }
 
 /// All of a node's Io but its name, as one text: nodes with the same text share one struct.
@@ -119,7 +107,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     port.set("comment", fmt::format("  // {}", target.space.describe()));
     targets.push_back(port);
   }
-  view.set("no_inputs", !inputs.is_non_empty_list());
+  view.set("has_inputs", inputs.is_non_empty_list());
   view["inputs"] = std::move(inputs);
   view.set("has_targets", targets.is_non_empty_list());
   view["feedthroughs"] = std::move(feedthroughs);
@@ -143,7 +131,6 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     states.push_back(field);
   }
   view.set("has_states", states.is_non_empty_list());
-  view.set("no_states", !states.is_non_empty_list());
   view["states"] = std::move(states);
   view.set("has_simulator", node.object.has_value());
   view.set("simulator", node.object ? names.simulator_type[*node.object] : "");
@@ -288,9 +275,9 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
     }
   }
   view["actions"] = std::move(actions);
-  view.set("no_observations", !observations.is_non_empty_list());
+  view.set("has_observations", observations.is_non_empty_list());
   view["observations"] = std::move(observations);
-  view.set("no_states", !states.is_non_empty_list());
+  view.set("has_states", states.is_non_empty_list());
   view["states"] = std::move(states);
   return view;
 }

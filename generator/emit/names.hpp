@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "generator/emit/literals.hpp"
 #include "generator/emit/marks.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/emit/policy_use.hpp"

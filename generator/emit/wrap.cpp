@@ -82,7 +82,9 @@ bool ends_line(std::string_view line, std::size_t at) {
     case ',':
       return true;
     case '=':
-      return before != '=' && before != '!' && before != '<' && before != '>';
+      // An initializer breaks behind its brace.
+      return before != '=' && before != '!' && before != '<' && before != '>' &&
+             line.substr(at + 1, 2) != " {";
     case '&':
     case '|':
       return before == line[at];

@@ -21,6 +21,11 @@ TEST(Wrapped, BreaksWhereTheFewestBracketsAreOpen) {
             "Array<float, 3> " + kLong + "{\n    .low = {{1}}, .high = {{" + kLong + "}}};");
 }
 
+TEST(Wrapped, AnInitializerBreaksBehindItsBrace) {
+  EXPECT_EQ(wrapped("  const T a[2] = {" + kLong + ", " + kLong + "};"),
+            "  const T a[2] = {\n      " + kLong + ",\n      " + kLong + "};");
+}
+
 TEST(Wrapped, AllLinesOfAStatementHaveTheSameIndent) {
   std::string list = "  f(0";
   for (int i = 0; i < 20'000; ++i) list += ", 1234567";
