@@ -34,8 +34,7 @@ class Emitter {
     const std::string folder = options_.header_folder + plan_.graph->name + "/";
     add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
     const fs::path here = fs::path(options_.output) / folder;
-    View io = io_view(plan_, names_,
-                      {options_.builtin_root, here.string()});  // decides which nodes share an Io
+    View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
     io.set("config_of", partial("cpp/config.mustache"));
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     View program = program_view(plan_, names_);
@@ -58,8 +57,8 @@ class Emitter {
   }
 
  private:
-  /// What every template may name.
-  void add_common(View& view) const {
+  /// `view` with what every template may name.
+  View with_common(View view) const {
     const std::size_t dot = options_.version.find('.');
     view.set("name", plan_.graph->name);
     // A graph may be called `time` or `read`, as functions of the C library are.
@@ -75,6 +74,7 @@ class Emitter {
     view.set("major", options_.version.substr(0, dot));
     view.set("minor",
              options_.version.substr(dot + 1, options_.version.find('.', dot + 1) - dot - 1));
+    return view;
   }
 
   void add(const std::string& path, const std::string& template_file, View view) {
@@ -91,8 +91,7 @@ class Emitter {
   }
 
   void add_rendered(const std::string& path, const std::string& template_path, View view) {
-    add_common(view);
-    auto text = render_file(template_path, view, diagnostics_);
+    auto text = render_file(template_path, with_common(std::move(view)), diagnostics_);
     failed_ = failed_ || !text;
     if (!text) return;
     const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h");

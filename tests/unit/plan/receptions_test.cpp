@@ -130,9 +130,9 @@ TEST(Receptions, RingsOfChangingDelaysHoldWhatAnyDelayNeedsAndNoMore) {
     if (!planned) return;
     ++planned_connections;
     std::uint64_t keep = 1, held = 1;
-    constexpr int kDelays = 40;
-    for (int i = 0; i <= kDelays; ++i) {
-      const Connection delayed{c.source_rate, c.rate, c.delay_s * Rational(i, kDelays), c.skip};
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+      const Connection delayed{c.source_rate, c.rate, c.delay_s * Rational(i, kSteps), c.skip};
       const Happened happened = run(delayed, window, source_first, enough_ticks(c, window));
       keep = std::max(keep, happened.keep);
       held = std::max(held, happened.window);
