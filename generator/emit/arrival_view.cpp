@@ -11,16 +11,20 @@ std::string lacks_messages(const Plan& plan, const ProgramNames& names, std::siz
   for (const auto& input : plan.graph->nodes[node].inputs) {
     if (input.window == 0) continue;
     const std::string empty = fmt::format("in.{}.empty()", input.name);
-    terms.push_back(input.skip ? fmt::format("({}.count() > 0 && {})", names.sent[node], empty)
+    terms.push_back(input.skip ? fmt::format("{}.count() > 0 && {}", names.sent[node], empty)
                                : empty);
+  }
+  if (terms.size() == 1) return terms.front();
+  for (auto& term : terms) {
+    if (term.find("&&") != std::string::npos) term = "(" + term + ")";
   }
   return fmt::format("{}", fmt::join(terms, " || "));
 }
 
-void add_arrivals(const Plan& plan, const ProgramNames& names, View& view) {
+View arrivals_view(const Plan& plan, const ProgramNames& names) {
   const Graph& graph = *plan.graph;
-  view.set("is_asynchronous", graph.asynchronous);
-  view.set("is_synchronous", !graph.asynchronous);
+  if (!graph.asynchronous) return View(false);
+  View view = object();
   view.set("environment_sent", names.sent[Graph::kEnvironment]);
   view.set("clock", names.node_member[Graph::kEngine] + ".now_ns()");
   std::vector<std::string> missing;
@@ -30,16 +34,17 @@ void add_arrivals(const Plan& plan, const ProgramNames& names, View& view) {
   }
   view.set("missing", missing.empty() ? "false" : fmt::format("{}", fmt::join(missing, " || ")));
   View senders = list();
-  for (std::size_t n = 0; graph.asynchronous && n < graph.nodes.size(); ++n) {
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     std::uint64_t capacity = 1;
     for (const auto& ring : plan.rings)
       if (ring.node == n) capacity = std::max(capacity, ring.capacity);
     View sender = object();
     sender.set("type", fmt::format("eagerx::Sent<{}>", capacity));
-    sender.set("member", names.sent[n]);
+    sender.set("sender", names.sent[n]);
     senders.push_back(sender);
   }
   view["senders"] = std::move(senders);
+  return view;
 }
 
 }  // namespace eagerx::gen

@@ -7,8 +7,8 @@
 
 namespace eagerx::gen {
 
-/// Adds what nodes send to the view of program.hpp, and when an observation is complete.
-void add_arrivals(const Plan& plan, const ProgramNames& names, View& view);
+/// What nodes send, and when an observation is complete; false if inputs count.
+View arrivals_view(const Plan& plan, const ProgramNames& names);
 
 /// C++: whether a window of `in` has no message yet; a skipped one may be empty until the first
 /// callback. Empty if every window may be.

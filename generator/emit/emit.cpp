@@ -34,15 +34,15 @@ class Emitter {
     const std::string folder = options_.header_folder + plan_.graph->name + "/";
     add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
     const fs::path here = fs::path(options_.output) / folder;
-    View io = io_view(plan_, names_,
-                      {options_.builtin_root, here.string()});  // decides which nodes share an Io
+    View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
+    io.set("config_of", partial("cpp/config.mustache"));
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     View program = program_view(plan_, names_);
-    program.set("group", partial("cpp/group.mustache"));
     program.set("has_memory", network_ && network_->has_memory());
-    program.set("begin", partial("cpp/begin.mustache"));
-    program.set("advance", partial("cpp/advance.mustache"));
-    add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(program));
+    for (const char* part : {"begin", "advance", "group", "callback"})
+      program.set(part, partial(fmt::format("cpp/{}.mustache", part)));
+    program.set("indented", indented());
+    add_program(folder, std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
     for (const NodePolicy& policy : node_policies_) {
@@ -57,8 +57,8 @@ class Emitter {
   }
 
  private:
-  /// What every template may name.
-  void add_common(View& view) const {
+  /// `view` with what every template may name.
+  View with_common(View view) const {
     const std::size_t dot = options_.version.find('.');
     view.set("name", plan_.graph->name);
     // A graph may be called `time` or `read`, as functions of the C library are.
@@ -74,15 +74,24 @@ class Emitter {
     view.set("major", options_.version.substr(0, dot));
     view.set("minor",
              options_.version.substr(dot + 1, options_.version.find('.', dot + 1) - dot - 1));
+    return view;
   }
 
   void add(const std::string& path, const std::string& template_file, View view) {
     add_rendered(path, (fs::path(options_.templates) / template_file).string(), std::move(view));
   }
 
+  /// program.hpp, and what of it belongs to which node.
+  void add_program(const std::string& folder, View view) {
+    add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
+    if (failed_) return;
+    MarkedText program = take_marks(files_.back().text);
+    files_.push_back({folder + "program.map", to_text(program_map(plan_, names_, program))});
+    files_[files_.size() - 2].text = std::move(program.text);
+  }
+
   void add_rendered(const std::string& path, const std::string& template_path, View view) {
-    add_common(view);
-    auto text = render_file(template_path, view, diagnostics_);
+    auto text = render_file(template_path, with_common(std::move(view)), diagnostics_);
     failed_ = failed_ || !text;
     if (!text) return;
     const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h");
@@ -179,12 +188,8 @@ class Emitter {
 }  // namespace
 
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
-  // FNV-1a, 64 bits.
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const auto& file : files) {
-    for (const char c : file.path + file.text)
-      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  }
+  std::uint64_t hash = hash_text({});
+  for (const auto& file : files) hash = hash_text(file.text, hash_text(file.path, hash));
   return hash;
 }
 

@@ -26,20 +26,19 @@ class GraphView {
   }
 
   View make() {
-    View view = object();
-    view.set("engine", graph_.engine().entity->id.value);
-    view.set("rate_type", rate_type(graph_.environment().rate_hz));
-    view.set("agent", agent_name());
-    view.set("agent_csv",
-             string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
-    add_channels(view);
-    add_spaces(view);
-    add_draws(view);
-    add_random_action(view);
-    add_policy(view);
-    add_safety(view);
-    add_split(view);
-    return view;
+    view_.set("engine", graph_.engine().entity->id.value);
+    view_.set("rate_type", rate_type(graph_.environment().rate_hz));
+    view_.set("agent", agent_name());
+    view_.set("agent_csv",
+              string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
+    add_channels();
+    add_spaces();
+    add_draws();
+    add_random_action();
+    add_policy();
+    add_safety();
+    add_split();
+    return std::move(view_);
   }
 
  private:
@@ -71,7 +70,7 @@ class GraphView {
     return "node";
   }
 
-  void add_channels(View& view) const {
+  void add_channels() {
     View channels = list();
     for (const auto& channel : plan_.channels) {
       const GraphNode& node = graph_.nodes[channel.node];
@@ -85,7 +84,7 @@ class GraphView {
       item.set("publisher", publisher(node.role));
       channels.push_back(item);
     }
-    view["channels"] = std::move(channels);
+    view_["channels"] = std::move(channels);
   }
 
   View space_view(const std::string& field, const Space& space, Span span,
@@ -99,7 +98,7 @@ class GraphView {
     return item;
   }
 
-  void add_spaces(View& view) {
+  void add_spaces() {
     View actions = list(), observations = list();
     for (const auto& action : graph_.environment().outputs)
       actions.push_back(space_view(action.name, action.space, action.span, "Action"));
@@ -107,9 +106,9 @@ class GraphView {
       for (const auto& input : graph_.environment().inputs)
         observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
     }
-    view["actions"] = std::move(actions);
-    view.set("no_observations", !observations.is_non_empty_list());
-    view["observations"] = std::move(observations);
+    view_["actions"] = std::move(actions);
+    view_.set("has_observations", observations.is_non_empty_list());
+    view_["observations"] = std::move(observations);
   }
 
   /// The lines that set one state from `random`.
@@ -119,8 +118,7 @@ class GraphView {
     std::vector<std::string> text;
     switch (random.kind) {
       case RandomSpec::Kind::value:
-        text = {fmt::format("states.{} = {}{};", field, type,
-                            braced(message_literal(random.first, space), space))};
+        text = {fmt::format("states.{} = {}{};", field, type, initializer(random.first, space))};
         break;
       case RandomSpec::Kind::uniform:
         text = {fmt::format("states.{} = {}.sample(random);", field, constant)};
@@ -130,10 +128,8 @@ class GraphView {
                             constant, constant)};
         break;
       case RandomSpec::Kind::normal:
-        text = {fmt::format("constexpr {} kMean{};", type,
-                            braced(message_literal(random.first, space), space)),
-                fmt::format("constexpr {} kStd{};", type,
-                            braced(message_literal(random.second, space), space)),
+        text = {fmt::format("constexpr {} kMean{};", type, initializer(random.first, space)),
+                fmt::format("constexpr {} kStd{};", type, initializer(random.second, space)),
                 fmt::format("states.{} = {}.clipped(eagerx::draw_normal(random, kMean, kStd));",
                             field, constant)};
         break;
@@ -154,7 +150,8 @@ class GraphView {
     return lines;
   }
 
-  static std::string braced(const std::string& text, const Space& space) {
+  static std::string initializer(const std::vector<double>& values, const Space& space) {
+    const std::string text = message_literal(values, space);
     return space.shape.empty() ? "{" + text + "}" : text;
   }
 
@@ -170,20 +167,18 @@ class GraphView {
     return false;
   }
 
-  void add_split(View& view) const {
-    view.set("is_split", names_.is_split());
-    view.set("is_whole", !names_.is_split());
-    view.set("decides_there", names_.is_split() && graph_.placement->on_board[Graph::kEnvironment]
-                                  ? "true"
-                                  : "false");
-    view.set("board", names_.is_split() ? graph_.placement->board->id.value : "");
-    view.set("to_board", fmt::format("{}", plan_.split ? plan_.split->board_payload : 0));
-    view.set("to_host", fmt::format("{}", plan_.split ? plan_.split->host_payload : 0));
+  void add_split() {
+    view_.set("is_split", names_.is_split());
+    view_.set("decides_there",
+              bool_literal(names_.is_split() && graph_.placement->on_board[Graph::kEnvironment]));
+    view_.set("board", names_.is_split() ? graph_.placement->board->id.value : "");
+    view_.set("to_board", fmt::format("{}", plan_.split ? plan_.split->board_payload : 0));
+    view_.set("to_host", fmt::format("{}", plan_.split ? plan_.split->host_payload : 0));
   }
 
-  void add_draws(View& view) {
+  void add_draws() {
     View ranges = list(), randoms = list();
-    bool draws = false, has_ranges = false;
+    bool draws = false;
     const auto add = [&](const std::string& owner, const State& state, const std::string& field) {
       if (!state.random) return;
       const RandomSpec::Kind kind = state.random->kind;
@@ -198,7 +193,6 @@ class GraphView {
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
         ranges.push_back(item);
-        has_ranges = true;
       }
       View item = object();
       item.set("state", owner + "/" + state.name);
@@ -229,14 +223,13 @@ class GraphView {
         add(graph_.nodes[n].name, delay, names_.delay_state[n][i]);
       }
     }
-    view.set("no_ranges", !has_ranges);
-    view["ranges"] = std::move(ranges);
-    view["randoms"] = std::move(randoms);
-    view.set("draws", draws);
-    view.set("draws_nothing", !draws);
+    view_.set("has_ranges", ranges.is_non_empty_list());
+    view_["ranges"] = std::move(ranges);
+    view_["randoms"] = std::move(randoms);
+    view_.set("draws", draws);
   }
 
-  void add_random_action(View& view) {
+  void add_random_action() {
     std::vector<std::string> samples;
     std::uint64_t words = 0;
     Names constants;  // the same names as in add_spaces, which come first there
@@ -246,13 +239,13 @@ class GraphView {
       words += action.space.size() * 2;
     }
     constexpr std::uint64_t kWordsInBlock = 4;
-    view.set("random_action", fmt::format("{{{}}}", fmt::join(samples, ", ")));
+    view_.set("random_action", braced(samples));
     // Twice what is needed, since drawing an integer may take several words.
-    view.set("draws_a_step",
-             fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
+    view_.set("draws_a_step",
+              fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
   }
 
-  void add_self_tests(View& view) const {
+  void add_self_tests() {
     std::size_t rows = network_ ? network_->self_test.size() : 0;
     std::vector<std::string> tests;
     bool is_fast = network_ && network_->profile == Profile::fast;
@@ -262,18 +255,18 @@ class GraphView {
       is_fast = is_fast || policy.network->profile == Profile::fast;
       tests.push_back(policy_namespace(graph_.nodes[policy.node].name) + "::self_test()");
     }
-    view.set("has_fast", is_fast);
-    view.set("self_test_rows", fmt::format("{}", rows));
-    view.set("self_tests", tests.empty() ? "true" : fmt::format("{}", fmt::join(tests, " && ")));
+    view_.set("has_fast", is_fast);
+    view_.set("self_test_rows", fmt::format("{}", rows));
+    view_.set("self_tests", tests.empty() ? "true" : fmt::format("{}", fmt::join(tests, " && ")));
   }
 
-  void add_policy(View& view) const {
+  void add_policy() {
     View inputs = list();
-    view.set("has_policy", network_.has_value());
-    view.set("has_memory", network_ && network_->has_memory());
-    view.set("policy_flag", network_ ? "true" : "false");
-    view.set("policy_file", graph_.agent.file);
-    add_self_tests(view);
+    view_.set("has_policy", network_.has_value());
+    view_.set("has_memory", network_ && network_->has_memory());
+    view_.set("policy_flag", bool_literal(network_.has_value()));
+    view_.set("policy_file", graph_.agent.file);
+    add_self_tests();
     if (!network_) return;
     for (const std::size_t i : graph_.agent.observations) {
       View item = object();
@@ -281,33 +274,27 @@ class GraphView {
       inputs.push_back(item);
     }
     const PolicyUse use = agent_use(graph_);
-    view["policy_inputs"] = std::move(inputs);
-    view["policy_outputs"] = policy_answers(use, *network_, "kAction");
-    view.set("reads_in_order", use.kind(*network_) != ActionKind::argmax);
-    view.set("place", names_.place(graph_.agent.span));
+    view_["policy_inputs"] = std::move(inputs);
+    view_["policy_outputs"] = policy_answers(use, *network_, "kAction");
+    view_.set("reads_in_order", use.kind(*network_) != ActionKind::argmax);
+    view_.set("place", names_.place(graph_.agent.span));
   }
 
-  void add_safety(View& view) const {
+  void add_safety() {
     constexpr std::int64_t kNsPerSecond = 1'000'000'000;
     const Safety& safety = graph_.safety;
-    const auto flag = [](bool value) { return value ? "true" : "false"; };
-    View place = list();
-    if (safety.declared) {
-      place = object();
-      place.set("place", names_.place(safety.span));
-    }
-    view["safety_place"] = std::move(place);
-    view.set("declared", flag(safety.declared));
-    view.set("late", fmt::format("{}", safety.late));
+    view_.set("safety_place", text_or_false(safety.declared ? names_.place(safety.span) : ""));
+    view_.set("declared", bool_literal(safety.declared));
+    view_.set("late", fmt::format("{}", safety.late));
     const auto whole_ns = [](const Rational& seconds) {
       return fmt::format("{}", (seconds * Rational(kNsPerSecond)).floor());
     };
-    view.set("max_lateness_ns", whole_ns(safety.max_lateness_s));
-    view.set("link_timeout_ns", whole_ns(safety.link_timeout_s));
-    view.set("missed", fmt::format("{}", safety.missed));
-    view.set("recover", fmt::format("{}", safety.recover));
-    view.set("clips", flag(safety.clips));
-    view.set("holds", flag(safety.holds));
+    view_.set("max_lateness_ns", whole_ns(safety.max_lateness_s));
+    view_.set("link_timeout_ns", whole_ns(safety.link_timeout_s));
+    view_.set("missed", fmt::format("{}", safety.missed));
+    view_.set("recover", fmt::format("{}", safety.recover));
+    view_.set("clips", bool_literal(safety.clips));
+    view_.set("holds", bool_literal(safety.holds));
     std::vector<std::string> values;
     for (std::size_t i = 0; i < safety.actions.size(); ++i) {
       std::vector<double> value = safety.actions[i];
@@ -315,7 +302,7 @@ class GraphView {
         value.resize(1);  // one for all elements
       values.push_back(message_literal(value, graph_.environment().outputs[i].space));
     }
-    view.set("safe_action", fmt::format("{{{}}}", fmt::join(values, ", ")));
+    view_.set("safe_action", braced(values));
   }
 
   const Plan& plan_;
@@ -324,6 +311,7 @@ class GraphView {
   const std::optional<Network>& network_;
   const std::vector<NodePolicy>& node_policies_;
   Names constants_;
+  View view_ = object();
 };
 
 }  // namespace

@@ -1,92 +1,32 @@
 // messages.hpp and io.hpp: what goes in and out of the program and of each node.
 #include <fmt/format.h>
 
-#include <limits>
-#include <map>
+#include <algorithm>
 
+#include "generator/emit/config.hpp"
 #include "generator/emit/names.hpp"
 #include "generator/emit/types.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-std::string int_type(std::int64_t value) {
-  const bool small = value >= std::numeric_limits<std::int32_t>::min() &&
-                     value <= std::numeric_limits<std::int32_t>::max();
-  return small ? "int" : "std::int64_t";
-}
-
-/// The smallest number has no literal: C++ reads a minus and a number that is too large.
-std::string int_literal(std::int64_t value) {
-  constexpr std::int64_t kLowest = std::numeric_limits<std::int64_t>::lowest();
-  return value == kLowest ? "std::numeric_limits<std::int64_t>::lowest()"
-                          : fmt::format("{}", value);
-}
-
-struct CppValue {
-  std::string type, value;
-};
-
-struct ConfigWriter {
-  const Parameter& parameter;
-
-  CppValue operator()(std::int64_t value) const { return {int_type(value), int_literal(value)}; }
-  CppValue operator()(double value) const { return {"double", double_literal(value)}; }
-  CppValue operator()(bool value) const { return {"bool", value ? "true" : "false"}; }
-  CppValue operator()(const std::string& value) const {
-    if (parameter.type == Parameter::Type::keyword)
-      return {"auto", parameter.cpp_class + "::" + value};
-    return {"const char*", string_literal(value)};
-  }
-  CppValue operator()(const std::vector<std::int64_t>& values) const {
-    std::string type = "int";
-    std::vector<std::string> literals;
-    for (const std::int64_t value : values) {
-      if (int_type(value) != "int") type = "std::int64_t";
-      literals.push_back(int_literal(value));
-    }
-    return {fmt::format("std::array<{}, {}>", type, values.size()),
-            fmt::format("{{{}}}", fmt::join(literals, ", "))};
-  }
-  CppValue operator()(const std::vector<double>& values) const {
-    std::vector<std::string> literals;
-    literals.reserve(values.size());
-    for (const double value : values) literals.push_back(double_literal(value));
-    return {fmt::format("std::array<double, {}>", values.size()),
-            fmt::format("{{{}}}", fmt::join(literals, ", "))};
-  }
-};
-
+/// What a struct is compiled for; false where that is nothing.
 View config_view(const Config& config) {
-  View views = list();
+  if (config.empty()) return View(false);
+  View parameters = list();
   for (const auto& item : config) {
-    const CppValue cpp = std::visit(ConfigWriter{*item.parameter}, item.value);
-    View view = object();
-    view.set("key", item.parameter->name.value);
-    view.set("type", cpp.type);
-    view.set("value", cpp.value);
-    view.set("comment",
-             item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
-    views.push_back(view);
+    const CppValue cpp = cpp_value(item);
+    View parameter = object();
+    parameter.set("key", item.parameter->name.value);
+    parameter.set("type", cpp.type);
+    parameter.set("value", cpp.value);
+    parameter.set("comment",
+                  item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
+    parameters.push_back(parameter);
   }
-  return views;
-}
-
-/// All of a node's Io but its name, as one text: nodes with the same text share one struct.
-std::string structure_of(const Plan& plan, std::size_t n, const ProgramNames& names) {
-  const GraphNode& node = plan.graph->nodes[n];
-  std::string text = node.entity->id.value + "|" + node.rate_hz.to_string();
-  for (const auto& item : node.config)
-    text += "|" + std::visit(ConfigWriter{*item.parameter}, item.value).value;
-  for (std::size_t i = 0; i < node.inputs.size(); ++i)
-    text += "|" + node.inputs[i].name + window_type(plan, n, i) +
-            (node.inputs[i].entity_sets_delay ? "d" : "");
-  for (const auto& output : node.outputs) text += "|" + output.name + message_type(output.raw);
-  for (const auto& state : node.states) text += "|" + state.name + message_type(state.received());
-  for (const auto& target : node.reset_targets)
-    text += "|" + target.name + message_type(target.space);
-  if (node.object) text += "|" + names.simulator_type[*node.object];
-  return text;
+  View view = object();
+  view["parameters"] = std::move(parameters);
+  return view;
 }
 
 View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
@@ -119,7 +59,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     port.set("comment", fmt::format("  // {}", target.space.describe()));
     targets.push_back(port);
   }
-  view.set("no_inputs", !inputs.is_non_empty_list());
+  view.set("has_inputs", inputs.is_non_empty_list());
   view["inputs"] = std::move(inputs);
   view.set("has_targets", targets.is_non_empty_list());
   view["feedthroughs"] = std::move(feedthroughs);
@@ -143,7 +83,6 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     states.push_back(field);
   }
   view.set("has_states", states.is_non_empty_list());
-  view.set("no_states", !states.is_non_empty_list());
   view["states"] = std::move(states);
   view.set("has_simulator", node.object.has_value());
   view.set("simulator", node.object ? names.simulator_type[*node.object] : "");
@@ -288,14 +227,14 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
     }
   }
   view["actions"] = std::move(actions);
-  view.set("no_observations", !observations.is_non_empty_list());
+  view.set("has_observations", observations.is_non_empty_list());
   view["observations"] = std::move(observations);
-  view.set("no_states", !states.is_non_empty_list());
+  view.set("has_states", states.is_non_empty_list());
   view["states"] = std::move(states);
   return view;
 }
 
-View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
+View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths) {
   View view = object();
   view.set("simulators", simulators_view(plan, names));
   view.set("engine_states", engine_states_view(plan, names));
@@ -312,24 +251,12 @@ View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths) {
   }
   view["channels"] = std::move(channels);
 
-  std::map<std::string, std::size_t> first_of;  // structure → the node that its Io is named after
-  std::map<std::size_t, std::size_t> shared;    // that node → how many others use it
-  std::vector<std::size_t> own;
-  for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
-    // Both programs know when reset nodes have done their work.
-    if (!names.runs(n) && !plan.graph->nodes[n].is_reset_node()) continue;
-    const auto [place, added] = first_of.try_emplace(structure_of(plan, n, names), n);
-    if (added) {
-      own.push_back(n);
-    } else {
-      names.io[n] = names.io[place->second];
-      ++shared[place->second];
-    }
-  }
   View nodes = list();
-  for (const std::size_t n : own) {
+  for (std::size_t n = Graph::kEngine; n < plan.graph->nodes.size(); ++n) {
+    if (names.io_owner[n] != n || !names.has_io(n)) continue;
+    const auto users = std::ranges::count(names.io_owner, n);
     View node = node_view(plan, n, names);
-    node.set("others", shared[n] == 0 ? "" : fmt::format(", and {} more alike", shared[n]));
+    node.set("others", users == 1 ? "" : fmt::format(", and {} more alike", users - 1));
     nodes.push_back(node);
   }
   view["nodes"] = std::move(nodes);

@@ -1,4 +1,4 @@
-// Every name in generated code comes from here: one place for casing, uniqueness and literals.
+// Every name in generated code comes from here: one place for casing and uniqueness.
 #pragma once
 
 #include <map>
@@ -30,17 +30,8 @@ std::string rate_suffix(const Rational& rate_hz);
 
 /// "eagerx::Rate<30>", "eagerx::Rate<30, 7>"
 std::string rate_type(const Rational& rate_hz);
+/// "float", "std::int8_t"
+std::string_view element_type(Dtype dtype);
 /// "float", "eagerx::Array<float, 2>"
 std::string message_type(const Space& space);
-/// A C++ literal with exactly this value as the element type of a message: "2.0F", "-1", "true".
-std::string literal(double value, Dtype dtype);
-/// A double literal: "0.1", "1e-08".
-std::string double_literal(double value);
-/// A message with these values, one for all elements or one for each: "{{1.0F, 2.0F}}", "2.0F".
-std::string message_literal(const std::vector<double>& values, const Space& space);
-/// "eagerx::Space<M>{.low = …, .high = …}" without the type; missing bounds are the dtype's.
-std::string space_literal(const Space& space);
-/// A string literal with its quotes.
-std::string string_literal(std::string_view text);
-
 }  // namespace eagerx::gen

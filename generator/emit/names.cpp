@@ -5,7 +5,7 @@
 namespace eagerx::gen {
 
 ProgramNames::ProgramNames(const Plan& plan, Part part)
-    : plan_(plan), part_(part), file_name_(plan.graph->file_name) {
+    : io_owner(io_owners(plan, part)), plan_(plan), part_(part), file_name_(plan.graph->file_name) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
   // Each of these has a struct of its own that says what it is compiled for.
@@ -23,6 +23,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part)
     const std::string owner = node.role == NodeRole::environment ? "action" : snake(node.name);
     sent.push_back(graph.asynchronous ? members.unique(owner + "_sent_") : "");
   }
+  for (std::size_t n = 0; n < io.size(); ++n) io[n] = io[io_owner[n]];
   for (const auto& ring : plan.rings) {
     const GraphNode& node = graph.nodes[ring.node];
     const bool action = node.role == NodeRole::environment;

@@ -5,8 +5,11 @@
 #include <vector>
 
 #include "generator/agent/use.hpp"
+#include "generator/emit/literals.hpp"
+#include "generator/emit/marks.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/emit/render.hpp"
+#include "generator/emit/shared_io.hpp"
 #include "generator/network/network.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/resolve/needs.hpp"
@@ -17,6 +20,7 @@ struct ProgramNames {
   ProgramNames(const Plan& plan, Part part);
 
   std::vector<std::string> io;           // of nodes: "SmoothIo"; nodes of equal structure share one
+  std::vector<std::size_t> io_owner;     // of nodes: the one that theirs is named after
   std::vector<std::string> node_member;  // "smooth_"
   std::vector<std::string> ring_member;  // "smooth_filtered_"
   std::vector<std::string> due, counter;                      // of rates: "k30Hz", "n30Hz_"
@@ -47,6 +51,9 @@ struct ProgramNames {
   [[nodiscard]] std::string seq_of(std::size_t node) const {
     return sent[node].empty() ? counter[plan_.nodes[node].rate] + " - 1" : sent[node] + ".count()";
   }
+  [[nodiscard]] bool has_io(std::size_t node) const {
+    return gen::has_io(*plan_.graph, part_, node);
+  }
   [[nodiscard]] bool has_engine() const { return runs(Graph::kEngine); }
   [[nodiscard]] bool has_ring(std::size_t ring) const;
   /// Whether the other program gets, or sends, this output.
@@ -58,15 +65,17 @@ struct ProgramNames {
   std::string file_name_;
 };
 
-/// What the templates of one program are rendered with; `names.io` is set by io_view.
+/// What the templates of one program are rendered with.
 View messages_view(const Plan& plan, const ProgramNames& names);
 /// Where headers are: those below `builtin_root` in angle brackets, others relative to `here`.
 struct IncludePaths {
   std::string builtin_root, here;
 };
 View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
-View io_view(const Plan& plan, ProgramNames& names, const IncludePaths& paths);
+View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
 View program_view(const Plan& plan, const ProgramNames& names);
+/// What of the rendered program.hpp belongs to which node.
+ProgramMap program_map(const Plan& plan, const ProgramNames& names, const MarkedText& program);
 View graph_view(const Plan& plan, const ProgramNames& names, const std::optional<Network>& network,
                 const std::vector<NodePolicy>& node_policies);
 

@@ -52,6 +52,17 @@ class CheckingContext : public kainjow::mustache::context<std::string> {
 
 }  // namespace
 
+View indented() {
+  using kainjow::mustache::renderer;
+  return View(kainjow::mustache::lambda2([](const std::string& text, const renderer& render) {
+    std::string result;
+    std::istringstream lines(render(text, false));
+    for (std::string line; std::getline(lines, line);)
+      result += (line.empty() || line.front() == kEmptyLine ? "" : "  ") + line + "\n";
+    return result;
+  }));
+}
+
 std::optional<std::string> read_template(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::stringstream text;

@@ -17,6 +17,14 @@ inline View list() {
   return View(View::type::list);
 }
 
+/// For a section that is left out where there is no text.
+inline View text_or_false(const std::string& text) {
+  return text.empty() ? View(false) : View(text);
+}
+
+/// A section whose lines are indented by two more columns.
+View indented();
+
 /// The text of a template, for use as a partial; nullopt if it cannot be read.
 std::optional<std::string> read_template(const std::string& path);
 

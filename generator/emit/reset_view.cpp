@@ -9,25 +9,23 @@ namespace {
 
 class ResetView {
  public:
-  ResetView(const Plan& plan, const ProgramNames& names, View& view)
-      : plan_(plan), graph_(*plan.graph), names_(names), view_(view) {}
+  ResetView(const Plan& plan, const ProgramNames& names)
+      : plan_(plan), graph_(*plan.graph), names_(names) {}
 
-  void add() {
+  View make() {
     collect_targets();
-    add_engine_states();
     add_nodes();
+    view_["engine"] = names_.has_engine() ? engine() : View(false);
     add_delays();
     add_cursors();
-    add_reset_nodes();
-    std::vector<std::string> started = {names_.node_member[Graph::kEngine]};
-    started.insert(started.end(), names_.simulator_member.begin(), names_.simulator_member.end());
-    view_.set("start_arguments", joined(started));
+    view_["routine"] = graph_.has_reset_nodes() ? routine() : View(false);
     view_.set("uses_states", uses_states_);
-    view_.set("ignores_states", !uses_states_);
-    view_.set("has_engine", names_.has_engine());
     const bool keeps =
         (names_.has_engine() && !graph_.objects.empty()) || has_delays_ || graph_.has_reset_nodes();
     view_.set("has_start", keeps);
+    const Rational ticks = graph_.reset_timeout_s * graph_.environment().rate_hz;
+    view_.set("most_ticks", fmt::format("{}", ticks.ceil()));
+    return std::move(view_);
   }
 
  private:
@@ -53,57 +51,58 @@ class ResetView {
     }
   }
 
-  void add_engine_states() {
-    View engine_states = list();
-    for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i) {
+  /// What starts the engine, and what resets it: first the states of its objects.
+  View engine() {
+    View states = list();
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       for (std::size_t s = 0; s < graph_.objects[i].states.size(); ++s) {
         const std::string field = "states." + names_.object_state[i][s];
         View state = object();
-        state.set("field", field + (is_object_target_[i][s] ? " && sets_targets" : ""));
+        state.set("condition", field + (is_object_target_[i][s] ? " && sets_targets" : ""));
         state.set("value", received(graph_.objects[i].states[s], "*" + field,
                                     names_.object_state_processor[i][s]));
         state.set("type", names_.engine_state_type[i][s]);
         state.set("simulator", names_.simulator_member[i]);
-        engine_states.push_back(state);
+        states.push_back(state);
         uses_states_ = true;
       }
     }
-    view_["engine_states"] = std::move(engine_states);
+    std::vector<std::string> all = {names_.node_member[Graph::kEngine]};
+    all.insert(all.end(), names_.simulator_member.begin(), names_.simulator_member.end());
+    View view = object();
+    view.set("all", joined(all));
+    // Whether the engine's reset takes the simulators, too, is for the C++ compiler to see.
+    all.insert(all.begin() + 1,
+               names_.io[Graph::kEngine] + "::States" + braced(state_arguments(Graph::kEngine)));
+    view.set("reset_call", fmt::format("eagerx::reset_engine({})", joined(all)));
+    view.set("has_states", states.is_non_empty_list());
+    view["states"] = std::move(states);
+    return view;
   }
 
   void add_nodes() {
     View resets = list();
     for (const std::size_t n : nodes_in_order(plan_)) {
-      if (!names_.runs(n)) continue;
+      if (n == Graph::kEngine || !names_.runs(n)) continue;
+      std::vector<std::string> arguments = {braced(state_arguments(n))}, delays;
       const GraphNode& node = graph_.nodes[n];
-      std::vector<std::string> states, delays;
-      for (std::size_t s = 0; s < node.states.size(); ++s) states.push_back(state_argument(n, s));
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         if (node.inputs[i].entity_sets_delay) delays.push_back(names_.delay_member[n][i]);
       }
+      if (!delays.empty()) arguments.push_back(braced(delays));
       View reset = object();
-      reset.set("call", n == Graph::kEngine ? reset_engine(states) : reset_node(n, states, delays));
+      reset.set("call", fmt::format("{}.reset({}{})", names_.node_member[n], joined(arguments),
+                                    simulator_argument(plan_, names_, n)));
       resets.push_back(reset);
     }
     view_["resets"] = std::move(resets);
   }
 
-  std::string reset_node(std::size_t n, const std::vector<std::string>& states,
-                         const std::vector<std::string>& delays) const {
-    return fmt::format("{}.reset({{{}}}{}{})", names_.node_member[n], joined(states),
-                       delays.empty() ? "" : fmt::format(", {{{}}}", joined(delays)),
-                       simulator_argument(plan_, names_, n));
-  }
-
-  /// Whether the engine's reset takes the simulators, too, is for the C++ compiler to see.
-  std::string reset_engine(const std::vector<std::string>& states) const {
-    std::vector<std::string> arguments = {
-        names_.node_member[Graph::kEngine],
-        fmt::format("{}::States{{{}}}", names_.io[Graph::kEngine], joined(states))};
-    const auto& simulators = names_.simulator_member;
-    arguments.insert(arguments.end(), simulators.begin(), simulators.end());
-    return fmt::format("if (eagerx::runs_engine(trace)) eagerx::reset_engine({})",
-                       joined(arguments));
+  std::vector<std::string> state_arguments(std::size_t n) {
+    std::vector<std::string> arguments;
+    for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
+      arguments.push_back(state_argument(n, s));
+    return arguments;
   }
 
   std::string state_argument(std::size_t n, std::size_t s) {
@@ -133,8 +132,7 @@ class ResetView {
         }
         delay.set("first", double_literal(input.delay_s.to_double()));
         delay.set("quanta", quanta_type(*reception.changing));
-        delay.set("state", names_.delay_state[n][i]);
-        delay.set("settable", !names_.delay_state[n][i].empty());
+        delay.set("state", text_or_false(names_.delay_state[n][i]));
         uses_states_ = uses_states_ || !names_.delay_state[n][i].empty();
         delays.push_back(delay);
       }
@@ -151,49 +149,57 @@ class ResetView {
                        changing.longest_ns);
   }
 
+  /// How an input counts, if that is an object; what it starts with is a number of messages' quanta
+  /// or, by the clock, of nanoseconds.
+  std::string cursor_type(const Reception& reception) const {
+    switch (reception.count) {
+      case Reception::Count::delayed:
+        return fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b);
+      case Reception::Count::skipped:
+        return fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b,
+                           reception.off);
+      case Reception::Count::arrived:
+        return fmt::format("eagerx::ArrivalCursor<{}, {}>", plan_.rings[reception.ring].capacity,
+                           reception.max_size);
+      default:
+        return {};
+    }
+  }
+
+  std::string first_of_cursor(const Reception& reception, const std::string& delay) const {
+    if (reception.changing)
+      return fmt::format("{}::of({})", quanta_type(*reception.changing), delay);
+    const bool by_clock = reception.count == Reception::Count::arrived;
+    return fmt::format("{}", by_clock ? reception.delay_ns : reception.x);
+  }
+
   void add_cursors() {
     View cursors = list();
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       if (!names_.receives(n)) continue;
       for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
         const Reception& reception = plan_.nodes[n].receptions[i];
-        const std::string& where = graph_.nodes[n].inputs[i].written;
-        const auto add = [&](const std::string& member, const std::string& type,
-                             const std::string& x) {
-          View cursor = object();
-          cursor.set("member", member);
+        View cursor = object();
+        cursor.set("where", graph_.nodes[n].inputs[i].written);
+        if (const std::string type = cursor_type(reception); !type.empty()) {
+          cursor.set("member", names_.cursor[n][i]);
           cursor.set("type", type);
-          cursor.set("x", x);
-          cursor.set("where", where);
+          cursor.set("first", first_of_cursor(reception, names_.delay_member[n][i]));
           cursors.push_back(cursor);
-        };
-        const std::string x = reception.changing
-                                  ? fmt::format("{}::of({})", quanta_type(*reception.changing),
-                                                names_.delay_member[n][i])
-                                  : fmt::format("{}", reception.x);
-        if (reception.count == Reception::Count::delayed) {
-          add(names_.cursor[n][i],
-              fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b), x);
-        } else if (reception.count == Reception::Count::skipped) {
-          add(names_.cursor[n][i],
-              fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b,
-                          reception.off),
-              x);
         }
-        if (reception.count == Reception::Count::arrived) {
-          add(names_.cursor[n][i],
-              fmt::format("eagerx::ArrivalCursor<{}, {}>", plan_.rings[reception.ring].capacity,
-                          reception.max_size),
-              reception.changing ? x : fmt::format("{}", reception.delay_ns));
-        }
-        if (!names_.fresh[n][i].empty()) add(names_.fresh[n][i], "eagerx::NewMessages", "");
+        if (names_.fresh[n][i].empty()) continue;
+        cursor.set("member", names_.fresh[n][i]);
+        cursor.set("type", "eagerx::NewMessages");
+        cursor.set("first", "");
+        cursors.push_back(cursor);
       }
     }
     view_.set("has_cursors", cursors.is_non_empty_list());
     view_["cursors"] = std::move(cursors);
   }
 
-  void add_reset_nodes() {
+  /// The routine of the reset nodes.
+  View routine() const {
     View reset_nodes = list();
     std::vector<std::string> asked, open;
     for (const std::size_t n : nodes_in_order(plan_)) {
@@ -214,46 +220,30 @@ class ResetView {
       item.set("io", names_.io[n]);
       item.set("targets_member", names_.targets_member[n]);
       item.set("done_member", names_.done_member[n]);
-      item.set("targets", "{" + joined(targets) + "}");
-      item.set("node", node.name);
+      item.set("targets", braced(targets));
       reset_nodes.push_back(item);
     }
-    view_.set("has_reset_nodes", graph_.has_reset_nodes());
-    view_.set("no_reset_nodes", !graph_.has_reset_nodes());
-    view_["reset_nodes"] = std::move(reset_nodes);
+    View view = object();
+    view["nodes"] = std::move(reset_nodes);
     // One condition needs no parentheses.
     const bool several = asked.size() > 1;
     const std::string any = fmt::format("{}", fmt::join(asked, " || "));
-    view_.set("asked", several ? "(" + any + ")" : any);
-    view_.set("open", several ? fmt::format("({})", fmt::join(open, ") || (")) : joined(open));
-    view_.set("environment_counter", names_.counter[plan_.nodes[Graph::kEnvironment].rate]);
-    const Rational ticks = graph_.reset_timeout_s * graph_.environment().rate_hz;
-    view_.set("reset_ticks", fmt::format("{}", ticks.ceil()));
-    view_.set("reset_timeout", graph_.reset_timeout_s.to_string());
+    view.set("asked", several ? "(" + any + ")" : any);
+    view.set("open", several ? fmt::format("({})", fmt::join(open, ") || (")) : joined(open));
+    view.set("timeout", graph_.reset_timeout_s.to_string());
+    return view;
   }
 
   const Plan& plan_;
   const Graph& graph_;
   const ProgramNames& names_;
-  View& view_;
+  View view_ = object();
   std::vector<std::vector<bool>> is_object_target_, is_node_target_;
   bool uses_states_ = false;
   bool has_delays_ = false;
 };
 
 }  // namespace
-
-std::string joined(const std::vector<std::string>& items) {
-  return fmt::format("{}", fmt::join(items, ", "));
-}
-
-std::string braced(const std::vector<std::string>& items, std::size_t indent, std::size_t before) {
-  constexpr std::size_t kColumns = 100;
-  std::string line = "{" + joined(items) + "}";
-  if (before + line.size() + 1 <= kColumns || items.empty()) return line;  // 1: the semicolon
-  const std::string separator = ",\n" + std::string(indent + 4, ' ');
-  return fmt::format("{{{}{}}}", separator.substr(1), fmt::join(items, separator));
-}
 
 std::vector<std::size_t> nodes_in_order(const Plan& plan) {
   std::vector<std::size_t> nodes = {Graph::kEngine};
@@ -270,8 +260,8 @@ std::string simulator_argument(const Plan& plan, const ProgramNames& names, std:
   return owner ? ", " + names.simulator_member[*owner] : "";
 }
 
-void add_reset(const Plan& plan, const ProgramNames& names, View& view) {
-  ResetView(plan, names, view).add();
+View reset_view(const Plan& plan, const ProgramNames& names) {
+  return ResetView(plan, names).make();
 }
 
 }  // namespace eagerx::gen

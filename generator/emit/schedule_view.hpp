@@ -5,7 +5,7 @@
 
 namespace eagerx::gen {
 
-/// Adds the slots, in one of the forms of the schedule, to the view of program.hpp.
-void add_schedule(const Plan& plan, const ProgramNames& names, View& view);
+/// The slots in the form that the plan has chosen.
+View schedule_view(const Plan& plan, const ProgramNames& names);
 
 }  // namespace eagerx::gen

@@ -25,6 +25,9 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
     case Reception::Count::ticks:
       total = names.counter[rate];
       break;
+    case Reception::Count::ticks_but_one:
+      total = names.counter[rate] + " - 1";
+      break;
     case Reception::Count::ticks_before:
       total = fmt::format("{} - ((due & {}) != 0)", names.counter[rate], names.due[rate]);
       break;
@@ -39,6 +42,10 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
   }
   if (port.window == 0) total = fmt::format("{}.take({})", names.fresh[node][input], total);
   return fmt::format("{{{}, {}}}", names.ring_member[reception.ring], total);
+}
+
+bool asks_what_is_due(const Plan& plan, std::size_t node, std::size_t input) {
+  return plan.nodes[node].receptions[input].count == Reception::Count::ticks_before;
 }
 
 std::string ring_place(const Plan& plan, const ProgramNames& names, std::size_t ring,

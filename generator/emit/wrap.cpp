@@ -82,7 +82,9 @@ bool ends_line(std::string_view line, std::size_t at) {
     case ',':
       return true;
     case '=':
-      return before != '=' && before != '!' && before != '<' && before != '>';
+      // An initializer breaks behind its brace.
+      return before != '=' && before != '!' && before != '<' && before != '>' &&
+             line.substr(at + 1, 2) != " {";
     case '&':
     case '|':
       return before == line[at];
@@ -118,9 +120,6 @@ Break find_break(std::string_view line, std::size_t indent, bool continued) {
 
 std::string wrapped_comment(std::string_view line, std::size_t indent) {
   const std::string_view text = line.substr(indent);
-  // `// node: Type, graph.yaml:3:5` is what `eagerx-gen size` looks for.
-  const bool names_place = std::isdigit(static_cast<unsigned char>(line.back())) != 0;
-  if (names_place) return std::string(line);
   const std::string mark = std::string(line.substr(0, indent)) +
                            std::string(text.substr(0, text.find_first_not_of('/'))) + " ";
   std::string result;

@@ -10,19 +10,22 @@ namespace {
 constexpr std::int64_t kMaxQuanta = std::int64_t{1} << 50;  // sums and products stay in 64 bits
 constexpr std::int64_t kMaxTicks = 1'000'000;               // that are gone through to settle
 
-/// From the first ticks, which the formula treats apart, to the sum that goes on for ever.
-bool settle(Hop& hop, const Counts& counts) {
+struct Settled {
+  std::int64_t received = 0, tick = 0;  // as in Hop
+};
+
+/// From the first ticks, which the formula treats apart, to the sum that goes on for ever; nullopt
+/// if that takes too long.
+std::optional<Settled> settle(const Hop& hop, const Counts& counts) {
   std::int64_t total = 0;
-  std::int64_t n = 0;
-  const std::int64_t most = ceil_div(hop.a, hop.b);
-  for (; n < kMaxTicks; ++n) {
+  const std::int64_t most = ceil_div(counts.a, counts.b);
+  for (std::int64_t n = 0; n < kMaxTicks; ++n) {
     total += counts.at(n);
     // From here on no count is cut short by what has not been sent yet.
-    if (n > 0 && counts.cum(n) >= most && total >= hop.window) break;
+    if (n > 0 && counts.cum(n) >= most && total >= hop.window)
+      return Settled{total - counts.cum(n + hop.off), n};
   }
-  hop.received = total - counts.cum(n + hop.off);
-  hop.settled = n;
-  return n < kMaxTicks;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -54,7 +57,10 @@ std::optional<Hop> make_hop(const Plan& plan, std::size_t node, std::size_t inpu
   if (source.period > kMaxQuanta || own.period > kMaxQuanta) return std::nullopt;
   hop.source_period = static_cast<std::int64_t>(source.period);
   hop.period = static_cast<std::int64_t>(own.period);
-  if (!settle(hop, Counts{hop.a, hop.b, hop.x, what.skip})) return std::nullopt;
+  const auto settled = settle(hop, {hop.a, hop.b, hop.x, what.skip});
+  if (!settled) return std::nullopt;
+  hop.received = settled->received;
+  hop.settled = settled->tick;
   // n / rate - newest(n) / source rate, in steps of a quantum common to both.
   const std::int64_t step = std::gcd(hop.source_period, hop.period);
   const std::int64_t steps = hop.x + hop.b - 1 - hop.b * (hop.received - 1) - hop.a * hop.off;

@@ -86,20 +86,21 @@ class Planner {
     const GraphNode& node = graph_.nodes[n];
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const Input& input = node.inputs[i];
-      std::uint64_t needed = 1;
       // A callback writes its output into the ring while it still reads: where it reads that ring
       // itself, the message it writes needs a place of its own.
       const bool writes_what_it_reads = input.source_node == n && !input.processor &&
                                         !node.outputs[input.source_output].processor;
-      const bool source_first = place_[input.source_node] < place_[n] || writes_what_it_reads;
-      auto reception = plan_reception(input, graph_.nodes[input.source_node].rate_hz, node.rate_hz,
-                                      source_first, needed, diagnostics_, graph_.asynchronous);
+      const Ends ends{.source_rate_hz = graph_.nodes[input.source_node].rate_hz,
+                      .rate_hz = node.rate_hz,
+                      .source_first = place_[input.source_node] < place_[n] || writes_what_it_reads,
+                      .asynchronous = graph_.asynchronous};
+      auto reception = plan_reception(input, ends, diagnostics_);
       if (!reception) reception.emplace();
       reception->ring = input.processor ? add_converted_ring(n, i)
                                         : plan_.nodes[input.source_node].rings[input.source_output];
       Ring& ring = plan_.rings[reception->ring];
-      if (needed > ring.needed || ring.why.empty()) {
-        ring.needed = std::max(ring.needed, needed);
+      if (reception->keep > ring.needed || ring.why.empty()) {
+        ring.needed = std::max(ring.needed, reception->keep);
         ring.why = input.written;
         why_.resize(std::max(why_.size(), reception->ring + 1));
         why_[reception->ring] = input.span;

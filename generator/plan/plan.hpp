@@ -32,11 +32,12 @@ struct Ring {
 /// lowest terms and x = ceil(b · source rate · delay) (SEMANTICS §3):
 struct Reception {
   enum class Count : std::uint8_t {
-    ticks,         // all that were sent: the source's counter
-    ticks_before,  // all that were sent before this slot (skip, one rate divides the other)
-    delayed,       // max(1, floor((a n - x) / b) + 1) at tick n
-    skipped,       // the sum of max(0, min(cum(n + off) - cum(n + off - 1), cum(n) + 1))
-    arrived,       // all that were sent at least the delay ago, by the engine's clock
+    ticks,          // all that were sent: the source's counter
+    ticks_but_one,  // all but the one of this slot (skip, the source is due whenever the node is)
+    ticks_before,   // all that were sent before this slot, in which the source may be due (skip)
+    delayed,        // max(1, floor((a n - x) / b) + 1) at tick n
+    skipped,        // the sum of max(0, min(cum(n + off) - cum(n + off - 1), cum(n) + 1))
+    arrived,        // all that were sent at least the delay ago, by the engine's clock
   };
   Count count = Count::ticks;
   std::size_t ring = 0;
@@ -50,6 +51,7 @@ struct Reception {
   std::int64_t delay_ns = 0;   // of `arrived`; num = den = 1 there
   std::uint64_t max_size = 1;  // most messages in the window
   bool always_full = true;
+  std::uint64_t keep = 1;  // messages that the ring must have room for
 };
 
 /// A node in the plan; receptions match the node's inputs.
@@ -66,15 +68,25 @@ struct Channel {
 };
 
 enum class ScheduleForm : std::uint8_t {
-  constants,  // masks known to the compiler: one specialisation a distinct mask
-  table,      // one mask a slot in a table
+  constants,  // a step is the hyperperiod: its slots one after the other, masks known to the
+              // compiler
+  kinds,      // a table of kinds of slots; their masks are known to the compiler
+  table,      // a table of masks
   countdown,  // hyperperiod too long for a table: one countdown a rate
 };
 
 struct Schedule {
-  ScheduleForm form = ScheduleForm::constants;
-  std::vector<std::uint64_t> masks;    // one a slot of the hyperperiod; empty for countdown
+  /// Neighbouring slots that are alike.
+  struct Run {
+    std::uint64_t mask = 0;
+    std::size_t slots = 0;
+  };
+  ScheduleForm form = ScheduleForm::countdown;
   std::optional<std::uint64_t> slots;  // of the hyperperiod, if it can be counted
+  // Empty for countdown:
+  std::vector<std::uint64_t> masks;  // one a slot
+  std::vector<std::uint64_t> kinds;  // each mask once; the first is that of an episode's beginning
+  std::vector<Run> runs;             // all slots
 };
 
 /// What the two programs of a split graph send each other.

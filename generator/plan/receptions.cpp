@@ -79,8 +79,9 @@ std::string advice(Counts counts, const Rational& source_rate) {
 
 Reception::Count count_kind(const Counts& counts) {
   if (!counts.skip) return counts.x == 0 ? Reception::Count::ticks : Reception::Count::delayed;
-  const bool divides = counts.a == 1 || counts.b == 1;
-  return counts.x == 0 && divides ? Reception::Count::ticks_before : Reception::Count::skipped;
+  if (counts.x == 0 && counts.b == 1) return Reception::Count::ticks_but_one;
+  return counts.x == 0 && counts.a == 1 ? Reception::Count::ticks_before
+                                        : Reception::Count::skipped;
 }
 
 Reception::Count changing_kind(const Input& input) {
@@ -161,7 +162,7 @@ void report_starving(const Input& input, const Counts& counts, const Rational& s
 /// one message more than by counting may be on its way or come at once; and the sender writes one
 /// more while the window is read. What a stop of the machine brings beyond that is dropped and
 /// counted.
-std::optional<Reception> arrived(const Input& input, const Counts& longest, std::uint64_t& needed,
+std::optional<Reception> arrived(const Input& input, const Counts& longest,
                                  Diagnostics& diagnostics) {
   const Rational delay_ns = input.max_delay_s.value_or(input.delay_s) * Rational(kNsPerSecond);
   if (delay_ns.overflowed()) {
@@ -184,28 +185,27 @@ std::optional<Reception> arrived(const Input& input, const Counts& longest, std:
   }
   reception.max_size = static_cast<std::uint64_t>(window);
   reception.always_full = false;
-  needed = static_cast<std::uint64_t>(window + on_their_way + between_ticks + 1);
+  reception.keep = static_cast<std::uint64_t>(window + on_their_way + between_ticks + 1);
   return reception;
 }
 
 }  // namespace
 
-std::optional<Reception> plan_reception(const Input& input, const Rational& source_rate_hz,
-                                        const Rational& rate_hz, bool source_first,
-                                        std::uint64_t& needed, Diagnostics& diagnostics,
-                                        bool asynchronous) {
-  const auto counts = counts_of(input, source_rate_hz, rate_hz, diagnostics);
+std::optional<Reception> plan_reception(const Input& input, const Ends& ends,
+                                        Diagnostics& diagnostics) {
+  const auto counts = counts_of(input, ends.source_rate_hz, ends.rate_hz, diagnostics);
   if (!counts) return std::nullopt;
   Counts longest = *counts;
   if (input.max_delay_s)
-    longest.x = (Rational(counts->b) * source_rate_hz * *input.max_delay_s).ceil();
-  if (asynchronous) return arrived(input, longest, needed, diagnostics);
+    longest.x = (Rational(counts->b) * ends.source_rate_hz * *input.max_delay_s).ceil();
+  if (ends.asynchronous) return arrived(input, longest, diagnostics);
   if (starves(longest, input.window)) {
-    report_starving(input, longest, source_rate_hz, diagnostics);
+    report_starving(input, longest, ends.source_rate_hz, diagnostics);
     return std::nullopt;
   }
-  const Need need = input.max_delay_s ? need_of_all(*counts, longest.x, input.window, source_first)
-                                      : need_of(*counts, input.window, source_first);
+  const Need need = input.max_delay_s
+                        ? need_of_all(*counts, longest.x, input.window, ends.source_first)
+                        : need_of(*counts, input.window, ends.source_first);
   Reception reception;
   reception.count = input.max_delay_s ? changing_kind(input) : count_kind(*counts);
   reception.a = counts->a;
@@ -217,10 +217,10 @@ std::optional<Reception> plan_reception(const Input& input, const Rational& sour
       !input.skip &&
       (input.window == 1 || (input.window == 0 && counts->a == counts->b && longest.x == 0));
   if (input.max_delay_s) {
-    reception.changing = changing_of(input, *counts, source_rate_hz, diagnostics);
+    reception.changing = changing_of(input, *counts, ends.source_rate_hz, diagnostics);
     if (!reception.changing) return std::nullopt;
   }
-  needed = static_cast<std::uint64_t>(need.keep);
+  reception.keep = static_cast<std::uint64_t>(need.keep);
   return reception;
 }
 

@@ -7,13 +7,16 @@
 
 namespace eagerx::gen {
 
-/// How `input` of a node at `rate_hz` counts messages of a source at `source_rate_hz`; its ring is
-/// left to the caller. `needed`: messages that the ring must keep for it; `source_first`: whether
-/// the source runs before the node in a slot in which both are due; `asynchronous`: whether it goes
-/// by the clock instead. Problems are reported.
-std::optional<Reception> plan_reception(const Input& input, const Rational& source_rate_hz,
-                                        const Rational& rate_hz, bool source_first,
-                                        std::uint64_t& needed, Diagnostics& diagnostics,
-                                        bool asynchronous = false);
+/// What two nodes are to each other.
+struct Ends {
+  Rational source_rate_hz, rate_hz;
+  bool source_first = true;   // of a slot in which both are due
+  bool asynchronous = false;  // the reader goes by the clock
+};
+
+/// How `input` of a node counts the messages of its source; its ring is left to the caller.
+/// Problems are reported.
+std::optional<Reception> plan_reception(const Input& input, const Ends& ends,
+                                        Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -13,8 +13,8 @@ namespace eagerx::gen {
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics);
 
 /// The slots and the cheapest form for them. `environment`: index of its rate; `nodes`: how many
-/// there are; `resets`: whether there are reset nodes, which may end at any slot of a step.
+/// there are; `any_slot`: whether a routine may end at any slot of a step, as those of reset nodes.
 Schedule make_schedule(const std::vector<RateClass>& rates, std::size_t environment,
-                       std::size_t nodes, bool resets = false);
+                       std::size_t nodes, bool any_slot = false);
 
 }  // namespace eagerx::gen

@@ -38,18 +38,20 @@ class Line {
   }
   void start_counting() { exchanges_ = steps_ = board_ = host_ = 0; }
 
-  void report(Split& split) const {
+  /// `split` with what a link needs for it.
+  [[nodiscard]] Split measured(Split split) const {
     split.board_payload =
         std::clamp(std::max(most_board_, run_board_) + kReset, kGreeting, kLargestPayload);
     split.host_payload =
         std::clamp(std::max(most_host_, run_host_) + done_, kGreeting, kLargestPayload);
-    if (steps_ == 0) return;
+    if (steps_ == 0) return split;
     const auto per_step = [&](std::size_t count) {
       return static_cast<double>(count) / static_cast<double>(steps_);
     };
     split.exchanges = per_step(exchanges_);
     split.board_bytes = per_step(board_);
     split.host_bytes = per_step(host_);
+    return split;
   }
 
  private:
@@ -82,7 +84,8 @@ class Line {
   std::size_t exchanges_ = 0, steps_ = 0, board_ = 0, host_ = 0;
 };
 
-void find_messages(const Plan& plan, Split& split) {
+Split find_messages(const Plan& plan) {
+  Split split;
   const Graph& graph = *plan.graph;
   const std::vector<bool>& on_board = graph.placement->on_board;
   split.to_board.resize(plan.channels.size());
@@ -99,13 +102,13 @@ void find_messages(const Plan& plan, Split& split) {
       }
     }
   }
+  return split;
 }
 
 }  // namespace
 
 Split make_split(const Plan& plan) {
-  Split split;
-  find_messages(plan, split);
+  Split split = find_messages(plan);
   Line line(plan, split);
   std::vector<std::uint64_t> masks = plan.schedule.masks;
   // A hyperperiod too long for a table: as if all rates were due at once, which is the most.
@@ -116,7 +119,7 @@ Split make_split(const Plan& plan) {
     for (std::size_t i = 0; i < masks.size(); ++i)
       line.slot(masks[i], masks[(i + 1) % masks.size()]);
   }
-  line.report(split);
+  split = line.measured(std::move(split));
   if (plan.schedule.masks.empty()) split.exchanges = split.board_bytes = split.host_bytes = 0.0;
   return split;
 }

@@ -9,6 +9,8 @@ std::string_view name_of(ScheduleForm form) {
   switch (form) {
     case ScheduleForm::constants:
       return "masks known to the compiler";
+    case ScheduleForm::kinds:
+      return "a table of kinds of slots, masks known to the compiler";
     case ScheduleForm::table:
       return "a table of masks";
     case ScheduleForm::countdown:

@@ -2,9 +2,11 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
+#include <sstream>
 
-#include "generator/size/program_map.hpp"
+#include "generator/program_map/program_map.hpp"
 #include "generator/size/size.hpp"
 #include "generator/size/stack.hpp"
 #include "generator/size/tools.hpp"
@@ -24,16 +26,32 @@ std::uint64_t hex(std::string_view text) {
   return std::strtoull(std::string(text).c_str(), nullptr, 16);
 }
 
+std::optional<std::string> text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return file ? std::optional(text.str()) : std::nullopt;
+}
+
 class Measurement {
  public:
-  Measurement(const std::string& image, const std::string& prefix)
-      : image_(image), prefix_(prefix) {}
+  Measurement(const std::string& image, const std::string& prefix, Diagnostics& diagnostics)
+      : image_(image), prefix_(prefix), diagnostics_(diagnostics) {}
 
-  bool run(SizeReport& report) {
-    if (!read_total(report) || !read_symbols() || !attribute_code(report)) return false;
+  /// nullopt with a problem.
+  std::optional<SizeReport> run() {
+    SizeReport report;
+    if (!read_total(report) || !read_symbols() || !read_addresses()) {
+      diagnostics_
+          .io_error("E0911", {}, fmt::format("cannot read `{}` with `{}nm`", image_, prefix_))
+          .help = "install the board's compiler: toolchains/install-packages boards";
+      return std::nullopt;
+    }
+    if (!read_map()) return std::nullopt;
+    for (const auto& frames : addresses_) usage(report, owner(frames)).flash += 2;
     attribute_data(report);
     attribute_rest(report);
-    return true;
+    return report;
   }
 
  private:
@@ -79,8 +97,8 @@ class Measurement {
     return std::string_view("tTwW").find(symbol.type) != std::string_view::npos;
   }
 
-  /// False if there is no room for a temporary file.
-  bool attribute_code(SizeReport& report) {
+  /// The frames of every address of code; false if there is no room for a temporary file.
+  bool read_addresses() {
     const std::unique_ptr<std::FILE, int (*)(std::FILE*)> list(std::tmpfile(), std::fclose);
     if (list == nullptr) return false;
     for (const auto& [address, symbol] : symbols_) {
@@ -99,56 +117,82 @@ class Measurement {
                       addresses_.back().emplace_back(line);
                     }
                   });
-    find_program();
-    for (const auto& frames : addresses_) usage(report, owner(frames)).flash += 2;
     return true;
   }
 
   using Frames = std::vector<std::string>;
+  using Owner = ProgramMap::Owner;
 
-  void find_program() {
+  /// The program.hpp that the image was compiled from; empty if there is none.
+  std::string find_program() const {
     for (const auto& frames : addresses_) {
       for (const auto& frame : frames) {
-        const std::string file = frame.substr(0, frame.rfind(':'));
-        if (!file.ends_with("/program.hpp")) continue;
-        map_ = read_program_map(file);
-        return;
+        std::string file = frame.substr(0, frame.rfind(':'));
+        if (file.ends_with("/program.hpp")) return file;
       }
     }
+    return {};
   }
 
-  Usage& usage(SizeReport& report, const std::string& owner) {
-    return map_.type_of_node.contains(owner) ? report.nodes[owner] : report.others[owner];
+  /// The map beside program.hpp; it stays empty for an image of no generated program.
+  bool read_map() {
+    const std::string program = find_program();
+    if (program.empty()) return true;
+    const std::string path = fs::path(program).replace_extension(".map").string();
+    const auto text = text_of(program), map_text = text_of(path);
+    if (!text || !map_text) {
+      diagnostics_
+          .io_error("E0911", {},
+                    fmt::format("cannot read `{}`, which says what of `{}` belongs to which node",
+                                text ? path : program, image_))
+          .help = "keep what `eagerx-gen generate` wrote where the image was built from it";
+      return false;
+    }
+    auto map = parse_program_map(*map_text, path, diagnostics_);
+    if (!map) return false;
+    if (map->program_hash != hash_text(*text)) {
+      diagnostics_
+          .io_error("E0911", {}, fmt::format("`{}` was not made with this `{}`", path, program))
+          .help = "generate the program again and build it anew; do not edit program.hpp";
+      return false;
+    }
+    map_ = std::move(*map);
+    return true;
+  }
+
+  static Usage& usage(SizeReport& report, const Owner& owner) {
+    return (owner.is_node ? report.nodes : report.others)[owner.name];
   }
 
   /// Frames go from what was inlined to what it was inlined into.
-  std::string owner(const Frames& frames) const {
+  Owner owner(const Frames& frames) const {
     for (const auto& frame : frames) {
       const auto colon = frame.rfind(':');
-      const std::string file = frame.substr(0, colon);
-      if (!file.ends_with("/program.hpp")) continue;
-      const auto node = map_.node_of_line.find(std::atoi(frame.c_str() + colon + 1));
-      if (node != map_.node_of_line.end()) return node->second;
+      if (!frame.substr(0, colon).ends_with("/program.hpp")) continue;
+      const auto line = std::strtoul(frame.c_str() + colon + 1, nullptr, 10);
+      if (const std::string* node = map_.node_of_line(static_cast<std::uint32_t>(line)))
+        return {true, *node};
     }
     for (const auto& frame : frames) {
-      std::string owner = owner_of_file(frame);
-      if (!owner.empty()) return owner;
+      const Owner owner = owner_of_file(frame);
+      if (!owner.name.empty()) return owner;
     }
-    return "libraries";
+    return {false, "libraries"};
   }
 
-  std::string owner_of_file(const std::string& frame) const {
+  Owner owner_of_file(const std::string& frame) const {
     const auto has = [&](std::string_view part) { return frame.find(part) != std::string::npos; };
     if (has("/models/")) return owner_of_model(frame);
-    if (has("/eagerx/policy") || has("/policy.hpp")) return "policy";
-    if (has("/program.hpp")) return "schedule";
-    if (has("/runtime/eagerx/") || has("/src/eagerx/") || has("/graph.hpp")) return "runtime";
-    if (has("/targets/")) return "board";
+    if (has("/eagerx/policy") || has("/policy.hpp")) return {false, "policy"};
+    if (has("/program.hpp")) return {false, "schedule"};
+    if (has("/runtime/eagerx/") || has("/src/eagerx/") || has("/graph.hpp"))
+      return {false, "runtime"};
+    if (has("/targets/")) return {false, "board"};
     return {};
   }
 
   /// Code of an entity that was not inlined: its node, if there is one of that type only.
-  std::string owner_of_model(const std::string& frame) const {
+  Owner owner_of_model(const std::string& frame) const {
     const auto slash = frame.rfind('/');
     std::string type;
     bool capital = true;
@@ -156,13 +200,13 @@ class Measurement {
       if (c != '_') type += capital ? static_cast<char>(std::toupper(c)) : c;
       capital = c == '_';
     }
-    std::string found;
+    Owner found;
     for (const auto& [node, its] : map_.type_of_node) {
       if (its != type) continue;
-      if (!found.empty()) return "models/" + type;
-      found = node;
+      if (found.is_node) return {false, "models/" + type};
+      found = {true, node};
     }
-    return found.empty() ? "models/" + type : found;
+    return found.is_node ? found : Owner{false, "models/" + type};
   }
 
   void attribute_data(SizeReport& report) {
@@ -174,8 +218,8 @@ class Measurement {
         attribute_program(report, symbol.size);
         continue;
       }
-      Usage& owner =
-          usage(report, symbol.name.find("::policy::") != std::string::npos ? "policy" : "board");
+      const bool policy = symbol.name.find("::policy::") != std::string::npos;
+      Usage& owner = report.others[policy ? "policy" : "board"];
       if (!bss) owner.flash += symbol.size;
       if (data || bss) owner.ram += symbol.size;
     }
@@ -220,8 +264,7 @@ class Measurement {
     for (auto member = best.begin(); member != best.end(); ++member) {
       const auto next = std::next(member);
       const std::uint64_t bytes = (next == best.end() ? size : next->first) - member->first;
-      usage(report, member->second == "trace" ? "runtime" : map_.owner_of_member(member->second))
-          .ram += bytes;
+      usage(report, map_.owner(member->second)).ram += bytes;
     }
     if (best.empty()) report.others["schedule"].ram += size;
   }
@@ -241,6 +284,7 @@ class Measurement {
   }
 
   std::string image_, prefix_;
+  Diagnostics& diagnostics_;
   std::uint64_t image_bytes_ = 0;  // flash and RAM: no symbol can be larger
   std::map<std::uint64_t, Symbol> symbols_;
   std::map<std::string, std::uint64_t> ends_;
@@ -266,13 +310,8 @@ std::optional<SizeReport> measure_image(const std::string& image, const std::str
         "give the .elf file that was built for one";
     return std::nullopt;
   }
-  SizeReport report;
-  if (!Measurement(image, *prefix).run(report)) {
-    diagnostics.io_error("E0911", {}, fmt::format("cannot read `{}` with `{}nm`", image, *prefix))
-        .help = "install the board's compiler: toolchains/install-packages boards";
-    return std::nullopt;
-  }
-  report.stack = stack_bound(*prefix, image, build);
+  auto report = Measurement(image, *prefix, diagnostics).run();
+  if (report) report->stack = stack_bound(*prefix, image, build);
   return report;
 }
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "generator/emit/namer.hpp"
+#include "generator/emit/literals.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "generator/emit/namer.hpp"
+#include "generator/emit/literals.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {

@@ -21,6 +21,11 @@ TEST(Wrapped, BreaksWhereTheFewestBracketsAreOpen) {
             "Array<float, 3> " + kLong + "{\n    .low = {{1}}, .high = {{" + kLong + "}}};");
 }
 
+TEST(Wrapped, AnInitializerBreaksBehindItsBrace) {
+  EXPECT_EQ(wrapped("  const T a[2] = {" + kLong + ", " + kLong + "};"),
+            "  const T a[2] = {\n      " + kLong + ",\n      " + kLong + "};");
+}
+
 TEST(Wrapped, AllLinesOfAStatementHaveTheSameIndent) {
   std::string list = "  f(0";
   for (int i = 0; i < 20'000; ++i) list += ", 1234567";
@@ -63,8 +68,8 @@ TEST(Wrapped, CommentsBreakBetweenWordsAndMoveAbove) {
             "  /// " + kLong + "\n  /// " + kLong + " b\n");
   EXPECT_EQ(wrapped("  int " + kLong + ";  // " + kLong),
             "  // " + kLong + "\n  int " + kLong + ";");
-  const std::string place = "// " + kLong + ": " + kLong + ", graph.yaml:3:5";
-  EXPECT_EQ(wrapped(place), place);
+  EXPECT_EQ(wrapped("// " + kLong + ": " + kLong + ", graph.yaml:3:5"),
+            "// " + kLong + ":\n// " + kLong + ", graph.yaml:3:5");
 }
 
 TEST(Wrapped, TablesStay) {

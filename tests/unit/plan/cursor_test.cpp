@@ -69,7 +69,7 @@ TEST(Cursor, CountsWhatThePlanCounts) {
 }
 
 TEST(Cursor, SkippedWithoutDelayIsEverythingBeforeTheTickWhereOneRateDividesTheOther) {
-  // Reception::Count::ticks_before relies on it.
+  // Reception::Count::ticks_before and ticks_but_one rely on it.
   for (const auto& [a, b] :
        {std::pair<std::int64_t, std::int64_t>{1, 1}, {1, 4}, {4, 1}, {30, 1}, {1, 30}}) {
     const Counts counts{a, b, 0, true};
@@ -78,6 +78,9 @@ TEST(Cursor, SkippedWithoutDelayIsEverythingBeforeTheTickWhereOneRateDividesTheO
       total += counts.at(tick);
       ASSERT_EQ(total, counts.sent(tick) - (counts.sends_at(tick) ? 1 : 0))
           << a << "/" << b << ", tick " << tick;
+      if (b == 1) {
+        ASSERT_TRUE(counts.sends_at(tick));
+      }
     }
   }
 }

@@ -49,20 +49,15 @@ Input input_of(const Connection& c, std::uint32_t window) {
   return input;
 }
 
-struct PlannedReception {
-  Reception reception;
-  std::uint64_t needed = 0;
-};
+Ends ends_of(const Connection& c, bool source_first) {
+  return {.source_rate_hz = c.source_rate, .rate_hz = c.rate, .source_first = source_first};
+}
 
-std::optional<PlannedReception> plan(const Connection& c, std::uint32_t window, bool source_first) {
+std::optional<Reception> plan(const Connection& c, std::uint32_t window, bool source_first) {
   Diagnostics diagnostics;
-  PlannedReception planned;
-  const auto reception = plan_reception(input_of(c, window), c.source_rate, c.rate, source_first,
-                                        planned.needed, diagnostics);
+  auto reception = plan_reception(input_of(c, window), ends_of(c, source_first), diagnostics);
   EXPECT_EQ(reception.has_value(), !diagnostics.has_errors());
-  if (!reception) return std::nullopt;
-  planned.reception = *reception;
-  return planned;
+  return reception;
 }
 
 std::string describe(const Connection& c, std::uint32_t window, bool source_first) {
@@ -108,29 +103,24 @@ TEST(Receptions, RingsAreExactlyAsLargeAsNeeded) {
     ++planned_connections;
     const Happened happened = run(c, window, source_first, enough_ticks(c, window));
     EXPECT_TRUE(happened.counts_agree) << describe(c, window, source_first);
-    EXPECT_EQ(planned->needed, happened.keep) << describe(c, window, source_first);
-    EXPECT_EQ(planned->reception.max_size, std::max<std::uint64_t>(1, happened.window))
+    EXPECT_EQ(planned->keep, happened.keep) << describe(c, window, source_first);
+    EXPECT_EQ(planned->max_size, std::max<std::uint64_t>(1, happened.window))
         << describe(c, window, source_first);
-    if (planned->reception.always_full) {
-      EXPECT_EQ(happened.least, planned->reception.max_size) << describe(c, window, source_first);
+    if (planned->always_full) {
+      EXPECT_EQ(happened.least, planned->max_size) << describe(c, window, source_first);
     }
   });
   EXPECT_GT(planned_connections, 1000);
 }
 
 /// Plans with delays from 0 to the longest; nullopt if some of them starve the input.
-std::optional<PlannedReception> plan_changing(const Connection& c, std::uint32_t window,
-                                              bool source_first) {
+std::optional<Reception> plan_changing(const Connection& c, std::uint32_t window,
+                                       bool source_first) {
   Diagnostics diagnostics;
-  PlannedReception planned;
   Input input = input_of(c, window);
   input.max_delay_s = c.delay_s;
   input.delay_s = Rational(0);
-  const auto reception =
-      plan_reception(input, c.source_rate, c.rate, source_first, planned.needed, diagnostics);
-  if (!reception) return std::nullopt;
-  planned.reception = *reception;
-  return planned;
+  return plan_reception(input, ends_of(c, source_first), diagnostics);
 }
 
 TEST(Receptions, RingsOfChangingDelaysHoldWhatAnyDelayNeedsAndNoMore) {
@@ -147,11 +137,11 @@ TEST(Receptions, RingsOfChangingDelaysHoldWhatAnyDelayNeedsAndNoMore) {
       keep = std::max(keep, happened.keep);
       held = std::max(held, happened.window);
     }
-    EXPECT_EQ(planned->needed, keep) << describe(c, window, source_first);
-    EXPECT_EQ(planned->reception.max_size, held) << describe(c, window, source_first);
-    ASSERT_TRUE(planned->reception.changing);
-    EXPECT_TRUE(planned->reception.count == Reception::Count::delayed ||
-                planned->reception.count == Reception::Count::skipped);
+    EXPECT_EQ(planned->keep, keep) << describe(c, window, source_first);
+    EXPECT_EQ(planned->max_size, held) << describe(c, window, source_first);
+    ASSERT_TRUE(planned->changing);
+    EXPECT_TRUE(planned->count == Reception::Count::delayed ||
+                planned->count == Reception::Count::skipped);
   });
   EXPECT_GT(planned_connections, 500);
 }
@@ -167,10 +157,7 @@ TEST(Receptions, TheDelayThatIsRecommendedWorksAndNoLongerOneDoes) {
   int recommended = 0;
   for_each_connection([&](const Connection& c, std::uint32_t window, bool source_first) {
     Diagnostics diagnostics;
-    std::uint64_t needed = 0;
-    if (plan_reception(input_of(c, window), c.source_rate, c.rate, source_first, needed,
-                       diagnostics))
-      return;
+    if (plan_reception(input_of(c, window), ends_of(c, source_first), diagnostics)) return;
     const std::string& help = diagnostics.all().front().help;
     const std::string begin = "shorten the delay to at most ";
     if (!help.starts_with(begin)) return;
@@ -188,15 +175,14 @@ TEST(Receptions, TheDelayThatIsRecommendedWorksAndNoLongerOneDoes) {
 
 TEST(Receptions, TakeTheCheapestCount) {
   const auto count = [](const char* source_rate, const char* rate, const char* delay, bool skip) {
-    return plan({parsed(source_rate), parsed(rate), parsed(delay), skip}, 1, !skip)
-        .value()
-        .reception.count;
+    return plan({parsed(source_rate), parsed(rate), parsed(delay), skip}, 1, !skip).value().count;
   };
   EXPECT_EQ(count("30", "30", "0", false), Reception::Count::ticks);
   EXPECT_EQ(count("30", "7", "0", false), Reception::Count::ticks);
   EXPECT_EQ(count("30", "30", "0.001", false), Reception::Count::delayed);
-  EXPECT_EQ(count("30", "30", "0", true), Reception::Count::ticks_before);
-  EXPECT_EQ(count("30", "10", "0", true), Reception::Count::ticks_before);
+  EXPECT_EQ(count("30", "30", "0", true), Reception::Count::ticks_but_one);
+  EXPECT_EQ(count("30", "10", "0", true), Reception::Count::ticks_but_one);
+  EXPECT_EQ(count("10", "30", "0", true), Reception::Count::ticks_before);
   EXPECT_EQ(count("30", "7", "0", true), Reception::Count::skipped);
   EXPECT_EQ(count("30", "30", "0.03", true), Reception::Count::skipped);
 }
@@ -208,16 +194,15 @@ TEST(Receptions, BoundCoversWhatIsTooLongToSimulate) {
   const auto planned = plan(c, 3, false);
   ASSERT_TRUE(planned);
   const Happened happened = run(c, 3, false, 20'000);
-  EXPECT_GE(planned->needed, happened.keep);
-  EXPECT_LE(planned->needed, happened.keep + 6);
-  EXPECT_GE(planned->reception.max_size, happened.window);
+  EXPECT_GE(planned->keep, happened.keep);
+  EXPECT_LE(planned->keep, happened.keep + 6);
+  EXPECT_GE(planned->max_size, happened.window);
 }
 
 TEST(Receptions, WhatCannotBeCountedIsAnError) {
   Diagnostics diagnostics;
-  std::uint64_t needed = 0;
   const Connection c{parsed("1000000.0000001"), parsed("0.0000001"), 0, false};
-  EXPECT_FALSE(plan_reception(input_of(c, 1), c.source_rate, c.rate, true, needed, diagnostics));
+  EXPECT_FALSE(plan_reception(input_of(c, 1), ends_of(c, true), diagnostics));
   ASSERT_EQ(diagnostics.error_count(), 1U);
   EXPECT_EQ(diagnostics.all().front().code, "E0402");
 }

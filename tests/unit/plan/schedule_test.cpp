@@ -122,11 +122,46 @@ TEST(Schedule, SlotsAreTheInstantsOfTheHyperperiod) {
 
 TEST(Schedule, IsWrittenOutWhereAStepIsTheHyperperiod) {
   EXPECT_EQ(schedule_of({30}).form, ScheduleForm::constants);
+  EXPECT_EQ(make_schedule(rates_of({30, 60}), 1, 10).form,
+            ScheduleForm::constants);  // the environment at 30 Hz
+}
+
+TEST(Schedule, IsATableOfKindsWhereAStepIsAPartOfTheHyperperiod) {
   const auto rates = rates_of({30, 60});
-  EXPECT_EQ(make_schedule(rates, 1, 10).form, ScheduleForm::constants);  // the environment at 30 Hz
-  EXPECT_EQ(make_schedule(rates, 0, 10).form,
-            ScheduleForm::table);  // at 60 Hz: a step is half of it
-  EXPECT_EQ(make_schedule(rates, 1, 400).form, ScheduleForm::table);  // too much text
+  const Schedule schedule = make_schedule(rates, 0, 10);  // the environment at 60 Hz
+  EXPECT_EQ(schedule.form, ScheduleForm::kinds);
+  EXPECT_EQ(schedule.masks, (std::vector<std::uint64_t>{3, 1}));
+  EXPECT_EQ(schedule.kinds, (std::vector<std::uint64_t>{3, 1}));
+  const Schedule several = make_schedule(rates_of({60, 30, 20, 15, 10}), 4, 10);
+  EXPECT_EQ(several.form, ScheduleForm::kinds);
+  EXPECT_EQ(several.masks.size(), 12U);
+  EXPECT_EQ(several.kinds.size(), 6U);
+}
+
+TEST(Schedule, IsATableOfMasksWhereSpecialisationsWouldBeTooMuchText) {
+  const auto rates = rates_of({30, 60});  // two kinds of slots
+  EXPECT_EQ(make_schedule(rates, 1, 300).form, ScheduleForm::constants);
+  EXPECT_EQ(make_schedule(rates, 1, 301).form, ScheduleForm::table);
+  EXPECT_EQ(make_schedule(rates, 0, 300).form, ScheduleForm::kinds);
+  EXPECT_EQ(make_schedule(rates, 0, 301).form, ScheduleForm::table);
+  const Schedule schedule = make_schedule(rates_of({630, 420, 315, 252, 180, 140}), 0, 7);
+  EXPECT_EQ(schedule.kinds.size(), 35U);
+  EXPECT_EQ(schedule.form, ScheduleForm::table);
+}
+
+TEST(Schedule, OfARoutineThatMayEndAtAnySlotHasMasks) {
+  const auto rates = rates_of({30, 60});
+  EXPECT_EQ(make_schedule(rates, 1, 10, true).form, ScheduleForm::table);
+  EXPECT_EQ(make_schedule(rates, 0, 10, true).form, ScheduleForm::table);
+  EXPECT_EQ(make_schedule(rates_of({30}), 0, 10, true).form, ScheduleForm::constants);
+}
+
+TEST(Schedule, RunsAreAllSlotsInOrder) {
+  const Schedule schedule = make_schedule(rates_of({10, 60, 20}), 0, 10);
+  std::vector<std::uint64_t> masks;
+  for (const auto& run : schedule.runs) masks.insert(masks.end(), run.slots, run.mask);
+  EXPECT_EQ(masks, schedule.masks);
+  EXPECT_EQ(schedule.runs.size(), 4U);  // all, two fast ones, 20 Hz too, two fast ones
 }
 
 TEST(Schedule, LongRunsOfEqualSlotsAreLoops) {

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "generator/cli/commands.hpp"
-#include "generator/size/program_map.hpp"
+#include "generator/program_map/program_map.hpp"
 #include "generator/size/stack.hpp"
 #include "generator/size/tools.hpp"
 #include "tests/unit/size/tools.hpp"
@@ -15,27 +15,17 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kProgram = R"(class Program {
-  void before() {
-    if (due) {
-      // smooth: ButterworthFilter, graph.yaml:19:3
-      {
-        smooth_.callback(tick, in, out);
-      }
-      // pendulum/theta: FloatOutput, graph.yaml:9:3
-      {
-        pendulum_theta_.callback(tick, in, out);
-      }
-    }
-  }
+constexpr const char* kProgram = "class Program;\n";
 
-  // Messages: as many of each as its readers need.
-  float smooth_filtered_[2]{};
-
-  Smooth smooth_{};
-  FloatOutput pendulum_theta_{};
-};
-)";
+/// The map of a program.hpp with this text, in which two nodes have the lines 4 to 7 and 8 to 11.
+std::string map_of(const std::string& program) {
+  ProgramMap map;
+  map.program_hash = hash_text(program);
+  map.type_of_node = {{"smooth", "ButterworthFilter"}, {"pendulum/theta", "FloatOutput"}};
+  map.blocks = {{4, 7, "smooth"}, {8, 11, "pendulum/theta"}};
+  map.owner_of_member = {{"smooth_", {true, "smooth"}}, {"smooth_filtered_", {false, "rings"}}};
+  return to_text(map);
+}
 
 std::optional<SizeReport> measured(const Tools& tools, Diagnostics& diagnostics) {
   return measure_image(tools.image(), tools.folder(), diagnostics);
@@ -44,6 +34,7 @@ std::optional<SizeReport> measured(const Tools& tools, Diagnostics& diagnostics)
 /// An image with two nodes and a policy, as the tools describe one.
 void describe(Tools& tools) {
   const std::string program = tools.file("graph/program.hpp", kProgram);
+  tools.file("graph/program.map", map_of(kProgram));
   tools.says("size",
              "   text    data     bss     dec     hex filename\n  100  8  40  148  94 image\n");
   tools.says("nm",
@@ -102,6 +93,42 @@ TEST(Size, PartsAddUpToTheImage) {
   }
   EXPECT_EQ(sum.flash, report->flash);
   EXPECT_EQ(sum.ram, report->ram);
+}
+
+/// The one problem of an image whose program.map has this text; without one, there is no such file.
+std::string problem_with_map(const std::optional<std::string>& map) {
+  Tools tools;
+  describe(tools);
+  const std::string path = tools.folder() + "/graph/program.map";
+  std::filesystem::remove(path);
+  if (map) tools.file("graph/program.map", *map);
+  Diagnostics diagnostics;
+  EXPECT_FALSE(measured(tools, diagnostics));
+  EXPECT_EQ(diagnostics.error_count(), 1U);
+  EXPECT_TRUE(diagnostics.has_io_errors());
+  std::string message = diagnostics.all().front().message;
+  EXPECT_EQ(diagnostics.all().front().code, "E0911");
+  if (const auto at = message.find(path); at != std::string::npos)
+    message.replace(at, path.size(), "MAP");
+  return message;
+}
+
+TEST(Size, NeedsTheMapOfThisProgram) {
+  EXPECT_TRUE(problem_with_map(std::nullopt).starts_with("cannot read `MAP`, which says what of"));
+  EXPECT_EQ(problem_with_map(""), "`MAP:1` is no program map that this eagerx-gen reads");
+  EXPECT_EQ(problem_with_map(map_of(kProgram) + "nod x y\n").substr(0, 4), "`MAP");
+  EXPECT_TRUE(
+      problem_with_map(map_of("another program\n")).starts_with("`MAP` was not made with this `"));
+}
+
+TEST(Size, NeedsTheProgramThatItWasBuiltFrom) {
+  Tools tools;
+  describe(tools);
+  std::filesystem::remove(tools.folder() + "/graph/program.hpp");
+  Diagnostics diagnostics;
+  EXPECT_FALSE(measured(tools, diagnostics));
+  EXPECT_TRUE(diagnostics.all().front().message.starts_with("cannot read `" + tools.folder() +
+                                                            "/graph/program.hpp`"));
 }
 
 TEST(Size, RefusesWhatIsNoImage) {
@@ -233,19 +260,6 @@ TEST(Stack, FunctionsThatCallThemselvesAreNamed) {
   const StackBound bound = stack_bound("arm-none-eabi-", tools.image(), tools.folder());
   EXPECT_EQ(bound.bytes, 4U);
   EXPECT_EQ(bound.unbounded, std::vector<std::string>{"even"});
-}
-
-TEST(ProgramMap, KnowsLinesMembersAndTypes) {
-  const Tools tools;
-  const ProgramMap map = read_program_map(tools.file("program.hpp", kProgram));
-  EXPECT_EQ(map.node_of_line.at(6), "smooth");
-  EXPECT_EQ(map.node_of_line.at(10), "pendulum/theta");
-  EXPECT_EQ(map.type_of_node.at("pendulum/theta"), "FloatOutput");
-  EXPECT_EQ(map.owner_of_member("pendulum_theta_"), "pendulum/theta");
-  EXPECT_EQ(map.owner_of_member("smooth_filtered_"), "rings");
-  EXPECT_EQ(map.owner_of_member("pendulum_simulator_"), "simulators");
-  EXPECT_EQ(map.owner_of_member("n30Hz_"), "schedule");
-  EXPECT_TRUE(read_program_map(tools.folder() + "/none").node_of_line.empty());
 }
 
 TEST(ToolPrefix, IsThatOfTheMachine) {

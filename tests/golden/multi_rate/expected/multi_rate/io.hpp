@@ -49,16 +49,14 @@ inline constexpr std::uint32_t slow_filtered = 13;
 // left: Pendulum on OdeEngine, graph.yaml:11:3
 struct LeftSimulatorIo {
   using Real = graphs::multi_rate::Real;
-  struct Config {
-  };
+  struct Config {};
 };
 using LeftSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<LeftSimulatorIo>>;
 
 // right: Pendulum on OdeEngine, graph.yaml:23:3
 struct RightSimulatorIo {
   using Real = graphs::multi_rate::Real;
-  struct Config {
-  };
+  struct Config {};
 };
 using RightSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<RightSimulatorIo>>;
 
@@ -67,8 +65,7 @@ struct LeftModelStateIo {
   using Real = graphs::multi_rate::Real;
   using State = eagerx::Array<float, 2>;
   using Simulator = LeftSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using LeftModelState = eagerx::models::OdeEngineState<LeftModelStateIo>;
 
@@ -77,8 +74,7 @@ struct LeftMassIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = LeftSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using LeftMass = eagerx::models::DummyState<LeftMassIo>;
 
@@ -87,8 +83,7 @@ struct LeftLengthIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = LeftSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using LeftLength = eagerx::models::DummyState<LeftLengthIo>;
 
@@ -97,8 +92,7 @@ struct RightModelStateIo {
   using Real = graphs::multi_rate::Real;
   using State = eagerx::Array<float, 2>;
   using Simulator = RightSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using RightModelState = eagerx::models::OdeEngineState<RightModelStateIo>;
 
@@ -107,8 +101,7 @@ struct RightMaxSpeedIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = RightSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using RightMaxSpeed = eagerx::models::DummyState<RightMaxSpeedIo>;
 
@@ -117,8 +110,7 @@ struct RightLengthIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
   using Simulator = RightSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using RightLength = eagerx::models::DummyState<RightLengthIo>;
 
@@ -127,8 +119,7 @@ struct ObservationAngleProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = float;
   using Output = eagerx::Array<float, 2>;
-  struct Config {
-  };
+  struct Config {};
 };
 using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAngleProcessorIo>;
 
@@ -137,8 +128,7 @@ struct FastFilteredProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
   using Output = eagerx::Array<float, 1>;
-  struct Config {
-  };
+  struct Config {};
 };
 using FastFilteredProcessor = eagerx::models::Negate<FastFilteredProcessorIo>;
 
@@ -147,8 +137,7 @@ struct LeftThetaDotObservationProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = float;
   using Output = float;
-  struct Config {
-  };
+  struct Config {};
 };
 using LeftThetaDotObservationProcessor = eagerx::models::Negate<LeftThetaDotObservationProcessorIo>;
 
@@ -157,8 +146,7 @@ struct RightUActionProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
   using Output = eagerx::Array<float, 1>;
-  struct Config {
-  };
+  struct Config {};
 };
 using RightUActionProcessor = eagerx::models::Identity<RightUActionProcessorIo>;
 
@@ -320,8 +308,7 @@ struct LeftUIo {
 struct LeftUAppliedIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<10>;
-  struct Config {
-  };
+  struct Config {};
   struct Inputs {
     eagerx::Window<std::int64_t, eagerx::Rate<60>, 1, 1, true> tick;  // int64 []
     // float32 [1]
@@ -413,8 +400,7 @@ struct RightUIo {
 struct RightUAppliedIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
-  struct Config {
-  };
+  struct Config {};
   struct Inputs {
     eagerx::Window<std::int64_t, eagerx::Rate<60>, 1, 1, true> tick;  // int64 []
     // float32 [1]

@@ -56,20 +56,16 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (states.left_model_state && eagerx::runs_engine(trace))
-      LeftModelState::reset(*states.left_model_state, left_simulator_);
-    if (states.left_mass && eagerx::runs_engine(trace))
-      LeftMass::reset(*states.left_mass, left_simulator_);
-    if (states.left_length && eagerx::runs_engine(trace))
-      LeftLength::reset(*states.left_length, left_simulator_);
-    if (states.right_model_state && eagerx::runs_engine(trace))
-      RightModelState::reset(*states.right_model_state, right_simulator_);
-    if (states.right_max_speed && eagerx::runs_engine(trace))
-      RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
-    if (states.right_length && eagerx::runs_engine(trace))
-      RightLength::reset(*states.right_length, right_simulator_);
-    if (eagerx::runs_engine(trace))
+    if (eagerx::runs_engine(trace)) {
+      if (states.left_model_state) LeftModelState::reset(*states.left_model_state, left_simulator_);
+      if (states.left_mass) LeftMass::reset(*states.left_mass, left_simulator_);
+      if (states.left_length) LeftLength::reset(*states.left_length, left_simulator_);
+      if (states.right_model_state)
+        RightModelState::reset(*states.right_model_state, right_simulator_);
+      if (states.right_max_speed) RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
+      if (states.right_length) RightLength::reset(*states.right_length, right_simulator_);
       eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
+    }
     fast_.reset({});
     right_u_applied_.reset({}, right_simulator_);
     left_x_.reset({}, left_simulator_);
@@ -86,21 +82,21 @@ class Program {
     observation_other_cursor_.reset(2);
     slow_signal_cursor_.reset(3);
     right_u_applied_action_applied_cursor_.reset(0);
-    kind_ = next();
+    kind_ = next_kind();
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-    return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    return observe();
   }
 
   /// Applies an action and runs to the next tick of the environment.
   Observation step(const Action& action) {
     // actions.voltage, graph.yaml:46:3
-    action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1,
-        action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
+    new_voltage = action.voltage;
+    trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     // actions.push, graph.yaml:47:3
-    action_push_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.push;
-    trace(channel::environment_push, n10Hz_ - 1,
-        action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
+    new_push = action.push;
+    trace(channel::environment_push, n10Hz_ - 1, new_push);
     // The slot of the last observation goes on, then come those up to the next.
     switch (kind_) {
       case 0:
@@ -113,11 +109,11 @@ class Program {
         __builtin_unreachable();
     }
     for (;;) {
-      switch (next()) {
+      switch (next_kind()) {
         case 0:
           kind_ = 0;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-          return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+          return observe();
         case 1:
           slot(eagerx::Constant<k60Hz>{});
           break;
@@ -133,7 +129,7 @@ class Program {
         case 5:
           kind_ = 5;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
-          return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+          return observe();
         default:
           __builtin_unreachable();
       }
@@ -151,43 +147,53 @@ class Program {
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
   void before(const Mask due) {
-    if ((due & k60Hz) != 0) ++n60Hz_;
-    if ((due & k30Hz) != 0) ++n30Hz_;
-    if ((due & k20Hz) != 0) ++n20Hz_;
-    if ((due & k15Hz) != 0) ++n15Hz_;
-    if ((due & k10Hz) != 0) ++n10Hz_;
-    if constexpr (eagerx::waits_for_slots<Trace>) {
-      if ((due & k60Hz) != 0) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
-      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
-      if ((due & k20Hz) != 0) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
-      if ((due & k15Hz) != 0) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
-      if ((due & k10Hz) != 0) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+    if ((due & k60Hz) != 0) {
+      ++n60Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+    }
+    if ((due & k30Hz) != 0) {
+      ++n30Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+    }
+    if ((due & k20Hz) != 0) {
+      ++n20Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+    }
+    if ((due & k15Hz) != 0) {
+      ++n15Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+    }
+    if ((due & k10Hz) != 0) {
+      ++n10Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
     }
     if ((due & k60Hz) != 0) {
+      const eagerx::Seq n = n60Hz_ - 1;
       // engine: OdeEngine, graph.yaml:8:1
       {
-        if (n60Hz_ > 1 && eagerx::runs_engine(trace))
-          engine_.callback(eagerx::Tick{n60Hz_ - 1}, left_simulator_, right_simulator_);
-        engine_tick_[0] = static_cast<std::int64_t>(n60Hz_ - 1);
-        trace(channel::engine_tick, n60Hz_ - 1, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>)
-          trace.simulator("left", n60Hz_ - 1, left_simulator_);
-        if constexpr (eagerx::traces_simulators<Trace>)
-          trace.simulator("right", n60Hz_ - 1, right_simulator_);
+        if (n > 0 && eagerx::runs_engine(trace))
+          engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
+        engine_tick_[0] = static_cast<std::int64_t>(n);
+        trace(channel::engine_tick, n, engine_tick_[0]);
+        if constexpr (eagerx::traces_simulators<Trace>) {
+          trace.simulator("left", n, left_simulator_);
+          trace.simulator("right", n, right_simulator_);
+        }
       }
     }
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter, graph.yaml:36:3
       {
         const FastIo::Inputs in{{action_push_, n10Hz_ - ((due & k10Hz) != 0)}};
-        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)];
+        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
         eagerx::Array<float, 1> raw_filtered{};
         FastIo::Outputs out{raw_filtered};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
-        fast_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
+          trace.inputs("fast", FastIo::Rate{}, n, in);
+        fast_.callback(eagerx::Tick{n}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
-        trace(channel::fast_filtered, n30Hz_ - 1, new_filtered);
+        trace(channel::fast_filtered, n, new_filtered);
         right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
       }
       // right/u_applied: ActionApplied, graph.yaml:23:3
@@ -197,31 +203,31 @@ class Program {
             {right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
         RightUAppliedIo::Outputs out{right_u_applied_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n30Hz_ - 1, in);
-        right_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, right_simulator_);
-        trace(channel::right_u_applied_action_applied, n30Hz_ - 1,
-            right_u_applied_action_applied_[0]);
+          trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
+        right_u_applied_.callback(eagerx::Tick{n}, in, out, right_simulator_);
+        trace(channel::right_u_applied_action_applied, n, right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
+      const eagerx::Seq n = n20Hz_ - 1;
       // left/x: OdeOutput, graph.yaml:11:3
       {
         const LeftXIo::Inputs in{{engine_tick_, n60Hz_}};
         LeftXIo::Outputs out{left_x_observation_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("left/x", LeftXIo::Rate{}, n20Hz_ - 1, in);
-        left_x_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
-        trace(channel::left_x_observation, n20Hz_ - 1, left_x_observation_[0]);
+          trace.inputs("left/x", LeftXIo::Rate{}, n, in);
+        left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
+        trace(channel::left_x_observation, n, left_x_observation_[0]);
       }
       // left/theta: FloatOutput, graph.yaml:11:3
       {
         const LeftThetaIo::Inputs in{{left_x_observation_, n20Hz_}};
         LeftThetaIo::Outputs out{left_theta_observation_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("left/theta", LeftThetaIo::Rate{}, n20Hz_ - 1, in);
-        left_theta_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, left_simulator_);
-        trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
-        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] =
+          trace.inputs("left/theta", LeftThetaIo::Rate{}, n, in);
+        left_theta_.callback(eagerx::Tick{n}, in, out, left_simulator_);
+        trace(channel::left_theta_observation, n, left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
       }
       // right/u: OdeInput, graph.yaml:23:3
@@ -229,59 +235,60 @@ class Program {
         const RightUIo::Inputs in{{engine_tick_, n60Hz_}, {right_u_action_, n30Hz_}};
         RightUIo::Outputs out{right_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("right/u", RightUIo::Rate{}, n20Hz_ - 1, in);
-        right_u_.callback(eagerx::Tick{n20Hz_ - 1}, in, out, right_simulator_);
-        trace(channel::right_u_action_applied, n20Hz_ - 1, right_u_action_applied_[0]);
+          trace.inputs("right/u", RightUIo::Rate{}, n, in);
+        right_u_.callback(eagerx::Tick{n}, in, out, right_simulator_);
+        trace(channel::right_u_action_applied, n, right_u_action_applied_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // left/theta_dot: FloatOutput, graph.yaml:11:3
       {
         const LeftThetaDotIo::Inputs in{{left_x_observation_, n20Hz_}};
-        auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)];
+        auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
         float raw_observation{};
         LeftThetaDotIo::Outputs out{raw_observation};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n30Hz_ - 1, in);
-        left_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
+          trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n, in);
+        left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
-        trace(channel::left_theta_dot_observation, n30Hz_ - 1, new_observation);
+        trace(channel::left_theta_dot_observation, n, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
+      const eagerx::Seq n = n15Hz_ - 1;
       // right/x: OdeOutput, graph.yaml:23:3
       {
         const RightXIo::Inputs in{{engine_tick_, n60Hz_}};
         RightXIo::Outputs out{right_x_observation_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("right/x", RightXIo::Rate{}, n15Hz_ - 1, in);
-        right_x_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
-        trace(channel::right_x_observation, n15Hz_ - 1, right_x_observation_[0]);
+          trace.inputs("right/x", RightXIo::Rate{}, n, in);
+        right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
+        trace(channel::right_x_observation, n, right_x_observation_[0]);
       }
       // right/theta: FloatOutput, graph.yaml:23:3
       {
         const RightThetaIo::Inputs in{{right_x_observation_, n15Hz_}};
-        auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)];
+        auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
         RightThetaIo::Outputs out{new_observation};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("right/theta", RightThetaIo::Rate{}, n15Hz_ - 1, in);
-        right_theta_.callback(eagerx::Tick{n15Hz_ - 1}, in, out, right_simulator_);
-        trace(channel::right_theta_observation, n15Hz_ - 1, new_observation);
+          trace.inputs("right/theta", RightThetaIo::Rate{}, n, in);
+        right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
+        trace(channel::right_theta_observation, n, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
+      const eagerx::Seq n = n10Hz_ - 1;
       // left/u_applied: ActionApplied, graph.yaml:11:3
       {
         const LeftUAppliedIo::Inputs in{
-            {engine_tick_, n60Hz_},
-            {left_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
-        auto& new_action_applied =
-            left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)];
+            {engine_tick_, n60Hz_}, {left_u_action_applied_, n30Hz_ - 1}};
+        auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
         LeftUAppliedIo::Outputs out{new_action_applied};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n10Hz_ - 1, in);
-        left_u_applied_.callback(eagerx::Tick{n10Hz_ - 1}, in, out, left_simulator_);
-        trace(channel::left_u_applied_action_applied, n10Hz_ - 1, new_action_applied);
+          trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
+        left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
+        trace(channel::left_u_applied_action_applied, n, new_action_applied);
       }
     }
   }
@@ -290,26 +297,28 @@ class Program {
   template <class Mask>
   void after(const Mask due) {
     if ((due & k20Hz) != 0) {
+      const eagerx::Seq n = n20Hz_ - 1;
       // slow: ButterworthFilter, graph.yaml:35:3
       {
         const SlowIo::Inputs in{{action_voltage_, slow_signal_cursor_.take()}};
-        auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n20Hz_ - 1)];
+        auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n)];
         SlowIo::Outputs out{new_filtered};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("slow", SlowIo::Rate{}, n20Hz_ - 1, in);
-        slow_.callback(eagerx::Tick{n20Hz_ - 1}, in, out);
-        trace(channel::slow_filtered, n20Hz_ - 1, new_filtered);
+          trace.inputs("slow", SlowIo::Rate{}, n, in);
+        slow_.callback(eagerx::Tick{n}, in, out);
+        trace(channel::slow_filtered, n, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // left/u: OdeInput, graph.yaml:11:3
       {
         const LeftUIo::Inputs in{{engine_tick_, n60Hz_}, {slow_filtered_, n20Hz_}};
         LeftUIo::Outputs out{left_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("left/u", LeftUIo::Rate{}, n30Hz_ - 1, in);
-        left_u_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, left_simulator_);
-        trace(channel::left_u_action_applied, n30Hz_ - 1, left_u_action_applied_[0]);
+          trace.inputs("left/u", LeftUIo::Rate{}, n, in);
+        left_u_.callback(eagerx::Tick{n}, in, out, left_simulator_);
+        trace(channel::left_u_action_applied, n, left_u_action_applied_[0]);
       }
     }
   }
@@ -322,13 +331,12 @@ class Program {
   }
 
   // What the environment sees.
-  template <class Mask>
-  Observation observe([[maybe_unused]] const Mask due) {
+  Observation observe() {
     const Observation observation{
         {observation_angle_, n20Hz_},
         {left_theta_dot_observation_, observation_speeds_cursor_.take()},
-        {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))},
-        {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)},
+        {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
+        {left_u_applied_action_applied_, n10Hz_ - 1},
         {right_theta_observation_, observation_other_cursor_.take()}};
     if constexpr (eagerx::traces_inputs<Trace>)
       trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
@@ -336,16 +344,14 @@ class Program {
   }
 
   // The kind of every slot.
-  static constexpr std::uint8_t kDueAt[12] = {
-      0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1,
-  };
-  std::uint8_t next() {
-    const std::uint8_t due = kDueAt[slot_];
+  static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
+  std::uint8_t next_kind() {
+    const std::uint8_t kind = kKindAt[slot_];
     slot_ = slot_ + 1 == 12 ? 0 : slot_ + 1;
-    return due;
+    return kind;
   }
   std::uint32_t slot_ = 0;
-  std::uint8_t kind_ = 0;
+  std::uint8_t kind_ = 0;  // of the slot of the last observation
 
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;

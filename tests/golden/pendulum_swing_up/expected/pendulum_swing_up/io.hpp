@@ -41,8 +41,7 @@ inline constexpr std::uint32_t smooth_filtered = 7;
 // pendulum: Pendulum on OdeEngine, graph.yaml:13:3
 struct PendulumSimulatorIo {
   using Real = graphs::pendulum_swing_up::Real;
-  struct Config {
-  };
+  struct Config {};
 };
 using PendulumSimulator =
     eagerx::models::OdeSimulator<eagerx::models::PendulumOde<PendulumSimulatorIo>>;
@@ -52,8 +51,7 @@ struct PendulumModelStateIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = eagerx::Array<float, 2>;
   using Simulator = PendulumSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using PendulumModelState = eagerx::models::OdeEngineState<PendulumModelStateIo>;
 
@@ -62,8 +60,7 @@ struct PendulumMassIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = float;
   using Simulator = PendulumSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using PendulumMass = eagerx::models::DummyState<PendulumMassIo>;
 
@@ -72,8 +69,7 @@ struct PendulumLengthIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = float;
   using Simulator = PendulumSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using PendulumLength = eagerx::models::DummyState<PendulumLengthIo>;
 
@@ -82,8 +78,7 @@ struct PendulumMaxSpeedIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = float;
   using Simulator = PendulumSimulator;
-  struct Config {
-  };
+  struct Config {};
 };
 using PendulumMaxSpeed = eagerx::models::DummyState<PendulumMaxSpeedIo>;
 
@@ -92,8 +87,7 @@ struct ObservationAngleProcessorIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Input = float;
   using Output = eagerx::Array<float, 2>;
-  struct Config {
-  };
+  struct Config {};
 };
 using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAngleProcessorIo>;
 
@@ -232,8 +226,7 @@ struct PendulumUIo {
 struct PendulumUAppliedIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
-  struct Config {
-  };
+  struct Config {};
   struct Inputs {
     eagerx::Window<std::int64_t, eagerx::Rate<30>, 1, 1, true> tick;  // int64 []
     // float32 [1]

@@ -50,16 +50,16 @@ class Program {
       warm_up();
       started_ = true;
     }
-    if (states.pendulum_model_state && eagerx::runs_engine(trace))
-      PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
-    if (states.pendulum_mass && eagerx::runs_engine(trace))
-      PendulumMass::reset(*states.pendulum_mass, pendulum_simulator_);
-    if (states.pendulum_length && eagerx::runs_engine(trace))
-      PendulumLength::reset(*states.pendulum_length, pendulum_simulator_);
-    if (states.pendulum_max_speed && eagerx::runs_engine(trace))
-      PendulumMaxSpeed::reset(*states.pendulum_max_speed, pendulum_simulator_);
-    if (eagerx::runs_engine(trace))
+    if (eagerx::runs_engine(trace)) {
+      if (states.pendulum_model_state)
+        PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
+      if (states.pendulum_mass) PendulumMass::reset(*states.pendulum_mass, pendulum_simulator_);
+      if (states.pendulum_length)
+        PendulumLength::reset(*states.pendulum_length, pendulum_simulator_);
+      if (states.pendulum_max_speed)
+        PendulumMaxSpeed::reset(*states.pendulum_max_speed, pendulum_simulator_);
       eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
+    }
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
@@ -67,7 +67,7 @@ class Program {
     smooth_.reset({});
     pendulum_u_.reset({}, pendulum_simulator_);
     before(eagerx::Constant<k30Hz>{});
-    return observe(eagerx::Constant<k30Hz>{});
+    return observe();
   }
 
   /// Applies an action and runs to the next tick of the environment.
@@ -77,7 +77,7 @@ class Program {
     trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
     after(eagerx::Constant<k30Hz>{});
     before(eagerx::Constant<k30Hz>{});
-    return observe(eagerx::Constant<k30Hz>{});
+    return observe();
   }
 
  private:
@@ -87,49 +87,49 @@ class Program {
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
   void before(const Mask due) {
-    if ((due & k30Hz) != 0) ++n30Hz_;
-    if constexpr (eagerx::waits_for_slots<Trace>) {
-      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+    if ((due & k30Hz) != 0) {
+      ++n30Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
     }
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // engine: OdeEngine, graph.yaml:7:1
       {
-        if (n30Hz_ > 1 && eagerx::runs_engine(trace))
-          engine_.callback(eagerx::Tick{n30Hz_ - 1}, pendulum_simulator_);
-        engine_tick_[0] = static_cast<std::int64_t>(n30Hz_ - 1);
-        trace(channel::engine_tick, n30Hz_ - 1, engine_tick_[0]);
-        if constexpr (eagerx::traces_simulators<Trace>)
-          trace.simulator("pendulum", n30Hz_ - 1, pendulum_simulator_);
+        if (n > 0 && eagerx::runs_engine(trace))
+          engine_.callback(eagerx::Tick{n}, pendulum_simulator_);
+        engine_tick_[0] = static_cast<std::int64_t>(n);
+        trace(channel::engine_tick, n, engine_tick_[0]);
+        if constexpr (eagerx::traces_simulators<Trace>) {
+          trace.simulator("pendulum", n, pendulum_simulator_);
+        }
       }
       // pendulum/u_applied: ActionApplied, graph.yaml:13:3
       {
         const PendulumUAppliedIo::Inputs in{
-            {engine_tick_, n30Hz_},
-            {pendulum_u_action_applied_, n30Hz_ - ((due & k30Hz) != 0)}};
+            {engine_tick_, n30Hz_}, {pendulum_u_action_applied_, n30Hz_ - 1}};
         PendulumUAppliedIo::Outputs out{pendulum_u_applied_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n30Hz_ - 1, in);
-        pendulum_u_applied_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_u_applied_action_applied, n30Hz_ - 1,
-            pendulum_u_applied_action_applied_[0]);
+          trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n, in);
+        pendulum_u_applied_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_u_applied_action_applied, n, pendulum_u_applied_action_applied_[0]);
       }
       // pendulum/x: OdeOutput, graph.yaml:13:3
       {
         const PendulumXIo::Inputs in{{engine_tick_, n30Hz_}};
         PendulumXIo::Outputs out{pendulum_x_observation_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("pendulum/x", PendulumXIo::Rate{}, n30Hz_ - 1, in);
-        pendulum_x_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_x_observation, n30Hz_ - 1, pendulum_x_observation_[0]);
+          trace.inputs("pendulum/x", PendulumXIo::Rate{}, n, in);
+        pendulum_x_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_x_observation, n, pendulum_x_observation_[0]);
       }
       // pendulum/theta: FloatOutput, graph.yaml:13:3
       {
         const PendulumThetaIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
         PendulumThetaIo::Outputs out{pendulum_theta_observation_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n30Hz_ - 1, in);
-        pendulum_theta_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_theta_observation, n30Hz_ - 1, pendulum_theta_observation_[0]);
+          trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n, in);
+        pendulum_theta_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_theta_observation, n, pendulum_theta_observation_[0]);
         observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
       }
       // pendulum/theta_dot: FloatOutput, graph.yaml:13:3
@@ -137,10 +137,9 @@ class Program {
         const PendulumThetaDotIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
         PendulumThetaDotIo::Outputs out{pendulum_theta_dot_observation_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n30Hz_ - 1, in);
-        pendulum_theta_dot_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_theta_dot_observation, n30Hz_ - 1,
-            pendulum_theta_dot_observation_[0]);
+          trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n, in);
+        pendulum_theta_dot_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_theta_dot_observation, n, pendulum_theta_dot_observation_[0]);
       }
     }
   }
@@ -149,33 +148,32 @@ class Program {
   template <class Mask>
   void after(const Mask due) {
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // smooth: ButterworthFilter, graph.yaml:23:3
       {
         const SmoothIo::Inputs in{{action_voltage_, n30Hz_}};
         SmoothIo::Outputs out{smooth_filtered_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("smooth", SmoothIo::Rate{}, n30Hz_ - 1, in);
-        smooth_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
-        trace(channel::smooth_filtered, n30Hz_ - 1, smooth_filtered_[0]);
+          trace.inputs("smooth", SmoothIo::Rate{}, n, in);
+        smooth_.callback(eagerx::Tick{n}, in, out);
+        trace(channel::smooth_filtered, n, smooth_filtered_[0]);
       }
       // pendulum/u: OdeInput, graph.yaml:13:3
       {
         const PendulumUIo::Inputs in{{engine_tick_, n30Hz_}, {smooth_filtered_, n30Hz_}};
         PendulumUIo::Outputs out{pendulum_u_action_applied_[0]};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("pendulum/u", PendulumUIo::Rate{}, n30Hz_ - 1, in);
-        pendulum_u_.callback(eagerx::Tick{n30Hz_ - 1}, in, out, pendulum_simulator_);
-        trace(channel::pendulum_u_action_applied, n30Hz_ - 1, pendulum_u_action_applied_[0]);
+          trace.inputs("pendulum/u", PendulumUIo::Rate{}, n, in);
+        pendulum_u_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
+        trace(channel::pendulum_u_action_applied, n, pendulum_u_action_applied_[0]);
       }
     }
   }
 
   // What the environment sees.
-  template <class Mask>
-  Observation observe([[maybe_unused]] const Mask due) {
+  Observation observe() {
     const Observation observation{
-        {observation_angle_, n30Hz_},
-        {pendulum_theta_dot_observation_, n30Hz_}};
+        {observation_angle_, n30Hz_}, {pendulum_theta_dot_observation_, n30Hz_}};
     if constexpr (eagerx::traces_inputs<Trace>)
       trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
     return observation;

@@ -41,8 +41,7 @@ struct ObservationAngleProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = float;
   using Output = eagerx::Array<float, 2>;
-  struct Config {
-  };
+  struct Config {};
 };
 using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAngleProcessorIo>;
 
@@ -51,8 +50,7 @@ struct FastFilteredProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
   using Output = eagerx::Array<float, 1>;
-  struct Config {
-  };
+  struct Config {};
 };
 using FastFilteredProcessor = eagerx::models::Negate<FastFilteredProcessorIo>;
 

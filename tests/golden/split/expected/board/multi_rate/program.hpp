@@ -39,56 +39,43 @@ class Program {
     observation_speeds_cursor_.reset(2);
     observation_recent_new_.reset();
     observation_other_cursor_.reset(2);
-    kind_ = next();
+    next_kind();
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-    return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    return observe();
   }
 
   /// Applies an action and runs to the next tick of the environment.
   Observation step(const Action& action) {
     // actions.voltage, graph.yaml:46:3
-    action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.voltage;
-    trace(channel::environment_voltage, n10Hz_ - 1,
-        action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
-    link->put(action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)]);
+    auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
+    new_voltage = action.voltage;
+    trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
+    link->put(new_voltage);
     // actions.push, graph.yaml:47:3
-    action_push_[eagerx::ring_position<4>(n10Hz_ - 1)] = action.push;
-    trace(channel::environment_push, n10Hz_ - 1,
-        action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
-    link->put(action_push_[eagerx::ring_position<4>(n10Hz_ - 1)]);
-    // The slot of the last observation goes on, then come those up to the next.
-    switch (kind_) {
-      case 0:
-        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-        break;
-      case 5:
-        after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
-        break;
-      default:
-        __builtin_unreachable();
-    }
+    auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
+    new_push = action.push;
+    trace(channel::environment_push, n10Hz_ - 1, new_push);
+    link->put(new_push);
     for (;;) {
-      switch (next()) {
+      switch (next_kind()) {
         case 0:
-          kind_ = 0;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-          return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+          return observe();
         case 1:
-          slot(eagerx::Constant<k60Hz>{});
+          before(eagerx::Constant<k60Hz>{});
           break;
         case 2:
-          slot(eagerx::Constant<k60Hz | k30Hz>{});
+          before(eagerx::Constant<k60Hz | k30Hz>{});
           break;
         case 3:
-          slot(eagerx::Constant<k60Hz | k20Hz>{});
+          before(eagerx::Constant<k60Hz | k20Hz>{});
           break;
         case 4:
-          slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
+          before(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
         case 5:
-          kind_ = 5;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
-          return observe(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
+          return observe();
         default:
           __builtin_unreachable();
       }
@@ -106,91 +93,89 @@ class Program {
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
   void before(const Mask due) {
-    if ((due & k60Hz) != 0) ++n60Hz_;
-    if ((due & k30Hz) != 0) ++n30Hz_;
-    if ((due & k20Hz) != 0) ++n20Hz_;
-    if ((due & k15Hz) != 0) ++n15Hz_;
-    if ((due & k10Hz) != 0) ++n10Hz_;
-    if constexpr (eagerx::waits_for_slots<Trace>) {
-      if ((due & k60Hz) != 0) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
-      if ((due & k30Hz) != 0) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
-      if ((due & k20Hz) != 0) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
-      if ((due & k15Hz) != 0) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
-      if ((due & k10Hz) != 0) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+    if ((due & k60Hz) != 0) {
+      ++n60Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+    }
+    if ((due & k30Hz) != 0) {
+      ++n30Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+    }
+    if ((due & k20Hz) != 0) {
+      ++n20Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+    }
+    if ((due & k15Hz) != 0) {
+      ++n15Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+    }
+    if ((due & k10Hz) != 0) {
+      ++n10Hz_;
+      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
     }
     if (!link->ok()) return;
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // fast: ButterworthFilter, graph.yaml:36:3
       {
         const FastIo::Inputs in{{action_push_, n10Hz_ - ((due & k10Hz) != 0)}};
-        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n30Hz_ - 1)];
+        auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
         eagerx::Array<float, 1> raw_filtered{};
         FastIo::Outputs out{raw_filtered};
         if constexpr (eagerx::traces_inputs<Trace>)
-          trace.inputs("fast", FastIo::Rate{}, n30Hz_ - 1, in);
-        fast_.callback(eagerx::Tick{n30Hz_ - 1}, in, out);
+          trace.inputs("fast", FastIo::Rate{}, n, in);
+        fast_.callback(eagerx::Tick{n}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
-        trace(channel::fast_filtered, n30Hz_ - 1, new_filtered);
+        trace(channel::fast_filtered, n, new_filtered);
         link->put(new_filtered);
       }
     }
     if ((due & k20Hz) != 0) {
+      const eagerx::Seq n = n20Hz_ - 1;
       // left/theta: FloatOutput, graph.yaml:11:3
       {
         if (!link->get(left_theta_observation_[0])) return;
-        trace(channel::left_theta_observation, n20Hz_ - 1, left_theta_observation_[0]);
-        observation_angle_[eagerx::ring_position<2>(n20Hz_ - 1)] =
+        trace(channel::left_theta_observation, n, left_theta_observation_[0]);
+        observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
+      const eagerx::Seq n = n30Hz_ - 1;
       // left/theta_dot: FloatOutput, graph.yaml:11:3
       {
-        if (!link->get(left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)])) return;
-        trace(channel::left_theta_dot_observation, n30Hz_ - 1,
-            left_theta_dot_observation_[eagerx::ring_position<8>(n30Hz_ - 1)]);
+        auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
+        if (!link->get(new_observation)) return;
+        trace(channel::left_theta_dot_observation, n, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
+      const eagerx::Seq n = n15Hz_ - 1;
       // right/theta: FloatOutput, graph.yaml:23:3
       {
-        if (!link->get(right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)])) return;
-        trace(channel::right_theta_observation, n15Hz_ - 1,
-            right_theta_observation_[eagerx::ring_position<2>(n15Hz_ - 1)]);
+        auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
+        if (!link->get(new_observation)) return;
+        trace(channel::right_theta_observation, n, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
+      const eagerx::Seq n = n10Hz_ - 1;
       // left/u_applied: ActionApplied, graph.yaml:11:3
       {
-        if (!link->get(left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]))
-          return;
-        trace(channel::left_u_applied_action_applied, n10Hz_ - 1,
-            left_u_applied_action_applied_[eagerx::ring_position<2>(n10Hz_ - 1)]);
+        auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
+        if (!link->get(new_action_applied)) return;
+        trace(channel::left_u_applied_action_applied, n, new_action_applied);
       }
     }
   }
 
-  // From the environment on: everything that needs its action.
-  template <class Mask>
-  void after(const Mask /*due*/) {
-    if (!link->ok()) return;
-  }
-
-  // A slot without the environment.
-  template <class Mask>
-  void slot(const Mask due) {
-    before(due);
-    after(due);
-  }
-
   // What the environment sees.
-  template <class Mask>
-  Observation observe([[maybe_unused]] const Mask due) {
+  Observation observe() {
     const Observation observation{
         {observation_angle_, n20Hz_},
         {left_theta_dot_observation_, observation_speeds_cursor_.take()},
-        {fast_filtered_, observation_recent_new_.take(n30Hz_ - ((due & k30Hz) != 0))},
-        {left_u_applied_action_applied_, n10Hz_ - ((due & k10Hz) != 0)},
+        {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
+        {left_u_applied_action_applied_, n10Hz_ - 1},
         {right_theta_observation_, observation_other_cursor_.take()}};
     if constexpr (eagerx::traces_inputs<Trace>)
       trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
@@ -198,16 +183,13 @@ class Program {
   }
 
   // The kind of every slot.
-  static constexpr std::uint8_t kDueAt[12] = {
-      0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1,
-  };
-  std::uint8_t next() {
-    const std::uint8_t due = kDueAt[slot_];
+  static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
+  std::uint8_t next_kind() {
+    const std::uint8_t kind = kKindAt[slot_];
     slot_ = slot_ + 1 == 12 ? 0 : slot_ + 1;
-    return due;
+    return kind;
   }
   std::uint32_t slot_ = 0;
-  std::uint8_t kind_ = 0;
 
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;

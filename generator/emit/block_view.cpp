@@ -1,0 +1,237 @@
+#include "generator/emit/block_view.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/emit/arrival_view.hpp"
+#include "generator/emit/reset_view.hpp"
+#include "generator/emit/types.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// What one node does.
+class BlockView {
+ public:
+  BlockView(const Plan& plan, const ProgramNames& names, std::size_t n)
+      : plan_(plan),
+        graph_(*plan.graph),
+        node_(graph_.nodes[n]),
+        names_(names),
+        n_(n),
+        seq_(names.sent[n].empty() ? "n" : names.sent[n] + ".count()") {}
+
+  View make() {
+    const bool is_engine = node_.role == NodeRole::engine;
+    view_.set("begin_mark", begin_mark(node_.name));
+    view_.set("end_mark", end_mark());
+    view_.set("is_engine", is_engine);
+    view_.set("is_remote", !names_.runs(n_));
+    view_.set("node", node_.name);
+    view_.set("label", string_literal(node_.name));
+    view_.set("entity", node_.entity->id.value);
+    view_.set("place", names_.place(node_.span));
+    view_.set("member", names_.node_member[n_]);
+    view_.set("seq", seq_);
+    view_.set("sent", names_.sent[n_]);
+    view_.set("io", names_.io[n_]);
+    view_.set("only_in_episodes", graph_.has_reset_nodes() && node_.waits_during_reset);
+    add_reached();
+    if (is_engine) {
+      add_engine();
+    } else if (names_.runs(n_)) {
+      add_node();
+    } else {
+      add_remote();
+    }
+    return std::move(view_);
+  }
+
+ private:
+  std::string channel(std::size_t output) const { return "channel::" + names_.channel[n_][output]; }
+  MessagePlace place(std::size_t output) const {
+    return message_place(plan_, names_, plan_.nodes[n_].rings[output], seq_);
+  }
+
+  /// Both programs know which targets a reset node has reached.
+  void add_reached() {
+    View reached = list();
+    for (const auto& target : node_.reset_targets) {
+      View item = object();
+      item.set("flag", names_.done_member[n_] + "." + target.name);
+      reached.push_back(item);
+    }
+    view_["reached"] = std::move(reached);
+  }
+
+  View message(std::size_t output, const MessagePlace& place) const {
+    View view = object();
+    view.set("ring", place.expression);
+    view.set("channel", channel(output));
+    view["conversions"] =
+        conversions_view(plan_, names_, {plan_.nodes[n_].rings[output], seq_, place.expression});
+    return view;
+  }
+
+  /// What the other program sends of a node that runs there.
+  void add_remote() {
+    View received = list();
+    std::vector<MessagePlace> places;
+    for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
+      if (!names_.crosses(n_, o)) continue;
+      places.push_back(place(o));
+      received.push_back(message(o, places.back()));
+    }
+    view_["slots"] = slots_view(places);
+    view_["received"] = std::move(received);
+  }
+
+  void add_engine() {
+    std::vector<std::string> simulators = {"eagerx::Tick{n}"};
+    simulators.insert(simulators.end(), names_.simulator_member.begin(),
+                      names_.simulator_member.end());
+    view_.set("simulators", joined(simulators));
+    View simulated = list();
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
+      View item = object();
+      item.set("object", string_literal(graph_.objects[i].name));
+      item.set("simulator", names_.simulator_member[i]);
+      simulated.push_back(item);
+    }
+    view_.set("has_simulated", simulated.is_non_empty_list());
+    view_["simulated"] = std::move(simulated);
+    view_["slots"] = slots_view({place(0)});
+    view_.set("ring", place(0).expression);
+    view_.set("channel", channel(0));
+  }
+
+  void add_node() {
+    View raw = list(), published = list();
+    std::vector<MessagePlace> places;
+    std::vector<std::string> outputs;
+    for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
+      const Output& output = node_.outputs[o];
+      const std::string local = "raw_" + output.name;
+      places.push_back(place(o));
+      View item = message(o, places.back());
+      item.set("sends", names_.crosses(n_, o));
+      item.set("processor", text_or_false(names_.output_processor[n_][o]));
+      item.set("local", local);
+      published.push_back(item);
+      outputs.push_back(output.processor ? local : places.back().expression);
+      if (!output.processor) continue;
+      View variable = object();
+      variable.set("type", message_type(output.raw));
+      variable.set("local", local);
+      raw.push_back(variable);
+    }
+    view_.set("outputs", braced(outputs));
+    view_["slots"] = slots_view(places);
+    view_["raw"] = std::move(raw);
+    view_["published"] = std::move(published);
+    view_.set("lacks", text_or_false(graph_.asynchronous ? lacks_messages(plan_, names_, n_) : ""));
+    view_.set("simulator_argument", simulator_argument(plan_, names_, n_));
+    add_inputs();
+  }
+
+  /// What its callback sees, and what a reset node passes on while there is no reset.
+  void add_inputs() {
+    std::vector<std::string> inputs, feedthroughs;
+    View passed = list();
+    for (std::size_t i = 0; i < node_.inputs.size(); ++i) {
+      const bool passes = node_.inputs[i].feedthrough;
+      (passes ? feedthroughs : inputs).push_back(window_argument(plan_, names_, n_, i));
+      View item = object();
+      item.set("field", node_.inputs[i].name);
+      if (passes) passed.push_back(item);
+    }
+    view_.set("inputs", braced(inputs));
+    view_.set("is_reset_node", !node_.reset_targets.empty());
+    view_.set("feedthroughs", braced(feedthroughs));
+    view_["passed"] = std::move(passed);
+    view_.set("targets", names_.targets_member[n_]);
+    view_.set("done", names_.done_member[n_]);
+  }
+
+  const Plan& plan_;
+  const Graph& graph_;
+  const GraphNode& node_;
+  const ProgramNames& names_;
+  std::size_t n_;
+  std::string seq_;  // of what the node sends next, in a group
+  View view_ = object();
+};
+
+bool receives_messages(const ProgramNames& names, const GraphNode& node, std::size_t n) {
+  for (std::size_t o = 0; o < node.outputs.size(); ++o) {
+    if (names.crosses(n, o)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+View groups_view(const Plan& plan, const ProgramNames& names,
+                 const std::vector<std::size_t>& nodes) {
+  View groups = list();
+  for (std::size_t i = 0; i < nodes.size();) {
+    const std::size_t rate = plan.nodes[nodes[i]].rate;
+    View blocks = list();
+    bool knows_tick = false;
+    for (; i < nodes.size() && plan.nodes[nodes[i]].rate == rate; ++i) {
+      const GraphNode& node = plan.graph->nodes[nodes[i]];
+      const bool acts = names.runs(nodes[i]) || receives_messages(names, node, nodes[i]);
+      // Of a reset node that runs in the other program, both know when it has done its work.
+      if (!acts && node.reset_targets.empty()) continue;
+      knows_tick = knows_tick || acts;
+      blocks.push_back(BlockView(plan, names, nodes[i]).make());
+    }
+    if (!blocks.is_non_empty_list()) continue;
+    View group = object();
+    group.set("due", names.due[rate]);
+    group.set("counter", names.counter[rate]);
+    group.set("knows_tick", knows_tick);
+    group["blocks"] = std::move(blocks);
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::size_t ring,
+                           const std::string& seq) {
+  const std::string place = ring_place(plan, names, ring, seq);
+  if (plan.rings[ring].capacity == 1) return {place, {}, {}};
+  const Ring& what = plan.rings[ring];
+  const std::string local = "new_" + plan.graph->nodes[what.node].outputs[what.output].name;
+  return {local, local, place};
+}
+
+View slots_view(const std::vector<MessagePlace>& places) {
+  View slots = list();
+  for (const auto& place : places) {
+    if (place.local.empty()) continue;
+    View slot = object();
+    slot.set("slot", place.local);
+    slot.set("ring", place.ring);
+    slots.push_back(slot);
+  }
+  return slots;
+}
+
+View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message) {
+  View views = list();
+  const Ring& written = plan.rings[message.ring];
+  for (std::size_t r = 0; r < plan.rings.size(); ++r) {
+    const Ring& ring = plan.rings[r];
+    if (!ring.reader_node || ring.node != written.node || ring.output != written.output ||
+        !names.has_ring(r))
+      continue;
+    View view = object();
+    view.set("target", ring_place(plan, names, r, message.seq));
+    view.set("processor", names.input_processor[*ring.reader_node][*ring.reader_input]);
+    view.set("source", message.value);
+    views.push_back(view);
+  }
+  return views;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,34 @@
+// What a slot does: groups of nodes with one rate, and in them what each node does.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generator/emit/names.hpp"
+
+namespace eagerx::gen {
+
+/// Neighbours of one rate under one condition; what has nothing to do in this program is left out.
+View groups_view(const Plan& plan, const ProgramNames& names,
+                 const std::vector<std::size_t>& nodes);
+
+/// Where a message is written, by an expression that is cheap to repeat.
+struct MessagePlace {
+  std::string expression;  // "smooth_filtered_[0]", "new_filtered"
+  std::string local;       // a reference to be made first: "new_filtered", or empty
+  std::string ring;        // to this
+};
+MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::size_t ring,
+                           const std::string& seq);
+/// The references among them.
+View slots_view(const std::vector<MessagePlace>& places);
+
+/// A message of a channel's ring, by its number and an expression for its value.
+struct WrittenMessage {
+  std::size_t ring = 0;
+  std::string seq, value;
+};
+/// Other rings that take it as the processor of one of its readers converts it.
+View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message);
+
+}  // namespace eagerx::gen
