@@ -162,7 +162,7 @@ int graph_info(Options options) {
   if (!make(run, options)) return finish(run, options);
   const PlanReport report = report_of(*run.plan);
   if (options.json_output)
-    fmt::print("{}", report_json(report));
+    fmt::print("{}\n", dump_json(report_json(report)));
   else
     fmt::print("{}{}{}", plan_text(report), timing_text(report), profile_text(*run.spec));
   return finish(run, options);

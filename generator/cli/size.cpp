@@ -8,7 +8,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
+#include <iterator>
+#include <optional>
 
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
@@ -54,7 +55,8 @@ std::optional<Instructions> count_instructions(const Run& run, const Options& op
 
 class BudgetCheck {
  public:
-  BudgetCheck(const SizeReport& report, const nlohmann::json& baseline, Diagnostics& diagnostics)
+  BudgetCheck(const SizeReport& report, const std::optional<Json>& baseline,
+              Diagnostics& diagnostics)
       : report_(report), baseline_(baseline), diagnostics_(diagnostics) {}
 
   void run(const YamlValue& budget) {
@@ -125,38 +127,39 @@ class BudgetCheck {
       }
     }
     std::sort(parts.rbegin(), parts.rend());
-    std::string text = baseline_.is_null() ? "most of it: " : "grown since the baseline: ";
+    std::string text = !baseline_ ? "most of it: " : "grown since the baseline: ";
     constexpr std::size_t kShown = 3;
     bool first = true;
     for (std::size_t i = 0; i < std::min(kShown, parts.size()); ++i) {
       if (parts[i].first <= 0) break;
-      text += fmt::format("{}`{}` {}{}", first ? "" : ", ", parts[i].second,
-                          baseline_.is_null() ? "" : "+", parts[i].first);
+      text += fmt::format("{}`{}` {}{}", first ? "" : ", ", parts[i].second, !baseline_ ? "" : "+",
+                          parts[i].first);
       first = false;
     }
     return first ? std::string() : text;
   }
 
   std::int64_t before(const char* group, const std::string& part, const std::string& key) const {
-    const auto at = nlohmann::json::json_pointer() / group / part / key;
-    return baseline_.contains(at) && baseline_[at].is_number() ? baseline_[at].get<std::int64_t>()
-                                                               : 0;
+    const Json* in = baseline_ ? &*baseline_ : nullptr;
+    const auto bytes = number_of(member(member(member(in, group), part), key));
+    return static_cast<std::int64_t>(bytes.value_or(0.0));
   }
 
   const SizeReport& report_;
-  const nlohmann::json& baseline_;
+  const std::optional<Json>& baseline_;
   Diagnostics& diagnostics_;
 };
 
-/// null without --baseline.
-nlohmann::json read_baseline(Run& run, const Options& options) {
-  if (options.baseline.empty()) return nullptr;
+/// Nothing without --baseline.
+std::optional<Json> read_baseline(Run& run, const Options& options) {
+  if (options.baseline.empty()) return std::nullopt;
   std::ifstream file(options.baseline);
-  auto json = nlohmann::json::parse(file, nullptr, false);
-  if (!file || !json.is_object()) {
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  auto json = parse_json(text);
+  if (!json || !json->is<Json::Object>()) {
     run.diagnostics.io_error("E0911", {}, fmt::format("cannot read `{}`", options.baseline)).help =
         "give what `eagerx-gen size --json` printed";
-    return nullptr;
+    return std::nullopt;
   }
   return json;
 }
@@ -166,13 +169,13 @@ void print(const SizeReport& report, const std::optional<PlanReport>& plan, bool
     fmt::print("{}{}", size_text(report), plan ? timing_text(*plan) : "");
     return;
   }
-  auto json = nlohmann::ordered_json::parse(size_json(report));
+  Json json = size_json(report);
   if (plan) {
-    const auto timing = nlohmann::ordered_json::parse(report_json(*plan));
-    json["ages"] = timing["ages"];
-    json["link"] = timing["link"];
+    Json timing = report_json(*plan);
+    json["ages"] = std::move(timing["ages"]);
+    json["link"] = std::move(timing["link"]);
   }
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", dump_json(json));
 }
 
 }  // namespace
@@ -182,7 +185,7 @@ int size_command(const Options& options) {
   run.root = data_root();
   std::optional<PlanReport> plan;
   if (!options.graph.empty() && make(run, options)) plan = report_of(*run.plan);
-  const nlohmann::json baseline = read_baseline(run, options);
+  const std::optional<Json> baseline = read_baseline(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
   const std::string folder = fs::path(options.image).parent_path().string();
   const std::string build = !options.build.empty() ? options.build : folder.empty() ? "." : folder;

@@ -29,7 +29,7 @@ Json json_of(const LinkLoad& load) {
 
 }  // namespace
 
-std::string report_json(const PlanReport& report) {
+Json report_json(const PlanReport& report) {
   const Plan& plan = *report.plan;
   Json json;
   json["name"] = plan.graph->name;
@@ -59,7 +59,7 @@ std::string report_json(const PlanReport& report) {
   json["link"] = Json{{"sensors", json_of(report.link.sensors)},
                       {"actuators", json_of(report.link.actuators)},
                       {"messages", messages}};
-  return dump_json(json) + "\n";
+  return json;
 }
 
 }  // namespace eagerx::gen

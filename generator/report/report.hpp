@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "generator/json/json.hpp"
 #include "generator/plan/ages.hpp"
 #include "generator/plan/link.hpp"
 
@@ -22,7 +23,7 @@ std::string plan_text(const PlanReport& report);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanReport& report);
 /// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
-std::string report_json(const PlanReport& report);
+Json report_json(const PlanReport& report);
 
 /// The keys `age` and `link` of a graph's `budget:`. Exceeded: E0420, with the connection that adds
 /// the most.

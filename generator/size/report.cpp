@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
+#include "generator/json/json.hpp"
 #include "generator/size/size.hpp"
 
 namespace eagerx::gen {
@@ -12,9 +11,10 @@ void add_rows(std::string& text, const std::map<std::string, Usage>& parts) {
     text += fmt::format("{:<28} {:>8} {:>8}\n", name, usage.flash, usage.ram);
 }
 
-nlohmann::ordered_json usages(const std::map<std::string, Usage>& parts) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [name, usage] : parts) json[name] = {{"flash", usage.flash}, {"ram", usage.ram}};
+Json usages(const std::map<std::string, Usage>& parts) {
+  Json json = Json::object();
+  for (const auto& [name, usage] : parts)
+    json[name] = Json{{"flash", usage.flash}, {"ram", usage.ram}};
   return json;
 }
 
@@ -37,21 +37,21 @@ std::string size_text(const SizeReport& report) {
   return text;
 }
 
-std::string size_json(const SizeReport& report) {
-  nlohmann::ordered_json json;
+Json size_json(const SizeReport& report) {
+  Json json;
   json["flash"] = report.flash;
   json["ram"] = report.ram;
   json["nodes"] = usages(report.nodes);
   json["others"] = usages(report.others);
-  json["stack"] = {{"bytes", report.stack.bytes},
-                   {"path", report.stack.path},
-                   {"unbounded", report.stack.unbounded}};
+  json["stack"] = Json{{"bytes", report.stack.bytes},
+                       {"path", report.stack.path},
+                       {"unbounded", report.stack.unbounded}};
   if (const auto& count = report.instructions)
-    json["instructions"] = {{"slots", count->slots},
-                            {"least", count->least},
-                            {"most", count->most},
-                            {"mean", count->mean}};
-  return json.dump(2) + "\n";
+    json["instructions"] = Json{{"slots", count->slots},
+                                {"least", count->least},
+                                {"most", count->most},
+                                {"mean", count->mean}};
+  return json;
 }
 
 }  // namespace eagerx::gen

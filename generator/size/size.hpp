@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/json/json.hpp"
 
 namespace eagerx::gen {
 
@@ -44,6 +45,6 @@ std::optional<SizeReport> measure_image(const std::string& image, const std::str
                                         Diagnostics& diagnostics);
 
 std::string size_text(const SizeReport& report);
-std::string size_json(const SizeReport& report);
+Json size_json(const SizeReport& report);
 
 }  // namespace eagerx::gen

@@ -305,7 +305,7 @@ TEST(Report, AsText) {
 TEST(Report, AsJson) {
   SizeReport report = example();
   report.instructions = Instructions{300, 10, 30, 12.5};
-  const auto json = nlohmann::json::parse(size_json(report));
+  const auto json = nlohmann::json::parse(dump_json(size_json(report)));
   EXPECT_EQ(json["flash"], 100);
   EXPECT_EQ(json["nodes"]["smooth"]["ram"], 16);
   EXPECT_EQ(json["stack"]["unbounded"][0], "step");
