@@ -17,8 +17,7 @@ std::optional<YamlValue> bounds_setting(const std::vector<double>& bounds, Span 
   if (bounds.empty()) return std::nullopt;
   std::vector<YamlValue> numbers;
   numbers.reserve(bounds.size());
-  for (const double bound : bounds)
-    numbers.push_back(made_scalar(fmt::format("{}", bound), span));
+  for (const double bound : bounds) numbers.push_back(made_scalar(fmt::format("{}", bound), span));
   return bounds.size() == 1 ? numbers.front() : made_list(std::move(numbers), span);
 }
 

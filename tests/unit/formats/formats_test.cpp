@@ -98,10 +98,10 @@ TEST(Statistics, OfThePickleAreThoseOfTheOtherFiles) {
 TEST(Statistics, OfAnotherTrainingAreRefused) {
   const std::string path = testing::TempDir() + "/other.json";
   PolicyRequest request;
-  request.path = kData + "ppo_64.npz";
+  request.path = kSavedPolicies + "ppo_64.npz";
   request.name = "ppo_64.npz";
   request.normalize_path = request.normalize_name = path;
-  const std::size_t count = read("ppo_64.npz").inputs();
+  const std::size_t count = read_saved("ppo_64.npz").inputs();
   std::ofstream(path) << fmt::format(R"({{"mean": [{0}], "var": [{0}]}})",
                                      fmt::join(std::vector<int>(count, 1), ","));
   Diagnostics diagnostics;

@@ -37,10 +37,12 @@ TEST(TableErrors, ArraysThatAreNotNumPys) {
   const std::string numpy = "\x93NUMPY\x01" + std::string(1, '\0');
   const std::string header = "{'descr': '<f4', 'fortran_order': False, 'shape': (1,), }";
   const auto npz = [](const std::string& array) { return test::zip({{"w1.npy", array}}); };
-  expect(read_bad(npz("neither this nor that")), "E0630", "`w1` that is not NumPy's format");
-  expect(read_bad(npz(numpy + "\xff\xff" + header)), "E0630", "`w1` that ends early");
-  expect(read_bad(npz(numpy + test::little(header.size(), 2) + std::string(header.size(), '{'))),
-         "E0630", "`w1` whose header cannot be read");
+  expect_problem(read_bad(npz("neither this nor that")), "E0630",
+                 "`w1` that is not NumPy's format");
+  expect_problem(read_bad(npz(numpy + "\xff\xff" + header)), "E0630", "`w1` that ends early");
+  expect_problem(
+      read_bad(npz(numpy + test::little(header.size(), 2) + std::string(header.size(), '{'))),
+      "E0630", "`w1` whose header cannot be read");
 }
 
 TEST(TableErrors, ShapeAgainstData) {
