@@ -33,8 +33,7 @@ constexpr std::array kGroups = {
 std::optional<std::string> code_of(std::string_view word) {
   constexpr std::size_t kDigits = 4;
   if (word.starts_with('E') || word.starts_with('e')) word.remove_prefix(1);
-  const bool digits =
-      std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  const bool digits = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   if (word.empty() || word.size() > kDigits || !digits) return std::nullopt;
   return fmt::format("E{:0>{}}", word, kDigits);
 }
@@ -53,8 +52,8 @@ void list_all() {
 /// The codes before and after one that does not exist.
 std::string neighbours(const std::string& code) {
   const auto pages = code_pages();
-  const auto behind = std::find_if(pages.begin(), pages.end(),
-                                   [&](const CodePage& page) { return page.code > code; });
+  const auto behind =
+      std::ranges::find_if(pages, [&](const CodePage& page) { return page.code > code; });
   std::string text;
   const auto add = [&](const CodePage& page) {
     text += fmt::format("{}{} ({})", text.empty() ? "" : " and ", page.code, page.title());

@@ -16,6 +16,7 @@ class Names {
   std::string unique(const std::string& wanted);
   /// The same, where the name with `suffix` is needed too.
   std::string unique_with(const std::string& wanted, const std::string& suffix);
+  [[nodiscard]] bool has(const std::string& name) const { return used_.contains(name); }
 
  private:
   std::map<std::string, int> used_;

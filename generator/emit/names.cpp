@@ -45,7 +45,9 @@ ProgramNames::ProgramNames(const Plan& plan, Part part)
     object_state.emplace_back();
     object_state_processor.emplace_back();
     for (const auto& state : object.states) {
-      engine_state_type.back().push_back(type(camel(object.name) + camel(state.name)));
+      // A sensor may have the state's name: then its engine node has this Io.
+      const std::string name = camel(object.name) + camel(state.name);
+      engine_state_type.back().push_back(type(types.has(name + "Io") ? name + "State" : name));
       object_state.back().push_back(fields.unique(snake(object.name) + "_" + state.name));
       object_state_processor.back().push_back(
           state.processor ? type(camel(object.name) + camel(state.name) + "Processor") : "");

@@ -18,7 +18,7 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::string_view kBlanks = " \t\n\r";
 
 bool contains(Names names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::ranges::find(names, name) != names.end();
 }
 
 std::vector<std::string_view> words(std::string_view text) {
@@ -128,7 +128,7 @@ void Xml::check_attributes(pugi::xml_node element, const Contents& contents) {
       const std::string near =
           gen::nearest(name, {contents.attributes.begin(), contents.attributes.end()});
       if (!near.empty()) wrong.help = fmt::format("did you mean `{}`?", near);
-    } else if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
+    } else if (std::ranges::find(seen, name) != seen.end()) {
       error("E0854", span(element, attribute.name()),
             fmt::format("`{}` has `{}` twice", element.name(), name));
     }

@@ -14,6 +14,8 @@ TEST(Names, AreGivenOnce) {
   EXPECT_EQ(names.unique("a_b"), "a_b_2");
   EXPECT_EQ(names.unique("a_b_2"), "a_b_2_2");
   EXPECT_EQ(names.unique("a_b"), "a_b_3");
+  EXPECT_TRUE(names.has("a_b_3"));
+  EXPECT_FALSE(names.has("a_b_4"));
   EXPECT_EQ(names.unique("ring_"), "ring_");
   EXPECT_EQ(names.unique("ring_"), "ring_2_");
 }
