@@ -16,10 +16,6 @@ std::string floating_literal(T value, std::string_view type, std::string_view su
   if (std::isnan(value)) return fmt::format("std::numeric_limits<{}>::quiet_NaN()", type);
   if (std::isinf(value))
     return fmt::format("{}std::numeric_limits<{}>::infinity()", value < 0 ? "-" : "", type);
-  if (value == std::numeric_limits<T>::max())
-    return fmt::format("std::numeric_limits<{}>::max()", type);
-  if (value == std::numeric_limits<T>::lowest())
-    return fmt::format("std::numeric_limits<{}>::lowest()", type);
   std::string text = fmt::format("{}", value);
   if (text.find_first_of(".e") == std::string::npos) text += ".0";
   return text + std::string(suffix);
@@ -64,9 +60,17 @@ std::string bool_literal(bool value) {
 }
 
 std::string literal(double value, Dtype dtype) {
-  if (dtype == Dtype::float32) return float_literal(static_cast<float>(value));
-  if (dtype == Dtype::float64) return double_literal(value);
-  return integer_literal(value, dtype);
+  const bool is_float = dtype == Dtype::float32;
+  if (!is_float && dtype != Dtype::float64) return integer_literal(value, dtype);
+  // The bounds of a space without bounds.
+  const auto is_end = [&](double end) {
+    return is_float ? static_cast<float>(value) == static_cast<float>(end) : value == end;
+  };
+  if (is_end(highest_of(dtype)))
+    return fmt::format("std::numeric_limits<{}>::max()", element_type(dtype));
+  if (is_end(lowest_of(dtype)))
+    return fmt::format("std::numeric_limits<{}>::lowest()", element_type(dtype));
+  return is_float ? float_literal(static_cast<float>(value)) : double_literal(value);
 }
 
 std::string message_literal(const std::vector<double>& values, const Space& space) {

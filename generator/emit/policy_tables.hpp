@@ -17,6 +17,8 @@ std::string int8_table(const Layer& layer);
 
 /// "1.0F, 0.5F".
 std::string list_of(const std::vector<float>& values);
+/// "1.0, 0.5".
+std::string list_of(const std::vector<double>& values);
 
 /// Slope of elu and leaky relu as one more argument.
 std::string slope_argument(const Layer& layer);

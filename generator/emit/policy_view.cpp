@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "generator/emit/literals.hpp"
 #include "generator/emit/policy_tables.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/evaluate.hpp"
@@ -21,24 +20,6 @@ namespace {
 
 using kainjow::mustache::data;
 
-/// The shortest decimal literal that is exactly `value`: "0.1", "-0.0", "1e-07".
-template <class Float>
-std::string literal(Float value) {
-  constexpr std::size_t kLongest = 32;
-  std::array<char, kLongest> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  std::string text(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  if (text.find_first_of(".en") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string doubles_of(const std::vector<double>& values) {
-  std::vector<std::string> literals;
-  literals.reserve(values.size());
-  for (const double value : values) literals.push_back(literal(value));
-  return fmt::format("{}", fmt::join(literals, ", "));
-}
-
 /// A table that is written value by value, eight a line.
 class Table {
  public:
@@ -47,8 +28,7 @@ class Table {
   void add(float value) {
     if (in_line_ == 0) text_ += text_.empty() ? "     " : "\n     ";
     text_ += ' ';
-    text_ += literal(value);
-    text_ += 'F';
+    text_ += float_literal(value);
     if (--left_ > 0) text_ += ',';
     in_line_ = (in_line_ + 1) % kInLine;
   }
@@ -72,8 +52,15 @@ class Table {
 std::string list_of(const std::vector<float>& values) {
   std::vector<std::string> literals;
   literals.reserve(values.size());
-  for (const float value : values) literals.push_back(literal(value) + "F");
-  return fmt::format("{}", fmt::join(literals, ", "));
+  for (const float value : values) literals.push_back(float_literal(value));
+  return joined(literals);
+}
+
+std::string list_of(const std::vector<double>& values) {
+  std::vector<std::string> literals;
+  literals.reserve(values.size());
+  for (const double value : values) literals.push_back(double_literal(value));
+  return joined(literals);
 }
 
 std::string int8_table(const Layer& layer) {
@@ -122,7 +109,7 @@ std::string comment_text(std::string_view text) {
 }  // namespace
 
 std::string slope_argument(const Layer& layer) {
-  return layer.slope == 0.0F ? std::string() : fmt::format(", {}F", literal(layer.slope));
+  return layer.slope == 0.0F ? std::string() : ", " + float_literal(layer.slope);
 }
 
 namespace {
@@ -157,12 +144,11 @@ data layer_view(const Network& network, std::size_t i) {
   view.set("hidden", data{!last});
   const bool plain = layer.is_dense() && layer.activation == Activation::identity;
   view.set("note", note_of(layer) + (plain ? " identity" : ""));
-  view.set("plain", data{!layer.norm});
   view.set("norm", data{layer.norm.has_value()});
   if (layer.norm) {
     view.set("gamma", list_of(layer.norm->gamma));
     view.set("beta", list_of(layer.norm->beta));
-    view.set("epsilon", literal(layer.norm->epsilon) + "F");
+    view.set("epsilon", float_literal(layer.norm->epsilon));
   }
   add_form(layer, i + 1, view);
   return view;
@@ -177,9 +163,9 @@ void add_statistics(const Network& network, data& view) {
     deviation.push_back(std::sqrt(variance + statistics.epsilon));
   }
   view.set("source", comment_text(statistics.source));
-  view.set("mean", doubles_of(statistics.mean));
-  view.set("deviation", doubles_of(deviation));
-  view.set("clip", literal(statistics.clip));
+  view.set("mean", list_of(statistics.mean));
+  view.set("deviation", list_of(deviation));
+  view.set("clip", double_literal(statistics.clip));
 }
 
 void add_self_test(const Network& network, data& view) {
@@ -220,11 +206,9 @@ data policy_view(const Network& network) {
   view.set("bytes", std::to_string(stored));
   view.set("has_int8", data{int8});
   view.set("fast", data{network.profile == Profile::fast});
-  view.set("exact", data{network.profile == Profile::exact});
   view.set("tolerance", network.profile == Profile::fast ? ", 1e-4F" : "");
   view.set("layers", layers);
   view.set("has_memory", network.has_memory());
-  view.set("forgets", !network.has_memory());
   add_headers(network, view);
   add_statistics(network, view);
   add_self_test(network, view);
