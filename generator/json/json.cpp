@@ -135,7 +135,24 @@ nlohmann::ordered_json to_write(const Json& json) {
 
 }  // namespace
 
+Json::Json() = default;
+Json::Json(std::nullptr_t /*null*/) {}
+Json::Json(bool truth) : value(truth) {}
+Json::Json(double number) : value(number) {}
+Json::Json(const char* text) : value(std::string(text)) {}
+Json::Json(std::string text) : value(std::move(text)) {}
+Json::Json(List items) : value(std::move(items)) {}
+Json::Json(Object members) : value(std::move(members)) {}
 Json::Json(std::initializer_list<JsonMember> members) : value(Object(members)) {}
+Json::Json(const std::vector<std::string>& texts) : value(List(texts.begin(), texts.end())) {}
+
+Json Json::object() {
+  return Object{};
+}
+
+Json Json::list() {
+  return List{};
+}
 
 Json& Json::operator[](std::string_view name) {
   if (is<std::monostate>()) value = Object{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <optional>
@@ -21,22 +22,22 @@ struct Json {
   /// Nothing is null. Whole numbers that 64 bits do not hold are a double.
   std::variant<std::monostate, bool, std::int64_t, double, std::string, List, Object> value;
 
-  Json() = default;
-  Json(std::nullptr_t /*null*/) {}
-  Json(bool truth) : value(truth) {}
+  // Defined where JsonMember is known: libstdc++'s vectors need it to be destroyed.
+  Json();
+  Json(std::nullptr_t /*null*/);
+  Json(bool truth);
   template <std::integral Whole>
-  requires(!std::same_as<Whole, bool>) Json(Whole whole)
-      : value(static_cast<std::int64_t>(whole)) {}
-  Json(double number) : value(number) {}
-  Json(const char* text) : value(std::string(text)) {}
-  Json(std::string text) : value(std::move(text)) {}
-  Json(List items) : value(std::move(items)) {}
-  Json(Object members) : value(std::move(members)) {}
+  requires(!std::same_as<Whole, bool>) Json(Whole whole);
+  Json(double number);
+  Json(const char* text);
+  Json(std::string text);
+  Json(List items);
+  Json(Object members);
   Json(std::initializer_list<JsonMember> members);
-  Json(const std::vector<std::string>& texts) : value(List(texts.begin(), texts.end())) {}
+  Json(const std::vector<std::string>& texts);
 
-  static Json object() { return Object{}; }
-  static Json list() { return List{}; }
+  static Json object();
+  static Json list();
 
   template <class Kind>
   [[nodiscard]] bool is() const {
@@ -58,6 +59,10 @@ struct JsonMember {
   std::string name;
   Json value;
 };
+
+template <std::integral Whole>
+requires(!std::same_as<Whole, bool>) Json::Json(Whole whole)
+    : value(static_cast<std::int64_t>(whole)) {}
 
 /// The value in `text`, or nothing. Python's NaN and Infinity are null; a key twice is an error,
 /// and so are more than a million values or more than 64 in one another.
