@@ -31,13 +31,14 @@ std::string check_split(const std::string& text) {
 Arguments selection(Options& options) {
   Argument split =
       texts("--split", options.split,
-            "make two programs: nodes, `agent` or `controller` (both) on a board, the rest on "
-            "Linux, in place of the graph's `placement`",
+            "make two programs, one for a board and one for Linux; on the board run the named "
+            "nodes, `agent`, or `controller` (the agent and all nodes). Replaces the graph's "
+            "`placement`",
             "NAME[,NAME...]=BOARD");
   split.check = check_split;
   return {
-      text("--engine", options.engine, "run on this engine instead of the graph's", "NAME"),
-      choice("--real", {"float", "double"}, "calculate in float or double instead of the graph's",
+      text("--engine", options.engine, "run the graph on this engine instead of its own", "NAME"),
+      choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
              [&options](const std::string& real) { options.real = real; }),
       texts("--target", options.targets,
             "target to make a program for, may be repeated (default: linux-sim)", "NAME"),
@@ -56,8 +57,9 @@ Argument rate(std::string name, std::string about, std::optional<Rational>& rate
 
 Arguments rates(Options& options) {
   return {
-      rate("--rate", "rate of the environment instead of the graph's", options.rate_hz),
-      rate("--engine-rate", "rate of the engine instead of the graph's", options.engine_rate_hz)};
+      rate("--rate", "use this rate of the environment instead of the graph's", options.rate_hz),
+      rate("--engine-rate", "use this rate of the engine instead of the graph's",
+           options.engine_rate_hz)};
 }
 
 Argument library(Options& options) {
@@ -69,13 +71,13 @@ Arguments output(Options& options) {
   return {
       text("-o,--output", options.output, "output folder (default: generated/<graph name>)", "DIR"),
       flag("--standalone", options.standalone,
-           "put everything into the output that is needed to compile it"),
+           "also write everything that is needed to compile the output"),
       texts("--package", options.packages,
-            "make the output a package too, and standalone: arduino, esp-idf, platformio, "
-            "zephyr; may be repeated",
+            "make the output standalone and a package: arduino, esp-idf, platformio or zephyr; "
+            "may be repeated",
             "NAME"),
       text("--depfile", options.depfile,
-           "also write what the output depends on; names FILE without its .d as the target",
+           "also write the files that the output depends on; the make target is FILE without .d",
            "FILE.d")};
 }
 
@@ -90,7 +92,7 @@ Arguments policy(Options& options) {
                   text("--normalize", options.normalize,
                        "statistics of the observations: VecNormalize.save, npz or JSON", "FILE"),
                   text("--activation", options.activation,
-                       "of hidden layers, if the file does not say it", "NAME")},
+                       "activation of the hidden layers, if the file does not say it", "NAME")},
                  diagnostics(options)});
 }
 
@@ -118,21 +120,22 @@ Command check(Options& options) {
 }
 
 Command info(Options& options) {
-  return {.name = "info",
-          .about = "list entities and targets, or explain one or a graph",
-          .arguments = joined(
-              {{text("entity", options.entity, "id of an entity or target, or a graph file",
-                     "ENTITY|GRAPH.yaml"),
-                text("--engine", options.engine, "run the graph on this engine instead of its own",
-                     "NAME")},
-               rates(options),
-               {library(options), flag("--json", options.json_output, "print JSON (of graphs)")}}),
-          .run = [&options] { return info_command(options); }};
+  return {
+      .name = "info",
+      .about = "list entities and targets, or explain one or a graph",
+      .arguments = joined({{text("entity", options.entity,
+                                 "id of an entity or target, or a graph file", "ENTITY|GRAPH.yaml"),
+                            text("--engine", options.engine,
+                                 "run the graph on this engine instead of its own", "NAME")},
+                           rates(options),
+                           {library(options),
+                            flag("--json", options.json_output, "print JSON (for graphs only)")}}),
+      .run = [&options] { return info_command(options); }};
 }
 
 Command explain(Options& options) {
   return {.name = "explain",
-          .about = "what a code such as E0307 means and what to do, or all codes",
+          .about = "explain a code such as E0307 and what to do, or list all codes",
           .arguments = {text("code", options.code, "such as E0307 or 307 (default: list all codes)",
                              "CODE")},
           .run = [&options] { return explain_command(options); }};
@@ -145,7 +148,7 @@ Command import(Options& options) {
               {{required(text("state", options.graph, "the file that EAGERx saved", "STATE.yaml")),
                 text("-o,--output", options.output, "the graph to write (default: print it)",
                      "GRAPH.yaml"),
-                text("--engine", options.engine, "engine, if the file has none", "NAME")},
+                text("--engine", options.engine, "engine to use if the file has none", "NAME")},
                rates(options),
                {library(options)},
                diagnostics(options)}),
@@ -170,23 +173,26 @@ Command make_new(Options& options) {
 }
 
 Command size(Options& options) {
-  return {.name = "size",
-          .about = "flash, RAM, stack and instructions of an image",
-          .arguments = joined(
-              {{required(text("image", options.image, "the image", "IMAGE.elf")),
-                text("--graph", options.graph, "also check it against this graph's `budget:`",
-                     "GRAPH.yaml"),
-                text("--build", options.build, "its build folder (default: where it lies)", "DIR"),
-                text("--engine", options.engine, "the graph's engine in the image", "NAME"),
-                library(options),
-                text("--run", options.run_on, "also count instructions, in the target's emulator",
-                     "TARGET"),
-                text("--baseline", options.baseline,
-                     "an earlier output of --json: name what grew when a budget is exceeded",
-                     "FILE.json"),
-                flag("--json", options.json_output, "print JSON")},
-               diagnostics(options)}),
-          .run = [&options] { return size_command(options); }};
+  return {
+      .name = "size",
+      .about = "flash, RAM, stack and instructions of an image",
+      .arguments = joined(
+          {{required(text("image", options.image, "the image", "IMAGE.elf")),
+            text("--graph", options.graph, "also check the image against this graph's `budget:`",
+                 "GRAPH.yaml"),
+            text("--build", options.build,
+                 "build folder of the image (default: the folder that it lies in)", "DIR"),
+            text("--engine", options.engine,
+                 "engine that the image was generated with, if not the graph's", "NAME"),
+            library(options),
+            text("--run", options.run_on, "also count instructions, in the target's emulator",
+                 "TARGET"),
+            text("--baseline", options.baseline,
+                 "an earlier output of --json; if a budget is exceeded, name the parts that grew",
+                 "FILE.json"),
+            flag("--json", options.json_output, "print JSON")},
+           diagnostics(options)}),
+      .run = [&options] { return size_command(options); }};
 }
 
 Command replay(Options& options) {
@@ -201,8 +207,8 @@ Command replay(Options& options) {
           .arguments = {text("program", options.program, "the program, built for Linux", "PROGRAM"),
                         text("log", options.log, "what a run wrote with --trace", "LOG"),
                         text("--given", options.given,
-                             "what is taken from the log: channels, actions, sensors, none, "
-                             "between commas (default: actions,sensors)",
+                             "messages to take from the log: actions, sensors, none or names of "
+                             "channels, separated by commas (default: actions,sensors)",
                              "LIST"),
                         std::move(compare)},
           .check =
@@ -224,7 +230,7 @@ Command identify(Options& options) {
                     text("-o,--out", options.output, "file for the YAML (default: print it)",
                          "FILE"),
                     text("--sensors", options.sensors,
-                         "channels that count, between commas (default: all sensors)", "LIST"),
+                         "channels to fit, separated by commas (default: all sensors)", "LIST"),
                     text("--horizon", options.horizon_s,
                          "seconds that the simulation runs from one guess of the state "
                          "(default: 0.5)",
@@ -244,11 +250,11 @@ Command policies(Options& options) {
                .arguments = policy(options),
                .run = run},
               {.name = "test",
-               .about = "compare its answers with rows that are known",
-               .arguments =
-                   joined({policy(options),
-                           {required(text("golden", options.golden,
-                                          "rows of observations and answers", "GOLDEN.csv|npz"))}}),
+               .about = "compare its answers with known answers",
+               .arguments = joined(
+                   {policy(options),
+                    {required(text("golden", options.golden,
+                                   "rows of observations and known answers", "GOLDEN.csv|npz"))}}),
                .run = run}}};
 }
 

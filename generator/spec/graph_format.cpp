@@ -55,22 +55,22 @@ std::vector<Field> random_fields() {
           {"normal", pair("`normal`", "mean", "std"), false, "normally distributed"},
           {"log_uniform", pair("`log_uniform`", "low", "high"), false, "uniform in the logarithm"},
           {"choice", format::list("a list of values", value, 1), false,
-           "one of these, each as likely"}};
+           "one of these, all equally likely"}};
 }
 
 std::vector<Field> connection_settings() {
   return {{"window", format::integer("a number of messages", 0, 1'000'000), false,
-           "how many of the last messages the receiver sees; 0: those that are new"},
+           "how many of the last messages the receiver sees; 0: only the new ones (default 1)"},
           {"delay",
            format::one_of("a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
                           "0.1}}`",
                           {format::record("how a delay is drawn", random_fields()),
                            format::decimal("a delay in seconds", 0.0, false)}),
-           false, "seconds from sending to receiving, or how they are drawn at every reset"},
+           false, "seconds from sending to receiving, or how the delay is drawn at every reset"},
           {"max_delay", format::decimal("a delay in seconds", 0.0, false), false,
-           "longest delay that a reset may set"},
+           "longest delay that a reset may set (default: the longest that can be drawn)"},
           {"skip", format::boolean(), false,
-           "take the message of the tick before, which breaks a cycle"}};
+           "take the message of the tick before; this breaks a cycle"}};
 }
 
 FormatPtr selection(const std::string& what, std::vector<Field> settings) {
@@ -81,7 +81,8 @@ FormatPtr selection(const std::string& what, std::vector<Field> settings) {
 }
 
 Field space_field() {
-  return {"space", space_format(Reference::refuse, false), false, "what its messages may hold"};
+  return {"space", space_format(Reference::refuse, false), false,
+          "dtype, shape and bounds of its messages"};
 }
 
 FormatPtr states_format() {
@@ -102,7 +103,8 @@ Field rate_field(bool required, const char* about) {
 }
 Field states_field() {
   return {"states", states_format(), false,
-          "what its states are at a reset; unnamed ones keep their default"};
+          "values of its states at a reset; other states do not change, at first they have their "
+          "default"};
 }
 
 FormatPtr object_format() {
@@ -120,25 +122,26 @@ FormatPtr object_format() {
 }
 
 std::vector<Field> policy_settings() {
-  return {{"output", format::keyword({"squashed", "raw", "argmax"}), false,
-           "squashed: the policy answers in -1…1, mapped to the action's bounds (SB3's SAC and "
-           "TD3); "
-           "raw: clipped to them (PPO, A2C); argmax: the action is the index of the largest "
-           "output (DQN). Default: as the file says, else squashed if the last layer is a tanh"},
-          {"normalize", format::text("a file name"), false,
-           "statistics of the observations: VecNormalize.save, npz or JSON"},
-          {"activation",
-           format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
-                            "gelu_tanh", "softplus", "sigmoid"}),
-           false, "what follows the hidden layers, for files that do not say it"},
-          {"golden", format::text("a file name"), false,
-           "observations with known answers (CSV or npz); checked here and by every program"},
-          {"weights", format::keyword({"float32", "int8"}), false,
-           "int8: eight bits a weight, a quarter of the flash (default: float32)"},
-          {"max_error", format::decimal("a number above 0", 0.0, true), false,
-           "int8: an output that differs by more from float32, on the golden rows, is an error"},
-          {"profile", format::keyword({"exact", "fast"}), false,
-           "fast: other bits on every machine, for the sake of speed on Linux (default: exact)"}};
+  return {
+      {"output", format::keyword({"squashed", "raw", "argmax"}), false,
+       "squashed: answers from -1 to 1 are mapped to the action's bounds (SB3's SAC and TD3); raw: "
+       "answers are clipped to the bounds (PPO, A2C); argmax: the action is the index of the "
+       "largest output (DQN). Default: as the file says, else squashed if the last layer is a "
+       "tanh, else raw"},
+      {"normalize", format::text("a file name"), false,
+       "statistics of the observations: VecNormalize.save, npz or JSON"},
+      {"activation",
+       format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
+                        "gelu_tanh", "softplus", "sigmoid"}),
+       false, "activation after the hidden layers, for files that do not say it"},
+      {"golden", format::text("a file name"), false,
+       "observations with known answers (CSV or npz); the generator and every program check them"},
+      {"weights", format::keyword({"float32", "int8"}), false,
+       "int8: eight bits a weight, a quarter of the flash (default: float32)"},
+      {"max_error", format::decimal("a number above 0", 0.0, true), false,
+       "int8: largest difference from float32 that an output may have on the golden rows"},
+      {"profile", format::keyword({"exact", "fast"}), false,
+       "fast: faster on Linux, but the bits differ from machine to machine (default: exact)"}};
 }
 
 FormatPtr node_policy_format() {
@@ -154,7 +157,7 @@ FormatPtr node_format() {
       {{"type", format::name("the id of a node"), false,
         "the id of an entity as `eagerx-gen info` lists them"},
        {"policy", node_policy_format(), false,
-        "in place of a type: a weight file that turns the inputs, in their order, into the "
+        "a trained policy in place of a type: it gets the inputs in their order and gives the "
         "outputs"},
        rate_field(true, "its rate in Hz"),
        config_field(),
@@ -204,7 +207,8 @@ FormatPtr space_format(Reference references, bool like) {
       {"low", bound_format(references), false, "lowest value"},
       {"high", bound_format(references), false, "highest value"}};
   if (like) {
-    fields.push_back({"like", format::text("a port"), false, "take everything else from there"});
+    fields.push_back(
+        {"like", format::text("a port"), false, "take everything else from this port"});
   }
   return format::record("a space", std::move(fields));
 }
@@ -255,7 +259,7 @@ FormatPtr budget_format() {
                          {"instructions", format::integer("a number of instructions", 0), false,
                           "most instructions of a slot, the agent included"},
                          {"age", format::decimal("a time in seconds", 0.0, true), false,
-                          "oldest that the newest data of a sensor may be at an actuator"},
+                          "largest age, in seconds, of the newest data of a sensor at an actuator"},
                          {"link", format::integer("a baud rate", 1), false,
                           "baud rate of a serial link between the engine and the rest"},
                          {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
@@ -283,8 +287,8 @@ const Format& graph_format() {
                                       {"simulate_delays", format::boolean(), false,
                                        "false: every delay counts as 0 (default true)"},
                                       {"sync", format::boolean(), false,
-                                       "false: inputs take what has arrived when their node "
-                                       "begins (default true: messages are counted)"}}),
+                                       "false: inputs take the messages that have arrived when "
+                                       "their node begins (default true: messages are counted)"}}),
         true, "what the objects run on"},
        {"objects", format::map("objects", object_format()), false,
         "robots, things, sensors, actuators"},
@@ -300,13 +304,15 @@ const Format& graph_format() {
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},
        {"agent", agent_format(), false, "what decides (default: zero)"},
-       {"safety", safety_format(), false, "what is safe, and when it takes the agent's place"},
+       {"safety", safety_format(), false,
+        "which actions are safe, and when they take the agent's place"},
        {"placement",
         format::map("names of nodes, `agent` or `controller`", format::text("a board")), false,
-        "what runs on a board, linked with the rest on Linux: nodes, `agent`, or `controller`, "
-        "which is the agent and all nodes"},
+        "what runs on a board while the rest runs on Linux: nodes, `agent`, or `controller` for "
+        "the "
+        "agent and all nodes"},
        {"budget", budget_format(), false,
-        "what the program may take; what concerns an image is checked by `eagerx-gen size`"}});
+        "what the program may take; `eagerx-gen size` checks what concerns an image"}});
   return *kFormat;
 }
 

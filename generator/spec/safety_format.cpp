@@ -25,22 +25,27 @@ FormatPtr safety_format() {
       {{"actions", format::map("actions", values), false,
         "safe value of each action (default: zero, moved into its space)"},
        {"actuators", std::make_shared<const Format>(std::move(actuators)), false,
-        "safe value of each `object.actuator` of real hardware (default: that of the action it is "
-        "connected to, else zero moved into its space)"},
+        "safe value of each `object.actuator` of real hardware (default: the safe value of the "
+        "action that is connected to it, else zero, moved into its space)"},
        {"late", count, false,
-        "instants in a row later than `max_lateness` that make safe (default 1)"},
+        "the safe action takes over after so many instants in a row that were later than "
+        "`max_lateness` (default 1)"},
        {"max_lateness", time, false,
-        "seconds that an instant may be late in real time (default 0: a period)"},
+        "how many seconds late an instant may be in real time (default 0: one period)"},
        {"missed", count, false,
-        "instants in a row without a valid value of a sensor that make safe (default 2)"},
+        "the safe action takes over after so many instants in a row without a valid value of a "
+        "sensor "
+        "(default 2)"},
        {"recover", format::integer("a number of instants", 0, kMost), false,
-        "instants in a row that must be right before actions are applied again; 0: the next "
-        "episode (default 3)"},
+        "the agent is back after so many right instants in a row; 0: in the next episode (default "
+        "3)"},
        {"limits", format::keyword({"clip", "safe"}), false,
-        "an action outside of its space is moved into it, or makes safe (default clip)"},
+        "clip: an action outside of its space is moved into it; safe: the safe action takes over "
+        "(default clip)"},
        {"not_finite", format::keyword({"safe", "hold"}), false,
-        "an action that is NaN or infinite, or follows an observation that is, makes safe, or the "
-        "action before is held for `missed` - 1 instants in a row (default safe)"},
+        "after a NaN or an infinite number in an action or in the observation before it. safe: the "
+        "safe action takes over; hold: first the last good action is repeated for `missed` - 1 "
+        "instants in a row (default safe)"},
        {"link_timeout", time, false,
         "longest time that a link may take to answer, in seconds (default 0.01)"}});
 }

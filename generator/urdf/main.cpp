@@ -77,7 +77,7 @@ eagerx::gen::CommandLine command_line(Options& options) {
   using eagerx::gen::flag;
   using eagerx::gen::text;
   eagerx::gen::Argument id = text("--id", options.robot.id,
-                                  "what graphs call it (default: from the robot's name)", "NAME");
+                                  "id of the object (default: made from the robot's name)", "NAME");
   id.check = [](const std::string& name) {
     return is_id(name) ? std::string() : name + " is not made of letters and digits";
   };
@@ -88,14 +88,16 @@ eagerx::gen::CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-urdf",
               .about = "Makes an object for OpenDynamicsEngine from a robot's URDF file.",
-              .arguments = {required(text("robot", options.file, "the description", "ROBOT.urdf")),
+              .arguments = {required(text("robot", options.file, "the description of the robot",
+                                          "ROBOT.urdf")),
                             text("-o,--output", options.output,
                                  "folder to write (default: entities/<robot>)", "DIR"),
                             std::move(id),
-                            choice("--base", {"fixed", "free"},
-                                   "whether the first link is part of the world or free (default: "
-                                   "free if it has an `inertial`)",
-                                   set_base),
+                            choice(
+                                "--base", {"fixed", "free"},
+                                "fix the first link to the world or let it move (default: free if "
+                                "it has an `inertial`, else fixed)",
+                                set_base),
                             flag("--ground", options.robot.ground, "add the plane z = 0"),
                             choice("--diagnostics", {"text", "json"},
                                    "form of messages (default: text)", set_form),

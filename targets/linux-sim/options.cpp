@@ -136,35 +136,35 @@ struct Option {
 constexpr std::array kOptions{
     Option{"--episodes", "N", "a whole number from 1 to 4294967295", "episodes to run",
            set_episodes},
-    Option{"--steps", "N", "a whole number from 1 to 18446744073709551615", "steps of each episode",
+    Option{"--steps", "N", "a whole number from 1 to 18446744073709551615", "steps in each episode",
            set_steps},
     Option{"--seed", "N", "a whole number from 0 to 18446744073709551615",
            "seed of everything that is random", set_seed},
     Option{"--environment", "K", "a whole number from 0 to 4294967295",
-           "which of many environments with this seed: each has random numbers of its own",
-           set_environment},
+           "number of the environment; each one has random numbers of its own", set_environment},
     Option{"--agent", "AGENT", "`policy`, `zero`, `random` or a file ending in `.csv`",
            "policy, zero, random or FILE.csv", set_agent},
-    Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, a row a step",
+    Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, one row a step",
            set_csv},
-    Option{"--trace", "FILE", "a file name or `-`", "write every message, a line each", set_trace},
-    Option{"--trace-time", "", "", "write into the trace when each message was sent",
+    Option{"--trace", "FILE", "a file name or `-`", "write every message, one line each",
+           set_trace},
+    Option{"--trace-time", "", "", "add the time of sending to each message of the trace",
            set_trace_time},
     Option{"--replay", "LOG", "a file name", "repeat the run of a trace and compare the messages",
            set_replay},
     Option{"--replay-given", "LIST", "names between commas",
-           "what is taken from it: channels, actions, sensors, none (actions,sensors)",
+           "messages to take from LOG: actions, sensors, none or channels (actions,sensors)",
            set_replay_given},
     Option{"--identify", "LOG", "a file name",
-           "find parameters and delays that a trace was made with", set_identify},
-    Option{"--identify-out", "FILE", "a file name", "write them as YAML for the graph",
+           "find the parameters and delays that a trace was made with", set_identify},
+    Option{"--identify-out", "FILE", "a file name", "write the result as YAML for the graph",
            set_identify_out},
-    Option{"--identify-sensors", "LIST", "names between commas",
-           "channels that count (all sensors)", set_identify_sensors},
+    Option{"--identify-sensors", "LIST", "names between commas", "channels to fit (all sensors)",
+           set_identify_sensors},
     Option{"--identify-horizon", "S", "seconds from 0.000001 to 1000000",
-           "how long the simulation runs from one guess of the state (0.5)", set_identify_horizon},
-    Option{"--identify-delay", "S", "seconds from 0 to 10", "longest delay to try (0.1)",
-           set_identify_delay},
+           "length of the pieces that the trace is cut into (0.5)", set_identify_horizon},
+    Option{"--identify-delay", "S", "seconds from 0 to 10",
+           "longest delay of an actuator to try (0.1)", set_identify_delay},
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
@@ -173,14 +173,16 @@ constexpr std::array kOptions{
     Option{"--baud", "N", "a whole number from 1 to 4294967295", "speed of a serial line", set_baud,
            true},
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
-           "seconds without an answer of the board that end the run", set_link_timeout, true},
-    Option{"--self-test", "", "", "only check the policy's answers that are known", set_self_test},
+           "end the run after so many seconds without an answer of the board", set_link_timeout,
+           true},
+    Option{"--self-test", "", "", "only compare the policy's answers with known ones",
+           set_self_test},
     Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
     Option{"--help", "", "", "show this text", set_help},
     Option{"--version", "", "", "show graph, engine and version", set_version},
 };
 
-/// The first means nothing without the second.
+/// The first option does nothing without the second.
 constexpr std::array<std::array<std::string_view, 2>, 6> kNeeds{{
     {"--trace-time", "--trace"},
     {"--replay-given", "--replay"},
@@ -189,7 +191,7 @@ constexpr std::array<std::array<std::string_view, 2>, 6> kNeeds{{
     {"--identify-horizon", "--identify"},
     {"--identify-delay", "--identify"},
 }};
-/// A log says all of these, or nothing is written.
+/// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
 constexpr std::array<std::string_view, 6> kNotWithLogs{
     "--csv", "--trace", "--seed", "--episodes", "--environment", "--real-time-factor"};
