@@ -12,8 +12,8 @@ namespace eagerx::links {
 ///   spi(SpiDevice, out, in, n)   i2c(I2cDevice, out, n, in, m)
 ///   write_pin(pin, level)   read_pin(pin, level&)   write_duty(channel, duty)
 ///   read_volts(channel, volts&)   read_encoder(encoder, counts&)   close()   feed(), of a watchdog
-/// After an error the transfers of the same run() are still carried out, for they may be those that
-/// make something else safe; run() returns the first error. All bytes are zero until open.
+/// After an error the other transfers of the same run() are still carried out, because they may
+/// make another device safe. run() returns the first error. All bytes are zero until open.
 template <class HardwareType, class ClockType>
 class ImmediateLink {
  public:
@@ -68,7 +68,7 @@ class ImmediateLink {
     if (error != BusError::none) ++errors_[static_cast<std::size_t>(error)];
     return error;
   }
-  /// The same: there is nothing to wait for.
+  /// The same as run(), because there is nothing to wait for.
   BusError post() { return run(); }
 
   /// f(name, count) for each.

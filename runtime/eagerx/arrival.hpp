@@ -9,8 +9,8 @@
 
 namespace eagerx {
 
-/// What a node has sent since the reset, and when: nanoseconds of the engine's clock, of the last
-/// `Capacity` messages.
+/// How many messages a node has sent since the reset, and when it sent the last `Capacity` ones, in
+/// nanoseconds of the engine's clock.
 template <std::uint32_t Capacity>
 class Sent {
  public:
@@ -25,7 +25,7 @@ class Sent {
   std::int64_t at_ns_[Capacity]{};
 };
 
-/// What the asynchronous inputs of a program have met with since it began.
+/// Counts of the asynchronous inputs of a program since it began.
 struct Arrivals {
   std::uint64_t dropped = 0;     // ticks whose callback was dropped: an input had no message yet
   std::uint64_t overtaken = 0;   // messages that left their ring before they had arrived

@@ -41,8 +41,8 @@ concept HardwareTimer = requires(T& timer, std::uint64_t ticks) {
   timer.wait_for(ticks);
 };
 
-/// start(ms) makes the hardware reset the system when feed() is not called for so long (false if it
-/// cannot wait so long, or is not there); most watchdogs cannot be stopped again.
+/// After start(ms) the hardware resets the system if feed() is not called for `ms`. start() returns
+/// false if there is no watchdog or if it cannot wait so long. Most watchdogs cannot be stopped.
 template <class W>
 concept Watchdog = requires(W& watchdog, std::uint32_t ms) {
   { watchdog.start(ms) } -> std::same_as<bool>;

@@ -75,7 +75,7 @@ typename Graph::Action act(Agent agent, EpisodeKey key, Seq step,
   return Graph::zero();
 }
 
-/// False if the other program of a split graph is gone; a whole one has none.
+/// False if the other program of a split graph is gone. A program that is not split is linked.
 template <class Program>
 bool is_linked(const Program& program) {
   if constexpr (requires { program.link->ok(); }) {
@@ -88,8 +88,9 @@ bool is_linked(const Program& program) {
 /// Runs `plan`. `agent(key, step, observation)` gives an action. `watch` sees what happens:
 /// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
 /// `step` from 1, and ends the run before a step or an episode by returning false from
-/// `watch.go_on()`. A watch with `begin(key)` is told of an episode before its reset. The run of a
-/// program with a link to another one ends when the link does; nothing of that step is shown.
+/// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode. The
+/// run of a program with a link to another one ends when the link does, and `watch` does not see
+/// that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {

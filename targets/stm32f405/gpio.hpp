@@ -18,7 +18,7 @@ struct Pin {
 };
 inline constexpr Pin kNoPin{0xff, 0xff};
 
-/// The pin called "PA9"; kNoPin for what is no pin of this chip.
+/// The pin of a name such as "PA9"; kNoPin if the chip has no such pin.
 constexpr Pin pin_of(std::string_view name) {
   constexpr std::size_t kShortest = 3;
   constexpr std::size_t kLongest = 4;

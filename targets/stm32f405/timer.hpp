@@ -7,8 +7,8 @@
 
 namespace eagerx::board::stm32 {
 
-/// A clock that nothing interrupts: its 32 bits are made 64 by whoever reads it, which must be at
-/// least every 51 s. All bytes are zero until start(). `port` is kTimer2 or kTimer5.
+/// A clock without interrupts. Each call that reads it extends its 32 bits to 64, so it must be
+/// read at least every 51 s. All bytes are zero until start(). `port` is kTimer2 or kTimer5.
 template <class Memory = MappedMemory>
 class Timer {
  public:

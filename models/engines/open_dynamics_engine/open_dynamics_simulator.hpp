@@ -14,9 +14,9 @@
 namespace eagerx::models {
 
 /// Bodies, joints and geometries of one object. Positions of items are those in the model's lists.
-/// Engine states say what is wanted (want_…, parameters); place() brings it about, so that their
-/// order does not matter. Torques and inputs that are not finite count as zero. All bytes are zero
-/// until build().
+/// Engine states only store their values (want_…, parameters), and place() applies all of them, so
+/// their order does not matter. Torques and inputs that are not finite count as zero. All bytes are
+/// zero until build().
 template <RigidModel ModelType>
 class OpenDynamicsSimulator {
  public:

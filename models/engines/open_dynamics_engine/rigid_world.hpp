@@ -84,8 +84,8 @@ class RigidWorld {
     *last = &shapes;
   }
 
-  /// One step in which as many contacts act as there ever can be: the library gets its memory here.
-  /// Bodies and their forces have to be set afterwards.
+  /// Makes one step with the largest possible number of contacts, so that the library allocates all
+  /// its memory here. Bodies and their forces have to be set afterwards.
   void warm_up() {
     std::size_t bodies = 0;
     for_each_body([&](dBodyID) { ++bodies; });

@@ -118,7 +118,7 @@ constexpr std::size_t count_names(const char* names) {
   return count;
 }
 
-/// Positions of the items called by `names`; one that is not there is N.
+/// Positions of the items that `names` lists; N for a name that no item has.
 template <std::size_t Count, class Item, std::size_t N>
 constexpr std::array<std::size_t, Count> find_all(const std::array<Item, N>& items,
                                                   const char* names) {

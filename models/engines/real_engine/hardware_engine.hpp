@@ -8,18 +8,17 @@
 
 namespace eagerx::models {
 
-/// Instant n of an episode is start + n/rate on Link::Clock. At each:
-///   1. what the actuators were told at instant n − 1 has been sent (one way, nothing is waited
-///   for)
-///   2. sleep until the instant
-///   3. one round trip measures all sensors of all objects
-///   4. if something is wrong, all actuators get their safe action at once
-/// Wrong is: `late` instants in a row later than `max_lateness` (0: a period), an error of the
-/// link, a sensor without a value for `missed` instants, an action that is not finite or out of
-/// limits that make safe. The safe action stays until `recover` instants in a row were right (0:
-/// until the next episode). An engine that is more than a period late does not catch up: the
-/// instants after it move. `Platform::prepare()` is called once before, then
-/// `Platform::open(link)`.
+/// Instant n of an episode is start + n/rate on Link::Clock. At each instant the engine
+///   1. sends the actions of instant n − 1, without waiting for an answer
+///   2. sleeps until the instant
+///   3. measures all sensors of all objects in one round trip
+///   4. sends the safe action of all actuators at once if something is wrong
+/// These things are wrong: `late` instants in a row that were later than `max_lateness` (0: a
+/// period), an error of the link, a sensor without a value for `missed` instants, an action that is
+/// not finite, and with `limits: safe` an action out of its limits. The safe action stays until
+/// `recover` instants in a row were right (0: until the next episode). An engine that is more than
+/// a period late does not catch up: it moves all later instants. `Platform::prepare()` is called
+/// once before, then `Platform::open(link)`.
 template <class Io, class Link, class Platform>
 class HardwareEngine {
  public:
@@ -74,8 +73,8 @@ class HardwareEngine {
     if (!right && !was_safe) apply_safe(due_ns, simulators...);
   }
 
-  /// Between two instants, because what decides is silent: safe actions at once, and until
-  /// `recover` instants in a row were right.
+  /// Applies safe actions between two instants, because the program that decides is silent. They
+  /// stay until `recover` instants in a row were right.
   template <class... Simulators>
   void make_safe(Simulators&... simulators) {
     note(false);
@@ -84,8 +83,8 @@ class HardwareEngine {
     ++silences_;
   }
 
-  /// The end of a run: safe actions, then the link is given back. A link that is lost may come
-  /// back: it is tried again for as long as an adapter takes to appear.
+  /// The end of a run: applies safe actions and closes the link. If the link is lost, it is tried
+  /// again for as long as an adapter takes to appear.
   template <class... Simulators>
   void stop(Simulators&... simulators) {
     constexpr std::int64_t kPatienceNs = kNsPerSecond;

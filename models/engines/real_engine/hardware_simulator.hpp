@@ -24,8 +24,8 @@ constexpr auto counts_of_errors() {
   return names;
 }
 
-/// "Simulator" is EAGERx's word for what an engine holds of an object; this one is real. `Link` is
-/// a bus with a clock (Link::Clock). All bytes are zero until attach().
+/// An object of real hardware. ("Simulator" is EAGERx's word for an engine's part of an object.)
+/// `Link` is a bus with a clock (Link::Clock). All bytes are zero until attach().
 template <HardwareModel ModelType, class LinkType>
 class HardwareSimulator {
  public:
@@ -61,15 +61,16 @@ class HardwareSimulator {
     sensor_high_[i] = high;
     has_limits_[i] = true;
   }
-  /// What actuator `i` does when something is wrong. Until somebody has said so, at the very first
-  /// reset, a safe action is to send nothing.
+  /// Sets the safe action of actuator `i`. Before this is called, at the very first reset, the safe
+  /// action is to send nothing.
   void declare_safe(std::size_t i, Real safe) {
     is_declared_ = true;
     safe_[i] = safe;
     action_[i] = safe;
   }
-  /// The next action of actuator `i`, moved into its limits; what will be applied. NaN, infinite
-  /// ones and, unless `clips`, those out of the limits are counted and make everything safe.
+  /// Takes the next action of actuator `i`, moved into its limits, and returns what will be
+  /// applied. An action that is NaN, infinite or (unless `clips`) out of its limits is counted, and
+  /// all actuators get their safe action.
   Real act(std::size_t i, Real wanted, Real low, Real high, bool clips = true) {
     if (!eagerx::isfinite(wanted)) {
       ++not_finite_;
@@ -92,8 +93,8 @@ class HardwareSimulator {
     return error;
   }
   void note_late() { ++late_in_resets_; }
-  /// Ends what a reset does to the actuators, because something is wrong. At the very first reset
-  /// what is safe is not declared yet: then the last actions are sent.
+  /// Applies safe actions in a reset, because something is wrong. At the very first reset the safe
+  /// actions are not declared yet: then the last actions are sent.
   void make_safe() {
     queue_action(is_declared_);
     link_->post();  // an error is the first instant's

@@ -24,9 +24,9 @@ inline constexpr CrcTable kCrcTable{};
 
 }  // namespace detail
 
-/// The checksum of `size` bytes. `start` is that of what comes before them, 0 for nothing. Here and
-/// in the other headers of the link what is needed in several places is there once: an image counts
-/// bytes, and a line is slower than any call.
+/// The checksum of `size` bytes. `start` is the checksum of the bytes before them, 0 if there are
+/// none. The headers of the link keep such functions out of line: this saves flash, and a line is
+/// slower than any call.
 [[gnu::noinline]] constexpr std::uint32_t crc32c(const std::uint8_t* bytes, std::size_t size,
                                                  std::uint32_t start = 0) {
   std::uint32_t crc = ~start;
