@@ -36,7 +36,7 @@ void check_target(Run& run, const Target& target) {
   if (target.system != "linux") {
     run.diagnostics
         .error("E0335", placement.span,
-               fmt::format("the part that is not on `{}` needs Linux, but target `{}` has none",
+               fmt::format("target `{1}` cannot run the part beside `{0}`: that part needs Linux",
                            placement.board->id.value, target.id.value))
         .help = "leave out `--target`, or name a target of Linux";
   }
@@ -190,8 +190,7 @@ int generate_command(const Options& options) {
   const bool split = run.graph->placement.has_value();
   if (split && standalone) {
     run.diagnostics
-        .error("E0336", run.graph->placement->span,
-               "a graph of which a part is on a board has no standalone tree")
+        .error("E0336", run.graph->placement->span, "a split graph has no standalone tree")
         .help = "leave out `--standalone` and `--package`";
   }
   if (run.diagnostics.has_errors()) return finish(run, options);

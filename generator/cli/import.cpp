@@ -39,7 +39,7 @@ int import_command(const Options& options) {
   if (!is_saved_graph(tree)) {
     run.diagnostics
         .error("E0802", tree.span,
-               "this is no file that Graph.save or BaseEnv.save of EAGERx wrote")
+               "this is not a file that EAGERx's Graph.save or BaseEnv.save wrote")
         .help = "such a file has `nodes:`, `connects:` and `gui_state:`";
     return finish(run, options);
   }

@@ -98,7 +98,7 @@ int new_board_command(const Options& options) {
   make_board(folder, options.entity, run);
   if (!run.diagnostics.has_errors() && !options.quiet) {
     fmt::print(
-        "{0}: fill in what says FILL_IN and what the compiler asks for in board.cpp, then\n"
+        "{0}: replace every FILL_IN, write the functions of board.cpp that are missing, then\n"
         "  eagerx-gen GRAPH.yaml --path {1} --target {2}\n"
         "or eagerx_add_graph(… BOARD {2} PATHS {1}). {3}/targets/README.md explains the rest.\n",
         folder.string(), parent.string(), options.entity, run.root);

@@ -104,7 +104,8 @@ std::string next_steps(const Run& run, const Options& options,
     text += fmt::format("{}build the part on {}:\n{}", link_text(run), board.id.value,
                         steps.build(board, folder + "/board", false));
   }
-  text += split ? "build the rest, and see how it finds the board:\n" : "build and run it:\n";
+  text +=
+      split ? "build the rest; its --help says how to name the board:\n" : "build and run it:\n";
   for (const Target* target : targets)
     text += steps.build(*target, split ? folder + "/host" : folder, targets.size() > 1);
   return text;

@@ -105,7 +105,7 @@ int test(Run& run, const Options& options, const Network& network) {
   if (!result) return finish(run, options);
   fmt::print("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
   if (!network.normalization && !rows->normalized.empty()) {
-    fmt::print("normalised     as the rows say; without `--normalize` the policy does not\n");
+    fmt::print("normalised     taken from the rows, because there is no `--normalize`\n");
   }
   fmt::print("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
   fmt::print("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);

@@ -67,8 +67,8 @@ void choose_type(Translation& t) {
   const std::vector<std::string> known = common_engines(t);
   if (!known.empty()) {
     engine.type = {known.front(), whole};
-    t.result.remarks["engine"] = known.size() == 1 ? "the only one that has all of its objects"
-                                                   : "the first that has all of its objects";
+    t.result.remarks["engine"] = known.size() == 1 ? "the only engine that has all of its objects"
+                                                   : "the first engine that has all of its objects";
     auto& note = t.diagnostics.note(whole, fmt::format("the file has no engine: `{}` is taken, {}",
                                                        known.front(), t.result.remarks["engine"]));
     if (known.size() > 1) {
@@ -77,8 +77,8 @@ void choose_type(Translation& t) {
     }
     return;
   }
-  auto& problem = t.diagnostics.error("E0804", whole,
-                                      "the file has no engine, and none is made for every object");
+  auto& problem = t.diagnostics.error(
+      "E0804", whole, "the file has no engine, and no engine has all of its objects");
   for (const auto& object : spec.objects) {
     const Entity* entity = t.counterparts.library().find(object.type.value);
     std::vector<std::string> engines;
@@ -194,7 +194,7 @@ void choose_rate(Translation& t) {
     return;
   }
   std::optional<Rational> fastest;
-  const char* reason = "the fastest of what it observes and acts on";
+  const char* reason = "the fastest rate of what it observes and acts on";
   for (const auto& link : t.saved.links) {
     const bool acts = link.from.entity == "environment";
     if (!acts && link.to.entity != "environment") continue;

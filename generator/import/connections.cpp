@@ -186,7 +186,7 @@ void add_action(Translation& t, const SavedEntity& environment, const Spanned<st
       t.diagnostics
           .error("E0807", processor->span,
                  fmt::format("the action `{}` has a processor", name.value))
-          .help = "put it on what the action is connected to";
+          .help = "put the processor on the connections of the action";
     }
   }
   if (action.space) check_space(*action.space, t.diagnostics);

@@ -344,9 +344,10 @@ class Rebuilder {
   void replace_entities() {
     for (const auto& [name, index] : owners_) {
       if (rebuilt_[index].match(name).empty()) {
-        diagnostics_.note(saved_.find(name)->name.span,
-                          fmt::format("the engine node `{}` is left out: `{}` has none on `{}`",
-                                      name, rebuilt_[index].entity->id.value, engine_->id.value));
+        diagnostics_.note(
+            saved_.find(name)->name.span,
+            fmt::format("the engine node `{}` is left out: `{}` has no such engine node on `{}`",
+                        name, rebuilt_[index].entity->id.value, engine_->id.value));
       }
     }
     remove_engine_nodes();

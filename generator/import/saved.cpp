@@ -76,7 +76,7 @@ class SavedReader {
  private:
   void fail(Span span, std::string message) {
     diagnostics_.error("E0802", span, std::move(message)).help =
-        "this is no file as EAGERx's Graph.save or BaseEnv.save writes it";
+        "this is not a file that EAGERx's Graph.save or BaseEnv.save wrote";
   }
 
   /// The mapping under `key`; reported and empty if it is something else.

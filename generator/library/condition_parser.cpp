@@ -286,7 +286,8 @@ class Parser : private ConditionText {
     const bool wrong =
         left.kind == Type::Kind::list ||
         (left.kind != Type::Kind::number && left.kind != Type::Kind::word && !equality);
-    if (wrong) fail(left.begin, fmt::format("{} cannot be compared so", to_string(left.kind)));
+    if (wrong)
+      fail(left.begin, fmt::format("{} cannot be compared like this", to_string(left.kind)));
     if (left.kind == Type::Kind::word)
       return right.kind == Type::Kind::text && equality ? check_choice(left, right) : unknown(left);
     if (right.kind == Type::Kind::word && left.kind == Type::Kind::text)

@@ -214,8 +214,8 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
     const YamlValue* owner = entry.value.find("node");
     if ((owner != nullptr) == (entry.value.find("type") != nullptr)) {
       diagnostics.error("E0206", entry.key_span,
-                        fmt::format("`{}` is an engine state with a `type`, or the state of a "
-                                    "`node`, and only one of them",
+                        fmt::format("`{}` needs either a `type` (an engine state) or a `node` (the "
+                                    "state of an engine node)",
                                     entry.key));
     } else if (owner != nullptr) {
       result.node_states.push_back({{entry.key, entry.key_span}, {owner->text, owner->span}});

@@ -38,7 +38,7 @@ FormatPtr parameter_format() {
        {"unit", format::text("a unit"), false, "unit"},
        {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
        {"default", format::any("a value"), false,
-        "value if it is not given; without it, it must be"},
+        "value if none is given; without a default, a value must be given"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
        {"options", texts(), false, "the choices of an enum"},

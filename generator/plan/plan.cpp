@@ -137,14 +137,14 @@ class Planner {
         diagnostics_
             .error("E0403", node.outputs[ring.output].span,
                    fmt::format("`{}` has messages of {} bytes", name, bytes))
-            .help = "a ring may have 1 GiB";
+            .help = "a ring may have at most 1 GiB";
         continue;
       }
       diagnostics_
           .error("E0403", why_[static_cast<std::size_t>(&ring - plan_.rings.data())],
                  fmt::format("`{}` needs {} messages of `{}` at once, of {} bytes each", ring.why,
                              ring.needed, name, bytes))
-          .help = "shorten the delay or the window: a ring may have 1 GiB";
+          .help = "shorten the delay or the window: a ring may have at most 1 GiB";
     }
   }
 

@@ -154,7 +154,7 @@ void report_starving(const Input& input, const Counts& counts, const Rational& s
       "E0401", input.span,
       fmt::format("`{}` is skipped and still has no message at its second tick{}", input.written,
                   input.max_delay_s ? " with its longest delay" : ""));
-  problem.label = "EAGERx drops the callback then, and everything behind it waits for ever";
+  problem.label = "EAGERx would drop the callback, and the nodes after it would wait for ever";
   problem.help = advice(counts, source_rate);
 }
 

@@ -94,10 +94,11 @@ std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) 
         std::min(slowest, node.rate_hz, [](const Rational& a, const Rational& b) { return a < b; });
     if (finer.overflowed() || (finer / slowest).overflowed()) {
       diagnostics
-          .error("E0402", node.span,
-                 fmt::format("the {} Hz of `{}` and the rates before it have no common grid that "
-                             "fits into 63 bits",
-                             node.rate_hz.to_string(), node.name))
+          .error(
+              "E0402", node.span,
+              fmt::format("the rate {} Hz of `{}` and the rates before it have no common grid that "
+                          "fits into 63 bits",
+                          node.rate_hz.to_string(), node.name))
           .help = "write rates with fewer decimals";
       return std::nullopt;
     }
@@ -116,9 +117,9 @@ std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics
   }
   std::ranges::sort(rates, std::ranges::greater(), &RateClass::rate_hz);
   if (rates.size() > kMaxRates) {
-    diagnostics.error(
-        "E0403", graph.span,
-        fmt::format("the graph has {} different rates; the most are {}", rates.size(), kMaxRates));
+    diagnostics.error("E0403", graph.span,
+                      fmt::format("the graph has {} different rates; there can be at most {}",
+                                  rates.size(), kMaxRates));
     return std::nullopt;
   }
   const auto grid = find_grid(graph, diagnostics);

@@ -47,7 +47,7 @@ void TreeBuilder::charge(std::size_t values, std::size_t bytes, const Span& span
     throw StopReading();
   }
   if (bytes_ > kMaxExpansion * limits_.max_bytes) {
-    report("E0110", span, "the aliases of this file stand for too much text");
+    report("E0110", span, "the aliases of this file expand to too much text");
     throw StopReading();
   }
 }
@@ -66,7 +66,7 @@ void TreeBuilder::OnDocumentStart(const YAML::Mark& mark) {
   const Span span = locator_.span(locator_.word(offset));
   if (marked) {
     report("E0107", span, "a second document begins here").help =
-        "only one document a file is read: remove `---` and what follows, or use two files";
+        "a file can have only one document: remove `---` and the text after it, or use two files";
   } else {
     Diagnostic& error = report("E0105", span, "the document ended before this");
     error.label = "does not belong to anything";
@@ -161,8 +161,8 @@ void TreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   }
   const auto found = anchors_.find(anchor);
   if (found == anchors_.end()) {
-    report("E0109", span, fmt::format("`{}` stands inside what it refers to", written)).label =
-        "would go on for ever";
+    report("E0109", span, fmt::format("`{}` refers to a value that contains it", written)).label =
+        "this would never end";
     attach(Built(), 0);
     return;
   }

@@ -171,7 +171,7 @@ bool report_colon(const Failure& failure) {
   const std::size_t begin = failure.locator.line_begin(failure.offset);
   const std::string_view before = text.substr(begin, failure.offset - begin);
   Diagnostic& error = failure.error({failure.offset, failure.offset + 1}, "`:` cannot stand here");
-  error.label = "would make a key of what is before it";
+  error.label = "would make a key of the text before it";
   error.help =
       before.find(": ") != std::string_view::npos
           ? "put a text that contains `: ` in quotes"

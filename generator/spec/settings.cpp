@@ -69,7 +69,7 @@ std::optional<RandomSpec> read_random(const YamlValue& yaml, Diagnostics& diagno
   }
   if (ways.empty() && !yaml.entries.empty()) return std::nullopt;
   if (ways.size() != 1) {
-    diagnostics.error("E0206", yaml.span, "a value is drawn in exactly one way").help =
+    diagnostics.error("E0206", yaml.span, "a value can be drawn in only one way").help =
         "write one of value, uniform, normal, log_uniform, choice";
     return std::nullopt;
   }

@@ -113,7 +113,7 @@ TEST(Problems, Aliases) {
   EXPECT_EQ(Reading("a: &anchor 1\nb: *ancor\n").diagnostics.all().at(0).help,
             "did you mean `*anchor`?");
   expect_error("a: *b\nc: &b 1\n", "E0109", "1:4+2", "does not exist before it");
-  expect_error("a: &a [1, *a]\n", "E0109", "1:11+2", "stands inside what it refers to");
+  expect_error("a: &a [1, *a]\n", "E0109", "1:11+2", "refers to a value that contains it");
   expect_error("a: &a {b: 1}\nc:\n  <<: *a\n  d: 1\n", "E0109", "3:3+2", "merge keys");
   expect_error("a: &k b\n*k : 2\n", "E0111", "2:1+2", "cannot be a key");
 }
