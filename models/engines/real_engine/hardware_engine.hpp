@@ -4,20 +4,22 @@
 #include <cstdint>
 #include <eagerx/bus.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/safety.hpp>
 #include <models/engines/real_engine/lateness.hpp>
 
 namespace eagerx::models {
 
 /// Instant n of an episode is start + n/rate on Link::Clock. At each:
 ///   1. what the actuators were told at instant n − 1 has been sent (one way, nothing is waited
-///   for)
+///   for); safe actions in its place if that was more than a period (or `max_lateness`) ago
 ///   2. sleep until the instant
 ///   3. one round trip measures all sensors of all objects
 ///   4. if something is wrong, all actuators get their safe action at once
 /// Wrong is: `late` instants in a row later than `max_lateness` (0: a period), an error of the
 /// link, a sensor without a value for `missed` instants, an action that is not finite or out of
 /// limits that make safe. The safe action stays until `recover` instants in a row were right (0:
-/// until the next episode). An engine that is more than a period late does not catch up: the
+/// until the next episode). A pause of many periods counts as so many instants: what comes first
+/// after it is the safe action. An engine that is more than a period late does not catch up: the
 /// instants after it move. `Platform::prepare()` is called once before, then
 /// `Platform::open(link)`.
 template <class Io, class Link, class Platform>
@@ -54,11 +56,14 @@ class HardwareEngine {
   void callback(const Tick& tick, Simulators&... simulators) {
     const bool was_safe = is_safe();
     const bool bad_action = (simulators.has_bad_action() || ...);
-    (simulators.queue_action(was_safe || bad_action), ...);
-    BusError error = link_.post();
-    latency_.add(Clock::now_ns() - began_ns_);
     const std::int64_t due_ns = start_ns_ + ns_of(tick.n);
-    const bool in_time = wait_until(due_ns);
+    // Looked at last: the program may have stood still anywhere since the instant before.
+    const bool old_action = is_old(Clock::now_ns() - (due_ns - kPeriodNs));
+    (simulators.queue_action(was_safe || bad_action || old_action), ...);
+    BusError error = link_.post();
+    std::int64_t now_ns = Clock::now_ns();
+    latency_.add(now_ns - began_ns_);
+    const bool in_time = wait_until(due_ns, now_ns);
     (simulators.queue_request(), ...);
     const BusError answer = link_.run();
     (simulators.collect(answer, Clock::now_ns()), ...);
@@ -68,7 +73,8 @@ class HardwareEngine {
     stale_ += stale;
     link_errors_ += error != BusError::none;
     bad_actions_ += bad_action;
-    const bool right = in_time && error == BusError::none && !stale && !bad_action;
+    old_actions_ += old_action;
+    const bool right = in_time && !old_action && error == BusError::none && !stale && !bad_action;
     note(right);
     safe_instants_ += is_safe();
     if (!right && !was_safe) apply_safe(due_ns, simulators...);
@@ -122,6 +128,7 @@ class HardwareEngine {
     f("instants with a sensor stale", stale_);
     f("instants with a link error", link_errors_);
     f("instants with a bad action", bad_actions_);
+    f("instants with an action too old", old_actions_);
     f("instants with safe actions", safe_instants_);
     f("safe actions", safe_actions_);
     f("safe actions for want of an answer", silences_);
@@ -154,8 +161,8 @@ class HardwareEngine {
   }
 
   /// False if it was too late, and so were as many before it as make safe.
-  bool wait_until(std::int64_t due_ns) {
-    if (Clock::now_ns() < due_ns) Clock::sleep_until(due_ns);
+  bool wait_until(std::int64_t due_ns, std::int64_t now_ns) {
+    if (now_ns < due_ns) Clock::sleep_until(due_ns);
     began_ns_ = Clock::now_ns();
     const std::int64_t late_ns = began_ns_ - due_ns;
     lateness_.add(late_ns > 0 ? late_ns : 0);
@@ -168,8 +175,15 @@ class HardwareEngine {
       return true;
     }
     ++overruns_;
-    if (late_in_a_row_ < kLate) ++late_in_a_row_;
+    late_in_a_row_ += 1 + static_cast<std::uint64_t>((late_ns - kMaxLateNs) / kPeriodNs);
     return late_in_a_row_ < kLate;
+  }
+
+  /// Whether an action whose instant was due `age_ns` ago, with those before it, makes safe.
+  bool is_old(std::int64_t age_ns) const {
+    constexpr std::int64_t kLongest = kPeriodNs > kMaxLateNs ? kPeriodNs : kMaxLateNs;
+    return age_ns > kLongest && late_instants(late_in_a_row_, static_cast<std::uint64_t>(age_ns),
+                                              kPeriodNs, kMaxLateNs) >= kLate;
   }
 
   void note(bool right) {
@@ -196,7 +210,7 @@ class HardwareEngine {
   std::int64_t began_ns_ = 0;  // the latest instant
   bool is_safe_ = false;
   std::uint32_t right_ = 0;  // instants in a row since the last wrong one, while safe
-  std::uint32_t late_in_a_row_ = 0;
+  std::uint64_t late_in_a_row_ = 0;
   Lateness lateness_{};
   Latency latency_{};
   std::int64_t slowest_ns_ = 0;
@@ -206,6 +220,7 @@ class HardwareEngine {
   std::uint64_t stale_ = 0;
   std::uint64_t link_errors_ = 0;
   std::uint64_t bad_actions_ = 0;
+  std::uint64_t old_actions_ = 0;
   std::uint64_t safe_instants_ = 0;
   std::uint64_t safe_actions_ = 0;
   std::uint64_t silences_ = 0;
