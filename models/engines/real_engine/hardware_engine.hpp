@@ -80,8 +80,8 @@ class HardwareEngine {
     if (!right && !was_safe) apply_safe(due_ns, simulators...);
   }
 
-  /// Between two instants, because what decides is silent: safe actions at once, and until
-  /// `recover` instants in a row were right.
+  /// Between two instants, because what decides is silent or about to stop: safe actions at once,
+  /// and until `recover` instants in a row were right.
   template <class... Simulators>
   void make_safe(Simulators&... simulators) {
     note(false);
@@ -131,7 +131,7 @@ class HardwareEngine {
     f("instants with an action too old", old_actions_);
     f("instants with safe actions", safe_instants_);
     f("safe actions", safe_actions_);
-    f("safe actions for want of an answer", silences_);
+    f("safe actions between instants", silences_);
     f("slowest safe action us", static_cast<std::uint64_t>(slowest_ns_ / kNsPerUs));
     f("starts without hardware", failed_starts_);
     f("ends without a safe action", not_safe_at_end_);
