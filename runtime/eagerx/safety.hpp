@@ -18,4 +18,15 @@ struct Safety {
   bool holds;  // after NaN: true: the last action for `missed` - 1 instants; false: safe at once
 };
 
+/// Instants in a row that were too late, judged when an action is about to be applied. `in_a_row`:
+/// those that began too late, up to the latest; `age`: time since that was due. Its action is in
+/// time within a period, or within `max_lateness` if that is longer. A program that stood still for
+/// many periods has missed as many instants, not one. Times in one unit, `period` above 0.
+constexpr std::uint64_t late_instants(std::uint64_t in_a_row, std::uint64_t age,
+                                      std::uint64_t period, std::uint64_t max_lateness) {
+  const std::uint64_t longest = period > max_lateness ? period : max_lateness;
+  if (age <= longest) return in_a_row;
+  return (in_a_row > 0 ? in_a_row : 1) + (age - longest) / period;
+}
+
 }  // namespace eagerx

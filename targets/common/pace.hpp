@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <eagerx/safety.hpp>
 #include <eagerx/trace.hpp>
 
 namespace eagerx::target {
@@ -12,7 +13,7 @@ struct Timing {
   std::uint64_t late = 0;           // whose deadline was over before the slot before them was done
   std::uint64_t worst = 0;          // largest lateness
   std::uint64_t late_in_a_row = 0;  // up to now
-  std::uint64_t too_late_in_a_row = 0;  // of these, later than the graph's `max_lateness`
+  std::uint64_t too_late_in_a_row = 0;  // that began later than the graph's `max_lateness`
   struct Range {
     std::uint64_t least = 0, most = 0, sum = 0;
 
@@ -68,6 +69,18 @@ class PacedTrace : public HashTrace {
 
   const Timing& timing() const { return timing_; }
 
+  /// Slots in a row that were too late, now that the answer to the latest one is about to be
+  /// applied; `Rate` is that of the agent.
+  template <class Rate>
+  std::uint64_t too_late_in_a_row(Rate /*rate*/) const {
+    if (pace_ != Pace::paced) return 0;
+    constexpr std::uint64_t kShortest = 1;
+    const std::uint64_t period = Clock::hz() * Rate::den / Rate::num;
+    const std::uint64_t now = Clock::ticks();
+    return late_instants(timing_.too_late_in_a_row, now > deadline_ ? now - deadline_ : 0,
+                         period > 0 ? period : kShortest, max_lateness_);
+  }
+
  private:
   [[gnu::noinline]] void begin_slot(std::uint64_t deadline) {
     std::uint64_t now = Clock::ticks();
@@ -79,8 +92,6 @@ class PacedTrace : public HashTrace {
   }
 
   std::uint64_t wait_until(std::uint64_t deadline, std::uint64_t now) {
-    const bool too_late = now > deadline && now - deadline > max_lateness_;
-    timing_.too_late_in_a_row = too_late ? timing_.too_late_in_a_row + 1 : 0;
     if (now > deadline) {
       ++timing_.late;
       ++timing_.late_in_a_row;
@@ -88,9 +99,14 @@ class PacedTrace : public HashTrace {
     } else {
       timing_.late_in_a_row = 0;
     }
-    if (now >= deadline) return now;
-    Clock::wait_for(deadline);
-    return Clock::ticks();
+    if (now < deadline) {
+      Clock::wait_for(deadline);
+      now = Clock::ticks();
+    }
+    // After the wait, in which a debugger may have stopped the core for as long as it likes.
+    const bool too_late = now > deadline && now - deadline > max_lateness_;
+    timing_.too_late_in_a_row = too_late ? timing_.too_late_in_a_row + 1 : 0;
+    return now;
   }
 
   std::uint64_t start_ = 0;

@@ -1,3 +1,5 @@
+#include <fcntl.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -61,6 +63,8 @@ Settings settings_from_environment() {
       settings.motor_delay_s = std::strtod(value.c_str(), nullptr);
     } else if (name == "report") {
       settings.report = value;
+    } else if (name == "voltages") {
+      settings.voltages = value;
     } else if (name == "chip" && model_of(value) != nullptr) {
       settings.model = *model_of(value);
     } else if (name == "wired" && value.size() == 1 && value[0] >= 'A' && value[0] <= 'D') {
@@ -101,6 +105,11 @@ Emulator::Emulator(Settings settings)
   if (settings_.absent_s > 0.0) {
     pull_out(static_cast<std::int64_t>(settings_.absent_s * double{kNsPerSecond}));
   }
+  if (!settings_.voltages.empty()) {
+    constexpr int kReadWriteForAll = 0666;
+    voltages_ = ::open(settings_.voltages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
+                       kReadWriteForAll);
+  }
   set_model(settings_.model, settings_.wired);
   chip_.wire(0, encoder_);
   chip_.wire(1, converter_);
@@ -138,6 +147,13 @@ void Emulator::report() const {
   std::fprintf(file, "voltage %.6f\ntheta %.6f\nomega %.6f\n", pendulum_.voltage(),
                pendulum_.theta(), pendulum_.omega());
   std::fclose(file);
+}
+
+/// At once, for a program that is killed leaves no report.
+void Emulator::note_voltage(std::int64_t begun_ns) const {
+  if (voltages_ >= 0)
+    dprintf(voltages_, "%lld %lld %.6f\n", static_cast<long long>(begun_ns),
+            static_cast<long long>(time_.now_ns()), pendulum_.voltage());
 }
 
 bool Emulator::is_there() {
@@ -245,6 +261,7 @@ void Emulator::ends_badly(Fault fault) {
 int Emulator::bulk_out(std::uint64_t opened, unsigned interface, const std::uint8_t* bytes, int n) {
   constexpr int kShortest = 8;  // longer than what only brings the chip into step
   constexpr std::uint8_t kAnswerAtOnce = 0x87;
+  const std::int64_t begun_ns = time_.now_ns();
   time_.pass(kTransferNs + n * kByteNs);
   if (interface != settings_.wired && !gone(opened)) return ++usb_.elsewhere, n;
   ++usb_.out;
@@ -256,7 +273,9 @@ int Emulator::bulk_out(std::uint64_t opened, unsigned interface, const std::uint
   const bool bad = asks && n > kShortest && has_faults() && faults_.draw(fault, has_i2c);
   if (bad && starts_badly(fault)) return kNoDevice;
   while (stale_.size() > 0) to_host_.put(stale_.take());
+  const std::uint64_t writes = converter_.writes();
   chip_.take(bytes, static_cast<std::size_t>(n), time_.now_ns(), to_host_);
+  if (converter_.writes() != writes) note_voltage(begun_ns);
   if (bad) ends_badly(fault);
   return n;
 }

@@ -35,6 +35,7 @@ struct Settings {
   std::string pendulum;   // factors of its parameters
   double motor_delay_s = 0.0;
   std::string report;
+  std::string voltages;
   Model model = kFt232h;
   unsigned wired = 0;  // the interface that the devices are on; nothing is on the others
 };
@@ -88,6 +89,7 @@ class Emulator {
  private:
   bool gone(std::uint64_t opened) { return !is_there() || opened != plugged_; }
   bool has_faults() const { return time_.now_ns() >= faults_from_ns_; }
+  void note_voltage(std::int64_t begun_ns) const;
   bool starts_badly(Fault fault);
   void ends_badly(Fault fault);
 
@@ -111,6 +113,7 @@ class Emulator {
   std::int64_t answer_ns_ = 0;  // before then no answer is given
   std::size_t first_part_ = 0;  // 0: the answer comes in one piece
   bool pull_out_next_ = false;
+  int voltages_ = -1;  // descriptor of Settings::voltages
   std::uint8_t latency_ms_ = 16;
 };
 

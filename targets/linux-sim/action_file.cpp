@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -29,6 +31,12 @@ bool is_header(const std::vector<Cell>& row, const std::vector<std::string>& col
 
 bool CsvFile::read(const std::string& path, ActionProblem& problem) {
   path_ = path;
+  // A pipe that nobody writes or a device would be read for ever.
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)) {
+    problem = {"error: cannot read `" + path + "`: it is no file", kBadFile};
+    return false;
+  }
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream content;

@@ -13,6 +13,7 @@
 #include <targets/common/guard.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/help.hpp>
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/interrupt.hpp>
@@ -56,7 +57,10 @@ class Watch {
   void begin(EpisodeKey key) {
     if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
   }
-  bool go_on() const { return !interrupted() && !csv_.failed() && !trace_.failed(); }
+  bool go_on() const {
+    stop_if_told();
+    return !interrupted() && !csv_.failed() && !trace_.failed();
+  }
 
   void reset(std::uint32_t episode, const Observation& observation) {
     pacer_.start();
@@ -117,8 +121,9 @@ inline int fail(const std::string& text, int exit_code) {
 /// Says that `path` cannot be written and why; returns false.
 inline bool cannot_write(const TextFile& file, const std::string& path) {
   const std::string name = path == "-" ? "the standard output" : "`" + path + "`";
-  const char* const why =
-      file.error() == ETIMEDOUT ? "nobody reads it, or too slowly" : std::strerror(file.error());
+  const char* const why = file.error() == ETIMEDOUT ? "nobody reads it, or too slowly"
+                          : file.error() == EINVAL  ? "it is no file"
+                                                    : std::strerror(file.error());
   fail("error: cannot write " + name + ": " + why, kBadFile);
   return false;
 }
@@ -128,6 +133,11 @@ inline bool open_output(TextFile& file, const std::string& path, Writing writing
 }
 inline bool close_output(TextFile& file, const std::string& path) {
   return path.empty() || file.close() || cannot_write(file, path);
+}
+/// What an earlier run has left stays there until this one has begun well.
+inline void keep_earlier_files(TextFile& csv, TextFile& trace) {
+  csv.discard();
+  trace.discard();
 }
 
 /// The agent's action in a step; a file of actions may be shorter than a log.
@@ -155,8 +165,13 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
     return guard.check(observation, action, watch.late_in_a_row());
   };
   program.warm_up();  // a library may need memory for it, and none afterwards
+  const MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
+  if constexpr (requires { program.make_safe(); }) {
+    // At once: a last step may wait for its instant, or for a board.
+    if (interrupted() && watch.has_begun() && program.is_real()) program.make_safe();
+  }
   if (Graph::kSafety.declared && interrupted() && watch.has_begun() && target::is_linked(program)) {
     typename Graph::Action action = guard.stop();
     if constexpr (LinkOf<Graph>::kBoardDecides) program.link->make_safe();
@@ -216,8 +231,9 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
       target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>.is_real();
   const Writing writing = in_real_time ? Writing::real_time : Writing::background;
   if (!open_output(csv, options.csv, writing) || !open_output(trace, options.trace, writing))
-    return kBadFile;
+    return keep_earlier_files(csv, trace), kBadFile;
   if (csv.is_same_file(trace)) {
+    keep_earlier_files(csv, trace);
     return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
   }
   const std::string_view agent = target::name_of(options.agent);
@@ -271,13 +287,16 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     if (!link.ok()) broken = problem_of<Graph>(link);
     describe_link(summary, Graph::Link::kBoard, link.statistics(), report);
   }
+  if (!watch.has_begun()) keep_earlier_files(csv, trace);
   const bool csv_closed = close_output(csv, options.csv);
   const bool trace_closed = close_output(trace, options.trace);
   std::FILE* const out = options.csv == "-" || options.trace == "-" ? stderr : stdout;
-  if (!options.quiet) std::fputs(summary_text(summary).c_str(), out);
-  if (!broken.empty()) return std::fflush(out), fail(broken + "\n" + place_of(summary), kBadFile);
-  if (options.hash) std::fputs(hash_line(hash).c_str(), out);
-  const bool printed = std::fflush(out) == 0;
+  std::string text = options.quiet ? "" : summary_text(summary);
+  if (options.hash && broken.empty()) text += hash_line(hash);
+  const bool printed = text.empty() || print(out, text);
+  if (!broken.empty()) fail(broken + "\n" + place_of(summary), kBadFile);
+  end_as_told();
+  if (!broken.empty()) return kBadFile;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
 }
 
@@ -293,9 +312,9 @@ int replay_log(const Options& options, const ActionTable<Graph>& table) {
     return fail(problem, kBadFile);
   program.trace.follow(&replay);
   replay_episodes<Graph>(options, *log, table, program, replay);
-  std::fputs(replay.report(Graph::kName, Graph::kEngine).c_str(), stdout);
-  if (options.hash) std::fputs(hash_line(program.trace.hash()).c_str(), stdout);
-  if (std::fflush(stdout) != 0) return kBadFile;
+  std::string text = replay.report(Graph::kName, Graph::kEngine);
+  if (options.hash) text += hash_line(program.trace.hash());
+  if (!print(stdout, text)) return kBadFile;
   return replay.divergence() ? kDiverged : kDone;
 }
 
@@ -328,19 +347,21 @@ int self_test() {
         "help: build with the flags of the runtime: no fast-math, no contraction",
         kSelfTestFailed);
   }
-  if (Graph::kSelfTestRows == 0)
-    std::puts("self-test: this program has no policy");
-  else
-    std::printf(
-        "self-test: %d answers of the policy are as generated%s\n",
-        static_cast<int>(Graph::kSelfTestRows),
-        requires { Graph::kHasFastPolicy; } ? ", but for rounding (profile fast)" : "");
-  return std::fflush(stdout) == 0 ? kDone : kBadFile;
+  const std::string text =
+      Graph::kSelfTestRows == 0
+          ? "this program has no policy"
+          : std::to_string(Graph::kSelfTestRows) + " answers of the policy are as generated";
+  const char* const rounding = requires {
+    Graph::kHasFastPolicy;
+  }
+  ? ", but for rounding (profile fast)" : "";
+  return print(stdout, "self-test: " + text + rounding + "\n") ? kDone : kBadFile;
 }
 
 /// The main function: reads the command line, runs, returns the exit code (see --help).
 template <class Graph>
 int run(int argc, char** argv) {
+  open_standard_files();
   Options defaults;
   defaults.agent = target::default_agent<Graph>();
   defaults.action_file = Graph::kAgentCsv;
@@ -352,9 +373,9 @@ int run(int argc, char** argv) {
   const Options& options = *std::get_if<Options>(&parsed);
   if (options.help) return show_help<Graph>(argv[0], defaults);
   if (options.version) {
-    std::printf("%s on %s, eagerx-gen %d.%d\n", Graph::kName, Graph::kEngine, kVersionMajor,
-                kVersionMinor);
-    return std::fflush(stdout) == 0 ? kDone : kBadFile;
+    const std::string text = std::string(Graph::kName) + " on " + Graph::kEngine + ", eagerx-gen " +
+                             std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor);
+    return print(stdout, text + "\n") ? kDone : kBadFile;
   }
   if (options.self_test) return self_test<Graph>();
   if (options.agent == target::Agent::policy && !Graph::kHasPolicy) {
@@ -363,6 +384,8 @@ int run(int argc, char** argv) {
         "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions",
         kBadUsage);
   }
+  const std::string problem_of_files = problem_with_files(options);
+  if (!problem_of_files.empty()) return fail(problem_of_files, kBadUsage);
 
   ActionTable<Graph> table;
   if (options.agent == target::Agent::csv) {

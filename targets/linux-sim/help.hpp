@@ -6,6 +6,7 @@
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/split.hpp>
 
@@ -29,8 +30,7 @@ int show_help(const char* program_name, const Options& defaults) {
                      "` on " + Graph::kEngine + " at " + number_text(Graph::Rate::hz) + " Hz.\n\n";
   text += describe<Graph>(program.reset(Graph::draw(EpisodeKey{defaults.plan.seed, 0, 0})));
   text += "Options (defaults in brackets):\n" + options_help(defaults);
-  std::fputs(text.c_str(), stdout);
-  return std::fflush(stdout) == 0 ? kDone : kBadFile;
+  return print(stdout, text) ? kDone : kBadFile;
 }
 
 }  // namespace eagerx::linux_sim

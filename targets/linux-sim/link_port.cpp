@@ -3,6 +3,8 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -14,6 +16,7 @@
 #include <cstring>
 #include <ctime>
 #include <memory>
+#include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <utility>
 
@@ -35,16 +38,87 @@ speed_t speed_of(std::uint32_t baud) {
   return B0;
 }
 
+constexpr std::string_view kUnix = "unix:";
+
+/// Whether a program listens on the socket `address`, without disturbing it: a datagram cannot be
+/// sent to a stream, which only a living one says. Sockets of others that we may not ask count.
+bool is_alive(const sockaddr_un& address) {
+  const int file = socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (file < 0) return true;
+  const int result = connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address);
+  const bool refused = result != 0 && errno == ECONNREFUSED;
+  ::close(file);
+  return !refused;
+}
+
+/// Two programs that begin at once must not remove each other's socket: the folder is locked.
+class FolderLock {
+ public:
+  explicit FolderLock(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    file_ = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file_ >= 0) flock(file_, LOCK_EX);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  ~FolderLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+
+ private:
+  int file_;
+};
+
+/// Only its owner may connect, from the first moment on. Returns errno, 0: it listens.
+int listen_at(int file, const sockaddr_un& address) {
+  const FolderLock lock(address.sun_path);
+  // A stale socket is of an earlier run. Anything else of this name is somebody's.
+  struct stat status {};
+  if (lstat(address.sun_path, &status) == 0) {
+    if (!S_ISSOCK(status.st_mode) || is_alive(address)) return EADDRINUSE;
+    unlink(address.sun_path);
+  }
+  constexpr mode_t kOwnerOnly = 0600;
+  const bool listens =
+      fchmod(file, kOwnerOnly) == 0 &&
+      bind(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+      ::listen(file, 1) == 0;
+  return listens ? 0 : errno;
+}
+
+/// "127.0.0.1:5000", of this end.
+std::string address_of(int file) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  char host[NI_MAXHOST] = "";
+  char port[NI_MAXSERV] = "";
+  auto* const generic = reinterpret_cast<sockaddr*>(&address);
+  if (getsockname(file, generic, &size) != 0 ||
+      getnameinfo(generic, size, host, sizeof host, port, sizeof port,
+                  NI_NUMERICHOST | NI_NUMERICSERV) != 0)
+    return "a port";
+  const std::string name = host;
+  return (name.find(':') == std::string::npos ? name : "[" + name + "]") + ":" + port;
+}
+
 }  // namespace
 
 bool LinkPort::fail(const std::string& what) {
   error_ = what;
-  if (file_ >= 0) ::close(std::exchange(file_, -1));
+  close();
   return false;
 }
 
 void LinkPort::close() {
-  if (file_ >= 0) ::close(std::exchange(file_, -1));
+  if (file_ < 0) return;
+  if (std::exchange(is_serial_, false)) ioctl(file_, TIOCNXCL);
+  ::close(std::exchange(file_, -1));
+}
+
+bool LinkPort::is_interrupted() {
+  stop_if_told();
+  return interrupted();
 }
 
 std::uint64_t LinkPort::now_ns() {
@@ -55,58 +129,74 @@ std::uint64_t LinkPort::now_ns() {
 }
 
 bool LinkPort::open(const std::string& address, std::uint32_t baud) {
-  constexpr std::string_view kUnix = "unix:";
-  if (address.starts_with(kUnix)) return open_unix(address.substr(kUnix.size()), false);
+  if (address.starts_with(kUnix)) return open_unix(address.substr(kUnix.size()), nullptr);
   struct stat status {};
   if (stat(address.c_str(), &status) == 0) {
-    return S_ISSOCK(status.st_mode) ? open_unix(address, false) : open_serial(address, baud);
+    return S_ISSOCK(status.st_mode) ? open_unix(address, nullptr) : open_serial(address, baud);
   }
   if (address.find('/') == std::string::npos && address.find(':') != std::string::npos)
-    return open_tcp(address, false);
+    return open_tcp(address, nullptr);
   return fail(std::strerror(errno));
 }
 
-bool LinkPort::listen(const std::string& address) {
-  constexpr std::string_view kUnix = "unix:";
-  if (address.starts_with(kUnix)) return open_unix(address.substr(kUnix.size()), true);
-  return open_tcp(address, true);
+bool LinkPort::listen(const std::string& address, Say say) {
+  if (address.starts_with(kUnix)) return open_unix(address.substr(kUnix.size()), say);
+  return open_tcp(address, say);
 }
 
-bool LinkPort::accept_on(int listener) {
-  const bool listening = ::listen(listener, 1) == 0;
-  file_ = listening ? accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK) : -1;
-  const int number = errno;
+/// Others who connect meanwhile are refused when the listener is closed: once the peer has spoken.
+bool LinkPort::accept_on(int listener, Say say) {
+  int number = 0;
+  while (file_ < 0 && number == 0) {
+    file_ = accept4(listener, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (file_ < 0) {
+      number = errno == EINTR || errno == ECONNABORTED ? 0 : errno;
+      continue;
+    }
+    const std::uint64_t until = now_ns() + kGreetingS * kNsPerSecond;
+    bool has_spoken = false;
+    while (!has_spoken && now_ns() < until) has_spoken = wait(POLLIN, until);
+    if (has_spoken) {
+      std::uint8_t first = 0;
+      if (recv(file_, &first, 1, MSG_PEEK) > 0) break;
+      say("note: a peer hung up without a word");
+    } else {
+      say("note: a peer said nothing for " + std::to_string(kGreetingS) + " s and was dropped");
+    }
+    close();
+  }
   ::close(listener);
   return file_ >= 0 || fail(std::strerror(number));
 }
 
-bool LinkPort::open_unix(const std::string& path, bool listens) {
+bool LinkPort::open_unix(const std::string& path, Say say) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   if (path.size() >= sizeof address.sun_path) return fail("the path is too long for a socket");
   std::copy(path.begin(), path.end(), address.sun_path);
   const int file = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (file < 0) return fail(std::strerror(errno));
-  const auto* const generic = reinterpret_cast<const sockaddr*>(&address);
-  if (listens) {
-    // Of an earlier run. Anything else of this name is somebody's, and bind() says so.
-    struct stat status {};
-    if (stat(path.c_str(), &status) == 0 && S_ISSOCK(status.st_mode)) unlink(path.c_str());
-    if (bind(file, generic, sizeof address) == 0) return accept_on(file);
-  } else if (connect(file, generic, sizeof address) == 0) {
+  int number = 0;
+  if (say != nullptr) {
+    number = listen_at(file, address);
+    if (number == 0) return say("listens on unix:" + path), accept_on(file, say);
+  } else if (connect(file, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
     fcntl(file, F_SETFL, O_NONBLOCK);
     file_ = file;
     return true;
+  } else {
+    number = errno;
   }
-  const int number = errno;
   ::close(file);
-  return fail(std::strerror(number));
+  return fail(number == EADDRINUSE ? "another program listens on it, or it is no socket"
+                                   : std::strerror(number));
 }
 
-bool LinkPort::open_tcp(const std::string& address, bool listens) {
+bool LinkPort::open_tcp(const std::string& address, Say say) {
   const std::size_t colon = address.rfind(':');
   if (colon == std::string::npos) return fail("it is neither unix:PATH nor HOST:PORT");
-  const std::string host = colon == 0 ? "localhost" : address.substr(0, colon);
+  const bool is_local = colon == 0;
+  const std::string host = is_local ? "localhost" : address.substr(0, colon);
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
@@ -118,9 +208,12 @@ bool LinkPort::open_tcp(const std::string& address, bool listens) {
     const int file = socket(item->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
     if (file < 0) continue;
     const int yes = 1;
-    if (listens) {
+    if (say != nullptr) {
       setsockopt(file, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-      if (bind(file, item->ai_addr, item->ai_addrlen) == 0) return accept_on(file);
+      if (bind(file, item->ai_addr, item->ai_addrlen) == 0 && ::listen(file, 1) == 0) {
+        say("listens on " + address_of(file) + (is_local ? ", for this machine only" : ""));
+        return accept_on(file, say);
+      }
     } else if (connect(file, item->ai_addr, item->ai_addrlen) == 0) {
       setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
       fcntl(file, F_SETFL, O_NONBLOCK);
@@ -140,6 +233,10 @@ bool LinkPort::open_serial(const std::string& path, std::uint32_t baud) {
   if (file_ < 0) return fail(std::strerror(errno));
   termios settings{};
   if (tcgetattr(file_, &settings) != 0) return fail("it is no serial line");
+  // The lock also keeps root out, who is not bound by TIOCEXCL.
+  if (flock(file_, LOCK_EX | LOCK_NB) != 0) return fail("another program uses it");
+  ioctl(file_, TIOCEXCL);
+  is_serial_ = true;
   cfmakeraw(&settings);
   settings.c_cflag |= CLOCAL | CREAD;
   settings.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS);
@@ -169,7 +266,7 @@ void LinkPort::put(std::uint8_t byte) {
 void LinkPort::flush() {
   constexpr std::uint64_t kPatienceNs = kNsPerSecond;
   const std::size_t size = std::exchange(out_size_, 0);
-  const std::uint64_t until = now_ns() + kPatienceNs;
+  const std::uint64_t until = std::min(now_ns() + kPatienceNs, write_until_ns_);
   for (std::size_t sent = 0; sent < size && file_ >= 0;) {
     const ssize_t count = write(file_, out_.data() + sent, size - sent);
     if (count > 0) {

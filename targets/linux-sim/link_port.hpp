@@ -17,36 +17,47 @@ class LinkPort {
   LinkPort& operator=(const LinkPort&) = delete;
   ~LinkPort() { close(); }
 
-  /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. False: error() says why.
+  /// `unix:PATH`, `HOST:PORT`, or the path of a serial line or a socket. A serial line is ours
+  /// alone as long as it is open. False: error() says why.
   bool open(const std::string& address, std::uint32_t baud);
-  /// The other side of a socket: waits for one connection. `HOST:PORT` with an empty HOST listens
-  /// on this machine only.
-  bool listen(const std::string& address);
+  /// The other side of a socket: waits for one peer, who has kGreetingS to say something. While it
+  /// is connected others are refused. `:PORT` listens on this machine only. A socket that another
+  /// program listens on is left alone. `say(text)` is told where it listens, and of peers that say
+  /// nothing.
+  bool listen(const std::string& address, void (*say)(const std::string& text));
   void close();
   /// Empty as long as the line is whole.
   const std::string& error() const { return error_; }
 
   void put(std::uint8_t byte);
   void flush();
+  /// What cannot be written by then is dropped; without it after a second.
+  void write_until(std::uint64_t ns) { write_until_ns_ = ns; }
   /// The next byte; link::kNothing when it is `until_ns` on the clock, link::kClosed.
   int get(std::uint64_t until_ns);
   /// The next byte, or link::kClosed.
   int get() { return get(UINT64_MAX); }
   /// CLOCK_MONOTONIC.
   static std::uint64_t now_ns();
+  /// Whether somebody wants the run to end; a program that is told to stop does so in here.
+  static bool is_interrupted();
+
+  static constexpr int kGreetingS = 5;
 
  private:
-  bool open_socket(int family, const void* address, std::size_t size);
-  bool open_tcp(const std::string& address, bool listens);
-  bool open_unix(const std::string& path, bool listens);
+  using Say = void (*)(const std::string& text);
+  bool open_tcp(const std::string& address, Say say);
+  bool open_unix(const std::string& path, Say say);
   bool open_serial(const std::string& path, std::uint32_t baud);
-  bool accept_on(int listener);
+  bool accept_on(int listener, Say say);
   bool wait(short events, std::uint64_t until_ns);
   void fill();
   bool fail(const std::string& what);
 
   static constexpr std::size_t kBufferBytes = 4096;
   int file_ = -1;
+  bool is_serial_ = false;
+  std::uint64_t write_until_ns_ = UINT64_MAX;
   std::string error_;
   std::array<std::uint8_t, kBufferBytes> in_{}, out_{};
   std::size_t in_begin_ = 0, in_end_ = 0, out_size_ = 0;

@@ -169,7 +169,8 @@ constexpr std::array kOptions{
     Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
     Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
-           "where the board is: a serial line, HOST:PORT or unix:PATH", set_link, true},
+           "where the board is: a serial line (ours alone), HOST:PORT or unix:PATH", set_link,
+           true},
     Option{"--baud", "N", "a whole number from 1 to 4294967295", "speed of a serial line", set_baud,
            true},
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
@@ -318,8 +319,10 @@ std::string options_help(const Options& defaults) {
 A FILE of actions has a row of numbers for each step, in the order above; every episode starts at its
 first row. A first row with the names of the columns and lines that begin with # are skipped.
 `-` writes to the standard output; the summary then goes to the standard error.
-Ctrl-C ends the run after the current step, or after the current slot of a reset that waits for something, with files
-complete and the summary.
+Outputs are files on a disk, none of them an input; what is in them stays until the run has begun.
+Ctrl-C, and every other signal that would end the program but SIGKILL, ends the run after the current step, or after the
+current slot of a reset that waits for something, with files complete and the summary; a second Ctrl-C more than a second
+later ends it at once. Ctrl-Z makes actuators safe first. Nothing can be done about SIGKILL and SIGSTOP.
 
 Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test or diverged from the log, 2 wrong
 usage, 3 cannot read or write.

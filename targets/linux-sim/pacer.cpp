@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cerrno>
 #include <ctime>
 #include <targets/linux-sim/interrupt.hpp>
@@ -8,7 +7,6 @@ namespace eagerx::linux_sim {
 namespace {
 
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-constexpr double kSecondsPerNs = 1e-9;
 
 }  // namespace
 
@@ -18,30 +16,12 @@ std::int64_t now_ns() {
   return static_cast<std::int64_t>(now.tv_sec) * kNsPerSecond + now.tv_nsec;
 }
 
-Pacer::Pacer(double period_s, double factor, std::int64_t max_lateness_ns)
-    : period_ns_(factor > 0.0 ? period_s / factor * static_cast<double>(kNsPerSecond) : 0.0),
-      max_lateness_ns_(max_lateness_ns) {}
-
-void Pacer::wait_for(std::uint64_t n) {
-  // A double holds whole nanoseconds for 104 days.
-  const std::int64_t deadline =
-      start_ns_ + static_cast<std::int64_t>(static_cast<double>(n) * period_ns_);
-  const std::int64_t late_ns = now_ns() - deadline;
-  late_in_a_row_ = late_ns > max_lateness_ns_ ? late_in_a_row_ + 1 : 0;
-  if (late_ns > 0) {
-    ++overruns_;
-    worst_ns_ = std::max(worst_ns_, late_ns);
-    return;
-  }
-  const timespec until{static_cast<time_t>(deadline / kNsPerSecond),
-                       static_cast<long>(deadline % kNsPerSecond)};
+void MonotonicClock::sleep_until(std::int64_t ns) {
+  const timespec until{static_cast<time_t>(ns / kNsPerSecond),
+                       static_cast<long>(ns % kNsPerSecond)};
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
-    if (interrupted()) return;
+    if (interrupted() || is_told_to_stop()) return;
   }
-}
-
-double Pacer::worst_s() const {
-  return static_cast<double>(worst_ns_) * kSecondsPerNs;
 }
 
 }  // namespace eagerx::linux_sim

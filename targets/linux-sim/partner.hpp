@@ -18,15 +18,18 @@ int serve(int argc, char** argv) {
   const std::string_view option = argc == kArguments ? argv[1] : "";
   if (option != "--link" && option != "--listen") {
     std::fprintf(stderr,
-                 "error: wrong usage\nhelp: %s --link TTY, or --listen unix:PATH or HOST:PORT; "
-                 "serves the part of `%s` that the host's program was split from\n",
+                 "error: wrong usage\nhelp: %s --link TTY, or --listen unix:PATH, :PORT (for this "
+                 "machine only) or HOST:PORT; serves the part of `%s` that the host's program was "
+                 "split from\n",
                  argv[0], Graph::kName);
     return kBadUsage;
   }
   std::signal(SIGPIPE, SIG_IGN);  // a host that goes is no reason to be killed
   static Link link{};
-  const bool open =
-      option == "--link" ? link.port.open(argv[2], kDefaultBaud) : link.port.listen(argv[2]);
+  const bool open = option == "--link" ? link.port.open(argv[2], kDefaultBaud)
+                                       : link.port.listen(argv[2], [](const std::string& text) {
+                                           std::fputs((text + "\n").c_str(), stderr);
+                                         });
   if (!open) {
     std::fprintf(stderr, "error: cannot open `%s`: %s\n", argv[2], link.port.error().c_str());
     return kBadFile;

@@ -20,15 +20,37 @@ TextFile::~TextFile() {
 }
 
 bool TextFile::open(const std::string& path, Writing writing) {
+  if (path == "-") return open(STDOUT_FILENO, writing);
   constexpr int kReadWriteForAll = 0666;
-  descriptor_ = path == "-" ? STDOUT_FILENO
-                            : ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC,
-                                     kReadWriteForAll);
-  if (descriptor_ < 0) return error_ = errno, false;
+  // Without O_NONBLOCK, a FIFO that nobody reads would be waited for before it can be refused.
+  constexpr int kFlags = O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;
+  int file = ::open(path.c_str(), kFlags);
+  const bool is_new = file < 0 && errno == ENOENT;
+  if (is_new) file = ::open(path.c_str(), kFlags | O_CREAT, kReadWriteForAll);
+  struct stat status {};
+  if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
+    error_ = file < 0 && errno != ENXIO ? errno : EINVAL;
+    if (file >= 0) ::close(file);
+    return false;
+  }
+  open(file, writing);
+  owns_ = true;
+  replaces_ = status.st_size > 0;
+  if (is_new) made_ = path;
+  return true;
+}
+
+bool TextFile::open(int descriptor, Writing writing) {
+  descriptor_ = descriptor;
   // What poll() promises of a pipe; a file on a disk takes everything.
   struct stat status {};
   const bool is_regular = fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
   most_at_once_ = is_regular ? kBufferBytes : std::size_t{PIPE_BUF};
+  start(writing);
+  return true;
+}
+
+void TextFile::start(Writing writing) {
   writing_ = writing;
   const bool in_background = writing != Writing::direct;
   buffers_.resize(in_background ? kBackgroundBuffers + 1 : 1);
@@ -38,11 +60,12 @@ bool TextFile::open(const std::string& path, Writing writing) {
     // Signals are for the thread that sleeps until the next step.
     sigset_t all, before;
     sigfillset(&all);
+    for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGABRT})
+      sigdelset(&all, crash);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     writer_ = std::thread([this] { write_in_background(); });
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
   }
-  return true;
 }
 
 bool TextFile::is_same_file(const TextFile& other) const {
@@ -57,13 +80,31 @@ bool TextFile::close() {
   if (!is_open()) return error() == 0;
   writing_ = Writing::background;  // nothing is left that could be late
   flush();
-  if (writer_.joinable()) {
-    flush();  // an empty buffer is the end, and so is any after a failure
-    writer_.join();
-  }
-  if (descriptor_ != STDOUT_FILENO && ::close(descriptor_) != 0 && error() == 0) error_ = errno;
+  stop();
+  if (replaces_ && !failed() && ftruncate(descriptor_, 0) != 0) error_ = errno;
+  if (owns_ && ::close(descriptor_) != 0 && error() == 0) error_ = errno;
   descriptor_ = -1;
   return error() == 0;
+}
+
+void TextFile::discard() {
+  if (!is_open()) return;
+  used_ = 0;
+  stop();
+  struct stat mine {
+  }, its{};
+  const bool is_ours = !made_.empty() && fstat(descriptor_, &mine) == 0 && mine.st_size == 0 &&
+                       lstat(made_.c_str(), &its) == 0 && mine.st_dev == its.st_dev &&
+                       mine.st_ino == its.st_ino;
+  if (is_ours) unlink(made_.c_str());
+  if (owns_) ::close(descriptor_);
+  descriptor_ = -1;
+}
+
+void TextFile::stop() {
+  if (!writer_.joinable()) return;
+  flush();  // an empty buffer is the end, and so is any after a failure
+  writer_.join();
 }
 
 void TextFile::text(std::string_view text) {
@@ -115,6 +156,11 @@ void TextFile::write_in_background() {
 }
 
 void TextFile::write(const Buffer& buffer) {
+  // Only now, that there is something to put in its place.
+  if (replaces_ && buffer.used > 0) {
+    replaces_ = false;
+    if (ftruncate(descriptor_, 0) != 0) error_ = errno;
+  }
   const char* from = buffer.text.get();
   std::size_t left = buffer.used;
   while (left > 0 && wait_for_reader()) {

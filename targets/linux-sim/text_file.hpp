@@ -29,14 +29,20 @@ class TextFile {
   TextFile& operator=(const TextFile&) = delete;
   ~TextFile();
 
-  /// Creates `path`, or takes the standard output for "-". False if that is not possible; see
-  /// error().
+  /// Creates `path`, or takes the standard output for "-". What is in a file that exists stays
+  /// until something is written in its place. Anything else than a file on a disk is refused
+  /// (EINVAL). False if that is not possible; see error().
   bool open(const std::string& path, Writing writing = Writing::direct);
+  /// Writes to what is open already, and will be closed by somebody else.
+  bool open(int descriptor, Writing writing);
   bool is_open() const { return descriptor_ >= 0; }
   /// Whether both write into one file of a disk, each over the other.
   bool is_same_file(const TextFile& other) const;
   /// Writes what is left. False if anything was lost; see error().
   bool close();
+  /// As if it had never been opened, as long as no buffer was full: what was in the file is still
+  /// there, and a new one is removed.
+  void discard();
   bool failed() const { return error() != 0; }
   /// errno of the first failure, 0 without one; ETIMEDOUT: the reader was too slow in real time, or
   /// stood still when the run was interrupted.
@@ -71,6 +77,8 @@ class TextFile {
     std::size_t used = 0;
   };
 
+  void start(Writing writing);
+  void stop();
   char* buffer() { return buffers_[current_].text.get(); }
   void flush();
   bool wait_for_room();
@@ -82,6 +90,9 @@ class TextFile {
   std::size_t current_ = 0;
   std::size_t used_ = 0;  // of the current one
   int descriptor_ = -1;
+  bool owns_ = false;      // closes the descriptor
+  bool replaces_ = false;  // something that is still in the file
+  std::string made_;       // the path of a file that was not there before
   Writing writing_ = Writing::direct;
   std::size_t most_at_once_ = 0;
   std::atomic<int> error_ = 0;

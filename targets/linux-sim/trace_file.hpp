@@ -15,9 +15,9 @@
 
 namespace eagerx::linux_sim {
 
-/// No trace, but an end to resets that wait when there was a signal.
+/// No trace, but an end to resets that wait when there was a signal, or a stop.
 struct Untraced : NoTrace {
-  static bool is_interrupted() { return interrupted(); }
+  static bool is_interrupted() { return stop_if_told(), interrupted(); }
 };
 
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
@@ -37,7 +37,7 @@ class TraceRecorder {
   void follow(trace_log::Replay* replay) { replay_ = replay; }
   /// Every run is one of the experiment's from now on.
   void measure(identification::Experiment* experiment) { experiment_ = experiment; }
-  static bool is_interrupted() { return interrupted(); }
+  static bool is_interrupted() { return stop_if_told(), interrupted(); }
   bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 

@@ -58,6 +58,16 @@ struct RandomActionAndSleep {
     simulator.make_safe();
   }
 
+  /// On a system with signals.
+  template <class Clock>
+  static bool is_interrupted() {
+    if constexpr (requires { Clock::is_interrupted(); }) {
+      return Clock::is_interrupted();
+    } else {
+      return false;
+    }
+  }
+
   /// False if a signal came or something was wrong.
   static bool hold(Simulator& simulator, const Real (&action)[kActuators], double seconds) {
     using Clock = typename Simulator::Clock;
@@ -68,7 +78,8 @@ struct RandomActionAndSleep {
       for (std::size_t i = 0; i < kActuators; ++i) simulator.act(i, action[i], low(i), high(i));
       if (simulator.exchange() != BusError::none || simulator.is_stale())
         return rest_at_once(simulator), false;
-      if (!Clock::sleep_until(start + at + kPeriodNs)) return false;
+      if (!Clock::sleep_until(start + at + kPeriodNs) || is_interrupted<Clock>())
+        return rest_at_once(simulator), false;
       if (Clock::now_ns() > start + at + 2 * kPeriodNs) {
         simulator.note_late();
         at = Clock::now_ns() - start - kPeriodNs;

@@ -4,18 +4,21 @@
 #include <cstdint>
 #include <eagerx/bus.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/safety.hpp>
 #include <models/engines/real_engine/lateness.hpp>
 
 namespace eagerx::models {
 
 /// Instant n of an episode is start + n/rate on Link::Clock. At each instant the engine
-///   1. sends the actions of instant n − 1, without waiting for an answer
+///   1. sends the actions of instant n − 1, without waiting for an answer; safe actions in their
+///      place if that was more than a period (or `max_lateness`) ago
 ///   2. sleeps until the instant
 ///   3. measures all sensors of all objects in one round trip
 ///   4. sends the safe action of all actuators at once if something is wrong
 /// These things are wrong: `late` instants in a row that were later than `max_lateness` (0: a
 /// period), an error of the link, a sensor without a value for `missed` instants, an action that is
-/// not finite, and with `limits: safe` an action out of its limits. The safe action stays until
+/// not finite, and with `limits: safe` an action out of its limits. A pause of many periods counts
+/// as so many instants, so what comes first after it is the safe action. The safe action stays until
 /// `recover` instants in a row were right (0: until the next episode). An engine that is more than
 /// a period late does not catch up: it moves all later instants. `Platform::prepare()` is called
 /// once before, then `Platform::open(link)`.
@@ -53,11 +56,14 @@ class HardwareEngine {
   void callback(const Tick& tick, Simulators&... simulators) {
     const bool was_safe = is_safe();
     const bool bad_action = (simulators.has_bad_action() || ...);
-    (simulators.queue_action(was_safe || bad_action), ...);
-    BusError error = link_.post();
-    latency_.add(Clock::now_ns() - began_ns_);
     const std::int64_t due_ns = start_ns_ + ns_of(tick.n);
-    const bool in_time = wait_until(due_ns);
+    // Looked at last: the program may have stood still anywhere since the instant before.
+    const bool old_action = is_old(Clock::now_ns() - (due_ns - kPeriodNs));
+    (simulators.queue_action(was_safe || bad_action || old_action), ...);
+    BusError error = link_.post();
+    std::int64_t now_ns = Clock::now_ns();
+    latency_.add(now_ns - began_ns_);
+    const bool in_time = wait_until(due_ns, now_ns);
     (simulators.queue_request(), ...);
     const BusError answer = link_.run();
     (simulators.collect(answer, Clock::now_ns()), ...);
@@ -67,14 +73,15 @@ class HardwareEngine {
     stale_ += stale;
     link_errors_ += error != BusError::none;
     bad_actions_ += bad_action;
-    const bool right = in_time && error == BusError::none && !stale && !bad_action;
+    old_actions_ += old_action;
+    const bool right = in_time && !old_action && error == BusError::none && !stale && !bad_action;
     note(right);
     safe_instants_ += is_safe();
     if (!right && !was_safe) apply_safe(due_ns, simulators...);
   }
 
-  /// Applies safe actions between two instants, because the program that decides is silent. They
-  /// stay until `recover` instants in a row were right.
+  /// Applies safe actions between two instants, because the program that decides is silent or about
+  /// to stop. They stay until `recover` instants in a row were right.
   template <class... Simulators>
   void make_safe(Simulators&... simulators) {
     note(false);
@@ -121,9 +128,10 @@ class HardwareEngine {
     f("instants with a sensor stale", stale_);
     f("instants with a link error", link_errors_);
     f("instants with a bad action", bad_actions_);
+    f("instants with an action too old", old_actions_);
     f("instants with safe actions", safe_instants_);
     f("safe actions", safe_actions_);
-    f("safe actions for want of an answer", silences_);
+    f("safe actions between instants", silences_);
     f("slowest safe action us", static_cast<std::uint64_t>(slowest_ns_ / kNsPerUs));
     f("starts without hardware", failed_starts_);
     f("ends without a safe action", not_safe_at_end_);
@@ -153,8 +161,8 @@ class HardwareEngine {
   }
 
   /// False if it was too late, and so were as many before it as make safe.
-  bool wait_until(std::int64_t due_ns) {
-    if (Clock::now_ns() < due_ns) Clock::sleep_until(due_ns);
+  bool wait_until(std::int64_t due_ns, std::int64_t now_ns) {
+    if (now_ns < due_ns) Clock::sleep_until(due_ns);
     began_ns_ = Clock::now_ns();
     const std::int64_t late_ns = began_ns_ - due_ns;
     lateness_.add(late_ns > 0 ? late_ns : 0);
@@ -167,8 +175,15 @@ class HardwareEngine {
       return true;
     }
     ++overruns_;
-    if (late_in_a_row_ < kLate) ++late_in_a_row_;
+    late_in_a_row_ += 1 + static_cast<std::uint64_t>((late_ns - kMaxLateNs) / kPeriodNs);
     return late_in_a_row_ < kLate;
+  }
+
+  /// Whether an action whose instant was due `age_ns` ago, with those before it, makes safe.
+  bool is_old(std::int64_t age_ns) const {
+    constexpr std::int64_t kLongest = kPeriodNs > kMaxLateNs ? kPeriodNs : kMaxLateNs;
+    return age_ns > kLongest && late_instants(late_in_a_row_, static_cast<std::uint64_t>(age_ns),
+                                              kPeriodNs, kMaxLateNs) >= kLate;
   }
 
   void note(bool right) {
@@ -195,7 +210,7 @@ class HardwareEngine {
   std::int64_t began_ns_ = 0;  // the latest instant
   bool is_safe_ = false;
   std::uint32_t right_ = 0;  // instants in a row since the last wrong one, while safe
-  std::uint32_t late_in_a_row_ = 0;
+  std::uint64_t late_in_a_row_ = 0;
   Lateness lateness_{};
   Latency latency_{};
   std::int64_t slowest_ns_ = 0;
@@ -205,6 +220,7 @@ class HardwareEngine {
   std::uint64_t stale_ = 0;
   std::uint64_t link_errors_ = 0;
   std::uint64_t bad_actions_ = 0;
+  std::uint64_t old_actions_ = 0;
   std::uint64_t safe_instants_ = 0;
   std::uint64_t safe_actions_ = 0;
   std::uint64_t silences_ = 0;

@@ -5,6 +5,11 @@
 #include <cstdint>
 #include <ctime>
 
+extern "C" {
+/// Whether a signal wants the program to end or to stop; the target's, if it has one.
+[[gnu::weak]] bool eagerx_is_interrupted();
+}
+
 namespace eagerx::links {
 
 /// CLOCK_MONOTONIC in nanoseconds.
@@ -19,6 +24,11 @@ struct LinuxClock {
     const timespec until{static_cast<time_t>(ns / kNsPerSecond),
                          static_cast<decltype(timespec::tv_nsec)>(ns % kNsPerSecond)};
     return clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) != EINTR;
+  }
+
+  /// What sleep_until() cannot say of a signal that came outside of it.
+  static bool is_interrupted() {
+    return eagerx_is_interrupted != nullptr && eagerx_is_interrupted();
   }
 
   static constexpr std::int64_t kNsPerSecond = 1'000'000'000;

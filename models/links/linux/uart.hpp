@@ -3,6 +3,7 @@
 
 #include <asm/termbits.h>
 #include <poll.h>
+#include <sys/file.h>
 
 #include <cerrno>
 #include <cstddef>
@@ -17,10 +18,14 @@ namespace eagerx::links {
 /// zero until open().
 class LinuxUart {
  public:
-  /// False if there is no such line or it does not have this rate.
+  /// The line is ours alone as long as it is open. False if there is no such line, another program
+  /// uses it or it does not have this rate.
   bool open(const char* path, std::uint32_t baud, int timeout_ms) {
     timeout_ms_ = timeout_ms;
     if (!file_.open(path, O_RDWR | O_NOCTTY | O_NONBLOCK)) return false;
+    // The lock also keeps root out, who is not bound by TIOCEXCL.
+    if (flock(file_.handle(), LOCK_EX | LOCK_NB) != 0) return file_.close(), false;
+    Kernel::ioctl(file_.handle(), TIOCEXCL, nullptr);
     termios2 line{};
     if (Kernel::ioctl(file_.handle(), TCGETS2, &line) < 0) return close(), false;
     line.c_iflag = 0;
@@ -33,7 +38,10 @@ class LinuxUart {
     flush();
     return true;
   }
-  void close() { file_.close(); }
+  void close() {
+    if (is_open()) Kernel::ioctl(file_.handle(), TIOCNXCL, nullptr);
+    file_.close();
+  }
   bool is_open() const { return file_.is_open(); }
 
   /// Errors: timeout, link_lost.

@@ -33,13 +33,17 @@ struct Statistics {
 };
 
 /// `Port` has put(byte), flush() and get(until_ns), which returns a byte, kNothing when the time
-/// is over or kClosed; and now_ns(), a clock that never goes back.
+/// is over or kClosed; and now_ns(), a clock that never goes back. It may have write_until(ns):
+/// what cannot be written by then is dropped; and is_interrupted(): somebody wants the run to end,
+/// so an answer that is not there soon is not waited for.
 template <class Port, std::size_t ToBoard, std::size_t ToHost>
 class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   static_assert(ToBoard >= Greeting::kBytes && ToHost >= Greeting::kBytes);
   static constexpr std::uint64_t kFirstRepeatNs = 200'000'000;
   static constexpr std::uint64_t kLeastRepeatNs = 20'000'000;
   static constexpr std::uint64_t kMostRepeatNs = 4'000'000'000;
+  static constexpr std::uint64_t kLookNs = 20'000'000;    // for somebody who wants the end
+  static constexpr std::uint64_t kHurryNs = 250'000'000;  // an answer then takes at most
 
  public:
   Port port;
@@ -143,14 +147,16 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   bool exchange(Kind kind, Kind wanted, std::uint32_t crc_start) {
     out_.seal(kind, number_, crc_start);
     const std::uint64_t begun = port.now_ns();
-    const std::uint64_t end = begun + limit_ns_;
+    end_ns_ = begun + limit_ns_;
+    hurries_ = false;
+    look(begun);
     std::uint64_t silence = silent_ != nullptr ? begun + silence_ns_ : UINT64_MAX;
     std::uint64_t patience = repeat_ns_;
     for (bool again = false;; again = true) {
       std::uint64_t now = port.now_ns();
-      if (now >= end) return problem_ = Problem::no_answer, false;
-      send(again);
-      const std::uint64_t until = now + patience < end ? now + patience : end;
+      if (now >= end_ns_) return problem_ = Problem::no_answer, false;
+      const std::uint64_t until = now + patience < end_ns_ ? now + patience : end_ns_;
+      send(again, silence < until ? silence : until);
       bool answered = wait_for(wanted, crc_start, silence < until ? silence : until);
       if (!answered && ok() && port.now_ns() >= silence) {
         silence = UINT64_MAX;
@@ -172,9 +178,16 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   }
 
   bool wait_for(Kind wanted, std::uint32_t crc_start, std::uint64_t until_ns) {
+    std::uint64_t next_ns = next_look(port.now_ns(), until_ns);
     for (;;) {
-      const int byte = port.get(until_ns);
-      if (byte == kNothing) return false;
+      const int byte = port.get(next_ns);
+      if (byte == kNothing) {
+        const std::uint64_t now = port.now_ns();
+        look(now);
+        if (now >= until_ns || now >= end_ns_) return false;
+        next_ns = next_look(now, until_ns);
+        continue;
+      }
       if (byte == kClosed) return problem_ = Problem::closed, false;
       ++statistics_.bytes_in;
       const std::uint32_t damaged = in_.damaged();
@@ -188,12 +201,27 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
       }
     }
   }
+  /// Somebody who wants the end does not wait for a board that may be silent.
+  void look(std::uint64_t now_ns) {
+    if constexpr (requires { port.is_interrupted(); }) {
+      if (hurries_ || !port.is_interrupted()) return;
+      hurries_ = true;
+      const std::uint64_t soon_ns = now_ns + kHurryNs + 4 * typical_ns_;
+      if (soon_ns < end_ns_) end_ns_ = soon_ns;
+    }
+  }
+  std::uint64_t next_look(std::uint64_t now_ns, std::uint64_t until_ns) const {
+    if constexpr (requires { port.is_interrupted(); })
+      return now_ns + kLookNs < until_ns ? now_ns + kLookNs : until_ns;
+    return until_ns;
+  }
   bool is_our_welcome() const {
     return in_.size() == Greeting::kBytes && Greeting::read(in_.payload()).session == session_;
   }
 
-  void send(bool again) {
+  void send(bool again, [[maybe_unused]] std::uint64_t until_ns) {
     statistics_.repeated += again ? 1 : 0;
+    if constexpr (requires { port.write_until(until_ns); }) port.write_until(until_ns);
     out_.send([this](std::uint8_t byte) {
       ++statistics_.bytes_out;
       port.put(byte);
@@ -220,6 +248,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   Greeting other_;
   std::size_t read_ = 0, received_ = 0;
   std::uint64_t limit_ns_ = 5'000'000'000;
+  std::uint64_t end_ns_ = 0;  // of the exchange
   std::uint64_t silence_ns_ = 0;
   void (*silent_)(void*) = nullptr;
   void* silent_context_ = nullptr;
@@ -232,6 +261,7 @@ class HostLink : public Stream<HostLink<Port, ToBoard, ToHost>> {
   Command step_ = Command::step;
   std::uint8_t late_ = 0;
   bool open_ = false;
+  bool hurries_ = false;
 };
 
 /// A link that is not there, for programs that only say what they are.

@@ -1,3 +1,5 @@
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -329,13 +331,18 @@ std::optional<Log> read_log(const std::string& path, std::string_view text, std:
 }
 
 std::optional<Log> read_log_file(const std::string& path, std::string& problem) {
+  const auto fail = [&](const char* why) {
+    problem = "error: cannot read `" + path + "`: " + why;
+    return std::nullopt;
+  };
+  // A pipe that nobody writes or a device would be read for ever.
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+    return fail(S_ISDIR(status.st_mode) ? std::strerror(EISDIR) : "it is no file");
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  if (!file || errno != 0) {  // the stream itself says nothing about a folder
-    problem = "error: cannot read `" + path + "`: " + std::strerror(errno);
-    return std::nullopt;
-  }
+  if (!file || errno != 0) return fail(std::strerror(errno));
   return read_log(path, text, problem);
 }
 

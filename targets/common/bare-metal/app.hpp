@@ -284,9 +284,9 @@ int run(const char* board) {
   target::Guard<Graph> guard;
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if (step == 0) guard.reset();
-    return guard.check(observation,
-                       target::act<Graph>(options.agent, key, step, observation, program),
-                       program.trace.timing().too_late_in_a_row);
+    const auto action = target::act<Graph>(options.agent, key, step, observation, program);
+    return guard.check(observation, action,
+                       program.trace.too_late_in_a_row(typename Graph::Rate{}));
   };
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();

@@ -1,17 +1,20 @@
-// Slots of a board on their deadlines, with a clock that the test moves.
+// Slots of a board and steps on Linux on their deadlines, with a clock that the test moves.
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <eagerx/rate.hpp>
 #include <targets/common/pace.hpp>
+#include <targets/linux-sim/pacer.hpp>
+#include <utility>
 
 namespace eagerx::target {
 namespace {
 
 struct FakeClock {
   static inline std::uint64_t now = 0;
+  static inline std::uint64_t stopped = 0;  // in the next wait
   static std::uint64_t ticks() { return now; }
-  static void wait_for(std::uint64_t deadline) { now = deadline; }
+  static void wait_for(std::uint64_t deadline) { now = deadline + std::exchange(stopped, 0); }
   static constexpr std::uint64_t hz() { return 168'000'000; }
 };
 
@@ -47,6 +50,79 @@ TEST(PacedTrace, AnEpisodeBeginsInTime) {
   EXPECT_EQ(trace.timing().late_in_a_row, 0U);
   EXPECT_EQ(trace.timing().too_late_in_a_row, 0U);
   EXPECT_EQ(trace.timing().late, 1U) << "it is counted";
+}
+
+TEST(PacedTrace, APauseIsSeenBeforeTheAnswerIsApplied) {
+  for (const bool asleep : {true, false}) {
+    PacedTrace<FakeClock> trace;
+    trace.set_pace(Pace::paced, 100 * kNsPerMs);
+    trace.slot(Rate<10>{}, 0);
+    if (asleep) FakeClock::stopped = FakeClock::hz();
+    trace.slot(Rate<10>{}, 1);
+    if (!asleep) FakeClock::now += FakeClock::hz();  // while the agent decides
+    EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 10U) << "a second of 100 ms each";
+    trace.slot(Rate<10>{}, 12);
+    EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 0U);
+  }
+}
+
+TEST(PacedTrace, AnAnswerHasAPeriod) {
+  PacedTrace<FakeClock> trace;
+  trace.set_pace(Pace::paced, kNsPerMs);
+  trace.slot(Rate<10>{}, 0);
+  trace.slot(Rate<10>{}, 1);
+  FakeClock::now += FakeClock::hz() / 10;
+  EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 0U);
+  FakeClock::now += 1;
+  EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 1U);
+  trace.set_pace(Pace::measured, kNsPerMs);
+  EXPECT_EQ(trace.too_late_in_a_row(Rate<10>{}), 0U) << "nothing is held to a deadline";
+}
+
+/// The same clock in nanoseconds.
+struct FakeNs {
+  static inline std::int64_t now = 0;
+  static inline std::int64_t stopped = 0;  // in the next sleep
+  static std::int64_t now_ns() { return now; }
+  static void sleep_until(std::int64_t ns) { now = ns + std::exchange(stopped, 0); }
+};
+using FakePacer = linux_sim::PacerOn<FakeNs>;
+
+TEST(Pacer, APauseIsSeenBeforeTheActionIsApplied) {
+  for (const bool asleep : {true, false}) {
+    FakePacer pacer(0.1, 1.0, 100 * kNsPerMs);
+    pacer.start();
+    if (asleep) FakeNs::stopped = 1000 * kNsPerMs;
+    pacer.wait_for(1);
+    if (!asleep) FakeNs::now += 1000 * kNsPerMs;
+    EXPECT_EQ(pacer.late_in_a_row(), 10U);
+    EXPECT_EQ(pacer.overruns(), 0U) << "no step took longer than it may";
+    FakeNs::now += 1;
+    pacer.wait_for(2);
+    EXPECT_EQ(pacer.overruns(), 1U);
+  }
+}
+
+TEST(Pacer, AStepThatBeginsLaterThanDeclaredIsLate) {
+  FakePacer pacer(0.1, 1.0, 5 * kNsPerMs);
+  pacer.start();
+  FakeNs::stopped = 6 * kNsPerMs;
+  pacer.wait_for(1);
+  EXPECT_EQ(pacer.late_in_a_row(), 1U);
+  FakeNs::stopped = 6 * kNsPerMs;
+  pacer.wait_for(2);
+  EXPECT_EQ(pacer.late_in_a_row(), 2U);
+  pacer.wait_for(3);
+  EXPECT_EQ(pacer.late_in_a_row(), 0U);
+  FakeNs::now += 90 * kNsPerMs;
+  EXPECT_EQ(pacer.late_in_a_row(), 0U) << "an action has a period";
+}
+
+TEST(Pacer, WithoutPaceNothingIsLate) {
+  FakePacer pacer(0.1, 0.0, 5 * kNsPerMs);
+  pacer.start();
+  FakeNs::now += 1000 * kNsPerMs;
+  EXPECT_EQ(pacer.late_in_a_row(), 0U);
 }
 
 }  // namespace

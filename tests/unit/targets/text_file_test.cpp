@@ -43,10 +43,12 @@ TEST(TextFile, FullDiskIsSaidOnceAndNothingWaits) {
   for (const Writing writing : {Writing::direct, Writing::background}) {
     TextFile file;
     std::string expected;
-    ASSERT_TRUE(file.open("/dev/full", writing));
+    const int full = ::open("/dev/full", O_WRONLY);
+    ASSERT_TRUE(file.open(full, writing));
     fill(file, expected, 1'500'000);
     EXPECT_FALSE(file.close());
     EXPECT_EQ(file.error(), ENOSPC);
+    ::close(full);
   }
 }
 
@@ -55,13 +57,61 @@ TEST(TextFile, InRealTimeNobodyWaitsForAReaderThatStandsStill) {
   std::remove(path.c_str());
   ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
   const int reader = ::open(path.c_str(), O_RDONLY | O_NONBLOCK);
+  const int writer = ::open(path.c_str(), O_WRONLY);
   TextFile file;
-  ASSERT_TRUE(file.open(path, Writing::real_time));
+  ASSERT_TRUE(file.open(writer, Writing::real_time));
   std::string expected;
   fill(file, expected, 1'500'000);  // more than there are buffers
   EXPECT_EQ(file.error(), ETIMEDOUT);
   EXPECT_FALSE(file.close());
   ::close(reader);
+  ::close(writer);
+  std::remove(path.c_str());
+}
+
+std::string content(const std::string& path) {
+  std::ifstream in(path);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(TextFile, WhatIsThereStaysUntilSomethingTakesItsPlace) {
+  const std::string path = ::testing::TempDir() + "text_file_test.old";
+  for (const Writing writing : {Writing::direct, Writing::background}) {
+    std::ofstream(path) << "an earlier run\n";
+    {
+      TextFile file;
+      ASSERT_TRUE(file.open(path, writing));
+      file.text("new\n");
+      EXPECT_EQ(content(path), "an earlier run\n");
+      file.discard();
+      EXPECT_EQ(content(path), "an earlier run\n");
+    }
+    EXPECT_EQ(content(path), "an earlier run\n");
+    for (const std::string text : {"new\n", ""}) {
+      TextFile file;
+      ASSERT_TRUE(file.open(path, writing));
+      file.text(text);
+      EXPECT_TRUE(file.close());
+      EXPECT_EQ(content(path), text) << "shorter than what was there";
+      std::ofstream(path) << "an earlier run\n";
+    }
+    std::remove(path.c_str());
+    TextFile file;
+    ASSERT_TRUE(file.open(path, writing));
+    file.discard();
+    EXPECT_NE(access(path.c_str(), F_OK), 0) << "nobody wants an empty file";
+  }
+}
+
+TEST(TextFile, OnlyFilesOnADiskAreFiles) {
+  const std::string path = ::testing::TempDir() + "text_file_test.fifo";
+  std::remove(path.c_str());
+  ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
+  for (const std::string& name : {path, std::string("/dev/zero")}) {
+    TextFile file;
+    EXPECT_FALSE(file.open(name)) << name;
+    EXPECT_EQ(file.error(), EINVAL);
+  }
   std::remove(path.c_str());
 }
 

@@ -34,6 +34,11 @@ class Program {
   void stop() {
     if (eagerx::runs_engine(trace)) eagerx::stop(engine_, pendulum_simulator_);
   }
+  /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
+  /// applies its safe actions.
+  void make_safe() {
+    if (eagerx::runs_engine(trace)) eagerx::make_safe(engine_, pendulum_simulator_);
+  }
   /// Whether the engine acts on the world itself.
   bool is_real() const { return eagerx::is_real(engine_, pendulum_simulator_); }
   /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid

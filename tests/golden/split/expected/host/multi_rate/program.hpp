@@ -38,7 +38,8 @@ class Program {
   void stop() {
     if (eagerx::runs_engine(trace)) eagerx::stop(engine_, left_simulator_, right_simulator_);
   }
-  /// The other program is silent: an engine of real hardware applies its safe actions.
+  /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
+  /// applies its safe actions.
   void make_safe() {
     if (eagerx::runs_engine(trace)) eagerx::make_safe(engine_, left_simulator_, right_simulator_);
   }
