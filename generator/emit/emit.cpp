@@ -35,12 +35,9 @@ class Emitter {
     add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
     const fs::path here = fs::path(options_.output) / folder;
     View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
-    io.set("config_of", partial("cpp/config.mustache"));
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     View program = program_view(plan_, names_);
     program.set("has_memory", network_ && network_->has_memory());
-    for (const char* part : {"begin", "advance", "group", "callback"})
-      program.set(part, partial(fmt::format("cpp/{}.mustache", part)));
     program.set("indented", indented());
     add_program(folder, std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
@@ -98,15 +95,6 @@ class Emitter {
     files_.push_back({path, cpp ? wrapped(*text) : std::move(*text)});
   }
 
-  View partial(const std::string& template_file) {
-    const std::string path = (fs::path(options_.templates) / template_file).string();
-    auto text = read_template(path);
-    if (!text)
-      diagnostics_.io_error("E0501", {}, fmt::format("cannot read the template `{}`", path));
-    failed_ = failed_ || !text;
-    return View(kainjow::mustache::partial([shared = text.value_or("")] { return shared; }));
-  }
-
   View graph_view() const {
     View view = gen::graph_view(plan_, names_, network_, node_policies_);
     view.set("graph_hash", fmt::format("0x{:016x}", options_.graph_hash));
@@ -126,7 +114,6 @@ class Emitter {
     View view = policy_view(*policy.network);
     view.set("policy", policy_namespace(plan_.graph->nodes[policy.node].name));
     view["node"] = policy_node_view(plan_, names_, policy);
-    view.set("policy_node", partial("cpp/policy_node.mustache"));
     return view;
   }
 

@@ -25,11 +25,9 @@ inline View text_or_false(const std::string& text) {
 /// A section whose lines are indented by two more columns.
 View indented();
 
-/// The text of a template, for use as a partial; nullopt if it cannot be read.
-std::optional<std::string> read_template(const std::string& path);
-
-/// Renders the template file. A template that cannot be read, does not parse, or names a key that
-/// the view does not have is an error (E0501) instead of an empty place in the output.
+/// Renders the template file; `{{>NAME}}` includes NAME.mustache beside it. A template that cannot
+/// be read, does not parse, or names a key that the view does not have is an error (E0501) instead
+/// of an empty place in the output.
 std::optional<std::string> render_file(const std::string& path, const View& view,
                                        Diagnostics& diagnostics);
 
