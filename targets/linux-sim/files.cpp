@@ -39,6 +39,11 @@ void add_descriptor(std::vector<Place>& places, int descriptor, const char* name
 
 }  // namespace
 
+bool is_dev_null(const struct stat& status) {
+  struct stat null {};
+  return S_ISCHR(status.st_mode) && stat("/dev/null", &null) == 0 && status.st_rdev == null.st_rdev;
+}
+
 void open_standard_files() {
   for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) >= 0 || errno != EBADF) continue;
@@ -72,6 +77,7 @@ std::string problem_with_files(const Options& options) {
     if (is_descriptor ? fstat(STDOUT_FILENO, &place.status) != 0
                       : stat(output.path.c_str(), &place.status) != 0)
       continue;  // there is none yet; what is wrong with its folder is said when it is made
+    if (is_dev_null(place.status)) continue;
     if (!is_descriptor && !S_ISREG(place.status.st_mode))
       return "error: " + place.name + " is no file\nhelp: `-` writes to the standard output";
     if (!S_ISREG(place.status.st_mode)) continue;

@@ -1,19 +1,24 @@
 // What a program reads and writes: descriptors that are there, files that are different.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <cstdio>
 #include <string>
 #include <targets/linux-sim/options.hpp>
 
 namespace eagerx::linux_sim {
 
+/// Where people send what they do not want: it may be an output, as no other device may.
+bool is_dev_null(const struct stat& status);
+
 /// Opens descriptors 0 to 2 on /dev/null where they are closed, so that no other file becomes one
 /// of them. A closed standard output stays one that cannot be written.
 void open_standard_files();
 
 /// Looks for outputs that are an input, another output or where the summary goes, by any name, link
-/// or descriptor, and for those that are no files. Returns what is wrong; empty: nothing. Opens
-/// nothing.
+/// or descriptor, and for those that are no files (/dev/null may be one). Returns what is wrong;
+/// empty: nothing. Opens nothing.
 std::string problem_with_files(const Options& options);
 
 /// Writes `text` to `out`, all of it; says why if that is not possible, and returns false.

@@ -9,6 +9,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/text_file.hpp>
 #include <utility>
@@ -28,7 +29,7 @@ bool TextFile::open(const std::string& path, Writing writing) {
   const bool is_new = file < 0 && errno == ENOENT;
   if (is_new) file = ::open(path.c_str(), kFlags | O_CREAT, kReadWriteForAll);
   struct stat status {};
-  if (file < 0 || fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) {
+  if (file < 0 || fstat(file, &status) != 0 || !(S_ISREG(status.st_mode) || is_dev_null(status))) {
     error_ = file < 0 && errno != ENXIO ? errno : EINVAL;
     if (file >= 0) ::close(file);
     return false;

@@ -77,6 +77,7 @@ TEST_F(Files, OutputsAreFilesOrThereIsNothingYet) {
     EXPECT_TRUE(is_refused([&](Options& options) { options.csv = name; })) << name;
   EXPECT_FALSE(is_refused([&](Options& options) { options.csv = folder + "new.csv"; }));
   EXPECT_FALSE(is_refused([&](Options& options) { options.csv = folder + "a.csv"; }));
+  EXPECT_FALSE(is_refused([&](Options& options) { options.csv = options.trace = "/dev/null"; }));
 }
 
 TEST_F(Files, TheSummaryDoesNotGoIntoATable) {
