@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -16,6 +15,26 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// The name in `#include "name"` or `#include <name>`: [from, to) of the line.
+struct Included {
+  std::size_t from, to;
+  bool quoted;
+};
+
+std::optional<Included> included(std::string_view line) {
+  constexpr std::string_view kSpace = " \t";
+  std::size_t at = line.find_first_not_of(kSpace);
+  if (at == line.npos || line[at] != '#') return std::nullopt;
+  at = line.find_first_not_of(kSpace, at + 1);
+  constexpr std::string_view kInclude = "include";
+  if (at == line.npos || !line.substr(at).starts_with(kInclude)) return std::nullopt;
+  at = line.find_first_not_of(kSpace, at + kInclude.size());
+  if (at == line.npos || (line[at] != '"' && line[at] != '<')) return std::nullopt;
+  const std::size_t to = line.find_first_of("\">", at + 1);
+  if (to == line.npos || to == at + 1) return std::nullopt;
+  return Included{at + 1, to, line[at] == '"'};
+}
 
 constexpr const char* kShareFolder = "eagerx-gen/";
 
@@ -49,7 +68,6 @@ class Carrier {
     const std::string folder = target.templates.empty() ? std::string() : folder_of(target);
     std::vector<std::string> todo = {folder};
     std::set<std::string> seen;
-    static const std::regex kNamed(R"(\$\{EAGERX_TARGETS_DIR\}/([^/\s)]+)/)");
     while (!todo.empty()) {
       const std::string name = todo.back();
       todo.pop_back();
@@ -57,8 +75,13 @@ class Carrier {
       add_folder("targets/" + name);
       const std::string text =
           read(fs::path(run_.root) / "targets" / name / "target.cmake").value_or("");
-      for (std::sregex_iterator at(text.begin(), text.end(), kNamed), last; at != last; ++at)
-        todo.push_back((*at)[1]);
+      constexpr std::string_view kNamed = "${EAGERX_TARGETS_DIR}/";
+      for (auto at = text.find(kNamed); at != std::string::npos; at = text.find(kNamed, at + 1)) {
+        const auto from = at + kNamed.size();
+        const auto to = text.find_first_of("/) \t\n", from);
+        if (to != std::string::npos && text[to] == '/')
+          todo.push_back(text.substr(from, to - from));
+      }
     }
   }
 
@@ -111,17 +134,15 @@ class Carrier {
   /// Adds what a file includes. `"../library/x.hpp"` becomes `"library/x.hpp"`, which is where it
   /// is then.
   void scan(std::size_t index) {
-    static const std::regex kInclude(R"(^(\s*#\s*include\s+)([<"])([^>"]+)[>"])");
     std::stringstream lines(files_[index].text);
     std::string text;
     const std::string path = files_[index].path;
     for (std::string line; std::getline(lines, line);) {
-      std::smatch match;
-      constexpr std::size_t kMaxLine = 1000;  // std::regex takes stack for every character
-      if (line.size() < kMaxLine && std::regex_search(line, match, kInclude)) {
-        const auto place = carried(path, match[3], match[2] == "\"");
-        if (place && match[3].str().starts_with(".."))
-          line = match[1].str() + "\"" + *place + "\"" + match.suffix().str();
+      if (const auto include = included(line)) {
+        const std::string name = line.substr(include->from, include->to - include->from);
+        const auto place = carried(path, name, include->quoted);
+        if (place && name.starts_with(".."))
+          line.replace(include->from - 1, name.size() + 2, '"' + *place + '"');
       }
       text += line + "\n";
     }

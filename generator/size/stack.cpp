@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 
+#include "generator/size/pattern.hpp"
 #include "generator/size/tools.hpp"
 
 namespace eagerx::gen {
@@ -24,8 +24,6 @@ struct Function {
 };
 using Functions = std::map<std::string, Function>;
 
-/// Lines are read with std::regex, which takes stack for every character.
-
 /// 0 for what does not fit.
 std::uint64_t number(const std::string& digits) {
   constexpr std::uint64_t kMost = 1U << 30U;
@@ -33,86 +31,97 @@ std::uint64_t number(const std::string& digits) {
   return value <= kMost ? value : 0;
 }
 
-/// Bytes a list of registers such as `{r4, r5, lr}` or `{s16-s19}` takes.
+/// Bytes a list of registers such as `r4, r5, lr` or `s16-s19` takes.
 std::uint64_t bytes_of_registers(const std::string& list, bool vector) {
+  static const Pattern kItem("^[^a-z]*([a-z]+)([0-9]*)(-[a-z]([0-9]+))?");
   std::uint64_t count = 0;
-  static const std::regex kItem(R"(([a-z]+)(\d*)(-[a-z](\d+))?)");
-  for (std::sregex_iterator item(list.begin(), list.end(), kItem), last; item != last; ++item) {
-    const bool range = (*item)[4].matched;
-    const std::uint64_t width = vector && (*item)[1] == "d" ? 8 : 4;
-    const std::uint64_t first = number((*item)[2]);
-    const std::uint64_t last_one = range ? number((*item)[4]) : first;
-    count += width * (last_one >= first ? last_one - first + 1 : 1);
+  std::string rest = list;
+  for (auto item = kItem.groups(rest); !item.empty(); item = kItem.groups(rest)) {
+    const std::uint64_t width = vector && item[1] == "d" ? 8 : 4;
+    const std::uint64_t first = number(item[2]);
+    const std::uint64_t last = item[3].empty() ? first : number(item[4]);
+    count += width * (last >= first ? last - first + 1 : 1);
+    rest.erase(0, item[0].size());
   }
   return count;
 }
 
 /// What an instruction takes from the stack. Adding up all of a function's is a bound for it.
 std::uint64_t stack_taken(const std::string& text) {
-  static const std::regex kPush(R"(^(v?)(push|stmdb\.?w?\s+sp!,|stmfd\s+sp!,)\S*\s*\{(.*)\})");
-  static const std::regex kSub(R"(^subw?\S*\s+sp,.*#(\d+))");
-  static const std::regex kStore(R"(^(str|strd)\S*\s.*\[sp, #-(\d+)\]!)");
-  static const std::regex kRiscv(R"(^(c\.)?addi?(16sp)?\s+sp,sp,-(\d+))");
-  std::smatch match;
-  if (std::regex_search(text, match, kPush))
-    return bytes_of_registers(match[3], match[1].length() > 0);
-  if (std::regex_search(text, match, kSub)) return number(match[1]);
-  if (std::regex_search(text, match, kStore)) return number(match[2]);
-  if (std::regex_search(text, match, kRiscv)) return number(match[3]);
+  static const Pattern kPush(R"(^(v?)(push|stmdb\.?w?\s+sp!,|stmfd\s+sp!,)\S*\s*\{(.*)\})");
+  static const Pattern kSub(R"(^subw?\S*\s+sp,.*#([0-9]+))");
+  static const Pattern kStore(R"(^(str|strd)\S*\s.*\[sp, #-([0-9]+)\]!)");
+  static const Pattern kRiscv(R"(^(c\.)?addi?(16sp)?\s+sp,sp,-([0-9]+))");
+  if (const auto push = kPush.groups(text); !push.empty())
+    return bytes_of_registers(push[3], !push[1].empty());
+  if (const auto sub = kSub.groups(text); !sub.empty()) return number(sub[1]);
+  if (const auto store = kStore.groups(text); !store.empty()) return number(store[2]);
+  if (const auto add = kRiscv.groups(text); !add.empty()) return number(add[3]);
   return 0;
 }
 
-/// Functions, calls and frames as the disassembly shows them.
+/// Reads a disassembly line by line into functions, calls and frames.
+class Disassembly {
+ public:
+  void line(const std::string& text) {
+    static const Pattern kHead("^[0-9a-f]+ <(.+)>:$");
+    static const Pattern kInstruction(R"(^\s*[0-9a-f]+:\s+(.*)$)");
+    if (const auto head = kHead.groups(text); !head.empty()) {
+      if (head[1].starts_with(".L")) return;
+      name_ = head[1];
+      current_ = &functions_[name_];
+    } else if (const auto found = kInstruction.groups(text);
+               current_ != nullptr && !found.empty()) {
+      instruction(found[1]);
+    }
+  }
+
+  Functions take() { return std::move(functions_); }
+
+ private:
+  void instruction(const std::string& text) {
+    static const Pattern kCall(R"(^(bl?|b\.w|b\.n|j|jal|call|tail)\S*\s.*<([^+>]+)>)");
+    static const Pattern kPointer(R"(^(blx\s+r|jalr|c\.jalr|bx\s+r))");
+    current_->frame += stack_taken(text);
+    if (const auto call = kCall.groups(text); !call.empty()) {
+      if (call[2] != name_ || text.starts_with("bl")) current_->calls.insert(call[2]);
+    } else if (!kPointer.groups(text).empty()) {
+      current_->through_pointer = true;
+    }
+  }
+
+  Functions functions_;
+  Function* current_ = nullptr;
+  std::string name_;
+};
+
 Functions read_disassembly(const std::string& prefix, const std::string& image) {
-  static const std::regex kHead(R"(^[0-9a-f]+ <(.+)>:$)");
-  static const std::regex kLine(R"(^\s*[0-9a-f]+:\s+(.*)$)");
-  static const std::regex kCall(R"(^(bl?|b\.w|b\.n|j|jal|call|tail)\S*\s.*<([^+>]+)>)");
-  static const std::regex kPointer(R"(^(blx\s+r|jalr|c\.jalr|bx\s+r))");
-  Functions functions;
-  Function* current = nullptr;
-  std::string name;
-  std::smatch match;
+  Disassembly disassembly;
   for_each_line({prefix + "objdump", "-d", "--no-show-raw-insn", image},
-                [&](std::string_view view) {
-                  if (view.size() > kMaxLine) return;
-                  std::string line(view);
-                  if (std::regex_match(line, match, kHead) && match[1].str().starts_with(".L"))
-                    return;
-                  if (std::regex_match(line, match, kHead)) {
-                    name = match[1];
-                    current = &functions[name];
-                    return;
-                  }
-                  if (current == nullptr || !std::regex_match(line, match, kLine)) return;
-                  const std::string text = match[1];
-                  current->frame += stack_taken(text);
-                  if (std::regex_search(text, match, kCall)) {
-                    if (match[2] != name) current->calls.insert(match[2]);
-                    if (match[2] == name && text.rfind("bl", 0) == 0) current->calls.insert(name);
-                  } else if (std::regex_search(text, match, kPointer)) {
-                    current->through_pointer = true;
-                  }
+                [&](std::string_view line) {
+                  if (line.size() <= kMaxLine) disassembly.line(std::string(line));
                 });
-  return functions;
+  return disassembly.take();
 }
 
 /// The compiler's own figures, which know variable frames and where they overlap.
 void read_frames(const std::string& build, Functions& functions) {
-  static const std::regex kNode(
-      R"re(^node: \{ title: "([^"]+)" label: ".*\\n(\d+) bytes \((\w+)\S*\))re");
+  static const Pattern kNode(
+      R"re(^node: \{ title: "([^"]+)" label: ".*\\n([0-9]+) bytes \([a-zA-Z0-9_]+\S*\))re");
   std::map<std::string, std::uint64_t> frames;
   std::error_code error;
   for (fs::recursive_directory_iterator walk(build, error), last; !error && walk != last;
        walk.increment(error)) {
     if (walk->path().extension() != ".ci") continue;
     std::ifstream file(walk->path());
-    std::smatch match;
     for (std::string line; std::getline(file, line);) {
-      if (line.size() > kMaxLine || !std::regex_search(line, match, kNode)) continue;
-      std::string title = match[1];
+      if (line.size() > kMaxLine) continue;
+      const auto node = kNode.groups(line);
+      if (node.empty()) continue;
+      std::string title = node[1];
       title.erase(0, title.rfind(':') + 1);  // local functions: file:name
       std::uint64_t& frame = frames[title];
-      frame = std::max<std::uint64_t>(frame, number(match[2]));
+      frame = std::max<std::uint64_t>(frame, number(node[2]));
     }
   }
   for (auto& [name, function] : functions) {

@@ -9,7 +9,7 @@
 
 namespace eagerx::gen {
 
-/// Longer lines are not looked at: std::regex takes stack for every character.
+/// Longer lines are not looked at: no compiler writes such.
 constexpr std::size_t kMaxLine = 16'000;
 
 /// Runs a program, gives every line of its standard output to `line`, and returns its exit code;

@@ -1,0 +1,21 @@
+#include "generator/size/pattern.hpp"
+
+#include <stdexcept>
+
+namespace eagerx::gen {
+
+Pattern::Pattern(const char* expression) {
+  if (regcomp(&compiled_, expression, REG_EXTENDED) != 0) throw std::logic_error(expression);
+}
+
+std::vector<std::string> Pattern::groups(const std::string& text) const {
+  std::vector<regmatch_t> places(compiled_.re_nsub + 1);
+  if (regexec(&compiled_, text.c_str(), places.size(), places.data(), 0) != 0) return {};
+  std::vector<std::string> found;
+  for (const auto& [from, to] : places)
+    found.push_back(from < 0 ? std::string()
+                             : text.substr(std::size_t(from), std::size_t(to - from)));
+  return found;
+}
+
+}  // namespace eagerx::gen
