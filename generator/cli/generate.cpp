@@ -177,7 +177,7 @@ int generate_command(const Options& options) {
       options.output.empty() ? "generated/" + run.graph->name : options.output;
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
-  emit_options.targets = targets;
+  if (!options.library) emit_options.targets = targets;
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::absolute(folder).lexically_normal().string();
@@ -193,16 +193,21 @@ int generate_command(const Options& options) {
         .error("E0336", run.graph->placement->span, "a split graph has no standalone tree")
         .help = "leave out `--standalone` and `--package`";
   }
+  if (split && options.library) {
+    run.diagnostics.error("E0336", run.graph->placement->span, "a split graph has no library")
+        .help = "leave out `--library`";
+  }
   if (run.diagnostics.has_errors()) return finish(run, options);
   auto files = split ? emit_parts(run, emit_options) : emit_part(run, emit_options);
-  if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
+  if (files && standalone && !carry_along(run, emit_options.targets, emit_options.output, *files))
+    files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   if (!write_depfile(run, options)) return finish(run, options);
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return finish(run, options);
   if (!options.quiet) {
     fmt::print("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
-    fmt::print("{}", next_steps(run, options, targets, folder));
+    fmt::print("{}", next_steps(run, options, emit_options.targets, folder));
   }
   return finish(run, options);
 }

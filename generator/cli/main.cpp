@@ -70,6 +70,8 @@ Argument library(Options& options) {
 Arguments output(Options& options) {
   return {
       text("-o,--output", options.output, "output folder (default: generated/<graph name>)", "DIR"),
+      flag("--library", options.library,
+           "write a library for a main loop of your own instead of a program"),
       flag("--standalone", options.standalone,
            "also write everything that is needed to compile the output"),
       texts("--package", options.packages,

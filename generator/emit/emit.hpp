@@ -20,7 +20,7 @@ struct GeneratedFile {
 
 struct EmitOptions {
   std::string templates;               // folder of the templates
-  std::vector<const Target*> targets;  // at least one; the first is the default
+  std::vector<const Target*> targets;  // the first is the default; without any, a library
   std::string version;                 // of the generator
   std::string builtin_root;            // headers below it are included as <models/…>
   std::string output;                  // others are included relative to the output folder

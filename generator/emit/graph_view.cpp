@@ -20,23 +20,20 @@ class GraphView {
         network_(network),
         node_policies_(node_policies) {
     constants_.unique("kName");
-    for (const char* taken :
-         {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kSafety"})
+    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels"})
       constants_.unique(taken);
   }
 
   View make() {
-    view_.set("engine", graph_.engine().entity->id.value);
+    view_.set("engine", graph_.engine_id());
     view_.set("rate_type", rate_type(graph_.environment().rate_hz));
     view_.set("agent", agent_name());
     view_.set("agent_csv",
               string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
     add_channels();
-    add_spaces();
     add_draws();
     add_random_action();
     add_policy();
-    add_safety();
     add_split();
     return std::move(view_);
   }
@@ -96,19 +93,6 @@ class GraphView {
     item.set("constant", constants_.unique("k" + prefix + camel(field)));
     item.set("literal", space_literal(space));
     return item;
-  }
-
-  void add_spaces() {
-    View actions = list(), observations = list();
-    for (const auto& action : graph_.environment().outputs)
-      actions.push_back(space_view(action.name, action.space, action.span, "Action"));
-    if (names_.receives(Graph::kEnvironment)) {
-      for (const auto& input : graph_.environment().inputs)
-        observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
-    }
-    view_["actions"] = std::move(actions);
-    view_.set("has_observations", observations.is_non_empty_list());
-    view_["observations"] = std::move(observations);
   }
 
   /// The lines that set one state from `random`.
@@ -232,7 +216,7 @@ class GraphView {
   void add_random_action() {
     std::vector<std::string> samples;
     std::uint64_t words = 0;
-    Names constants;  // the same names as in add_spaces, which come first there
+    Names constants;  // the same names as in limits_view()
     for (const auto& action : graph_.environment().outputs) {
       samples.push_back(
           fmt::format("{}.sample(random)", constants.unique("kAction" + camel(action.name))));
@@ -278,31 +262,6 @@ class GraphView {
     view_["policy_outputs"] = policy_answers(use, *network_, "kAction");
     view_.set("reads_in_order", use.kind(*network_) != ActionKind::argmax);
     view_.set("place", names_.place(graph_.agent.span));
-  }
-
-  void add_safety() {
-    constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-    const Safety& safety = graph_.safety;
-    view_.set("safety_place", text_or_false(safety.declared ? names_.place(safety.span) : ""));
-    view_.set("declared", bool_literal(safety.declared));
-    view_.set("late", fmt::format("{}", safety.late));
-    const auto whole_ns = [](const Rational& seconds) {
-      return fmt::format("{}", (seconds * Rational(kNsPerSecond)).floor());
-    };
-    view_.set("max_lateness_ns", whole_ns(safety.max_lateness_s));
-    view_.set("link_timeout_ns", whole_ns(safety.link_timeout_s));
-    view_.set("missed", fmt::format("{}", safety.missed));
-    view_.set("recover", fmt::format("{}", safety.recover));
-    view_.set("clips", bool_literal(safety.clips));
-    view_.set("holds", bool_literal(safety.holds));
-    std::vector<std::string> values;
-    for (std::size_t i = 0; i < safety.actions.size(); ++i) {
-      std::vector<double> value = safety.actions[i];
-      if (std::count(value.begin(), value.end(), value.front()) == std::ssize(value))
-        value.resize(1);  // one for all elements
-      values.push_back(message_literal(value, graph_.environment().outputs[i].space));
-    }
-    view_.set("safe_action", braced(values));
   }
 
   const Plan& plan_;

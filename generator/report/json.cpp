@@ -33,7 +33,7 @@ Json report_json(const PlanReport& report) {
   const Plan& plan = *report.plan;
   Json json;
   json["name"] = plan.graph->name;
-  json["engine"] = plan.graph->engine().entity->id.value;
+  json["engine"] = plan.graph->engine_id();
   json["rates"] = Json::object();
   for (const auto& rate : plan.rates) json["rates"][rate.rate_hz.to_string()] = Json::list();
   for (std::size_t n = 0; n < plan.nodes.size(); ++n)

@@ -37,7 +37,7 @@ std::string load_text(const char* what, const LinkLoad& load) {
 std::string plan_text(const PlanReport& report) {
   const Plan& plan = *report.plan;
   std::string text = fmt::format("{}: {} nodes on {}\n\nrates\n", plan.graph->name,
-                                 plan.graph->nodes.size(), plan.graph->engine().entity->id.value);
+                                 plan.graph->nodes.size(), plan.graph->engine_id());
   for (std::size_t rate = 0; rate < plan.rates.size(); ++rate) {
     text += fmt::format("  {} Hz:", plan.rates[rate].rate_hz.to_string());
     for (std::size_t n = 0; n < plan.nodes.size(); ++n) {

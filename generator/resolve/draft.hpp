@@ -147,7 +147,8 @@ void check_cycles(Draft& draft);
 void connect(Draft& draft);         // the user's connections; unconnected ports
 void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
 void resolve_safety(Draft& draft);  // safe actions, in the spaces of the actions
-void resolve_states(Draft& draft);  // how states are drawn
+void find_applied_spaces(Graph& graph);
+void resolve_states(Draft& draft);         // how states are drawn
 void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring about
 /// `sync: false` (E0338 what does not go together with it).
 void check_sync(Draft& draft);

@@ -75,7 +75,28 @@ void note_left_out(const EntitySpec& spec, std::string_view engine, Diagnostics&
                                                fmt::join(names, ", "), spec.type.value, engine));
 }
 
+/// Keeps the engine's place until everything is resolved.
+DraftNode no_engine(const Draft& draft) {
+  DraftNode engine;
+  engine.node.name = "engine";
+  engine.node.role = NodeRole::engine;
+  engine.node.span = draft.spec.name.span;
+  return engine;
+}
+
 void add_engine(Draft& draft, const ResolveOptions& options) {
+  if (!draft.spec.has_engine()) {
+    draft.nodes.push_back(no_engine(draft));
+    if (draft.spec.objects.empty()) return;
+    const EntitySpec& object = draft.spec.objects.front();
+    draft.diagnostics
+        .error("E0202", object.name.span, "missing key `engine` in the graph: objects need one")
+        .help = fmt::format(
+        "write `engine: {{type: …, rate: …}}`; `eagerx-gen info {}` lists the "
+        "engines that it is made for",
+        object.type.value);
+    return;
+  }
   EntitySpec spec = draft.spec.engine;
   if (!options.engine.empty() && options.engine != spec.type.value) {
     note_left_out(spec, options.engine, draft.diagnostics);

@@ -129,10 +129,28 @@ void check_reset_timeout(Draft& draft) {
 
 /// `--engine` names no place in a file, so its problem is found before anything points at the
 /// graph's engine.
-bool check_engine_option(const Library& library, const ResolveOptions& options,
-                         Diagnostics& diagnostics) {
+bool check_engine_option(const GraphSpec& spec, const Library& library,
+                         const ResolveOptions& options, Diagnostics& diagnostics) {
   if (options.engine.empty()) return true;
+  if (!spec.has_engine()) {
+    diagnostics.error("E0303", {}, "there is no engine to replace: the graph has none").help =
+        "leave out `--engine`, or write `engine:` in the graph";
+    return false;
+  }
   return find_entity(library, {options.engine, {}}, EntityKind::engine, diagnostics) != nullptr;
+}
+
+/// A graph of nodes alone: the engine's place, which nobody reads from, goes.
+void drop_engine(Graph& graph) {
+  graph.nodes.erase(graph.nodes.begin() + Graph::kEngine);
+  const auto moved = [](std::size_t& node) { node -= node > Graph::kEngine ? 1 : 0; };
+  for (auto& node : graph.nodes) {
+    for (auto& input : node.inputs) moved(input.source_node);
+    for (auto& target : node.reset_targets) moved(target.node);
+  }
+  if (!graph.placement) return;
+  auto& on_board = graph.placement->on_board;
+  on_board.erase(on_board.begin() + Graph::kEngine);
 }
 
 }  // namespace
@@ -145,7 +163,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   draft.graph.file_name = std::filesystem::path(spec.path).filename().string();
   draft.graph.double_precision = (options.real.empty() ? spec.real : options.real) == "double";
   draft.graph.span = spec.name.span;
-  if (!check_engine_option(library, options, diagnostics)) return std::nullopt;
+  if (!check_engine_option(spec, library, options, diagnostics)) return std::nullopt;
   check_graph_name(spec.name, diagnostics);
   check_names(draft);
   add_environment(draft);
@@ -160,12 +178,14 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_safety(draft);
+  if (!diagnostics.has_errors()) find_applied_spaces(draft.graph);
   check_random_agent(draft);
   check_reset_timeout(draft);
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
   check_sync(draft);
   check_limits(draft);
   if (diagnostics.has_errors()) return std::nullopt;
+  if (!spec.has_engine()) drop_engine(draft.graph);
   return std::move(draft.graph);
 }
 

@@ -289,7 +289,7 @@ const Format& graph_format() {
                                       {"sync", format::boolean(), false,
                                        "false: inputs take the messages that have arrived when "
                                        "their node begins (default true: messages are counted)"}}),
-        true, "what the objects run on"},
+        false, "what the objects run on; a graph without objects needs none"},
        {"objects", format::map("objects", object_format()), false,
         "robots, things, sensors, actuators"},
        {"nodes", format::map("nodes", node_format()), false, "filters, controllers, estimators"},

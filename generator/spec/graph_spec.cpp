@@ -205,9 +205,11 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
     for (const auto& item : library->items) spec.library.push_back(text_of(item));
   }
   const auto engine = std::ranges::find(root.entries, "engine", &YamlValue::Entry::key);
-  spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
-  spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
-  spec.sync = optional_of<bool>(engine->value, "sync", bool_of);
+  if (engine != root.entries.end()) {
+    spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
+    spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
+    spec.sync = optional_of<bool>(engine->value, "sync", bool_of);
+  }
   spec.reset_timeout_s = optional_of<Rational>(root, "reset_timeout", rational_of);
   const auto read_all = [&](const char* key, std::vector<EntitySpec>& into) {
     const YamlValue* map = root.find(key);

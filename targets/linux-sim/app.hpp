@@ -10,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <targets/common/csv.hpp>
-#include <targets/common/guard.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/files.hpp>
@@ -153,18 +152,16 @@ typename Graph::Action action_of(const Options& options, const ActionTable<Graph
 /// One run of a program whose trace is `Program`'s.
 template <class Graph, class Program>
 void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
-                 Watch<Graph>& watch, target::Guard<Graph>& guard) {
+                 Watch<Graph>& watch) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if constexpr (LinkOf<Graph>::kBoardDecides) {
       // The board has agent and guard, and the program gives back what they did.
       program.link->set_late(watch.late_in_a_row());
       return Graph::zero();
     }
-    if (step == 0) guard.reset();
-    const auto action = action_of<Graph>(options, table, key, step, observation, program);
-    return guard.check(observation, action, watch.late_in_a_row());
+    return action_of<Graph>(options, table, key, step, observation, program);
   };
-  program.warm_up();  // a library may need memory for it, and none afterwards
+  target::warm_up(program);  // a library may need memory for it, and none afterwards
   const MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
@@ -173,12 +170,11 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
     if (interrupted() && watch.has_begun() && program.is_real()) program.make_safe();
   }
   if (Graph::kSafety.declared && interrupted() && watch.has_begun() && target::is_linked(program)) {
-    typename Graph::Action action = guard.stop();
     if constexpr (LinkOf<Graph>::kBoardDecides) program.link->make_safe();
-    program.step(action);
+    target::step_safely<Graph>(program);
   }
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
-  program.stop();
+  target::stop(program);
 }
 
 /// The agent's action, with what the log gives in its place.
@@ -197,17 +193,16 @@ typename Graph::Action replayed_action(const trace_log::Replay& replay, std::uin
 template <class Graph, class Program>
 void replay_episodes(const Options& options, const trace_log::Log& log,
                      const ActionTable<Graph>& table, Program& program, trace_log::Replay& replay) {
-  program.warm_up();
-  target::Guard<Graph> guard;
+  target::warm_up(program);
   for (std::uint32_t episode = 0; episode < log.episodes() && replay.go_on(); ++episode) {
     const EpisodeKey key{log.seed, log.environment, episode};
     program.trace.episode(episode);
-    guard.reset();
     typename Graph::Observation observation = program.reset(Graph::draw(key));
     for (Seq step = 0; replay.go_on() && replay.has_step(episode); ++step) {
       const auto wanted = action_of<Graph>(options, table, key, step, observation, program);
-      const auto action = guard.check(observation, wanted, 0);  // the log tells no lateness
-      observation = program.step(replayed_action<Graph>(replay, episode, action));
+      const auto guarded = target::guarded(program, wanted, 0);  // the log tells no lateness
+      const auto action = replayed_action<Graph>(replay, episode, guarded);
+      observation = target::apply(program, action);
     }
     replay.end_episode(episode);
   }
@@ -228,7 +223,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   TextFile trace;
   const bool in_real_time =
       options.real_time_factor > 0.0 ||
-      target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>.is_real();
+      target::is_real(target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>);
   const Writing writing = in_real_time ? Writing::real_time : Writing::background;
   if (!open_output(csv, options.csv, writing) || !open_output(trace, options.trace, writing))
     return keep_earlier_files(csv, trace), kBadFile;
@@ -239,7 +234,6 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   const std::string_view agent = target::name_of(options.agent);
 
   Watch<Graph> watch(options, csv, trace, link);
-  target::Guard<Graph> guard;
   std::uint64_t hash = 0;
   Summary summary;
   summary.graph = Graph::kName;
@@ -251,11 +245,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   const auto note = [&](const char* name, std::uint64_t count) {
     summary.faults.emplace_back(name, count);
   };
-  const auto note_faults = [&](const auto& program) {
-    target::for_each_fault(program, note);
-    // Where the board decides, its guard counts.
-    if (!LinkOf<Graph>::kBoardDecides) guard.for_each_count(note);
-  };
+  const auto note_faults = [&](const auto& program) { target::for_each_fault(program, note); };
   if (options.hash || trace.is_open()) {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Recorder>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
@@ -264,14 +254,14 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
                            options.trace_time);
       program.trace.write_to(&trace, options.trace_time);
     }
-    run_program(options, table, program, watch, guard);
+    run_program(options, table, program, watch);
     if (target::is_linked(program)) program.trace.write_end();
     hash = program.trace.hash();
     note_faults(program);
   } else {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
-    run_program(options, table, program, watch, guard);
+    run_program(options, table, program, watch);
     note_faults(program);
   }
 
@@ -308,7 +298,7 @@ int replay_log(const Options& options, const ActionTable<Graph>& table) {
   if (!log) return fail(problem, kBadFile);
   auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
   trace_log::Replay replay(*log, Graph::kChannels);
-  if (!replay.prepare(options.replay_given, program.is_real(), problem))
+  if (!replay.prepare(options.replay_given, target::is_real(program), problem))
     return fail(problem, kBadFile);
   program.trace.follow(&replay);
   replay_episodes<Graph>(options, *log, table, program, replay);
@@ -327,13 +317,13 @@ int identify(const Options& options) {
   auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
   const trace_log::Replay same(*log, Graph::kChannels);
   if (!same.fits(problem)) return fail(problem, kBadFile);
-  if (program.is_real() || requires { program.reset_timeouts(); }) {
+  if (target::is_real(program) || requires { program.reset_timeouts(); }) {
     return fail(
         "error: parameters are identified in the program of a simulation without reset nodes\n"
         "help: generate the graph for OdeEngine, with `--engine OdeEngine`",
         kBadUsage);
   }
-  program.warm_up();
+  target::warm_up(program);
   const int code = identify_with<Graph>(options, *log, program, problem);
   return problem.empty() ? code : fail(problem, code);
 }

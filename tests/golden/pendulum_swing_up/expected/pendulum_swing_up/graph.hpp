@@ -9,7 +9,6 @@
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
-#include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
 #include "pendulum_swing_up/program.hpp"
@@ -17,11 +16,9 @@
 
 namespace graphs::pendulum_swing_up {
 
-struct Graph {
+struct Graph : Limits {
   template <class Trace>
   using Program = graphs::pendulum_swing_up::Program<Trace>;
-  using Action = graphs::pendulum_swing_up::Action;
-  using Observation = graphs::pendulum_swing_up::Observation;
   using States = graphs::pendulum_swing_up::States;
   using Rate = eagerx::Rate<30>;  // of the environment
 
@@ -43,14 +40,6 @@ struct Graph {
       {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
   };
 
-  /// actions.voltage, graph.yaml:29:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.angle, graph.yaml:35:32
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
-      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.theta_dot, graph.yaml:36:36
-  static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
   /// What pendulum.model_state is drawn from, graph.yaml:16:20
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
@@ -83,18 +72,6 @@ struct Graph {
   /// The action that does nothing.
   static Action zero() { return Action{}; }
 
-  /// When the safe action takes the agent's place.
-  static constexpr eagerx::Safety kSafety{.declared = false,
-                                          .late = 1,
-                                          .max_lateness_ns = 33333333,
-                                          .link_timeout_ns = 10000000,
-                                          .missed = 2,
-                                          .recover = 3,
-                                          .clips = true,
-                                          .holds = false};
-  /// The safe action.
-  static Action safe() { return {{{0.0F}}}; }
-
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 2U);
@@ -120,18 +97,6 @@ struct Graph {
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 8;
   static bool self_test() { return policy::self_test(); }
-
-  /// f(name, message, space) for each action.
-  template <class F>
-  static void for_each_action(Action& action, F&& f) {
-    f("voltage", action.voltage, kActionVoltage);
-  }
-  /// f(name, window, space) for each observation.
-  template <class F>
-  static void for_each_observation(const Observation& observation, F&& f) {
-    f("angle", observation.angle, kObservationAngle);
-    f("theta_dot", observation.theta_dot, kObservationThetaDot);
-  }
 };
 
 }  // namespace graphs::pendulum_swing_up

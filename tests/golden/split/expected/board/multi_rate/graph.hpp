@@ -9,26 +9,23 @@
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
-#include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
 #include "multi_rate/program.hpp"
 
 namespace graphs::multi_rate {
 
-struct Graph {
+struct Graph : Limits {
   template <class Trace, class Link>
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0xafdc5f69494de059U;  // of the sources of both
+    static constexpr std::uint64_t kGraph = 0x7631e768a02091d7U;  // of the sources of both
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
     static constexpr const char* kBoard = "mps2-an386";
   };
-  using Action = graphs::multi_rate::Action;
-  using Observation = graphs::multi_rate::Observation;
   using States = graphs::multi_rate::States;
   using Rate = eagerx::Rate<10>;  // of the environment
 
@@ -56,25 +53,6 @@ struct Graph {
       {"slow/filtered", "float32", 1, 20, 1, eagerx::Publisher::node},
   };
 
-  /// actions.voltage, graph.yaml:46:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// actions.push, graph.yaml:47:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
-      .low = {{-1.0F}}, .high = {{1.0F}}};
-  /// observations.angle, graph.yaml:55:28
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
-      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.speeds, graph.yaml:56:32
-  static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
-  /// observations.recent, graph.yaml:57:31
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
-      .low = {{-1.0F}}, .high = {{1.0F}}};
-  /// observations.applied, graph.yaml:58:32
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.other, graph.yaml:59:29
-  static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
   static States draw(eagerx::EpisodeKey /*key*/) {
@@ -89,18 +67,6 @@ struct Graph {
   /// The action that does nothing.
   static Action zero() { return Action{}; }
 
-  /// When the safe action takes the agent's place.
-  static constexpr eagerx::Safety kSafety{.declared = false,
-                                          .late = 1,
-                                          .max_lateness_ns = 100000000,
-                                          .link_timeout_ns = 10000000,
-                                          .missed = 2,
-                                          .recover = 3,
-                                          .clips = true,
-                                          .holds = false};
-  /// The safe action.
-  static Action safe() { return {{{0.0F}}, {{0.0F}}}; }
-
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
@@ -110,22 +76,6 @@ struct Graph {
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
   static bool self_test() { return true; }
-
-  /// f(name, message, space) for each action.
-  template <class F>
-  static void for_each_action(Action& action, F&& f) {
-    f("voltage", action.voltage, kActionVoltage);
-    f("push", action.push, kActionPush);
-  }
-  /// f(name, window, space) for each observation.
-  template <class F>
-  static void for_each_observation(const Observation& observation, F&& f) {
-    f("angle", observation.angle, kObservationAngle);
-    f("speeds", observation.speeds, kObservationSpeeds);
-    f("recent", observation.recent, kObservationRecent);
-    f("applied", observation.applied, kObservationApplied);
-    f("other", observation.other, kObservationOther);
-  }
 };
 
 }  // namespace graphs::multi_rate
