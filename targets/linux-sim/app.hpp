@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <eagerx/float_environment.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
 #include <iterator>
@@ -13,6 +14,7 @@
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/files.hpp>
+#include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/help.hpp>
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/interrupt.hpp>
@@ -51,7 +53,8 @@ class Watch {
         link_(link),
         agent_(options.agent),
         pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
-        progress_(options.plan.episodes * options.plan.steps, !options.quiet) {}
+        progress_(options.plan.episodes * options.plan.steps, !options.quiet),
+        steps_an_episode_(options.plan.steps) {}
 
   void begin(EpisodeKey key) {
     if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
@@ -68,14 +71,17 @@ class Watch {
       progress_.start(began_ns_);
     }
     ++episodes_;
-    if (!csv_.is_open()) return;
-    if (episode == 0) Table::header(csv_, observation);
-    Table::row(csv_, episode, 0, observation, nullptr);
+    if (csv_.is_open()) {
+      if (episode == 0) Table::header(csv_, observation);
+      Table::row(csv_, episode, 0, observation, nullptr);
+    }
+    hand_on(pacer_.is_slow());
   }
 
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
     ++steps_;
     if (csv_.is_open()) Table::row(csv_, episode, step, observation, &action);
+    hand_on(step == steps_an_episode_ || pacer_.is_slow());
     progress_.step(steps_);
     if (pacer_.paces()) pacer_.wait_for(step);
   }
@@ -100,12 +106,18 @@ class Watch {
   }
 
  private:
+  void hand_on(bool now) {
+    csv_.hand_on(now);
+    trace_.hand_on(now);
+  }
+
   TextFile& csv_;
   TextFile& trace_;
   Link& link_;
   target::Agent agent_;
   Pacer pacer_;
   Progress progress_;
+  std::uint64_t steps_an_episode_;
   std::int64_t began_ns_ = 0;
   std::uint64_t episodes_ = 0;
   std::uint64_t steps_ = 0;
@@ -255,7 +267,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
       program.trace.write_to(&trace, options.trace_time);
     }
     run_program(options, table, program, watch);
-    if (target::is_linked(program)) program.trace.write_end();
+    if (target::is_linked(program) && calculates_as_everywhere()) program.trace.write_end();
     hash = program.trace.hash();
     note_faults(program);
   } else {
@@ -280,13 +292,16 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   if (!watch.has_begun()) keep_earlier_files(csv, trace);
   const bool csv_closed = close_output(csv, options.csv);
   const bool trace_closed = close_output(trace, options.trace);
+  const bool is_right = calculates_as_everywhere();
   std::FILE* const out = options.csv == "-" || options.trace == "-" ? stderr : stdout;
   std::string text = options.quiet ? "" : summary_text(summary);
-  if (options.hash && broken.empty()) text += hash_line(hash);
+  if (options.hash && broken.empty() && is_right) text += hash_line(hash);
   const bool printed = text.empty() || print(out, text);
   if (!broken.empty()) fail(broken + "\n" + place_of(summary), kBadFile);
+  if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
   end_as_told();
   if (!broken.empty()) return kBadFile;
+  if (!is_right) return kSelfTestFailed;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
 }
 
@@ -345,13 +360,21 @@ int self_test() {
     Graph::kHasFastPolicy;
   }
   ? ", but for rounding (profile fast)" : "";
-  return print(stdout, "self-test: " + text + rounding + "\n") ? kDone : kBadFile;
+  return print(stdout, "self-test: " + text + rounding + "; denormal numbers are kept\n") ? kDone
+                                                                                         : kBadFile;
 }
 
 /// The main function: reads the command line, runs, returns the exit code (see --help).
 template <class Graph>
 int run(int argc, char** argv) {
   open_standard_files();
+  bool was_wrong = false;
+  if (!put_floats_right(was_wrong))
+    return fail("error: this processor does not keep denormal numbers", kSelfTestFailed);
+  if (was_wrong)
+    fail("note: denormal numbers were taken for zero, or numbers rounded otherwise, before this "
+         "program began; it has put that right. Usually it is linked with `-ffast-math`",
+         kDone);
   Options defaults;
   defaults.agent = target::default_agent<Graph>();
   defaults.action_file = Graph::kAgentCsv;

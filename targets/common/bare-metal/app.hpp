@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/float_environment.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
 #include <string_view>
@@ -265,6 +266,10 @@ int run(const char* board) {
   const int usage = read_options(options, Graph::kHasPolicy);
   console.send_to(options.output);
   if (usage != kDone) return console.flush(), usage;
+  if (!calculates_as_everywhere()) {
+    console.text("error: this board does not keep denormal numbers, or rounds otherwise\n");
+    return console.flush(), kSelfTestFailed;
+  }
   if (!Graph::self_test()) {
     console.text("error: this board's answers of the policy differ from the generator's\n");
     return console.flush(), kSelfTestFailed;
