@@ -32,6 +32,7 @@ class GraphView {
               string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
     add_channels();
     add_draws();
+    add_states();
     add_random_action();
     add_policy();
     add_split();
@@ -67,8 +68,30 @@ class GraphView {
     return "node";
   }
 
+  /// `{low, high}` for all elements or for each; nothing where every value is within.
+  static std::vector<std::string> bounds_of(const Space& space) {
+    const bool is_float = space.dtype == Dtype::float32;
+    const auto bound = [&](const std::vector<double>& given, std::size_t i, double otherwise) {
+      const double value = given.empty() ? otherwise : given[given.size() == 1 ? 0 : i];
+      return is_float ? static_cast<double>(static_cast<float>(value)) : value;
+    };
+    const double lowest = bound({}, 0, lowest_of(space.dtype));
+    const double highest = bound({}, 0, highest_of(space.dtype));
+    const std::size_t count = std::max({space.low.size(), space.high.size(), std::size_t{1}});
+    std::vector<std::string> result;
+    bool bounded = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double low = bound(space.low, i, lowest), high = bound(space.high, i, highest);
+      bounded = bounded || low > lowest || high < highest;
+      result.push_back(fmt::format("{{{}, {}}}", literal(low, Dtype::float64),
+                                   literal(high, Dtype::float64)));
+    }
+    return bounded ? result : std::vector<std::string>();
+  }
+
   void add_channels() {
-    View channels = list();
+    View channels = list(), bounds = list();
+    std::size_t first = 0;
     for (const auto& channel : plan_.channels) {
       const GraphNode& node = graph_.nodes[channel.node];
       const Space& space = node.outputs[channel.output].space;
@@ -79,8 +102,24 @@ class GraphView {
       item.set("num", fmt::format("{}", node.rate_hz.num()));
       item.set("den", fmt::format("{}", node.rate_hz.den()));
       item.set("publisher", publisher(node.role));
+      const std::vector<std::string> own = bounds_of(space);
+      if (!own.empty()) {
+        View place = object();
+        place.set("first", fmt::format("{}", first));
+        place.set("count", fmt::format("{}", own.size()));
+        item["bounded"] = std::move(place);
+        View line = object();
+        line.set("values", joined(own));
+        line.set("channel", channel.name);
+        bounds.push_back(line);
+        first += own.size();
+      } else {
+        item["bounded"] = View(false);
+      }
       channels.push_back(item);
     }
+    view_.set("has_bounds", bounds.is_non_empty_list());
+    view_["bounds"] = std::move(bounds);
     view_["channels"] = std::move(channels);
   }
 
@@ -211,6 +250,41 @@ class GraphView {
     view_["ranges"] = std::move(ranges);
     view_["randoms"] = std::move(randoms);
     view_.set("draws", draws);
+  }
+
+  /// Everything that States has.
+  void add_states() {
+    View states = list();
+    const auto add = [&](const std::string& owner, const std::string& name, const Space& space,
+                         const std::string& field) {
+      View item = object();
+      item.set("state", owner + "." + name);
+      item.set("id", owner + "/" + name);
+      item.set("field", field);
+      item.set("type", message_type(space));
+      item.set("literal", space_literal(space));
+      states.push_back(item);
+    };
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
+      const Object& item = graph_.objects[i];
+      for (std::size_t s = 0; s < item.states.size(); ++s)
+        add(item.name, item.states[s].name, item.states[s].space, names_.object_state[i][s]);
+    }
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      const GraphNode& node = graph_.nodes[n];
+      for (std::size_t s = 0; s < node.states.size(); ++s) {
+        if (node.states[s].settable)
+          add(node.name, node.states[s].name, node.states[s].space, names_.node_state[n][s]);
+      }
+      for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+        if (names_.delay_state[n][i].empty()) continue;
+        add(node.name, node.inputs[i].name + "/delay",
+            {Dtype::float64, {}, {0.0}, {node.inputs[i].max_delay_s->to_double()}},
+            names_.delay_state[n][i]);
+      }
+    }
+    view_.set("has_states", states.is_non_empty_list());
+    view_["states"] = std::move(states);
   }
 
   void add_random_action() {

@@ -54,14 +54,15 @@ class Watch {
         agent_(options.agent),
         pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
         progress_(options.plan.episodes * options.plan.steps, !options.quiet),
-        steps_an_episode_(options.plan.steps) {}
+        steps_an_episode_(options.plan.steps),
+        strict_spaces_(options.strict_spaces) {}
 
   void begin(EpisodeKey key) {
     if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
   }
   bool go_on() const {
     stop_if_told();
-    return !interrupted() && !csv_.failed() && !trace_.failed();
+    return !interrupted() && !csv_.failed() && !trace_.failed() && !left_space();
   }
 
   void reset(std::uint32_t episode, const Observation& observation) {
@@ -86,6 +87,8 @@ class Watch {
     if (pacer_.paces()) pacer_.wait_for(step);
   }
 
+  /// Whether a message has ended the run: --strict-spaces.
+  bool left_space() const { return strict_spaces_ && spaces_of_run<Graph>.is_any(); }
   /// Whether there is something that a safe action could stop.
   bool has_begun() const { return episodes_ > 0; }
   std::uint64_t late_in_a_row() const { return pacer_.late_in_a_row(); }
@@ -118,6 +121,7 @@ class Watch {
   Pacer pacer_;
   Progress progress_;
   std::uint64_t steps_an_episode_;
+  bool strict_spaces_;
   std::int64_t began_ns_ = 0;
   std::uint64_t episodes_ = 0;
   std::uint64_t steps_ = 0;
@@ -177,11 +181,12 @@ void run_program(const Options& options, const ActionTable<Graph>& table, Progra
   const MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
+  const bool ends_early = interrupted() || watch.left_space();
   if constexpr (requires { program.make_safe(); }) {
     // At once: a last step may wait for its instant, or for a board.
-    if (interrupted() && watch.has_begun() && program.is_real()) program.make_safe();
+    if (ends_early && watch.has_begun() && program.is_real()) program.make_safe();
   }
-  if (Graph::kSafety.declared && interrupted() && watch.has_begun() && target::is_linked(program)) {
+  if (Graph::kSafety.declared && ends_early && watch.has_begun() && target::is_linked(program)) {
     if constexpr (LinkOf<Graph>::kBoardDecides) program.link->make_safe();
     target::step_safely<Graph>(program);
   }
@@ -235,7 +240,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   TextFile trace;
   const bool in_real_time =
       options.real_time_factor > 0.0 ||
-      target::is_real(target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>);
+      target::is_real(target::program_of_run<typename ProgramOf<Graph, Untraced<Graph>>::Type>);
   const Writing writing = in_real_time ? Writing::real_time : Writing::background;
   if (!open_output(csv, options.csv, writing) || !open_output(trace, options.trace, writing))
     return keep_earlier_files(csv, trace), kBadFile;
@@ -271,12 +276,15 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     hash = program.trace.hash();
     note_faults(program);
   } else {
-    auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>;
+    auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced<Graph>>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
     run_program(options, table, program, watch);
     note_faults(program);
   }
 
+  spaces_of_run<Graph>.for_each_count([&](const std::string& name, std::uint64_t count) {
+    summary.faults.emplace_back(name, count);
+  });
   watch.finish(summary);
   std::string broken;
   if constexpr (is_split<Graph>) {
@@ -299,9 +307,12 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   const bool printed = text.empty() || print(out, text);
   if (!broken.empty()) fail(broken + "\n" + place_of(summary), kBadFile);
   if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
+  if (watch.left_space())
+    fail("error: " + spaces_of_run<Graph>.first() + "\n" + place_of(summary), kLeftSpace);
   end_as_told();
   if (!broken.empty()) return kBadFile;
   if (!is_right) return kSelfTestFailed;
+  if (watch.left_space()) return kLeftSpace;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
 }
 

@@ -107,6 +107,9 @@ bool set_link_timeout(Options& options, std::string_view value) {
   constexpr double kLongest = 1e6;
   return parse_number(value, 0.0, options.link_timeout_s) && options.link_timeout_s <= kLongest;
 }
+bool set_strict_spaces(Options& options, std::string_view) {
+  return options.strict_spaces = true;
+}
 bool set_hash(Options& options, std::string_view) {
   return options.hash = true;
 }
@@ -176,6 +179,8 @@ constexpr std::array kOptions{
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
            "end the run after so many seconds without an answer of the board", set_link_timeout,
            true},
+    Option{"--strict-spaces", "", "", "end the run with the first message that is out of its space",
+           set_strict_spaces},
     Option{"--self-test", "", "", "only compare the policy's answers with known ones",
            set_self_test},
     Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
@@ -324,8 +329,8 @@ Ctrl-C, and every other signal that would end the program but SIGKILL, ends the 
 current slot of a reset that waits for something, with files complete and the summary; a second Ctrl-C more than a second
 later ends it at once. Ctrl-Z makes actuators safe first. Nothing can be done about SIGKILL and SIGSTOP.
 
-Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test or diverged from the log, 2 wrong
-usage, 3 cannot read or write.
+Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test, diverged from the log or out of a
+space that is strict, 2 wrong usage, 3 cannot read or write.
 )";
 }
 

@@ -14,6 +14,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kBadActions = 1;
 inline constexpr int kSelfTestFailed = 1;
 inline constexpr int kDiverged = 1;
+inline constexpr int kLeftSpace = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kBadFile = 3;
 
@@ -39,6 +40,7 @@ struct Options {
   std::string link;
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
+  bool strict_spaces = false;
   bool hash = false;
   bool quiet = false;
   bool help = false;

@@ -11,13 +11,20 @@
 #include <string_view>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
 
-/// No trace, but an end to resets that wait when there was a signal, or a stop.
+/// No trace, but messages out of their spaces are counted, and a reset that waits ends when there
+/// was a signal, or a stop.
+template <class Graph>
 struct Untraced : NoTrace {
   static bool is_interrupted() { return stop_if_told(), interrupted(); }
+  template <class Message>
+  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+    spaces_of_run<Graph>.see(channel, seq, message);
+  }
 };
 
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
@@ -52,6 +59,7 @@ class TraceRecorder {
   [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, Message& message) {
     if (experiment_ != nullptr) return experiment_->message(channel, seq, message);
     if (replay_ != nullptr) replay_->message(channel, episode_, seq, message);
+    spaces_of_run<Graph>.see(channel, seq, message);
     hash_(channel, seq, message);
     if (file_ != nullptr) write(channel, seq, message);
   }
