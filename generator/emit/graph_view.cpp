@@ -83,8 +83,8 @@ class GraphView {
     for (std::size_t i = 0; i < count; ++i) {
       const double low = bound(space.low, i, lowest), high = bound(space.high, i, highest);
       bounded = bounded || low > lowest || high < highest;
-      result.push_back(fmt::format("{{{}, {}}}", literal(low, Dtype::float64),
-                                   literal(high, Dtype::float64)));
+      result.push_back(
+          fmt::format("{{{}, {}}}", literal(low, Dtype::float64), literal(high, Dtype::float64)));
     }
     return bounded ? result : std::vector<std::string>();
   }

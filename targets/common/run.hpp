@@ -136,12 +136,23 @@ bool is_real(const Program& program) {
   }
 }
 
+/// What an episode begins with: as the graph draws it, or as the watch wants.
+template <class Graph, class Watch>
+typename Graph::States states_of(Watch& watch, EpisodeKey key) {
+  if constexpr (requires { watch.states(key); }) {
+    return watch.states(key);
+  } else {
+    return Graph::draw(key);
+  }
+}
+
 /// Runs `plan`. `agent(key, step, observation)` gives an action, and the program's guard what is
 /// applied in its place. `watch` sees what happens:
 /// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
 /// `step` from 1, and ends the run before a step or an episode by returning false from
 /// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode; if it
-/// has `late_in_a_row()`, that is how many steps up to now were too late. The run of a program with
+/// has `late_in_a_row()`, that is how many steps up to now were too late; if
+/// it has `states(key)`, that is what an episode begins with. The run of a program with
 /// a link to another one ends when the link does, and `watch` does not see that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
@@ -150,7 +161,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
     const EpisodeKey key{plan.seed, plan.environment, episode};
     if constexpr (requires { watch.begin(key); }) watch.begin(key);
     program.trace.episode(episode);
-    typename Graph::Observation observation = program.reset(Graph::draw(key));
+    typename Graph::Observation observation = program.reset(states_of<Graph>(watch, key));
     if (!is_linked(program)) return;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {

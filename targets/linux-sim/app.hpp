@@ -22,6 +22,8 @@
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/progress.hpp>
 #include <targets/linux-sim/split.hpp>
+#include <targets/linux-sim/state_record.hpp>
+#include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <targets/linux-sim/text_file.hpp>
 #include <targets/linux-sim/trace_file.hpp>
@@ -47,8 +49,13 @@ class Watch {
 
   using Link = typename LinkOf<Graph>::Type;
 
-  Watch(const Options& options, TextFile& csv, TextFile& trace, Link& link)
-      : csv_(csv),
+  using States = typename Graph::States;
+
+  Watch(const Options& options, const StateSettings<Graph>& settings, TextFile& csv,
+        TextFile& trace, Link& link)
+      : settings_(settings),
+        csv_states_(options.csv_states),
+        csv_(csv),
         trace_(trace),
         link_(link),
         agent_(options.agent),
@@ -59,6 +66,13 @@ class Watch {
 
   void begin(EpisodeKey key) {
     if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
+  }
+  States states(EpisodeKey key) {
+    States states = Graph::draw(key);
+    settings_.apply(key, states);
+    record_.begin(states);
+    if (trace_.is_open()) record_.trace(trace_, key.episode);
+    return states;
   }
   bool go_on() const {
     stop_if_told();
@@ -73,15 +87,19 @@ class Watch {
     }
     ++episodes_;
     if (csv_.is_open()) {
-      if (episode == 0) Table::header(csv_, observation);
-      Table::row(csv_, episode, 0, observation, nullptr);
+      if (episode == 0) {
+        Table::header(csv_, observation, [&](TextFile& out) {
+          if (csv_states_) record_.column_names(out);
+        });
+      }
+      row(episode, 0, observation, nullptr);
     }
     hand_on(pacer_.is_slow());
   }
 
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
     ++steps_;
-    if (csv_.is_open()) Table::row(csv_, episode, step, observation, &action);
+    if (csv_.is_open()) row(episode, step, observation, &action);
     hand_on(step == steps_an_episode_ || pacer_.is_slow());
     progress_.step(steps_);
     if (pacer_.paces()) pacer_.wait_for(step);
@@ -102,6 +120,7 @@ class Watch {
     if (episodes_ > 0) {
       summary.elapsed_s = static_cast<double>(now_ns() - began_ns_) * kSecondsPerNs;
     }
+    if (episodes_ > 0) record_.describe(summary);
     summary.paced = pacer_.paces();
     summary.overruns = pacer_.overruns();
     summary.worst_overrun_s = pacer_.worst_s();
@@ -109,11 +128,19 @@ class Watch {
   }
 
  private:
+  void row(std::uint32_t episode, Seq step, const Observation& observation, const Action* action) {
+    Table::row(csv_, episode, step, observation, action, [&](TextFile& out) {
+      if (csv_states_) record_.columns(out);
+    });
+  }
   void hand_on(bool now) {
     csv_.hand_on(now);
     trace_.hand_on(now);
   }
 
+  const StateSettings<Graph>& settings_;
+  StateRecord<Graph> record_;
+  bool csv_states_;
   TextFile& csv_;
   TextFile& trace_;
   Link& link_;
@@ -214,7 +241,9 @@ void replay_episodes(const Options& options, const trace_log::Log& log,
   for (std::uint32_t episode = 0; episode < log.episodes() && replay.go_on(); ++episode) {
     const EpisodeKey key{log.seed, log.environment, episode};
     program.trace.episode(episode);
-    typename Graph::Observation observation = program.reset(Graph::draw(key));
+    typename Graph::States states = Graph::draw(key);
+    repeat_states<Graph>(log, episode, states);
+    typename Graph::Observation observation = program.reset(states);
     for (Seq step = 0; replay.go_on() && replay.has_step(episode); ++step) {
       const auto wanted = action_of<Graph>(options, table, key, step, observation, program);
       const auto guarded = target::guarded(program, wanted, 0);  // the log tells no lateness
@@ -234,7 +263,7 @@ inline std::string place_of(const Summary& summary) {
 /// Runs with everything checked and read; writes files and summary.
 template <class Graph>
 int run_with(const Options& options, const ActionTable<Graph>& table,
-             typename LinkOf<Graph>::Type& link) {
+             const StateSettings<Graph>& settings, typename LinkOf<Graph>::Type& link) {
   using Recorder = TraceRecorder<Graph>;
   TextFile csv;
   TextFile trace;
@@ -250,7 +279,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   }
   const std::string_view agent = target::name_of(options.agent);
 
-  Watch<Graph> watch(options, csv, trace, link);
+  Watch<Graph> watch(options, settings, csv, trace, link);
   std::uint64_t hash = 0;
   Summary summary;
   summary.graph = Graph::kName;
@@ -371,8 +400,9 @@ int self_test() {
     Graph::kHasFastPolicy;
   }
   ? ", but for rounding (profile fast)" : "";
-  return print(stdout, "self-test: " + text + rounding + "; denormal numbers are kept\n") ? kDone
-                                                                                         : kBadFile;
+  return print(stdout, "self-test: " + text + rounding + "; denormal numbers are kept\n")
+             ? kDone
+             : kBadFile;
 }
 
 /// The main function: reads the command line, runs, returns the exit code (see --help).
@@ -383,9 +413,10 @@ int run(int argc, char** argv) {
   if (!put_floats_right(was_wrong))
     return fail("error: this processor does not keep denormal numbers", kSelfTestFailed);
   if (was_wrong)
-    fail("note: denormal numbers were taken for zero, or numbers rounded otherwise, before this "
-         "program began; it has put that right. Usually it is linked with `-ffast-math`",
-         kDone);
+    fail(
+        "note: denormal numbers were taken for zero, or numbers rounded otherwise, before this "
+        "program began; it has put that right. Usually it is linked with `-ffast-math`",
+        kDone);
   Options defaults;
   defaults.agent = target::default_agent<Graph>();
   defaults.action_file = Graph::kAgentCsv;
@@ -408,6 +439,12 @@ int run(int argc, char** argv) {
         "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions",
         kBadUsage);
   }
+  StateSettings<Graph> settings;
+  const std::string problem_of_settings =
+      is_split<Graph> && !options.settings.empty()
+          ? "error: the board draws its states itself\nhelp: leave out `--set`"
+          : settings.read(options.settings);
+  if (!problem_of_settings.empty()) return fail(problem_of_settings, kBadUsage);
   const std::string problem_of_files = problem_with_files(options);
   if (!problem_of_files.empty()) return fail(problem_of_files, kBadUsage);
 
@@ -443,7 +480,7 @@ int run(int argc, char** argv) {
     const std::string problem = connect<Graph>(link, options);
     if (!problem.empty()) return fail(problem, kBadFile);
   }
-  return run_with<Graph>(options, table, link);
+  return run_with<Graph>(options, table, settings, link);
 }
 
 }  // namespace eagerx::linux_sim

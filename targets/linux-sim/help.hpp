@@ -26,8 +26,9 @@ int show_help(const char* program_name, const Options& defaults) {
   if constexpr (is_split<Graph>) program.link = &none;
   program.trace.is_real = target::is_real(program);
   std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\n" +
-                     (target::is_real(program) ? "Runs" : "Simulates") + " the graph `" + Graph::kName +
-                     "` on " + Graph::kEngine + " at " + number_text(Graph::Rate::hz) + " Hz.\n\n";
+                     (target::is_real(program) ? "Runs" : "Simulates") + " the graph `" +
+                     Graph::kName + "` on " + Graph::kEngine + " at " +
+                     number_text(Graph::Rate::hz) + " Hz.\n\n";
   text += describe<Graph>(program.reset(Graph::draw(EpisodeKey{defaults.plan.seed, 0, 0})));
   text += "Options (defaults in brackets):\n" + options_help(defaults);
   return print(stdout, text) ? kDone : kBadFile;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <targets/common/run.hpp>
 #include <variant>
+#include <vector>
 
 namespace eagerx::linux_sim {
 
@@ -41,6 +42,8 @@ struct Options {
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
   bool strict_spaces = false;
+  bool csv_states = false;
+  std::vector<std::string> settings;  // of states: NAME=VALUE
   bool hash = false;
   bool quiet = false;
   bool help = false;
