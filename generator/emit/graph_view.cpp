@@ -102,6 +102,9 @@ class GraphView {
       item.set("num", fmt::format("{}", node.rate_hz.num()));
       item.set("den", fmt::format("{}", node.rate_hz.den()));
       item.set("publisher", publisher(node.role));
+      const Output& output = node.outputs[channel.output];
+      const std::string owner = node.role == NodeRole::environment ? "actions" : node.name;
+      item.set("port", output.sensor.empty() ? owner + "." + output.name : output.sensor);
       const std::vector<std::string> own = bounds_of(space);
       if (!own.empty()) {
         View place = object();

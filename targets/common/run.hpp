@@ -152,7 +152,8 @@ typename Graph::States states_of(Watch& watch, EpisodeKey key) {
 /// `step` from 1, and ends the run before a step or an episode by returning false from
 /// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode; if it
 /// has `late_in_a_row()`, that is how many steps up to now were too late; if
-/// it has `states(key)`, that is what an episode begins with. The run of a program with
+/// it has `states(key)`, that is what an episode begins with; if it has
+/// `is_over()`, an episode ends when that is true. The run of a program with
 /// a link to another one ends when the link does, and `watch` does not see that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
@@ -166,6 +167,9 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
       if (!watch.go_on()) return;
+      if constexpr (requires { watch.is_over(); }) {
+        if (watch.is_over()) break;
+      }
       const typename Graph::Action wanted = agent(key, step, observation);
       std::uint64_t late = 0;
       if constexpr (requires { watch.late_in_a_row(); }) late = watch.late_in_a_row();

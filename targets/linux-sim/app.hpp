@@ -71,9 +71,18 @@ class Watch {
     States states = Graph::draw(key);
     settings_.apply(key, states);
     record_.begin(states);
+    if (measures_of_run.is_used()) {
+      measures_of_run.end_episode();
+      measures_of_run.begin_episode();
+      record_.for_each_value([](std::uint32_t number, const auto& message) {
+        measures_of_run.set_message(Variable::Kind::state, number, message);
+      });
+    }
     if (trace_.is_open()) record_.trace(trace_, key.episode);
     return states;
   }
+  /// Whether an episode is over before its last step.
+  bool is_over() const { return measures_of_run.is_over(); }
   bool go_on() const {
     stop_if_told();
     return !interrupted() && !csv_.failed() && !trace_.failed() && !left_space();
@@ -86,6 +95,7 @@ class Watch {
       progress_.start(began_ns_);
     }
     ++episodes_;
+    if (measures_of_run.is_used()) measures_of_run.step(0, 0.0);
     if (csv_.is_open()) {
       if (episode == 0) {
         Table::header(csv_, observation, [&](TextFile& out) {
@@ -99,8 +109,10 @@ class Watch {
 
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
     ++steps_;
+    if (measures_of_run.is_used())
+      measures_of_run.step(step, Graph::Rate::template seconds<double>(step));
     if (csv_.is_open()) row(episode, step, observation, &action);
-    hand_on(step == steps_an_episode_ || pacer_.is_slow());
+    hand_on(step == steps_an_episode_ || is_over() || pacer_.is_slow());
     progress_.step(steps_);
     if (pacer_.paces()) pacer_.wait_for(step);
   }
@@ -121,6 +133,10 @@ class Watch {
       summary.elapsed_s = static_cast<double>(now_ns() - began_ns_) * kSecondsPerNs;
     }
     if (episodes_ > 0) record_.describe(summary);
+    if (measures_of_run.is_used()) {
+      measures_of_run.end_episode();
+      measures_of_run.describe(summary);
+    }
     summary.paced = pacer_.paces();
     summary.overruns = pacer_.overruns();
     summary.worst_overrun_s = pacer_.worst_s();
@@ -292,7 +308,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     summary.faults.emplace_back(name, count);
   };
   const auto note_faults = [&](const auto& program) { target::for_each_fault(program, note); };
-  if (options.hash || trace.is_open()) {
+  if (options.hash || trace.is_open() || measures_of_run.reads_messages()) {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Recorder>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
     if (trace.is_open()) {
@@ -300,6 +316,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
                            options.trace_time);
       program.trace.write_to(&trace, options.trace_time);
     }
+    program.trace.measure();
     run_program(options, table, program, watch);
     if (target::is_linked(program) && calculates_as_everywhere()) program.trace.write_end();
     hash = program.trace.hash();
@@ -445,6 +462,9 @@ int run(int argc, char** argv) {
           ? "error: the board draws its states itself\nhelp: leave out `--set`"
           : settings.read(options.settings);
   if (!problem_of_settings.empty()) return fail(problem_of_settings, kBadUsage);
+  const std::string problem_of_measures = measures_of_run.prepare(
+      options.until, options.measures, options.summary, readables_of<Graph>());
+  if (!problem_of_measures.empty()) return fail(problem_of_measures, kBadUsage);
   const std::string problem_of_files = problem_with_files(options);
   if (!problem_of_files.empty()) return fail(problem_of_files, kBadUsage);
 

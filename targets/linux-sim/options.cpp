@@ -110,6 +110,17 @@ bool set_link_timeout(Options& options, std::string_view value) {
 bool set_csv_states(Options& options, std::string_view) {
   return options.csv_states = true;
 }
+bool set_until(Options& options, std::string_view value) {
+  options.until = value;
+  return !value.empty();
+}
+bool set_measure(Options& options, std::string_view value) {
+  options.measures.emplace_back(value);
+  return !value.empty();
+}
+bool set_summary(Options& options, std::string_view) {
+  return options.summary = true;
+}
 bool set_state(Options& options, std::string_view value) {
   options.settings.emplace_back(value);
   return true;
@@ -192,6 +203,12 @@ constexpr std::array kOptions{
            "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; may be "
            "repeated",
            set_state},
+    Option{"--until", "CONDITION", "a condition such as `abs(pendulum.theta) > 1`",
+           "end an episode after the first step at which this holds", set_until},
+    Option{"--measure", "NUMBER", "an expression such as `abs(pendulum.theta)`",
+           "tell mean, deviation and worst of this over all steps; may be repeated", set_measure},
+    Option{"--summary", "", "", "tell mean, deviation, least and most over all episodes",
+           set_summary},
     Option{"--strict-spaces", "", "", "end the run with the first message that is out of its space",
            set_strict_spaces},
     Option{"--self-test", "", "", "only compare the policy's answers with known ones",
@@ -213,8 +230,9 @@ constexpr std::array<std::array<std::string_view, 2>, 7> kNeeds{{
 }};
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
-constexpr std::array<std::string_view, 7> kNotWithLogs{
-    "--set", "--csv", "--trace", "--seed", "--episodes", "--environment", "--real-time-factor"};
+constexpr std::array<std::string_view, 10> kNotWithLogs{
+    "--set",   "--until", "--measure",  "--summary",     "--csv",
+    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor"};
 
 std::string nearest_option(std::string_view name) {
   constexpr std::size_t kLongestTypo = 3;

@@ -43,6 +43,9 @@ struct Options {
   double link_timeout_s = 5.0;
   bool strict_spaces = false;
   bool csv_states = false;
+  std::string until;  // a condition; empty: none
+  std::vector<std::string> measures;
+  bool summary = false;
   std::vector<std::string> settings;  // of states: NAME=VALUE
   bool hash = false;
   bool quiet = false;

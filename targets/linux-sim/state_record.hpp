@@ -46,6 +46,16 @@ class StateRecord {
     });
   }
 
+  /// f(number of the state, message) for each that has a value.
+  template <class F>
+  void for_each_value(F&& f) const {
+    std::uint32_t number = 0;
+    for_each([&](const char*, const auto& state, const char*) {
+      if (state) f(number, *state);
+      ++number;
+    });
+  }
+
   /// Lines `# state EPISODE NAME VALUE,…`, which are no messages: the hash does not see them.
   template <class Writer>
   void trace(Writer& out, std::uint32_t episode) const {

@@ -10,6 +10,7 @@
 #include <runtime/host/trace/replay.hpp>
 #include <string_view>
 #include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -41,6 +42,8 @@ class TraceRecorder {
     start_ns_ = now_ns();
     timed_ = timed;
   }
+  /// Expressions see the messages.
+  void measure() { measures_ = measures_of_run.reads_messages(); }
   void follow(trace_log::Replay* replay) { replay_ = replay; }
   /// Every run is one of the experiment's from now on.
   void measure(identification::Experiment* experiment) { experiment_ = experiment; }
@@ -60,6 +63,7 @@ class TraceRecorder {
     if (experiment_ != nullptr) return experiment_->message(channel, seq, message);
     if (replay_ != nullptr) replay_->message(channel, episode_, seq, message);
     spaces_of_run<Graph>.see(channel, seq, message);
+    if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
     hash_(channel, seq, message);
     if (file_ != nullptr) write(channel, seq, message);
   }
@@ -91,6 +95,7 @@ class TraceRecorder {
   std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;
   bool timed_ = false;
+  bool measures_ = false;
 };
 
 }  // namespace eagerx::linux_sim

@@ -30,14 +30,29 @@ struct Graph : Limits {
 
   /// The published messages; the index is the channel of the trace.
   static constexpr eagerx::Channel kChannels[] = {
-      {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine},
-      {"environment/voltage", "float32", 1, 30, 1, eagerx::Publisher::environment},
-      {"pendulum/theta/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/x/observation", "float32", 2, 30, 1, eagerx::Publisher::engine_node},
-      {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
+      {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine, "engine.tick"},
+      {"environment/voltage", "float32", 1, 30, 1, eagerx::Publisher::environment,
+          "actions.voltage", 0, 1},
+      {"pendulum/theta/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum.theta", 1, 1},
+      {"pendulum/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum.theta_dot", 2, 1},
+      {"pendulum/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum/u.action_applied", 3, 1},
+      {"pendulum/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum/u_applied.action_applied", 4, 1},
+      {"pendulum/x/observation", "float32", 2, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum/x.observation"},
+      {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node, "smooth.filtered", 5, 1},
+  };
+  /// Bounds of the published messages, where they have some.
+  static constexpr eagerx::Bounds kBounds[] = {
+      {-2.0, 2.0},  // environment/voltage
+      {-999.0, 999.0},  // pendulum/theta/observation
+      {-999.0, 999.0},  // pendulum/theta_dot/observation
+      {-2.0, 2.0},  // pendulum/u/action_applied
+      {-2.0, 2.0},  // pendulum/u_applied/action_applied
+      {-2.0, 2.0},  // smooth/filtered
   };
 
   /// What pendulum.model_state is drawn from, graph.yaml:16:20
@@ -67,6 +82,19 @@ struct Graph : Limits {
   template <class F>
   static void for_each_range(F&& f) {
     f("pendulum.model_state", &States::pendulum_model_state, kStatePendulumModelState);
+  }
+
+  /// f(name, what its draws are called, member of States, space) for each state.
+  template <class F>
+  static void for_each_state(F&& f) {
+    f("pendulum.model_state", "pendulum/model_state", &States::pendulum_model_state,
+        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+    f("pendulum.mass", "pendulum/mass", &States::pendulum_mass,
+        eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
+    f("pendulum.length", "pendulum/length", &States::pendulum_length,
+        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+    f("pendulum.max_speed", "pendulum/max_speed", &States::pendulum_max_speed,
+        eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
   }
 
   /// The action that does nothing.
