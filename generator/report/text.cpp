@@ -36,8 +36,9 @@ std::string load_text(const char* what, const LinkLoad& load) {
 
 std::string plan_text(const PlanReport& report) {
   const Plan& plan = *report.plan;
-  std::string text = fmt::format("{}: {} nodes on {}\n\nrates\n", plan.graph->name,
-                                 plan.graph->nodes.size(), plan.graph->engine_id());
+  std::string text =
+      fmt::format("{}: {} nodes {}\n\nrates\n", plan.graph->name, plan.graph->nodes.size(),
+                  plan.graph->has_engine() ? "on " + plan.graph->engine_id() : "without an engine");
   for (std::size_t rate = 0; rate < plan.rates.size(); ++rate) {
     text += fmt::format("  {} Hz:", plan.rates[rate].rate_hz.to_string());
     for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
