@@ -11,6 +11,7 @@
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
 
+#include "multi_rate/limits.hpp"
 #include "multi_rate/program.hpp"
 
 namespace graphs::multi_rate {

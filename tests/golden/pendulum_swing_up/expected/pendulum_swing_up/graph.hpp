@@ -11,6 +11,7 @@
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
 
+#include "pendulum_swing_up/limits.hpp"
 #include "pendulum_swing_up/program.hpp"
 #include "pendulum_swing_up/policy.hpp"
 

@@ -11,6 +11,7 @@
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
 
+#include "multi_rate/limits.hpp"
 #include "multi_rate/program.hpp"
 
 namespace graphs::multi_rate {
@@ -20,7 +21,7 @@ struct Graph : Limits {
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0xb51875ba83560375U;  // of the sources of both
+    static constexpr std::uint64_t kGraph = 0x68a60e8b247e7a81U;  // of the sources of both
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
