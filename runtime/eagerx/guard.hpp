@@ -7,6 +7,7 @@
 #include <eagerx/message.hpp>
 #include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
+#include <limits>
 #include <type_traits>
 
 namespace eagerx {
@@ -189,13 +190,28 @@ class Guard {
   }
 
  private:
+  /// Whether nothing needs to be done, which is one comparison where bounds are symmetric.
   static bool is_applicable(Action action) {
     bool applicable = true;
     Limits::for_each_applied(action, [&](const auto& message, const auto& space) {
-      const bool bounded = is_finite(space.low) && is_finite(space.high);
-      applicable = applicable && space.contains(message) && (bounded || is_finite(message));
+      for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(message)>>; ++i) {
+        applicable = applicable &&
+                     is_within(element(message, i), element(space.low, i), element(space.high, i));
+      }
     });
     return applicable;
+  }
+
+  /// NaN and infinity never are.
+  template <class T>
+  static bool is_within(T x, T low, T high) {
+    if constexpr (std::is_floating_point_v<T>) {
+      constexpr T kMost = std::numeric_limits<T>::max();
+      if (low == -high) return eagerx::abs(x) <= (high < kMost ? high : kMost);
+      return x >= low && x <= high && eagerx::abs(x) <= kMost;
+    } else {
+      return x >= low && x <= high;
+    }
   }
 
   /// Rare, so it is kept out of the way.
