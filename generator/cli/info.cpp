@@ -34,10 +34,12 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (!port.unit.empty()) more += " " + port.unit;
     if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
     if (port.settings.window) more += fmt::format(", window {}", text_of(*port.settings.window));
+    if (port.settings.delay) more += fmt::format(", delay {} s", text_of(*port.settings.delay));
     if (skips(port.settings)) more += ", skip";
     if (port.optional) more += ", optional";
     if (port.settings.max_delay)
-      more += fmt::format(", sets its delay up to {} s", text_of(*port.settings.max_delay));
+      more += fmt::format("{} up to {} s", port.rate ? ", longest delay" : ", sets its delay",
+                          text_of(*port.settings.max_delay));
     fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
     if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
   }

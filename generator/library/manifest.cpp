@@ -7,6 +7,7 @@
 
 #include "generator/library/library.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -202,6 +203,35 @@ PortManifest only_port(const YamlValue& root, const char* key) {
   return port;
 }
 
+/// A sensor ends inside of the object: it is received where the graph connects it.
+void refuse_settings_of_sensors(const std::vector<ConnectionSpec>& connections,
+                                Diagnostics& diagnostics) {
+  for (const auto& connection : connections) {
+    const PortName to = parse_port(connection.to.value);
+    if (to.owner != "sensors") continue;
+    const auto refuse = [&](const char* key, const auto& setting, const std::string& help) {
+      if (!setting) return;
+      auto& problem = diagnostics.error(
+          "E0208", setting->span,
+          fmt::format("`{}` does nothing on a connection to `{}`", key, connection.to.value));
+      problem.label = "nobody receives messages here";
+      problem.help = help;
+    };
+    const std::string of_graph =
+        fmt::format("write it where the graph connects the sensor `{}`", to.within_owner());
+    const ConnectionSettings& settings = connection.settings;
+    refuse("window", settings.window, of_graph);
+    refuse("skip", settings.skip, of_graph);
+    const auto of_sensor = [&](const char* key) {
+      return fmt::format("write it for the sensor: `sensors: {{{}: {{{}: …}}}}`", to.within_owner(),
+                         key);
+    };
+    refuse("delay", settings.delay, of_sensor("delay"));
+    refuse("delay", settings.random_delay, of_sensor("max_delay"));
+    refuse("max_delay", settings.max_delay, of_sensor("max_delay"));
+  }
+}
+
 ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlValue& yaml,
                                  const fs::path& folder, Diagnostics& diagnostics) {
   ObjectEngine result;
@@ -209,6 +239,7 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   result.model = read_cpp(*yaml.find("model"), folder, diagnostics);
   result.nodes = read_entities(yaml, "nodes", diagnostics);
   result.connections = read_connections(yaml.find("connections"), diagnostics);
+  refuse_settings_of_sensors(result.connections, diagnostics);
   const YamlValue* states = yaml.find("states");
   for (const auto& entry : states != nullptr ? states->entries : std::vector<YamlValue::Entry>{}) {
     const YamlValue* owner = entry.value.find("node");

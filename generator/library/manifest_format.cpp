@@ -60,13 +60,19 @@ Fields port_fields() {
           {"about", format::text("a text"), false, "what it means, in one line"}};
 }
 
+FormatPtr delay_format() {
+  return format::one_of(
+      "a delay in seconds or `$(config NAME)`",
+      {format::decimal("a delay in seconds", 0.0, false), format::text("`$(config NAME)`")});
+}
+
 Fields connection_defaults() {
   return {{"window",
            format::one_of("a number of messages or `$(config NAME)`",
                           {format::integer("a number of messages", 0, 1'000'000),
                            format::text("`$(config NAME)`")}),
            false, "default window"},
-          {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
+          {"delay", delay_format(), false, "default delay"},
           {"skip", format::boolean(), false, "default skip"}};
 }
 
@@ -110,11 +116,8 @@ Fields states() {
 }
 
 Fields node_ports() {
-  const Fields max_delay = {{"max_delay",
-                             format::one_of("a delay in seconds or `$(config NAME)`",
-                                            {format::decimal("a delay in seconds", 0.0, false),
-                                             format::text("`$(config NAME)`")}),
-                             false, "the entity sets the delay at its reset, up to this"}};
+  const Fields max_delay = {{"max_delay", delay_format(), false,
+                             "the entity sets the delay at its reset, up to this"}};
   const Fields optional = {
       {"optional", format::boolean(), false, "whether a graph may leave it out (default: false)"}};
   return Fields{{"inputs",
@@ -162,8 +165,11 @@ Fields object_ports() {
       "a rate in Hz or `$(config NAME)`",
       {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
   const Fields rated = port_fields() + Fields{{"rate", rate, true, "its rate in Hz"}};
+  const Fields delayed = {
+      {"delay", delay_format(), false, "default delay of connections from it"},
+      {"max_delay", delay_format(), false, "longest delay that a reset may set there"}};
   return Fields{
-             {"sensors", ports("sensors", rated), false, "sensors"},
+             {"sensors", ports("sensors", rated + delayed), false, "sensors"},
              {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
          states() +
          Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};

@@ -184,6 +184,7 @@ ConnectionSettings manifest_settings(const PortManifest& port, const References&
   ConnectionSettings result = port.settings;
   result.window =
       replaced(result.window, "a number of messages", references, diagnostics, is_window);
+  result.delay = replaced(result.delay, "a delay in seconds", references, diagnostics, is_delay);
   result.max_delay =
       replaced(result.max_delay, "a delay in seconds", references, diagnostics, is_delay);
   return result;

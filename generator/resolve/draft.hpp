@@ -36,7 +36,8 @@ struct DraftInput {
       written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
   Span span;
   PartialSpace declared;  // what the callback takes, after the processor
-  ConnectionSettings settings;
+  ConnectionSettings settings;  // once it is connected; before, what its manifest says
+  ConnectionSettings said;      // of the port, in the graph
   std::optional<DraftEdge> edge;
   std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
   bool entity_sets_delay = false;
@@ -74,6 +75,7 @@ struct DraftObject {
   const Entity* entity = nullptr;
   std::map<std::string, PortIndex> sensors;                 // to outputs of engine nodes
   std::map<std::string, std::vector<PortIndex>> actuators;  // to inputs of engine nodes
+  std::map<std::string, ConnectionSettings> delays;         // defaults of what comes from sensors
 };
 
 struct Draft {

@@ -187,6 +187,10 @@ struct Graph {
   }
 };
 
+/// Where an input's messages come from, as the graph calls it: "pendulum.theta",
+/// "actions.voltage".
+std::string name_of_source(const Graph& graph, const Input& input);
+
 /// What the command line may say besides the graph.
 struct ResolveOptions {
   std::string engine;                    // empty: the graph's
