@@ -74,10 +74,9 @@ class ConnectionTranslator {
   /// What the connection has if nothing is said: the sender's delay over what the receiver says.
   ConnectionSettings defaults_of(const SavedLink& link) {
     const Entity* entity = t_.entity(link.from.entity);
-    const PortManifest* sensor =
-        entity != nullptr && link.from.section == "sensors"
-            ? manifest_port(*entity, link.from.section, link.from.port)
-            : nullptr;
+    const PortManifest* sensor = entity != nullptr && link.from.section == "sensors"
+                                     ? manifest_port(*entity, link.from.section, link.from.port)
+                                     : nullptr;
     ConnectionSettings defaults = defaults_of(link.to);
     return sensor != nullptr ? overlay(std::move(defaults), sensor->settings) : defaults;
   }

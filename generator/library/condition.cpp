@@ -215,8 +215,7 @@ bool at_most(const ConditionNumber& a, const ConditionNumber& b) {
 std::string to_string(const ConditionNumber& number) {
   if (const auto* exact = std::get_if<Rational>(&number)) return exact->to_string();
   const auto* whole = std::get_if<std::int64_t>(&number);
-  return whole != nullptr ? fmt::format("{}", *whole)
-                          : fmt::format("{}", std::get<double>(number));
+  return whole != nullptr ? fmt::format("{}", *whole) : fmt::format("{}", std::get<double>(number));
 }
 
 std::string to_string(const ConditionValue& value) {

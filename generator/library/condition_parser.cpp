@@ -370,8 +370,7 @@ class ExpressionParser : public Parser {
   /// `config limit`, `sensors theta rate`, `config list 0`: names with blanks between them.
   Type name(const std::string& word, std::size_t begin) override {
     std::string reference = word;
-    for (std::string more = take_name(); !more.empty(); more = take_name())
-      reference += " " + more;
+    for (std::string more = take_name(); !more.empty(); more = take_name()) reference += " " + more;
     if (const std::string index = take_number(); !index.empty()) reference += " " + index;
     const auto found = references_.find(reference);
     if (found == references_.end() || depth_ == 0) {
@@ -422,8 +421,7 @@ std::optional<Condition> read_condition(const YamlValue& text, const Entity& ent
 bool is_expression(const YamlValue& yaml) {
   const std::size_t reference = yaml.text.find("$(");
   return yaml.is_scalar() && !yaml.quoted && reference != std::string::npos &&
-         yaml.text.ends_with(')') &&
-         yaml.text.find_first_not_of("0123456789.+-*/( ") >= reference;
+         yaml.text.ends_with(')') && yaml.text.find_first_not_of("0123456789.+-*/( ") >= reference;
 }
 
 std::optional<Condition> read_expression(const YamlValue& text, const KnownReferences& references,

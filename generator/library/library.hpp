@@ -126,8 +126,9 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
-  std::string system;  // its operating system; empty: none
-  std::string family;  // the family of boards it is of; empty: none
+  std::string system;                      // its operating system; empty: none
+  std::string family;                      // the family of boards it is of; empty: none
+  std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::string> run;
 };
 

@@ -257,6 +257,20 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   return result;
 }
 
+/// The size in `[0x20000000, 128K]`; nullopt for what a person has still to fill in.
+std::optional<std::uint64_t> size_of_memory(const std::vector<std::string>& texts) {
+  if (texts.size() != 2 || texts[1].empty()) return std::nullopt;
+  std::string_view text = texts[1];
+  const char unit = text.back();
+  constexpr std::int64_t kKilo = 1024;
+  const std::int64_t scale = unit == 'K' ? kKilo : unit == 'M' ? kKilo * kKilo : 1;
+  if (scale > 1) text.remove_suffix(1);
+  const auto count = parse_whole(text);
+  std::int64_t bytes = 0;
+  if (!count || *count <= 0 || __builtin_mul_overflow(*count, scale, &bytes)) return std::nullopt;
+  return static_cast<std::uint64_t>(bytes);
+}
+
 bool check_manifest(const YamlValue& root, Diagnostics& diagnostics) {
   const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
@@ -362,6 +376,7 @@ std::optional<Target> read_target_manifest(const YamlValue& root, const std::str
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
   target.family = text_at(root, "family");
+  target.ram_bytes = size_of_memory(texts_at(root, "ram"));
   target.run = texts_at(root, "run");
   return target;
 }

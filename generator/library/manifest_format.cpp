@@ -116,8 +116,8 @@ Fields states() {
 }
 
 Fields node_ports() {
-  const Fields max_delay = {{"max_delay", delay_format(), false,
-                             "the entity sets the delay at its reset, up to this"}};
+  const Fields max_delay = {
+      {"max_delay", delay_format(), false, "the entity sets the delay at its reset, up to this"}};
   const Fields optional = {
       {"optional", format::boolean(), false, "whether a graph may leave it out (default: false)"}};
   return Fields{{"inputs",

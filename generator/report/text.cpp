@@ -68,8 +68,8 @@ std::string plan_text(const PlanReport& report) {
     bytes += ring.capacity * bytes_of(ring.space);
   }
   return text +
-         fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(), messages,
-                     bytes) +
+         fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(),
+                     messages, bytes) +
          delays_text(*plan.graph);
 }
 

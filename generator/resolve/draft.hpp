@@ -35,7 +35,7 @@ struct DraftInput {
   std::string
       written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
   Span span;
-  PartialSpace declared;  // what the callback takes, after the processor
+  PartialSpace declared;        // what the callback takes, after the processor
   ConnectionSettings settings;  // once it is connected; before, what its manifest says
   ConnectionSettings said;      // of the port, in the graph
   std::optional<DraftEdge> edge;

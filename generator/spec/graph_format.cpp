@@ -322,7 +322,9 @@ const Format& graph_format() {
         "the "
         "agent and all nodes"},
        {"budget", budget_format(), false,
-        "what the program may take; `eagerx-gen size` checks what concerns an image"}});
+        "what the program may take; `eagerx-gen size` checks what concerns an image"},
+       {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
+        false, "warnings that are not given for this graph"}});
   return *kFormat;
 }
 

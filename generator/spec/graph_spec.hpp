@@ -109,6 +109,7 @@ struct GraphSpec {
   std::optional<SafetySpec> safety;
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
+  std::vector<Spanned<std::string>> allow;  // codes of warnings
 };
 
 /// The table of the graph file.
