@@ -175,7 +175,9 @@ bool is_as_written(const Options& options) {
 bool judge(Run& run, const std::vector<const Target*>& targets, const Options& options) {
   check_budget(run);
   check_headers(*run.plan, run.diagnostics);
-  check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
+  // Errors first: they may be why something looks odd.
+  if (!run.diagnostics.has_errors())
+    check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
   const bool complete = !run.diagnostics.has_errors() && is_as_written(options);
   allow_warnings(run.spec->allow, complete, run.diagnostics);
   if (options.warnings_as_errors) run.diagnostics.raise_warnings();

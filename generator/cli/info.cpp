@@ -85,6 +85,8 @@ void print_parameters(const std::vector<Parameter>& parameters) {
     if (!parameter.unit.empty()) more += " " + parameter.unit;
     if (parameter.low) more += fmt::format(", at least {}", to_string(*parameter.low));
     if (parameter.high) more += fmt::format(", at most {}", to_string(*parameter.high));
+    if (parameter.eagerx != parameter.name.value)
+      more += fmt::format(", in EAGERx {}", parameter.eagerx);
     more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
                                : " (required)";
     fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
@@ -114,6 +116,11 @@ void print_entity(const Entity& entity) {
   for (const auto& implementation : entity.object_engines)
     engines.push_back(implementation.engine.value);
   if (!engines.empty()) fmt::print("\nimplemented for: {}\n", fmt::join(engines, ", "));
+  for (const auto& implementation : entity.object_engines) {
+    if (!implementation.summary.empty())
+      fmt::print("  {}: {}\n", implementation.engine.value, implementation.summary);
+    if (!implementation.description.empty()) fmt::print("{}\n", implementation.description);
+  }
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
@@ -193,6 +200,8 @@ int info_command(const Options& options) {
       target != run.library.targets.end()) {
     fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary,
                target->second.description);
+    if (!target->second.facts.empty()) fmt::print("\n");
+    for (const auto& [name, value] : target->second.facts) fmt::print("{}: {}\n", name, value);
     return finish(run, options);
   }
   std::vector<std::string> known;

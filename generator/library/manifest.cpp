@@ -79,6 +79,20 @@ void check_options(const YamlValue& options, Diagnostics& diagnostics) {
   }
 }
 
+void refuse_bounds_without_numbers(const YamlValue::Entry& parameter, Parameter::Type type,
+                                   Diagnostics& diagnostics) {
+  const bool numbers = type != Parameter::Type::boolean && type != Parameter::Type::text &&
+                       type != Parameter::Type::keyword;
+  for (const char* key : {"low", "high"}) {
+    const YamlValue* bound = parameter.value.find(key);
+    if (numbers || bound == nullptr) continue;
+    diagnostics
+        .error("E0208", bound->span,
+               fmt::format("`{}` does nothing for `{}`, which is no number", key, parameter.key))
+        .help = "leave it out";
+  }
+}
+
 std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
   const YamlValue* map = root.find("config");
@@ -105,6 +119,7 @@ std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagn
           "E0206", entry.key_span,
           fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
     }
+    refuse_bounds_without_numbers(entry, parameter.type, diagnostics);
     result.push_back(std::move(parameter));
   }
   return result;
@@ -156,9 +171,15 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
 }
 
 /// `tick` is the engine's own message: its space is always the same.
-void complete_tick(std::vector<PortManifest>& inputs) {
+void complete_tick(std::vector<PortManifest>& inputs, const YamlValue& root,
+                   Diagnostics& diagnostics) {
   for (auto& input : inputs) {
     if (input.name.value != "tick") continue;
+    const YamlValue* written = root.find("inputs")->find("tick");
+    if (const YamlValue* space = written->find("space")) {
+      diagnostics.error("E0208", space->span, "`space` does nothing for `tick`").help =
+          "leave it out: the engine's tick is always an int64";
+    }
     input.space.dtype = Spanned<std::string>{"int64", input.name.span};
     input.space.shape = made_list({}, input.name.span);
   }
@@ -237,6 +258,8 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   ObjectEngine result;
   result.engine = engine;
   result.model = read_cpp(*yaml.find("model"), folder, diagnostics);
+  result.summary = text_at(yaml, "summary");
+  result.description = text_at(yaml, "description");
   result.nodes = read_entities(yaml, "nodes", diagnostics);
   result.connections = read_connections(yaml.find("connections"), diagnostics);
   refuse_settings_of_sensors(result.connections, diagnostics);
@@ -249,6 +272,10 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
                                     "state of an engine node)",
                                     entry.key));
     } else if (owner != nullptr) {
+      if (const YamlValue* config = entry.value.find("config")) {
+        diagnostics.error("E0208", config->span, "`config` does nothing beside `node`").help =
+            "write it for that node";
+      }
       result.node_states.push_back({{entry.key, entry.key_span}, {owner->text, owner->span}});
     } else {
       result.states.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
@@ -312,7 +339,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
     entity.asynchronous = clock->text == "true";
   entity.config = read_parameters(root, diagnostics);
   entity.inputs = read_ports(root, "inputs", diagnostics);
-  complete_tick(entity.inputs);
+  complete_tick(entity.inputs, root, diagnostics);
   entity.outputs = read_ports(root, "outputs", diagnostics);
   entity.states = read_ports(root, "states", diagnostics);
   entity.sensors = read_ports(root, "sensors", diagnostics);
@@ -376,6 +403,13 @@ std::optional<Target> read_target_manifest(const YamlValue& root, const std::str
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
   target.family = text_at(root, "family");
+  for (const char* key : {"cpu", "clock_hz", "toolchain"}) {
+    if (const YamlValue* value = root.find(key)) target.facts.emplace_back(key, value->text);
+  }
+  for (const char* key : {"flash", "ram", "run"}) {
+    if (root.find(key) != nullptr)
+      target.facts.emplace_back(key, fmt::format("{}", fmt::join(texts_at(root, key), ", ")));
+  }
   target.ram_bytes = size_of_memory(texts_at(root, "ram"));
   target.run = texts_at(root, "run");
   return target;

@@ -16,6 +16,16 @@ void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
   check_wiring(judged, diagnostics);
   check_sensors(judged, diagnostics);
   check_memory(judged, diagnostics);
+  check_keys(judged, diagnostics);
+}
+
+void check_keys(const Judged& judged, Diagnostics& diagnostics) {
+  const auto& timeout = judged.spec.reset_timeout_s;
+  if (!timeout || judged.graph.has_reset_nodes()) return;
+  diagnostics
+      .warning("W0109", timeout->span,
+               "`reset_timeout` does nothing: this graph has no reset nodes")
+      .help = "leave it out";
 }
 
 void allow_warnings(const std::vector<Spanned<std::string>>& allowed, bool complete,

@@ -241,6 +241,14 @@ bool report_unknown(const Selection& selection, const std::vector<PortManifest>&
   return diagnostics.error_count() != errors_before;
 }
 
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics) {
+  diagnostics
+      .error("E0308", span,
+             fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
+      .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
+}
+
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
                                         const Entity& engine, Span span, Diagnostics& diagnostics) {
   if (const ObjectEngine* found = entity.implementation(engine)) return found;

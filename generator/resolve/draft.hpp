@@ -132,6 +132,9 @@ const ComponentSpec* find_component(const Selection& selection, std::string_view
 /// any. `what` they are: "sensor", "input", …
 bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
                     const Entity& entity, std::string_view what, Diagnostics& diagnostics);
+/// E0308: an engine node or state that is of other engines.
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics);
 /// How an object is made on an engine; E0308 if it is not.
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
                                         const Entity& engine, Span span, Diagnostics& diagnostics);

@@ -107,12 +107,8 @@ class ObjectBuilder {
         resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
     const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
-    if (!entity.works_on(engine)) {
-      diagnostics()
-          .error("E0308", spec.type.span,
-                 fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
-          .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
-    }
+    if (!entity.works_on(engine))
+      report_wrong_engine(entity, engine, spec.type.span, diagnostics());
     report_unknown(spec.inputs, entity.inputs, entity, "input", diagnostics());
     report_unknown(spec.outputs, entity.outputs, entity, "output", diagnostics());
     for (const auto& port : entity.inputs) {
