@@ -48,11 +48,8 @@ TEST(Units, DifferInScale) {
 }
 
 TEST(Units, DifferInQuantity) {
-  for (const auto& [a, b] : {std::pair{"rad/s", "rad"},
-                             {"Hz", "rad/s"},
-                             {"N*m", "N*m/rad"},
-                             {"V", "A"},
-                             {"m", "m^2"}}) {
+  for (const auto& [a, b] :
+       {std::pair{"rad/s", "rad"}, {"Hz", "rad/s"}, {"N*m", "N*m/rad"}, {"V", "A"}, {"m", "m^2"}}) {
     EXPECT_FALSE(comparable(a, b)) << a << ", " << b;
   }
 }
