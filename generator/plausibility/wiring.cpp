@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "generator/plausibility/plausibility.hpp"
@@ -11,17 +12,18 @@
 namespace eagerx::gen {
 namespace {
 
-/// Ports of the object that connections of the graph name, in one direction.
-std::set<std::string> connected_ports(const GraphSpec& spec, const std::string& object,
-                                      bool sensors) {
-  std::set<std::string> result;
-  for (const auto& connection : spec.connections) {
-    const PortName port = parse_port(sensors ? connection.from.value : connection.to.value);
-    if (port.owner == object && (port.section.empty() || port.section != "states"))
-      result.insert(port.name);
+/// Ports of objects that connections of the graph name, by object.
+struct Connected {
+  std::map<std::string, std::set<std::string>> sensors, actuators;
+
+  explicit Connected(const GraphSpec& spec) {
+    for (const auto& connection : spec.connections) {
+      const PortName from = parse_port(connection.from.value), to = parse_port(connection.to.value);
+      if (from.section != "states") sensors[from.owner].insert(from.name);
+      actuators[to.owner].insert(to.name);
+    }
   }
-  return result;
-}
+};
 
 bool is_implemented(const Object& object, const std::string& actuator) {
   return std::ranges::any_of(object.implementation->connections,
@@ -39,10 +41,9 @@ bool is_alternative(const PortManifest& actuator, const std::vector<const PortMa
   });
 }
 
-void check_driven(const Object& object, const EntitySpec& said, const GraphSpec& spec,
-                  Diagnostics& diagnostics) {
+void check_driven(const Object& object, const EntitySpec& said,
+                  const std::set<std::string>& connected, Diagnostics& diagnostics) {
   if (said.actuators) return;  // a list of what is in use leaves the others out on purpose
-  const std::set<std::string> connected = connected_ports(spec, object.name, false);
   std::vector<const PortManifest*> driven;
   std::vector<std::string> still, used;
   for (const auto& actuator : object.entity->actuators) {
@@ -111,8 +112,7 @@ std::vector<bool> nodes_that_matter(const Graph& graph) {
   return matters;
 }
 
-void check_reach(const Judged& judged, Diagnostics& diagnostics) {
-  const Graph& graph = judged.graph;
+void check_nodes(const Graph& graph, Diagnostics& diagnostics) {
   const std::vector<bool> matters = nodes_that_matter(graph);
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     if (matters[n]) continue;
@@ -122,32 +122,42 @@ void check_reach(const Judged& judged, Diagnostics& diagnostics) {
     problem.label = "nothing comes of it at an observation or an actuator";
     problem.help = "connect an output of it, or leave the node out";
   }
-  for (std::size_t i = 0; i < graph.objects.size(); ++i) {
-    const Object& object = graph.objects[i];
+}
+
+/// Objects of which something is in the program, or whose states a reset node brings about.
+std::vector<bool> objects_in_use(const Graph& graph) {
+  std::vector<bool> used(graph.objects.size(), false);
+  for (const auto& node : graph.nodes) {
+    if (node.object) used[*node.object] = true;
+    for (const auto& target : node.reset_targets) {
+      if (target.object) used[*target.object] = true;
+    }
+  }
+  return used;
+}
+
+void check_objects(const Judged& judged, Diagnostics& diagnostics) {
+  Connected connected(judged.spec);
+  const std::vector<bool> used = objects_in_use(judged.graph);
+  for (std::size_t i = 0; i < judged.graph.objects.size(); ++i) {
+    const Object& object = judged.graph.objects[i];
     const EntitySpec& said = judged.spec.objects[i];
-    const bool used = !connected_ports(judged.spec, object.name, true).empty() ||
-                      !connected_ports(judged.spec, object.name, false).empty() ||
-                      std::ranges::any_of(graph.nodes, [&](const GraphNode& node) {
-                        return node.object == i ||
-                               std::ranges::any_of(node.reset_targets, [&](const ResetTarget& t) {
-                                 return t.object == i;
-                               });
-                      });
-    if (!used) {
-      diagnostics
-          .warning("W0104", said.name.span,
-                   fmt::format("nothing is connected to `{}`", object.name))
-          .help = "connect a sensor or an actuator of it, or leave the object out";
+    const std::set<std::string>& driven = connected.actuators[object.name];
+    if (used[i] || !driven.empty() || !connected.sensors[object.name].empty()) {
+      check_driven(object, said, driven, diagnostics);
       continue;
     }
-    check_driven(object, said, judged.spec, diagnostics);
+    diagnostics
+        .warning("W0104", said.name.span, fmt::format("nothing is connected to `{}`", object.name))
+        .help = "connect a sensor or an actuator of it, or leave the object out";
   }
 }
 
 }  // namespace
 
 void check_wiring(const Judged& judged, Diagnostics& diagnostics) {
-  check_reach(judged, diagnostics);
+  check_nodes(judged.graph, diagnostics);
+  check_objects(judged, diagnostics);
   for (const auto& object : judged.spec.objects) {
     check_listed(object.sensors, "sensors", object.name.value, judged.spec, diagnostics);
     check_listed(object.actuators, "actuators", object.name.value, judged.spec, diagnostics);
