@@ -32,6 +32,7 @@ struct Options {
   std::string normalize, activation;                // policy
   bool json = false;                                // --diagnostics=json
   bool quiet = false;
+  bool warnings_as_errors = false;
 };
 
 int generate_command(const Options& options);

@@ -12,6 +12,7 @@
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/plausibility/plausibility.hpp"
 #include "generator/report/report.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -164,15 +165,32 @@ void check_budget(Run& run) {
   check_plan_budget(report_of(*run.plan), budget, run.diagnostics);
 }
 
+/// Whether the graph is as it is written: what is said of another variant says little of it.
+bool is_as_written(const Options& options) {
+  return options.engine.empty() && options.real.empty() && options.split.empty() &&
+         options.targets.empty() && !options.engine_rate_hz && !options.rate_hz;
+}
+
+/// Everything besides the graph itself; true if the program can be written.
+bool judge(Run& run, const std::vector<const Target*>& targets, const Options& options) {
+  check_budget(run);
+  check_headers(*run.plan, run.diagnostics);
+  // Errors first: they may be why something looks odd.
+  if (!run.diagnostics.has_errors())
+    check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
+  const bool complete = !run.diagnostics.has_errors() && is_as_written(options);
+  allow_warnings(run.spec->allow, complete, run.diagnostics);
+  if (options.warnings_as_errors) run.diagnostics.raise_warnings();
+  return !run.diagnostics.has_errors();
+}
+
 }  // namespace
 
 int generate_command(const Options& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
   const std::vector<const Target*> targets = find_targets(run, options);
-  check_budget(run);
-  check_headers(*run.plan, run.diagnostics);
-  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (!judge(run, targets, options)) return finish(run, options);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
   EmitOptions emit_options;
@@ -214,18 +232,17 @@ int generate_command(const Options& options) {
 
 int check_command(const Options& options) {
   Run run;
-  if (make(run, options)) {
-    find_targets(run, options);
-    check_budget(run);
-    check_headers(*run.plan, run.diagnostics);
-  }
+  if (make(run, options)) judge(run, find_targets(run, options), options);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;
+    const auto warnings = static_cast<std::uint64_t>(
+        std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity));
     for (const auto& ring : run.plan->rings) messages += ring.capacity;
-    fmt::print("{}: {}, {}, {} with room for {}; no problems\n", options.graph,
+    fmt::print("{}: {}, {}, {} with room for {}; {}\n", options.graph,
                counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
-               counted(run.plan->rings.size(), "buffer"), counted(messages, "message"));
+               counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
+               warnings == 0 ? "no problems" : counted(warnings, "warning"));
   }
   return code;
 }

@@ -34,10 +34,12 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (!port.unit.empty()) more += " " + port.unit;
     if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
     if (port.settings.window) more += fmt::format(", window {}", text_of(*port.settings.window));
+    if (port.settings.delay) more += fmt::format(", delay {} s", text_of(*port.settings.delay));
     if (skips(port.settings)) more += ", skip";
     if (port.optional) more += ", optional";
     if (port.settings.max_delay)
-      more += fmt::format(", sets its delay up to {} s", text_of(*port.settings.max_delay));
+      more += fmt::format("{} up to {} s", port.rate ? ", longest delay" : ", sets its delay",
+                          text_of(*port.settings.max_delay));
     fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
     if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
   }
@@ -83,6 +85,8 @@ void print_parameters(const std::vector<Parameter>& parameters) {
     if (!parameter.unit.empty()) more += " " + parameter.unit;
     if (parameter.low) more += fmt::format(", at least {}", to_string(*parameter.low));
     if (parameter.high) more += fmt::format(", at most {}", to_string(*parameter.high));
+    if (parameter.eagerx != parameter.name.value)
+      more += fmt::format(", in EAGERx {}", parameter.eagerx);
     more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
                                : " (required)";
     fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
@@ -112,6 +116,11 @@ void print_entity(const Entity& entity) {
   for (const auto& implementation : entity.object_engines)
     engines.push_back(implementation.engine.value);
   if (!engines.empty()) fmt::print("\nimplemented for: {}\n", fmt::join(engines, ", "));
+  for (const auto& implementation : entity.object_engines) {
+    if (!implementation.summary.empty())
+      fmt::print("  {}: {}\n", implementation.engine.value, implementation.summary);
+    if (!implementation.description.empty()) fmt::print("{}\n", implementation.description);
+  }
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
@@ -191,6 +200,8 @@ int info_command(const Options& options) {
       target != run.library.targets.end()) {
     fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary,
                target->second.description);
+    if (!target->second.facts.empty()) fmt::print("\n");
+    for (const auto& [name, value] : target->second.facts) fmt::print("{}: {}\n", name, value);
     return finish(run, options);
   }
   std::vector<std::string> known;

@@ -89,6 +89,11 @@ Arguments diagnostics(Options& options) {
           flag("-q,--quiet", options.quiet, "print problems only")};
 }
 
+Argument warnings(Options& options) {
+  return flag("--warnings-as-errors", options.warnings_as_errors,
+              "a warning is a problem: exit code 1, and nothing is written");
+}
+
 Arguments policy(Options& options) {
   return joined({{required(text("file", options.policy, "the weight file", "FILE")),
                   text("--normalize", options.normalize,
@@ -105,7 +110,7 @@ Command generate(Options& options) {
                                output(options),
                                selection(options),
                                rates(options),
-                               {library(options)},
+                               {library(options), warnings(options)},
                                diagnostics(options)}),
           .run = [&options] { return generate_command(options); }};
 }
@@ -116,7 +121,7 @@ Command check(Options& options) {
           .arguments = joined({{graph(options)},
                                selection(options),
                                rates(options),
-                               {library(options)},
+                               {library(options), warnings(options)},
                                diagnostics(options)}),
           .run = [&options] { return check_command(options); }};
 }

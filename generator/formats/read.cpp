@@ -47,7 +47,12 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
   if (const std::string_view other = known_other_format(bytes); !other.empty()) {
     return refuse(problem, "E0603", fmt::format("is {}", other), kKnownFormats);
   }
-  return read_onnx(bytes, problem);
+  auto network = read_onnx(bytes, problem);
+  if (network && context.activation) {
+    return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
+                  "leave the graph's `activation` out");
+  }
+  return network;
 }
 
 /// "`angle` (2), `speed` (1)"

@@ -67,6 +67,7 @@ struct NodeState {
 struct ObjectEngine {
   Spanned<std::string> engine;
   CppClass model;
+  std::string summary, description;  // of one that has a manifest of its own
   std::vector<EntitySpec> nodes;
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
@@ -126,8 +127,10 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
-  std::string system;  // its operating system; empty: none
-  std::string family;  // the family of boards it is of; empty: none
+  std::string system;                      // its operating system; empty: none
+  std::string family;                      // the family of boards it is of; empty: none
+  std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
+  std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;
 };
 

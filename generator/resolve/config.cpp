@@ -14,7 +14,9 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kUnresolved = "unresolved";  // as a tag, which trees from files never have
+// As tags, which trees from files never have.
+constexpr const char* kUnresolved = "unresolved";
+constexpr const char* kComputed = "computed";  // a number, perhaps a fraction: `1/3`
 
 std::string_view type_name(Parameter::Type type) {
   switch (type) {
@@ -47,9 +49,16 @@ bool in_range(const Parameter& parameter, const ConditionNumber& value, const Ya
   return false;
 }
 
+std::optional<double> any_number_of(const YamlValue& yaml) {
+  const auto number = parse_number(yaml.text);
+  if (number || yaml.tag != kComputed) return number;
+  const auto fraction = Rational::parse(yaml.text);
+  return fraction ? std::optional(fraction->to_double()) : std::nullopt;
+}
+
 /// What is no number is no value of a parameter either.
 std::optional<double> number_of(const YamlValue& yaml) {
-  const auto number = parse_number(yaml.text);
+  const auto number = any_number_of(yaml);
   return number && std::isnan(*number) ? std::nullopt : number;
 }
 
@@ -257,26 +266,68 @@ bool is_missing(const std::string& name, const References& references) {
   return parameter != references.end() && is_unresolved(parameter->second);
 }
 
+/// A value as expressions calculate with it; nullopt if it is not known.
+std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
+  if (is_unresolved(yaml)) return std::nullopt;
+  const auto number = [](const YamlValue& item) -> std::optional<ConditionNumber> {
+    if (!item.is_scalar() || item.quoted) return std::nullopt;
+    if (const auto exact = Rational::parse(item.text)) {
+      if (exact->is_integer()) return exact->num();
+      return *exact;
+    }
+    const auto real = parse_number(item.text);
+    return real ? std::optional<ConditionNumber>(*real) : std::nullopt;
+  };
+  if (yaml.is_sequence()) {
+    std::vector<ConditionNumber> list;
+    for (const auto& item : yaml.items)
+      list.push_back(number(item).value_or(std::numeric_limits<double>::quiet_NaN()));
+    return list;
+  }
+  if (const auto one = number(yaml))
+    return std::visit([](const auto& value) { return ConditionValue(value); }, *one);
+  if (const auto truth = parse_bool(yaml.text)) return *truth;
+  return yaml.text;
+}
+
+/// `2 * $(config limit)`; marked as unresolved where something in it is not known.
+YamlValue compute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
+  KnownReferences known;
+  Facts facts;
+  for (const auto& [name, value] : references) {
+    const auto fact = known[name] = fact_of(value);
+    if (fact) facts[name] = *fact;
+  }
+  const auto expression = read_expression(yaml, known, diagnostics);
+  yaml.tag = kUnresolved;
+  const auto value = expression ? evaluate(*expression, facts) : std::nullopt;
+  if (!value) return yaml;
+  std::string text = to_string(*value);
+  if (!Rational::parse(text) && !is_decimal_text(text)) {
+    diagnostics.error("E0324", yaml.span, fmt::format("`{}` is no finite number", yaml.text));
+    return yaml;
+  }
+  yaml.tag = kComputed;
+  yaml.text = std::move(text);
+  return yaml;
+}
+
 }  // namespace
 
 YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
   for (auto& item : yaml.items) item = substitute(std::move(item), references, diagnostics);
   for (auto& entry : yaml.entries)
     entry.value = substitute(std::move(entry.value), references, diagnostics);
-  if (!yaml.is_scalar() || yaml.quoted || !yaml.text.starts_with("$(") || !yaml.text.ends_with(")"))
-    return yaml;
+  if (!is_expression(yaml)) return yaml;
+  if (!yaml.text.starts_with("$(")) return compute(std::move(yaml), references, diagnostics);
   const std::string name = yaml.text.substr(2, yaml.text.size() - 3);
   const auto found = references.find(name);
   if (found != references.end()) return found->second;
-  yaml.tag = kUnresolved;
-  if (is_missing(name, references)) return yaml;
-  std::vector<std::string> known;
-  for (const auto& [key, value] : references) known.push_back(key);
-  auto& problem =
-      diagnostics.error("E0324", yaml.span, fmt::format("`{}` refers to nothing", yaml.text));
-  const std::string near = nearest(name, known);
-  if (!near.empty()) problem.help = fmt::format("did you mean `$({})`?", near);
-  return yaml;
+  if (is_missing(name, references)) {
+    yaml.tag = kUnresolved;
+    return yaml;
+  }
+  return compute(std::move(yaml), references, diagnostics);
 }
 
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
@@ -291,7 +342,7 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
   const std::vector<YamlValue> items =
       yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
   for (const auto& item : items) {
-    const auto number = item.is_scalar() && !item.quoted ? parse_number(item.text) : std::nullopt;
+    const auto number = item.is_scalar() && !item.quoted ? any_number_of(item) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
       diagnostics.error("E0322", item.span,

@@ -246,6 +246,8 @@ class Connector {
       excused_.insert({Side::from, source.node, source.port});
       return;
     }
+    input.settings = overlay(input.settings, delay_of_sensor(connection));
+    input.settings = overlay(input.settings, input.said);
     if (input.settings.processor && connection.settings.processor) {
       diagnostics()
           .error("E0313", connection.settings.processor->type.span,
@@ -256,6 +258,15 @@ class Connector {
     input.edge = DraftEdge{source.node, source.port, connection.from.span};
     input.span = connection.to.span;
     excused_.insert({Side::from, source.node, source.port});
+  }
+
+  /// What the sensor at the beginning of the connection offers, if it is one.
+  ConnectionSettings delay_of_sensor(const ConnectionSpec& connection) {
+    const PortName port = parse_port(connection.from.value);
+    const DraftObject* object = find_named(draft_.objects, port.owner);
+    if (object == nullptr) return {};
+    const auto found = object->delays.find(port.name);
+    return found == object->delays.end() ? ConnectionSettings() : found->second;
   }
 
   void report_open_inputs() {

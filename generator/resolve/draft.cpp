@@ -184,6 +184,7 @@ ConnectionSettings manifest_settings(const PortManifest& port, const References&
   ConnectionSettings result = port.settings;
   result.window =
       replaced(result.window, "a number of messages", references, diagnostics, is_window);
+  result.delay = replaced(result.delay, "a delay in seconds", references, diagnostics, is_delay);
   result.max_delay =
       replaced(result.max_delay, "a delay in seconds", references, diagnostics, is_delay);
   return result;
@@ -238,6 +239,14 @@ bool report_unknown(const Selection& selection, const std::vector<PortManifest>&
         .help = suggestion(name, names_of(ports), fmt::format("it has no {}s", what));
   }
   return diagnostics.error_count() != errors_before;
+}
+
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics) {
+  diagnostics
+      .error("E0308", span,
+             fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
+      .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
 }
 
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,

@@ -35,8 +35,9 @@ struct DraftInput {
   std::string
       written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
   Span span;
-  PartialSpace declared;  // what the callback takes, after the processor
-  ConnectionSettings settings;
+  PartialSpace declared;        // what the callback takes, after the processor
+  ConnectionSettings settings;  // once it is connected; before, what its manifest says
+  ConnectionSettings said;      // of the port, in the graph
   std::optional<DraftEdge> edge;
   std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
   bool entity_sets_delay = false;
@@ -74,6 +75,7 @@ struct DraftObject {
   const Entity* entity = nullptr;
   std::map<std::string, PortIndex> sensors;                 // to outputs of engine nodes
   std::map<std::string, std::vector<PortIndex>> actuators;  // to inputs of engine nodes
+  std::map<std::string, ConnectionSettings> delays;         // defaults of what comes from sensors
 };
 
 struct Draft {
@@ -130,6 +132,9 @@ const ComponentSpec* find_component(const Selection& selection, std::string_view
 /// any. `what` they are: "sensor", "input", …
 bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
                     const Entity& entity, std::string_view what, Diagnostics& diagnostics);
+/// E0308: an engine node or state that is of other engines.
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics);
 /// How an object is made on an engine; E0308 if it is not.
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
                                         const Entity& engine, Span span, Diagnostics& diagnostics);

@@ -73,7 +73,10 @@ struct Input {
   bool entity_sets_delay = false;       // at its reset; else only the program's interface does
   std::optional<Random> random_delay;
   bool skip = false;
-  bool actuator = false;     // of an object, `written` is its name
+  bool actuator = false;  // of an object, `written` is its name
+  // Of an actuator: what it takes, before a processor of the object; not known behind one of the
+  // graph.
+  std::optional<Space> actuator_space;
   bool feedthrough = false;  // of a reset node: `name` is the output that it is passed on to
   Span span;
 };
@@ -203,6 +206,10 @@ struct Graph {
     return std::ranges::any_of(nodes, &GraphNode::is_reset_node);
   }
 };
+
+/// Where an input's messages come from, as the graph calls it: "pendulum.theta",
+/// "actions.voltage".
+std::string name_of_source(const Graph& graph, const Input& input);
 
 /// What the command line may say besides the graph.
 struct ResolveOptions {

@@ -156,7 +156,7 @@ void add_nodes(Draft& draft) {
             draft_input(port, written, spec.name.span, references, draft.diagnostics);
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
           input.span = component->name.span;
-          input.settings = overlay(input.settings, component->settings);
+          input.said = component->settings;
           if (component->space)
             input.declared =
                 narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics),

@@ -107,12 +107,8 @@ class ObjectBuilder {
         resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
     const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
-    if (!entity.works_on(engine)) {
-      diagnostics()
-          .error("E0308", spec.type.span,
-                 fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
-          .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
-    }
+    if (!entity.works_on(engine))
+      report_wrong_engine(entity, engine, spec.type.span, diagnostics());
     report_unknown(spec.inputs, entity.inputs, entity, "input", diagnostics());
     report_unknown(spec.outputs, entity.outputs, entity, "output", diagnostics());
     for (const auto& port : entity.inputs) {
@@ -244,7 +240,19 @@ class ObjectBuilder {
     if (const ComponentSpec* set = find_component(spec_.sensors, name))
       settle(port, *set, written, diagnostics());
     check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
+    add_delay(*sensor);
     sensor_sources_.push_back({name, source, output});
+  }
+
+  /// The delay of a sensor is that of every connection from it which says nothing else.
+  void add_delay(const PortManifest& sensor) {
+    ConnectionSettings& settings = delays_[sensor.name.value];
+    settings = manifest_settings(sensor, references_, diagnostics());
+    const ComponentSpec* set = find_component(spec_.sensors, sensor.name.value);
+    if (set == nullptr) return;
+    ConnectionSettings said = set->settings;
+    said.processor.reset();  // converts what the sensor publishes
+    settings = overlay(settings, said);
   }
 
   /// A sensor or actuator ticks with the engine node that implements it.
@@ -295,7 +303,7 @@ class ObjectBuilder {
   }
 
   void move_to_graph() {
-    DraftObject object{spec_.name.value, &entity_, {}, {}};
+    DraftObject object{spec_.name.value, &entity_, {}, {}, std::move(delays_)};
     std::vector<std::size_t> place(nodes_.size(), 0);
     std::size_t next = draft_.nodes.size();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -331,6 +339,7 @@ class ObjectBuilder {
   std::vector<Link> links_;
   std::vector<Outside> sensor_sources_, actuator_sinks_;
   std::vector<bool> needed_;
+  std::map<std::string, ConnectionSettings> delays_;  // by sensor
 };
 
 }  // namespace
@@ -353,7 +362,7 @@ void add_objects(Draft& draft) {
       ObjectBuilder(draft, spec, *entity, *implementation).build();
     } else {
       draft.doubtful.insert(spec.name.value);
-      draft.objects.push_back({spec.name.value, entity, {}, {}});
+      draft.objects.push_back({spec.name.value, entity, {}, {}, {}});
     }
   }
 }

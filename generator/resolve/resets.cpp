@@ -61,7 +61,7 @@ class ResetTargetResolver {
           .help = "a target gets its state when a reset begins; only `processor` can be set";
     };
     refuse("window", settings.window);
-    refuse("delay", settings.delay_s);
+    refuse("delay", settings.delay);
     refuse("delay", settings.random_delay);
     refuse("max_delay", settings.max_delay);
     refuse("skip", settings.skip);

@@ -155,6 +155,13 @@ void drop_engine(Graph& graph) {
 
 }  // namespace
 
+std::string name_of_source(const Graph& graph, const Input& input) {
+  const GraphNode& node = graph.nodes[input.source_node];
+  const Output& output = node.outputs[input.source_output];
+  if (!output.sensor.empty()) return output.sensor;
+  return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
+}
+
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics) {
   Draft draft{spec, library, diagnostics, {}, {}, {}, {}, safety_references(spec)};

@@ -184,6 +184,10 @@ class SpaceResolver {
       report_misfit(draft, *draft.outside, input);
       return true;
     }
+    if (draft.actuator && (draft.outside || !draft.settings.processor)) {
+      const PartialSpace& taken = draft.outside ? *draft.outside : draft.declared;
+      input.actuator_space = complete(overlay(partial_of(source->space), taken));
+    }
     if (draft.settings.processor) {
       input.processor =
           make_processor(draft_, *draft.settings.processor, source->space, draft.edge->span);

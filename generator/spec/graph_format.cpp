@@ -107,6 +107,15 @@ Field states_field() {
           "default"};
 }
 
+/// The default of the connections from a sensor.
+std::vector<Field> delay_settings() {
+  std::vector<Field> fields;
+  for (const Field& field : connection_settings()) {
+    if (field.name == "delay" || field.name == "max_delay") fields.push_back(field);
+  }
+  return fields;
+}
+
 FormatPtr object_format() {
   return format::record(
       "an object",
@@ -114,7 +123,8 @@ FormatPtr object_format() {
        config_field(),
        {"sensors",
         selection("sensors",
-                  {rate_field(false, "its rate in Hz"), space_field(), processor_field()}),
+                  with({rate_field(false, "its rate in Hz"), space_field(), processor_field()},
+                       delay_settings())),
         false, "sensors to use (default: the connected ones) and their settings"},
        {"actuators", selection("actuators", {rate_field(false, "its rate in Hz"), space_field()}),
         false, "actuators to use (default: the connected ones) and their settings"},
@@ -312,7 +322,9 @@ const Format& graph_format() {
         "the "
         "agent and all nodes"},
        {"budget", budget_format(), false,
-        "what the program may take; `eagerx-gen size` checks what concerns an image"}});
+        "what the program may take; `eagerx-gen size` checks what concerns an image"},
+       {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
+        false, "warnings that are not given for this graph"}});
   return *kFormat;
 }
 

@@ -227,6 +227,9 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
   spec.agent = read_agent(root.find("agent"), diagnostics);
   spec.safety = read_safety(root.find("safety"));
   spec.budget = value_at(root, "budget");
+  if (const YamlValue* allow = root.find("allow")) {
+    for (const auto& item : allow->items) spec.allow.push_back(text_of(item));
+  }
   if (const YamlValue* placement = root.find("placement")) {
     for (const auto& entry : placement->entries)
       spec.placement.push_back({{entry.key, entry.key_span}, text_of(entry.value)});

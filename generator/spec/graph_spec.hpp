@@ -109,6 +109,7 @@ struct GraphSpec {
   std::optional<SafetySpec> safety;
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
+  std::vector<Spanned<std::string>> allow;  // codes of warnings
 
   [[nodiscard]] bool has_engine() const { return !engine.type.value.empty(); }
 };
