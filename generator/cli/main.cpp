@@ -6,6 +6,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/command_line/command_line.hpp"
+#include "generator/read/quantity.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -46,11 +47,13 @@ Arguments selection(Options& options) {
 }
 
 Argument rate(std::string name, std::string about, std::optional<Rational>& rate_hz) {
-  Argument argument{std::move(name), std::move(about), "HZ",
-                    [&rate_hz](const auto& values) { rate_hz = Rational::parse(values.front()); }};
+  Argument argument{std::move(name), std::move(about), "HZ", [&rate_hz](const auto& values) {
+                      rate_hz = parse_quantity(values.front(), Quantity::rate);
+                    }};
   argument.check = [](const std::string& text) {
-    const auto value = Rational::parse(text);
-    return value && *value > Rational() ? std::string() : text + " is no rate in Hz";
+    const auto value = parse_quantity(text, Quantity::rate);
+    return value && *value > Rational() ? std::string()
+                                        : text + " is not a rate such as 30, 30Hz or 30000/1001";
   };
   return argument;
 }

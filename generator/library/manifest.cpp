@@ -226,7 +226,8 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   return result;
 }
 
-bool check_manifest(const YamlValue& root, Diagnostics& diagnostics) {
+/// The manifest with its rates in Hz and its times in seconds, if it has the form of its kind.
+std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics) {
   const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
     auto& problem =
@@ -238,16 +239,20 @@ bool check_manifest(const YamlValue& root, Diagnostics& diagnostics) {
     problem.help =
         near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "))
                      : fmt::format("did you mean `{}`?", near);
-    return false;
+    return std::nullopt;
   }
-  return check(root, *manifest_format(kind->text), diagnostics);
+  const Format& format = *manifest_format(kind->text);
+  return check(root, format, diagnostics) ? std::optional(in_base_units(root, format))
+                                          : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,
+std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   const std::size_t errors_before = diagnostics.error_count();
   const fs::path folder = fs::path(path).parent_path();
   Entity entity;
@@ -298,10 +303,12 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
   return entity;
 }
 
-std::optional<Implementation> read_implementation_manifest(const YamlValue& root,
+std::optional<Implementation> read_implementation_manifest(const YamlValue& written,
                                                            const std::string& path,
                                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   const std::size_t errors_before = diagnostics.error_count();
   const YamlValue& object = *root.find("object");
   const YamlValue& engine = *root.find("engine");
@@ -312,9 +319,11 @@ std::optional<Implementation> read_implementation_manifest(const YamlValue& root
   return result;
 }
 
-std::optional<Target> read_target_manifest(const YamlValue& root, const std::string& path,
+std::optional<Target> read_target_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   Target target;
   target.id = {root.find("id")->text, root.find("id")->span};
   target.summary = text_at(root, "summary");

@@ -66,7 +66,7 @@ Fields connection_defaults() {
                           {format::integer("a number of messages", 0, 1'000'000),
                            format::text("`$(config NAME)`")}),
            false, "default window"},
-          {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
+          {"delay", format::time("a delay in seconds"), false, "default delay"},
           {"skip", format::boolean(), false, "default skip"}};
 }
 
@@ -110,11 +110,11 @@ Fields states() {
 }
 
 Fields node_ports() {
-  const Fields max_delay = {{"max_delay",
-                             format::one_of("a delay in seconds or `$(config NAME)`",
-                                            {format::decimal("a delay in seconds", 0.0, false),
-                                             format::text("`$(config NAME)`")}),
-                             false, "the entity sets the delay at its reset, up to this"}};
+  const Fields max_delay = {
+      {"max_delay",
+       format::one_of("a delay in seconds or `$(config NAME)`",
+                      {format::time("a delay in seconds"), format::text("`$(config NAME)`")}),
+       false, "the entity sets the delay at its reset, up to this"}};
   const Fields optional = {
       {"optional", format::boolean(), false, "whether a graph may leave it out (default: false)"}};
   return Fields{{"inputs",
@@ -158,9 +158,8 @@ Fields implementation_apart() {
 }
 
 Fields object_ports() {
-  const FormatPtr rate = format::one_of(
-      "a rate in Hz or `$(config NAME)`",
-      {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
+  const FormatPtr rate = format::one_of("a rate in Hz or `$(config NAME)`",
+                                        {format::rate(), format::text("`$(config NAME)`")});
   const Fields rated = port_fields() + Fields{{"rate", rate, true, "its rate in Hz"}};
   return Fields{
              {"sensors", ports("sensors", rated), false, "sensors"},

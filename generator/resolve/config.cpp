@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
@@ -53,6 +54,21 @@ std::optional<double> number_of(const YamlValue& yaml) {
   return number && std::isnan(*number) ? std::nullopt : number;
 }
 
+/// A value whose unit is written, in the unit of the parameter: `10 ms` for a parameter in s is
+/// 0.01.
+YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
+  for (auto& item : yaml.items) item = in_unit_of(parameter, std::move(item));
+  const bool text =
+      parameter.type == Parameter::Type::text || parameter.type == Parameter::Type::keyword;
+  const Unit* unit = find_unit(parameter.unit);
+  if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted) return yaml;
+  const auto number = number_in(yaml.text, *unit);
+  // What parameters are read with knows no fractions.
+  if (number && (*number == yaml.text || number->find('/') == std::string::npos))
+    yaml.text = *number;
+  return yaml;
+}
+
 class Reader {
  public:
   Reader(const Parameter& parameter, const YamlValue& yaml, Diagnostics& diagnostics)
@@ -79,6 +95,15 @@ class Reader {
   }
 
  private:
+  /// What to write in place of a number with a unit.
+  [[nodiscard]] std::string help_with_unit(const YamlValue& yaml) const {
+    const Unit* unit = find_unit(parameter_.unit);
+    if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
+    const std::string right = with_right_unit(yaml.text, unit->quantity);
+    return right.empty() ? fmt::format("its unit is {}", unit->name)
+                         : fmt::format("write `{}`", right);
+  }
+
   template <class T>
   std::optional<ConfigValue> value(T t) {
     return ConfigValue{&parameter_, std::move(t)};
@@ -86,9 +111,11 @@ class Reader {
 
   std::optional<ConfigValue> wrong(const YamlValue& yaml) {
     if (is_unresolved(yaml)) return std::nullopt;
-    diagnostics_.error("E0322", yaml.span,
-                       fmt::format("`{}` must be {}, found {}", parameter_.name.value,
-                                   type_name(parameter_.type), describe(yaml)));
+    diagnostics_
+        .error("E0322", yaml.span,
+               fmt::format("`{}` must be {}, found {}", parameter_.name.value,
+                           type_name(parameter_.type), describe(yaml)))
+        .help = help_with_unit(yaml);
     return std::nullopt;
   }
 
@@ -211,7 +238,8 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    const YamlValue read = setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics);
+    const YamlValue read =
+        in_unit_of(parameter, setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics));
     auto value = Reader(parameter, read, diagnostics).read();
     if (!value) continue;
     value->given = setting != nullptr;
@@ -230,7 +258,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
       result["config " + parameter.name.value].tag = kUnresolved;
       continue;
     }
-    const YamlValue& value = setting != nullptr ? setting->value : *parameter.fallback;
+    const YamlValue value =
+        in_unit_of(parameter, setting != nullptr ? setting->value : *parameter.fallback);
     result["config " + parameter.name.value] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;

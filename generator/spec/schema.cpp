@@ -34,11 +34,26 @@ Json record_schema(const Format& format) {
   return schema;
 }
 
-Json decimal_schema(const Format& format) {
+/// A fraction, and with a quantity any number with one of its units.
+std::string text_pattern(const Format& format) {
+  const bool fraction = format.kind == Format::Kind::decimal;
+  const std::string number = fraction ? "[0-9]+/[0-9]+" : "";
+  if (format.quantity == Quantity::none) return "^" + number + "$";
+  std::string units;
+  for (const std::string& unit : units_of(format.quantity))
+    units += (units.empty() ? "" : "|") + unit;
+  if (format.quantity == Quantity::time) units += "|\u00b5s|\u03bcs";
+  const std::string with_unit = "[-+]?(" + (fraction ? number + "|" : "") +
+                                "[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?) *(" + units + ")";
+  return "^(" + (fraction ? number + "|" : "") + with_unit + ")$";
+}
+
+Json number_schema(const Format& format) {
   Json number = {{"type", "number"}};
   add_bounds(number, format);
-  const Json fraction = {{"type", "string"}, {"pattern", "^[0-9]+/[0-9]+$"}};
-  return {{"anyOf", Json::List{number, fraction}}};
+  if (format.kind == Format::Kind::number && format.quantity == Quantity::none) return number;
+  const Json text = {{"type", "string"}, {"pattern", text_pattern(format)}};
+  return {{"anyOf", Json::List{number, text}}};
 }
 
 Json schema_of(const Format& format) {
@@ -58,10 +73,10 @@ Json schema_of(const Format& format) {
     case Format::Kind::keyword:
       return {{"enum", format.keywords}};
     case Format::Kind::decimal:
-      return decimal_schema(format);
-    case Format::Kind::integer:
-    case Format::Kind::number: {
-      Json schema = {{"type", format.kind == Format::Kind::integer ? "integer" : "number"}};
+    case Format::Kind::number:
+      return number_schema(format);
+    case Format::Kind::integer: {
+      Json schema = {{"type", "integer"}};
       add_bounds(schema, format);
       return schema;
     }
