@@ -44,5 +44,7 @@ int replay_command(const Options& options);
 int identify_command(const Options& options);
 int new_board_command(const Options& options);
 int policy_command(const Options& options);
+/// Writes `pages` below the folder `output`.
+int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);
 
 }  // namespace eagerx::gen
