@@ -137,6 +137,9 @@ struct Library {
 
   [[nodiscard]] const Entity* find(const std::string& id) const;
   [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
+  /// A name that objects are implemented for and several engines run, but that is no engine itself.
+  /// These engines; empty if `name` is none.
+  [[nodiscard]] std::vector<std::string> engines_of_family(const std::string& name) const;
 };
 
 std::string_view to_string(EntityKind kind);

@@ -7,6 +7,7 @@
 
 #include "generator/library/library.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -174,6 +175,22 @@ std::vector<EntitySpec> read_entities(const YamlValue& root, const char* key,
   return result;
 }
 
+/// An output may have the space of an input of the same entity, and of nothing else.
+void check_like(const Entity& entity, Diagnostics& diagnostics) {
+  const std::vector<std::string> known = names_of(entity.inputs);
+  for (const PortManifest& output : entity.outputs) {
+    const auto& like = output.space.like;
+    if (!like || contains(known, like->value)) continue;
+    auto& problem = diagnostics.error(
+        "E0309", like->span, fmt::format("`{}` has no input `{}`", entity.id.value, like->value));
+    const std::string near = nearest(like->value, known);
+    problem.label = fmt::format("`{}` is to have its space", output.name.value);
+    problem.help = !near.empty()   ? fmt::format("did you mean `{}`?", near)
+                   : known.empty() ? "write `dtype` and `shape`: it has no inputs"
+                                   : fmt::format("its inputs are {}", fmt::join(known, ", "));
+  }
+}
+
 /// The include is the header's full path here; load_library makes it relative to its root.
 CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& diagnostics) {
   CppClass result;
@@ -286,6 +303,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
     entity.inputs = {only_port(root, "input")};
     entity.outputs = {only_port(root, "output")};
   }
+  check_like(entity, diagnostics);
   if (const YamlValue* simulator = root.find("simulator"))
     entity.simulator = read_cpp(*simulator, folder, diagnostics);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {

@@ -375,6 +375,12 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   auto& problem = diagnostics.error("E0303", id.span,
                                     fmt::format("unknown {} `{}`", to_string(kind), id.value));
   const std::vector<std::string> known = library.ids(kind);
+  const std::vector<std::string> family = library.engines_of_family(id.value);
+  if (kind == EntityKind::engine && !family.empty()) {
+    problem.help =
+        fmt::format("`{}` is a family of engines: choose {}", id.value, fmt::join(family, " or "));
+    return nullptr;
+  }
   const std::string near = nearest(id.value, known);
   constexpr std::size_t kMostListed = 8;
   if (!near.empty()) {

@@ -262,7 +262,7 @@ class Connector {
     std::set<std::string> reported;  // an actuator may feed several engine nodes
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       const DraftNode& node = draft_.nodes[n];
-      if (node.node.role == NodeRole::node && draft_.doubtful.contains(node.node.name)) continue;
+      if (draft_.is_doubtful(node)) continue;
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         const DraftInput& input = node.inputs[i];
         if (input.edge || excused_.contains({Side::to, n, i}) ||

@@ -51,6 +51,10 @@ DraftOutput* DraftNode::output(std::string_view name) {
   return find_named(outputs, name);
 }
 
+bool Draft::is_doubtful(const DraftNode& node) const {
+  return doubtful.contains(node.node.object ? objects[*node.node.object].name : node.node.name);
+}
+
 PartialSpace partial_space(const SpaceSpec& spec, const References& references,
                            Diagnostics& diagnostics) {
   PartialSpace result;
