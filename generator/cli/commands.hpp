@@ -20,6 +20,7 @@ struct Options {
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
   std::vector<std::string> packages;           // kinds of packages that the output is to be as well
+  bool compile = false;                        // check: also the code of entities
   bool standalone = false;                     // the output has all headers it needs
   std::string image, build, baseline, run_on;  // size
   bool json_output = false;

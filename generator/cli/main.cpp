@@ -121,17 +121,22 @@ Command generate(Options& options) {
 }
 
 Command check(Options& options) {
-  return {.name = "check",
-          .about = "only look for problems",
-          .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
-                       {"with entities of your own, messages as JSON",
-                        "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
-          .arguments = joined({{graph(options)},
-                               selection(options),
-                               rates(options),
-                               {library(options)},
-                               diagnostics(options)}),
-          .run = [&options] { return check_command(options); }};
+  return {
+      .name = "check",
+      .about = "only look for problems",
+      .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
+                   {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
+                   {"with entities of your own, messages as JSON",
+                    "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
+      .arguments = joined({{graph(options)},
+                           selection(options),
+                           rates(options),
+                           {library(options)},
+                           {flag("--compile", options.compile,
+                                 "also compile the entities as boards do: no heap, no <cmath>, no "
+                                 "double in a graph of floats")},
+                           diagnostics(options)}),
+      .run = [&options] { return check_command(options); }};
 }
 
 Command info(Options& options) {

@@ -55,6 +55,7 @@ struct PortManifest {
 struct CppClass {
   std::string name;
   std::string include;  // empty: none besides the entity's own
+  Span span = {};       // of the name
 };
 
 /// A state of an object that is one of an engine node.

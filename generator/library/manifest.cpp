@@ -194,7 +194,10 @@ void check_like(const Entity& entity, Diagnostics& diagnostics) {
 /// The include is the header's full path here; load_library makes it relative to its root.
 CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& diagnostics) {
   CppClass result;
-  if (const YamlValue* name = yaml.find("class")) check_class(*name, diagnostics);
+  if (const YamlValue* name = yaml.find("class")) {
+    check_class(*name, diagnostics);
+    result.span = name->span;
+  }
   result.name = text_at(yaml, "class");
   const std::string header = text_at(yaml, "header");
   if (!header.empty()) {
