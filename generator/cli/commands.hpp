@@ -23,6 +23,7 @@ struct Options {
   bool compile = false;                        // check: also the code of entities
   bool standalone = false;                     // the output has all headers it needs
   std::string image, build, baseline, run_on;  // size
+  bool graph_schema = false, manifest_schema = false;  // schema
   bool json_output = false;
   std::string program, log, second_log, given;      // replay, identify
   std::string sensors, horizon_s, longest_delay_s;  // identify
@@ -39,7 +40,7 @@ int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
 int explain_command(const Options& options);
-int schema_command();
+int schema_command(const Options& options);
 int size_command(const Options& options);
 int replay_command(const Options& options);
 int identify_command(const Options& options);

@@ -5,7 +5,9 @@
 
 #include "generator/cli/pipeline.hpp"
 #include "generator/emit/namer.hpp"
+#include "generator/library/schema.hpp"
 #include "generator/report/report.hpp"
+#include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -242,9 +244,24 @@ int info_command(const Options& options) {
   return finish(run, options);
 }
 
-int schema_command() {
-  fmt::print("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
-  return kDone;
+int schema_command(const Options& options) {
+  const bool of_library = options.graph_schema || !options.paths.empty();
+  if (options.manifest_schema) {
+    fmt::print("{}", schema_text(manifest_schema(), "eagerx-gen manifest",
+                                 "eagerx-gen/manifest.schema.json"));
+    return kDone;
+  }
+  if (!of_library) {
+    fmt::print("{}",
+               json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+    return kDone;
+  }
+  Run run;
+  load(run, options);
+  if (!run.diagnostics.has_errors())
+    fmt::print("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
+                                 "eagerx-gen/library.schema.json"));
+  return finish(run, options);
 }
 
 }  // namespace eagerx::gen

@@ -183,12 +183,25 @@ Command import(Options& options) {
           .run = [&options] { return import_command(options); }};
 }
 
-Command schema() {
+Command schema(Options& options) {
+  Argument manifest = flag("--manifest", options.manifest_schema, "of manifests");
   return {
       .name = "schema",
-      .about = "print the JSON schema of graph files, for editors",
-      .examples = {{"a schema that editors complete from", "eagerx-gen schema >graph.schema.json"}},
-      .run = [] { return schema_command(); }};
+      .about = "print a JSON schema, for editors",
+      .examples = {{"of graphs, with the entities of eagerx-gen and your own",
+                    "eagerx-gen schema --graph --path my_models >graph.schema.json"},
+                   {"of manifests", "eagerx-gen schema --manifest >manifest.schema.json"},
+                   {"of graphs, whatever the entities", "eagerx-gen schema >graph.schema.json"}},
+      .arguments = {flag("--graph", options.graph_schema,
+                         "of graphs of this library: ids, ports and parameters of its entities"),
+                    std::move(manifest), library(options)},
+      .check =
+          [&options] {
+            const bool both =
+                options.manifest_schema && (options.graph_schema || !options.paths.empty());
+            return both ? "--manifest takes no --graph and no --path" : "";
+          },
+      .run = [&options] { return schema_command(options); }};
 }
 
 Command make_new(Options& options) {
@@ -326,7 +339,7 @@ CommandLine command_line(Options& options) {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
               .commands = {generate(options), check(options), info(options), explain(options),
-                           import(options), schema(), make_new(options), size(options),
+                           import(options), schema(options), make_new(options), size(options),
                            replay(options), identify(options), policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "

@@ -1,12 +1,9 @@
-#include <algorithm>
+#include "generator/spec/schema.hpp"
 
-#include "generator/json/json.hpp"
-#include "generator/spec/format.hpp"
+#include <algorithm>
 
 namespace eagerx::gen {
 namespace {
-
-Json schema_of(const Format& format);
 
 void add_bounds(Json& schema, const Format& format) {
   if (format.low) schema[format.low_exclusive ? "exclusiveMinimum" : "minimum"] = *format.low;
@@ -56,6 +53,8 @@ Json number_schema(const Format& format) {
   return {{"anyOf", Json::List{number, text}}};
 }
 
+}  // namespace
+
 Json schema_of(const Format& format) {
   static constexpr const char* kIdentifier = "^[A-Za-z][A-Za-z0-9_]*$";
   switch (format.kind) {
@@ -102,14 +101,15 @@ Json schema_of(const Format& format) {
   return Json::object();
 }
 
-}  // namespace
+std::string schema_text(const Json& schema, const std::string& title, const std::string& id) {
+  Json all = {
+      {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
+  for (const JsonMember& key : *schema.as<Json::Object>()) all[key.name] = key.value;
+  return dump_json(all) + "\n";
+}
 
 std::string json_schema(const Format& format, const std::string& title, const std::string& id) {
-  Json schema = {
-      {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
-  const Json rest = schema_of(format);
-  for (const JsonMember& key : *rest.as<Json::Object>()) schema[key.name] = key.value;
-  return dump_json(schema) + "\n";
+  return schema_text(schema_of(format), title, id);
 }
 
 }  // namespace eagerx::gen
