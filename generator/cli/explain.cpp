@@ -72,10 +72,10 @@ int explain_command(const Options& options) {
   }
   const auto code = code_of(options.code);
   if (!code) {
-    fmt::print(
-        stderr,
-        "error: `{}` is no code\nhelp: codes are such as E0307; `eagerx-gen explain` lists them\n",
-        options.code);
+    fmt::print(stderr,
+               "error: `{}` is not a code\nhelp: codes are such as E0307; `eagerx-gen explain` "
+               "lists them\n",
+               options.code);
     return kWrongUsage;
   }
   for (const CodePage& page : code_pages()) {

@@ -254,7 +254,7 @@ std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics
         kind == nullptr
             ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
             : diagnostics.error("E0204", kind->span,
-                                fmt::format("{} is no kind of manifest", describe(*kind)));
+                                fmt::format("{} is not a kind of manifest", describe(*kind)));
     const std::string near = kind != nullptr ? nearest(kind->text, manifest_kinds()) : "";
     problem.help =
         near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "))

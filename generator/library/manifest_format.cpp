@@ -25,7 +25,7 @@ FormatPtr eagerx_format() {
                      {format::record("an id of EAGERx",
                                      {{"id", id, true, "module/Class"},
                                       {"when", config_format(), false,
-                                       "values of its parameters that it is this entity for"}}),
+                                       "values of its parameters for which it is this entity"}}),
                       id}));
 }
 
@@ -78,7 +78,7 @@ Fields common(const std::string& kind) {
   // Boards have names such as mps2-an386; an entity's id is a name.
   const FormatPtr id = kind == "target" ? format::text("an id") : format::name("an id");
   return {{"kind", format::keyword({kind}), true, "kind of entity"},
-          {"id", id, true, "what graphs write as `type:`, or `--target`"},
+          {"id", id, true, "its name: what follows `type:` in graphs, or `--target`"},
           {"eagerx", eagerx_format(), false, "ids of EAGERx that it stands for"},
           {"summary", format::text("a text"), true, "one line"},
           {"description", format::text("a text"), false, "equations, units, sources"}};
@@ -100,7 +100,7 @@ Fields cpp() {
 
 Fields config() {
   return {{"config", format::map("parameters", parameter_format()), false, "parameters"},
-          {"requires", requirements_format(), false, "what they must fulfil together"}};
+          {"requires", requirements_format(), false, "conditions that they must meet together"}};
 }
 Fields engines() {
   return {{"engines", texts(), false, "engines it works with (default: all)"}};
@@ -114,7 +114,7 @@ Fields node_ports() {
       {"max_delay",
        format::one_of("a delay in seconds or `$(config NAME)`",
                       {format::time("a delay in seconds"), format::text("`$(config NAME)`")}),
-       false, "the entity sets the delay at its reset, up to this"}};
+       false, "longest delay that the entity may set at its reset"}};
   const Fields optional = {
       {"optional", format::boolean(), false, "whether a graph may leave it out (default: false)"}};
   return Fields{{"inputs",
@@ -122,16 +122,17 @@ Fields node_ports() {
                  false, "inputs"},
                 {"outputs", ports("outputs", port_fields() + optional), false, "outputs"},
                 {"counts", texts(), false,
-                 "what its for_each_count() counts besides messages, for the summary"}} +
+                 "names of what its for_each_count() counts, for the summary"}} +
          states();
 }
 
 Fields implementation() {
-  const FormatPtr engine_state = format::record(
-      "an engine state, or the state of an engine node",
-      {{"type", format::name("the id of an engine state"), false, "its id"},
-       {"config", config_format(), false, "its parameters"},
-       {"node", format::port("`NODE.STATE`"), false, "the engine node's state that it is"}});
+  const FormatPtr engine_state =
+      format::record("an engine state, or the state of an engine node",
+                     {{"type", format::name("the id of an engine state"), false, "its id"},
+                      {"config", config_format(), false, "its parameters"},
+                      {"node", format::port("`NODE.STATE`"), false,
+                       "the state of an engine node that it stands for"}});
   return {{"model",
            format::record("a model",
                           {{"header", format::text("a header"), true, "header beside the manifest"},
@@ -165,7 +166,7 @@ Fields object_ports() {
              {"sensors", ports("sensors", rated), false, "sensors"},
              {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
          states() +
-         Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};
+         Fields{{"engines", object_engine_format(), false, "its implementation for each engine"}};
 }
 
 FormatPtr target_format() {
@@ -178,7 +179,8 @@ FormatPtr target_format() {
                  {"partner",
                   format::file_map("a mapping from template files to the files they become"), false,
                   "files made for the board's half of a split graph"},
-                 {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
+                 {"cmake", format::text("a CMake file"), true,
+                  "the CMake file that defines eagerx_configure_target"},
                  {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
                  // For people and for CMake; a board in the making has blanks here.
                  {"cpu", format::text("a processor core"), false, "the processor core"},
@@ -187,7 +189,7 @@ FormatPtr target_format() {
                  {"ram", texts(), false, "origin and size of the memory for data"},
                  {"system", system_format(), false, "its operating system (default: none)"},
                  {"family", format::name("a family of boards"), false,
-                  "what entities made for these boards name (default: none)"},
+                  "the family of boards that it belongs to (default: none)"},
                  {"run", texts(), false, "command that runs an image"}});
 }
 
@@ -205,14 +207,14 @@ const Format* manifest_format(std::string_view kind) {
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports() +
                                           Fields{{"targets", ports("targets", port_fields()), true,
-                                                  "states that it brings about"}})},
+                                                  "states that it can bring about"}})},
       {"engine",
        format::record("an engine",
                       common("engine") + cpp() + config() + states() +
                           Fields{{"runs", texts(), false,
-                                  "engines whose implementations of objects it runs, too"},
+                                  "other engines whose implementations of objects it can run"},
                                  {"asynchronous", format::boolean(), false,
-                                  "its class has now_ns(), a clock that inputs can go by"},
+                                  "whether its class has a clock, now_ns(), for `sync: false`"},
                                  {"simulator",
                                   format::record("a simulator",
                                                  {{"class", format::text("a C++ class template"),

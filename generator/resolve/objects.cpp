@@ -139,7 +139,8 @@ class ObjectBuilder {
     for (std::size_t i = 0; i < implementation_.nodes.size(); ++i) {
       if (implementation_.nodes[i].name.value == name) return i;
     }
-    diagnostics().error("E0309", port.span, fmt::format("there is no engine node `{}` here", name));
+    diagnostics().error("E0309", port.span,
+                        fmt::format("this implementation has no engine node `{}`", name));
     return std::nullopt;
   }
 

@@ -24,7 +24,7 @@ std::optional<Processor> make_processor(const Library& library, const ProcessorS
     auto& problem = diagnostics.error("E0306", spec.type.span,
                                       fmt::format("`{}` takes {}, but gets {}", entity->id.value,
                                                   describe(takes), arriving.describe()));
-    problem.notes.push_back({"this is where it comes from", source, arriving.describe()});
+    problem.notes.push_back({"it comes from here", source, arriving.describe()});
   }
   PartialSpace gives = partial_space(entity->outputs.front().space, references, diagnostics);
   if (gives.like) gives = overlay(partial_of(arriving), gives);

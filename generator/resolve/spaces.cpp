@@ -69,7 +69,7 @@ class SpaceResolver {
     }
     if (draft_.doubtful.contains(parse_port(port).owner)) return;
     diagnostics()
-        .error("E0309", declared.like_span, fmt::format("`{}` is no input of this graph", port))
+        .error("E0309", declared.like_span, fmt::format("`{}` is not an input of this graph", port))
         .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
   }
 
@@ -221,8 +221,7 @@ class SpaceResolver {
            input.processor->span, ""});
       return;
     }
-    problem.notes.push_back(
-        {"this is where it comes from", draft.edge->span, input.space.describe()});
+    problem.notes.push_back({"it comes from here", draft.edge->span, input.space.describe()});
     const auto processors = fitting_processors(draft_.library, takes, input.space);
     problem.help = processors.empty()
                        ? fmt::format("no processor makes {} of it: connect something that fits",
@@ -261,7 +260,8 @@ class SpaceResolver {
           output.name);
     } else if (output.declared.like) {
       problem.help = fmt::format(
-          "it is that of its input `{0}`, which depends on it in turn: write `inputs: {{{0}: "
+          "it has the space of its input `{0}`, which depends on this output: write `inputs: "
+          "{{{0}: "
           "{{space: {{dtype: …, shape: …}}}}}}`",
           *output.declared.like);
     } else {

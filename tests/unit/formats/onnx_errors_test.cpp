@@ -202,7 +202,7 @@ TEST(OnnxErrors, OperatorUsedInAWayThatIsNotALayer) {
   builder = test::two_layers();
   builder.add_node("Add", {"action", "h1"}, "more");
   builder.graph().mutable_output(0)->set_name("more");
-  expect_named(read_bad(builder.bytes()), "E0613", "of a value that is no constant");
+  expect_named(read_bad(builder.bytes()), "E0613", "of a value that is not constant");
   builder = test::two_layers();
   builder.add_tensor("zero", {}, {0});
   builder.add_node("Div", {"action", "zero"}, "more");
