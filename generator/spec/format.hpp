@@ -80,7 +80,7 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 
 /// Checks `yaml` against `format`; every problem is reported. True if there was none.
 /// Codes: E0201 unknown key, E0202 missing key, E0203 wrong type, E0204 value out of range or not a
-/// choice, E0205 not a name, E0208 a wrong unit.
+/// choice, E0205 not a name, E0209 a wrong unit.
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 
 /// A tree that `check` has accepted, with all rates in Hz and all times in seconds: "10 ms" becomes

@@ -112,7 +112,7 @@ bool check_unit(const YamlValue& yaml, const Format& format, Diagnostics& diagno
   if (unit != nullptr && unit->quantity == format.quantity) return true;
   const std::string wanted = with_article(format.quantity);
   auto& problem = diagnostics.error(
-      "E0208", yaml.span,
+      "E0209", yaml.span,
       unit != nullptr ? fmt::format("expected {}, found {}, which is {}", format.what,
                                     describe(yaml), with_article(unit->quantity))
                       : fmt::format("`{}` is not a unit of {}", shortened(name), wanted));
