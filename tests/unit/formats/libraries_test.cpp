@@ -212,7 +212,7 @@ TEST(Statistics, OfQuantilesOneMustKnowTheActions) {
   add_linear(tensors, "quantile_net.quantile_net.0", 3, 6);
   const Diagnostic diagnostic = read_bad(safetensors(tensors));
   EXPECT_EQ(diagnostic.code, "E0628");
-  EXPECT_THAT(diagnostic.message, HasSubstr("of how many actions"));
+  EXPECT_THAT(diagnostic.message, HasSubstr("for how many actions"));
 }
 
 TEST(Statistics, ComeInPairs) {
