@@ -22,7 +22,7 @@ constexpr std::array kGroups = {
     Group{"E02", "form of graphs and manifests"},
     Group{"E03", "names, spaces, parameters"},
     Group{"E04", "time, memory, budgets"},
-    Group{"E05", "templates and packages"},
+    Group{"E05", "templates, packages, code of entities"},
     Group{"E06", "weight files"},
     Group{"E07", "policy against graph"},
     Group{"E08", "files of EAGERx and of robots (URDF)"},
@@ -74,10 +74,10 @@ int explain_command(const Options& options) {
   }
   const auto code = code_of(options.code);
   if (!code) {
-    fmt::print(
-        stderr,
-        "error: `{}` is no code\nhelp: codes are such as E0307; `eagerx-gen explain` lists them\n",
-        options.code);
+    fmt::print(stderr,
+               "error: `{}` is not a code\nhelp: codes are such as E0307; `eagerx-gen explain` "
+               "lists them\n",
+               options.code);
     return kWrongUsage;
   }
   for (const CodePage& page : code_pages()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
@@ -11,6 +12,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/compile/compile.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/report/report.hpp"
@@ -230,9 +232,40 @@ int generate_command(const Options& options) {
   return finish(run, options);
 }
 
+namespace {
+
+/// The whole program, also of a split graph: every entity is in it.
+void compile_entities(Run& run, const std::vector<const Target*>& targets) {
+  const TemporaryFolder folder;
+  if (folder.path().empty()) {
+    run.diagnostics.io_error(
+        "E0901", {}, fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
+    return;
+  }
+  EmitOptions emit_options;
+  emit_options.templates = (fs::path(run.root) / "templates").string();
+  emit_options.targets = targets;
+  emit_options.version = EAGERX_GEN_VERSION;
+  emit_options.builtin_root = run.root;
+  emit_options.output = folder.path();
+  const auto files = emit_part(run, emit_options);
+  if (!files) return;
+  const char* compiler = std::getenv("CXX");
+  check_entities(*run.plan, *files, folder,
+                 {compiler != nullptr && *compiler != '\0' ? compiler : "c++", run.root,
+                  run.graph->include_roots, packages_of(*run.graph, Part::whole)},
+                 run.sources, run.diagnostics);
+}
+
+}  // namespace
+
 int check_command(const Options& options) {
   Run run;
-  if (make(run, options)) judge(run, find_targets(run, options), options);
+  if (make(run, options)) {
+    const std::vector<const Target*> targets = find_targets(run, options);
+    judge(run, targets, options);
+    if (options.compile && !run.diagnostics.has_errors()) compile_entities(run, targets);
+  }
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;

@@ -5,7 +5,9 @@
 
 #include "generator/cli/pipeline.hpp"
 #include "generator/emit/namer.hpp"
+#include "generator/library/schema.hpp"
 #include "generator/report/report.hpp"
+#include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -145,6 +147,43 @@ void print_all(const Library& library) {
   for (const auto& [id, target] : library.targets) fmt::print("  {:<22} {}\n", id, target.summary);
 }
 
+/// A family is no entity, only a name that manifests use. False if `name` is none.
+bool print_family(const Library& library, const std::string& name) {
+  const auto engines = library.engines_of_family(name);
+  if (!engines.empty()) {
+    std::vector<std::string> objects;
+    for (const auto& id : library.ids(EntityKind::object)) {
+      const auto& made_for = library.find(id)->object_engines;
+      if (std::ranges::any_of(made_for,
+                              [&](const auto& each) { return each.engine.value == name; }))
+        objects.push_back(id);
+    }
+    fmt::print(
+        "{0} (family of engines)\nA name, not an engine: an object that is implemented for {0} "
+        "runs "
+        "on each engine of the family.\n\nengines that run it: {1}\nobjects implemented for it: "
+        "{2}\n",
+        name, fmt::join(engines, ", "),
+        objects.empty() ? "none" : fmt::format("{}", fmt::join(objects, ", ")));
+    return true;
+  }
+  std::vector<std::string> boards, entities;
+  for (const auto& [id, target] : library.targets) {
+    if (target.family == name) boards.push_back(id);
+  }
+  for (const auto& [id, entity] : library.entities) {
+    if (entity.family && entity.family->value == name) entities.push_back(id);
+  }
+  if (boards.empty() && entities.empty()) return false;
+  fmt::print(
+      "{} (family of boards)\nA name for boards with the same peripherals. Entities that need "
+      "these "
+      "name the family.\n\nboards: {}\nentities that need one of them: {}\n",
+      name, boards.empty() ? "none" : fmt::format("{}", fmt::join(boards, ", ")),
+      entities.empty() ? "none" : fmt::format("{}", fmt::join(entities, ", ")));
+  return true;
+}
+
 bool is_graph_file(const std::string& name) {
   return name.ends_with(".yaml") || name.ends_with(".yml");
 }
@@ -204,6 +243,7 @@ int info_command(const Options& options) {
     for (const auto& [name, value] : target->second.facts) fmt::print("{}: {}\n", name, value);
     return finish(run, options);
   }
+  if (print_family(run.library, options.entity)) return finish(run, options);
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.entities) known.push_back(id);
   for (const auto& [id, target] : run.library.targets) known.push_back(id);
@@ -215,9 +255,24 @@ int info_command(const Options& options) {
   return finish(run, options);
 }
 
-int schema_command() {
-  fmt::print("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
-  return kDone;
+int schema_command(const Options& options) {
+  const bool of_library = options.graph_schema || !options.paths.empty();
+  if (options.manifest_schema) {
+    fmt::print("{}", schema_text(manifest_schema(), "eagerx-gen manifest",
+                                 "eagerx-gen/manifest.schema.json"));
+    return kDone;
+  }
+  if (!of_library) {
+    fmt::print("{}",
+               json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+    return kDone;
+  }
+  Run run;
+  load(run, options);
+  if (!run.diagnostics.has_errors())
+    fmt::print("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
+                                 "eagerx-gen/library.schema.json"));
+  return finish(run, options);
 }
 
 }  // namespace eagerx::gen

@@ -33,6 +33,16 @@ struct EmitOptions {
 /// A hash of all texts, for EmitOptions::graph_hash.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
+/// A class of an entity that the program uses.
+struct UsedClass {
+  std::string header;  // its path
+  std::string name;    // with namespaces
+  std::string system;  // the operating system that its entity needs; empty: none
+  Span span;           // of the name in the manifest
+};
+/// Each once, in the order of the plan; without those that are generated along with the program.
+std::vector<UsedClass> used_classes(const Plan& plan);
+
 /// Problems: E0301 a header that a manifest names and that is not there.
 void check_headers(const Plan& plan, Diagnostics& diagnostics);
 

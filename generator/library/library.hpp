@@ -55,6 +55,7 @@ struct PortManifest {
 struct CppClass {
   std::string name;
   std::string include;  // empty: none besides the entity's own
+  Span span = {};       // of the name
 };
 
 /// A state of an object that is one of an engine node.
@@ -140,6 +141,9 @@ struct Library {
 
   [[nodiscard]] const Entity* find(const std::string& id) const;
   [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
+  /// A name that objects are implemented for and several engines run, but that is no engine itself.
+  /// These engines; empty if `name` is none.
+  [[nodiscard]] std::vector<std::string> engines_of_family(const std::string& name) const;
 };
 
 std::string_view to_string(EntityKind kind);

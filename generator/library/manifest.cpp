@@ -7,6 +7,7 @@
 
 #include "generator/library/library.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
@@ -196,10 +197,29 @@ std::vector<EntitySpec> read_entities(const YamlValue& root, const char* key,
   return result;
 }
 
+/// An output may have the space of an input of the same entity, and of nothing else.
+void check_like(const Entity& entity, Diagnostics& diagnostics) {
+  const std::vector<std::string> known = names_of(entity.inputs);
+  for (const PortManifest& output : entity.outputs) {
+    const auto& like = output.space.like;
+    if (!like || contains(known, like->value)) continue;
+    auto& problem = diagnostics.error(
+        "E0309", like->span, fmt::format("`{}` has no input `{}`", entity.id.value, like->value));
+    const std::string near = nearest(like->value, known);
+    problem.label = fmt::format("`{}` is to have its space", output.name.value);
+    problem.help = !near.empty()   ? fmt::format("did you mean `{}`?", near)
+                   : known.empty() ? "write `dtype` and `shape`: it has no inputs"
+                                   : fmt::format("its inputs are {}", fmt::join(known, ", "));
+  }
+}
+
 /// The include is the header's full path here; load_library makes it relative to its root.
 CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& diagnostics) {
   CppClass result;
-  if (const YamlValue* name = yaml.find("class")) check_class(*name, diagnostics);
+  if (const YamlValue* name = yaml.find("class")) {
+    check_class(*name, diagnostics);
+    result.span = name->span;
+  }
   result.name = text_at(yaml, "class");
   const std::string header = text_at(yaml, "header");
   if (!header.empty()) {
@@ -298,28 +318,33 @@ std::optional<std::uint64_t> size_of_memory(const std::vector<std::string>& text
   return static_cast<std::uint64_t>(bytes);
 }
 
-bool check_manifest(const YamlValue& root, Diagnostics& diagnostics) {
+/// The manifest with its rates in Hz and its times in seconds, if it has the form of its kind.
+std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics) {
   const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
     auto& problem =
         kind == nullptr
             ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
             : diagnostics.error("E0204", kind->span,
-                                fmt::format("{} is no kind of manifest", describe(*kind)));
+                                fmt::format("{} is not a kind of manifest", describe(*kind)));
     const std::string near = kind != nullptr ? nearest(kind->text, manifest_kinds()) : "";
     problem.help =
         near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "))
                      : fmt::format("did you mean `{}`?", near);
-    return false;
+    return std::nullopt;
   }
-  return check(root, *manifest_format(kind->text), diagnostics);
+  const Format& format = *manifest_format(kind->text);
+  return check(root, format, diagnostics) ? std::optional(in_base_units(root, format))
+                                          : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,
+std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   const std::size_t errors_before = diagnostics.error_count();
   const fs::path folder = fs::path(path).parent_path();
   Entity entity;
@@ -353,6 +378,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
     entity.inputs = {only_port(root, "input")};
     entity.outputs = {only_port(root, "output")};
   }
+  check_like(entity, diagnostics);
   if (const YamlValue* simulator = root.find("simulator"))
     entity.simulator = read_cpp(*simulator, folder, diagnostics);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
@@ -370,10 +396,12 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
   return entity;
 }
 
-std::optional<Implementation> read_implementation_manifest(const YamlValue& root,
+std::optional<Implementation> read_implementation_manifest(const YamlValue& written,
                                                            const std::string& path,
                                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   const std::size_t errors_before = diagnostics.error_count();
   const YamlValue& object = *root.find("object");
   const YamlValue& engine = *root.find("engine");
@@ -384,9 +412,11 @@ std::optional<Implementation> read_implementation_manifest(const YamlValue& root
   return result;
 }
 
-std::optional<Target> read_target_manifest(const YamlValue& root, const std::string& path,
+std::optional<Target> read_target_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   Target target;
   target.id = {root.find("id")->text, root.find("id")->span};
   target.summary = text_at(root, "summary");

@@ -25,7 +25,7 @@ FormatPtr eagerx_format() {
                      {format::record("an id of EAGERx",
                                      {{"id", id, true, "module/Class"},
                                       {"when", config_format(), false,
-                                       "values of its parameters that it is this entity for"}}),
+                                       "values of its parameters for which it is this entity"}}),
                       id}));
 }
 
@@ -62,9 +62,8 @@ Fields port_fields(bool like = false) {
 }
 
 FormatPtr delay_format() {
-  return format::one_of(
-      "a delay in seconds or `$(config NAME)`",
-      {format::decimal("a delay in seconds", 0.0, false), format::text("`$(config NAME)`")});
+  return format::one_of("a delay in seconds or `$(config NAME)`",
+                        {format::time("a delay in seconds"), format::text("`$(config NAME)`")});
 }
 
 Fields connection_defaults() {
@@ -83,7 +82,7 @@ FormatPtr ports(const std::string& what, const Fields& fields) {
 
 Fields about(const std::string& kind, FormatPtr id) {
   return {{"kind", format::keyword({kind}), true, "kind of entity"},
-          {"id", std::move(id), true, "what graphs write as `type:`, or `--target`"},
+          {"id", std::move(id), true, "its name: what follows `type:` in graphs, or `--target`"},
           {"summary", format::text("a text"), true, "one line"},
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }
@@ -109,7 +108,7 @@ Fields cpp() {
 
 Fields config() {
   return {{"config", format::map("parameters", parameter_format()), false, "parameters"},
-          {"requires", requirements_format(), false, "what they must fulfil together"}};
+          {"requires", requirements_format(), false, "conditions that they must meet together"}};
 }
 Fields engines() {
   return {{"engines", texts(), false, "engines it works with (default: all)"}};
@@ -129,16 +128,17 @@ Fields node_ports(bool can_do_without) {
                  false, "inputs"},
                 {"outputs", ports("outputs", port_fields(true) + optional), false, "outputs"},
                 {"counts", texts(), false,
-                 "what its for_each_count() counts besides messages, for the summary"}} +
+                 "names of what its for_each_count() counts, for the summary"}} +
          states();
 }
 
 Fields implementation() {
-  const FormatPtr engine_state = format::record(
-      "an engine state, or the state of an engine node",
-      {{"type", format::name("the id of an engine state"), false, "its id"},
-       {"config", config_format(), false, "its parameters"},
-       {"node", format::port("`NODE.STATE`"), false, "the engine node's state that it is"}});
+  const FormatPtr engine_state =
+      format::record("an engine state, or the state of an engine node",
+                     {{"type", format::name("the id of an engine state"), false, "its id"},
+                      {"config", config_format(), false, "its parameters"},
+                      {"node", format::port("`NODE.STATE`"), false,
+                       "the state of an engine node that it stands for"}});
   return {{"model",
            format::record("a model",
                           {{"header", format::text("a header"), true, "header beside the manifest"},
@@ -165,9 +165,8 @@ Fields implementation_apart() {
 }
 
 Fields object_ports() {
-  const FormatPtr rate = format::one_of(
-      "a rate in Hz or `$(config NAME)`",
-      {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
+  const FormatPtr rate = format::one_of("a rate in Hz or `$(config NAME)`",
+                                        {format::rate(), format::text("`$(config NAME)`")});
   const Fields rated = port_fields() + Fields{{"rate", rate, true, "its rate in Hz"}};
   const Fields delayed = {
       {"delay", delay_format(), false, "default delay of connections from it"},
@@ -176,7 +175,7 @@ Fields object_ports() {
              {"sensors", ports("sensors", rated + delayed), false, "sensors"},
              {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
          states() +
-         Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};
+         Fields{{"engines", object_engine_format(), false, "its implementation for each engine"}};
 }
 
 /// An engine state is given values of the object's space, whose bounds are the object's.
@@ -198,7 +197,8 @@ FormatPtr target_format() {
                  {"partner",
                   format::file_map("a mapping from template files to the files they become"), false,
                   "files made for the board's half of a split graph"},
-                 {"cmake", format::text("a CMake file"), true, "defines eagerx_configure_target"},
+                 {"cmake", format::text("a CMake file"), true,
+                  "the CMake file that defines eagerx_configure_target"},
                  {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
                  // For people and for CMake; a board in the making has blanks here.
                  {"cpu", format::text("a processor core"), false, "the processor core"},
@@ -207,7 +207,7 @@ FormatPtr target_format() {
                  {"ram", texts(), false, "origin and size of the memory for data"},
                  {"system", system_format(), false, "its operating system (default: none)"},
                  {"family", format::name("a family of boards"), false,
-                  "what entities made for these boards name (default: none)"},
+                  "the family of boards that it belongs to (default: none)"},
                  {"run", texts(), false, "command that runs an image"}});
 }
 
@@ -224,14 +224,14 @@ const Format* manifest_format(std::string_view kind) {
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,
-                                                  "states that it brings about"}})},
+                                                  "states that it can bring about"}})},
       {"engine",
        format::record("an engine",
                       common("engine") + cpp() + config() + states() +
                           Fields{{"runs", texts(), false,
-                                  "engines whose implementations of objects it runs, too"},
+                                  "other engines whose implementations of objects it can run"},
                                  {"asynchronous", format::boolean(), false,
-                                  "its class has now_ns(), a clock that inputs can go by"},
+                                  "whether its class has a clock, now_ns(), for `sync: false`"},
                                  {"simulator",
                                   format::record("a simulator",
                                                  {{"class", format::text("a C++ class template"),

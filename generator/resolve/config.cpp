@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
@@ -62,6 +63,21 @@ std::optional<double> number_of(const YamlValue& yaml) {
   return number && std::isnan(*number) ? std::nullopt : number;
 }
 
+/// A value whose unit is written, in the unit of the parameter: `10 ms` for a parameter in s is
+/// 0.01.
+YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
+  for (auto& item : yaml.items) item = in_unit_of(parameter, std::move(item));
+  const bool text =
+      parameter.type == Parameter::Type::text || parameter.type == Parameter::Type::keyword;
+  const Unit* unit = find_unit(parameter.unit);
+  if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted) return yaml;
+  const auto number = number_in(yaml.text, *unit);
+  // What parameters are read with knows no fractions.
+  if (number && (*number == yaml.text || number->find('/') == std::string::npos))
+    yaml.text = *number;
+  return yaml;
+}
+
 class Reader {
  public:
   Reader(const Parameter& parameter, const YamlValue& yaml, Diagnostics& diagnostics)
@@ -88,6 +104,15 @@ class Reader {
   }
 
  private:
+  /// What to write in place of a number with a unit.
+  [[nodiscard]] std::string help_with_unit(const YamlValue& yaml) const {
+    const Unit* unit = find_unit(parameter_.unit);
+    if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
+    const std::string right = with_right_unit(yaml.text, unit->quantity);
+    return right.empty() ? fmt::format("its unit is {}", unit->name)
+                         : fmt::format("write `{}`", right);
+  }
+
   template <class T>
   std::optional<ConfigValue> value(T t) {
     return ConfigValue{&parameter_, std::move(t)};
@@ -95,9 +120,11 @@ class Reader {
 
   std::optional<ConfigValue> wrong(const YamlValue& yaml) {
     if (is_unresolved(yaml)) return std::nullopt;
-    diagnostics_.error("E0322", yaml.span,
-                       fmt::format("`{}` must be {}, found {}", parameter_.name.value,
-                                   type_name(parameter_.type), describe(yaml)));
+    diagnostics_
+        .error("E0322", yaml.span,
+               fmt::format("`{}` must be {}, found {}", parameter_.name.value,
+                           type_name(parameter_.type), describe(yaml)))
+        .help = help_with_unit(yaml);
     return std::nullopt;
   }
 
@@ -220,7 +247,8 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    const YamlValue read = setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics);
+    const YamlValue read =
+        in_unit_of(parameter, setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics));
     auto value = Reader(parameter, read, diagnostics).read();
     if (!value) continue;
     value->given = setting != nullptr;
@@ -239,7 +267,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
       result["config " + parameter.name.value].tag = kUnresolved;
       continue;
     }
-    const YamlValue& value = setting != nullptr ? setting->value : *parameter.fallback;
+    const YamlValue value =
+        in_unit_of(parameter, setting != nullptr ? setting->value : *parameter.fallback);
     result["config " + parameter.name.value] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;
@@ -397,6 +426,12 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   auto& problem = diagnostics.error("E0303", id.span,
                                     fmt::format("unknown {} `{}`", to_string(kind), id.value));
   const std::vector<std::string> known = library.ids(kind);
+  const std::vector<std::string> family = library.engines_of_family(id.value);
+  if (kind == EntityKind::engine && !family.empty()) {
+    problem.help =
+        fmt::format("`{}` is a family of engines: choose {}", id.value, fmt::join(family, " or "));
+    return nullptr;
+  }
   const std::string near = nearest(id.value, known);
   constexpr std::size_t kMostListed = 8;
   if (!near.empty()) {

@@ -44,7 +44,7 @@ void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) 
   if (!input.max_delay_s) input.max_delay_s = longest_delay(*input.random_delay);
   if (!input.max_delay_s) {
     diagnostics.error("E0327", spec.span, "this delay has no longest value").help =
-        "give `max_delay` beside it: memory is set aside for that";
+        "give `max_delay` beside it, so that enough memory is set aside";
   }
 }
 

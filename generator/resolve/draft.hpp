@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/resolve/config.hpp"
@@ -85,9 +86,30 @@ struct Draft {
   Graph graph;
   std::vector<DraftNode> nodes;
   std::vector<DraftObject> objects;
-  std::set<std::string> doubtful;  // objects and nodes with a reported problem: what is said of
-                                   // their ports is not judged
+  std::set<std::string> doubtful;  // objects and nodes with a reported problem of their ports:
+                                   // what follows from it is not said
   References safety = {};          // `$(safety KEY)`, in defaults of parameters
+
+  /// Whether a node, or the object that an engine node is of, has such a problem.
+  [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
+};
+
+/// While the ports of an object or a node are made: if a problem is reported meanwhile, it is the
+/// cause, and what would be said of connections to these ports only follows from it.
+class MakingPorts {
+ public:
+  MakingPorts(Draft& draft, std::string name)
+      : draft_(draft), name_(std::move(name)), before_(draft.diagnostics.error_count()) {}
+  ~MakingPorts() {
+    if (draft_.diagnostics.error_count() != before_) draft_.doubtful.insert(name_);
+  }
+  MakingPorts(const MakingPorts&) = delete;
+  MakingPorts& operator=(const MakingPorts&) = delete;
+
+ private:
+  Draft& draft_;
+  std::string name_;
+  std::size_t before_;
 };
 
 /// What a SpaceSpec says, with references replaced. Problems: E0325 shape, E0326 bounds.
@@ -172,6 +194,10 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
 /// message comes from. Problems: E0303 to E0306, E0312.
 std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
                                         const Space& arriving, Span source);
+/// The processors that turn a message with the space `arriving` into what is declared, as a
+/// connection names them: "processor: {type: GetIndex, config: {index: [0]}}".
+std::vector<std::string> fitting_processors(const Library& library, const PartialSpace& takes,
+                                            const Space& arriving);
 /// How `name` is drawn, checked against its space (E0322, E0327).
 std::optional<Random> read_random(const std::string& name, const Space& space,
                                   const RandomSpec& spec, Diagnostics& diagnostics);
@@ -182,6 +208,8 @@ void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
 void check_resets(Graph& graph, Diagnostics& diagnostics);
 /// What manifests require of parameters, ports and rates together (E0328).
 void check_limits(Draft& draft);
+/// The same of one processor; false if there was a problem.
+bool check_limits(const Processor& processor, Diagnostics& diagnostics);
 /// The space that an input is declared with, by the name that connections call it; nullopt if there
 /// is none.
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);

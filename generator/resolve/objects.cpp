@@ -19,10 +19,13 @@ class ObjectBuilder {
       : draft_(draft), spec_(spec), entity_(entity), implementation_(implementation) {}
 
   void build() {
+    const std::size_t errors_before = diagnostics().error_count();
     collect_references();
     select();
     draft_engine_nodes();
     connect_inside();
+    // If the manifest contradicts itself, a name that the graph selects need not be what is wrong.
+    if (diagnostics().error_count() == errors_before) report_unknown_selection();
     mark_needed();
     move_to_graph();
   }
@@ -66,16 +69,15 @@ class ObjectBuilder {
       note(connection.from, "sensors", sensors_);
       note(connection.to, "actuators", actuators_);
     }
-    list(spec_.sensors, entity_.sensors, "sensor", sensors_);
-    list(spec_.actuators, entity_.actuators, "actuator", actuators_);
+    for (const auto& item : spec_.sensors.value_or(std::vector<ComponentSpec>()))
+      sensors_.insert(item.name.value);
+    for (const auto& item : spec_.actuators.value_or(std::vector<ComponentSpec>()))
+      actuators_.insert(item.name.value);
   }
 
-  void list(const Selection& chosen, const std::vector<PortManifest>& ports, std::string_view what,
-            std::set<std::string>& into) {
-    if (!chosen) return;
-    for (const auto& item : *chosen) into.insert(item.name.value);
-    if (report_unknown(chosen, ports, entity_, what, diagnostics()))
-      draft_.doubtful.insert(spec_.name.value);
+  void report_unknown_selection() {
+    report_unknown(spec_.sensors, entity_.sensors, entity_, "sensor", diagnostics());
+    report_unknown(spec_.actuators, entity_.actuators, entity_, "actuator", diagnostics());
   }
 
   void draft_engine_nodes() {
@@ -133,7 +135,8 @@ class ObjectBuilder {
     for (std::size_t i = 0; i < implementation_.nodes.size(); ++i) {
       if (implementation_.nodes[i].name.value == name) return i;
     }
-    diagnostics().error("E0309", port.span, fmt::format("there is no engine node `{}` here", name));
+    diagnostics().error("E0309", port.span,
+                        fmt::format("this implementation has no engine node `{}`", name));
     return std::nullopt;
   }
 
@@ -359,6 +362,7 @@ void add_objects(Draft& draft) {
       object.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
     draft.graph.objects.push_back(std::move(object));
     if (implementation != nullptr) {
+      const MakingPorts making(draft, spec.name.value);
       ObjectBuilder(draft, spec, *entity, *implementation).build();
     } else {
       draft.doubtful.insert(spec.name.value);

@@ -26,7 +26,8 @@ void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics
                                           "test"};
   if (std::ranges::find(kOfCMake, name.value) == kOfCMake.end()) return;
   diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
-      "CMake has a target of that name, and the program's is that of the graph: choose another one";
+      "CMake has a target of this name, and the program gets the name of the graph: choose another "
+      "one";
 }
 
 void check_names(Draft& draft) {
@@ -41,7 +42,7 @@ void check_names(Draft& draft) {
             .error("E0315", entity.name.span,
                    fmt::format("the name `{}` is taken", entity.name.value))
             .help =
-            fmt::format("every graph has its own {}: choose another name", fmt::join(kTaken, ", "));
+            fmt::format("every graph already has {}: choose another name", fmt::join(kTaken, ", "));
         draft.doubtful.insert(entity.name.value);
       }
       const auto same = std::ranges::find(
@@ -124,7 +125,7 @@ void check_reset_timeout(Draft& draft) {
   draft.graph.reset_timeout_s = timeout.value;
   if (timeout.value * draft.spec.rate.value <= Rational(kMostTicks)) return;
   draft.diagnostics.error("E0323", timeout.span, "`reset_timeout` is out of range").label =
-      "so many ticks of the environment cannot be counted";
+      "these are more ticks of the environment than can be counted";
 }
 
 /// `--engine` names no place in a file, so its problem is found before anything points at the

@@ -192,9 +192,10 @@ EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml
   return spec;
 }
 
-std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::string& path,
+std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::string& path,
                                          Diagnostics& diagnostics) {
-  if (!check(root, graph_format(), diagnostics)) return std::nullopt;
+  if (!check(written, graph_format(), diagnostics)) return std::nullopt;
+  const YamlValue root = in_base_units(written, graph_format());
   GraphSpec spec;
   spec.file = root.span.file;
   spec.path = path;
