@@ -33,7 +33,14 @@ Json number_schema(const Parameter& parameter, bool whole) {
   }
   if (schema.as<Json::Object>()->front().name != "type") return schema;
   const auto bound = [&](const char* key, const std::optional<ConditionNumber>& value) {
-    if (value) std::visit([&](auto number) { schema[key] = number; }, *value);
+    if (!value) return;
+    if (const auto* exact = std::get_if<Rational>(&*value)) {
+      schema[key] = exact->to_double();
+    } else if (const auto* real = std::get_if<double>(&*value)) {
+      schema[key] = *real;
+    } else {
+      schema[key] = std::get<std::int64_t>(*value);
+    }
   };
   bound("minimum", parameter.low);
   bound("maximum", parameter.high);

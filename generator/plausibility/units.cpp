@@ -8,7 +8,7 @@ namespace {
 
 struct Named {
   std::string_view name;
-  Unit unit;
+  UnitOfMeasure unit;
 };
 
 constexpr double kPi = std::numbers::pi;
@@ -126,7 +126,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// A name with a power: `m`, `s^2`, `s2`, `m^-1`.
-std::optional<Unit> factor_of(std::string_view text) {
+std::optional<UnitOfMeasure> factor_of(std::string_view text) {
   int power = 1;
   if (!text.empty() && text.back() >= '1' && text.back() <= '9' && text != "1") {
     power = text.back() - '0';
@@ -137,7 +137,7 @@ std::optional<Unit> factor_of(std::string_view text) {
   }
   for (const Named& named : kUnits) {
     if (named.name != text) continue;
-    Unit unit = named.unit;
+    UnitOfMeasure unit = named.unit;
     for (auto& base : unit.powers) base = static_cast<std::int8_t>(base * power);
     unit.scale = std::pow(unit.scale, power);
     return unit;
@@ -147,15 +147,15 @@ std::optional<Unit> factor_of(std::string_view text) {
 
 }  // namespace
 
-std::optional<Unit> unit_of(std::string_view text) {
+std::optional<UnitOfMeasure> unit_of(std::string_view text) {
   text = trimmed(text);
-  Unit result;
+  UnitOfMeasure result;
   bool divides = false;
   for (;;) {
     const std::size_t end = text.find_first_of("*/");
     const auto factor = factor_of(trimmed(text.substr(0, end)));
     if (!factor) return std::nullopt;
-    for (std::size_t i = 0; i < Unit::kBases; ++i) {
+    for (std::size_t i = 0; i < UnitOfMeasure::kBases; ++i) {
       const int power = result.powers[i] + (divides ? -factor->powers[i] : factor->powers[i]);
       constexpr int kMost = 100;
       if (power > kMost || power < -kMost) return std::nullopt;
@@ -168,11 +168,11 @@ std::optional<Unit> unit_of(std::string_view text) {
   }
 }
 
-bool same_quantity(const Unit& a, const Unit& b) {
+bool same_quantity(const UnitOfMeasure& a, const UnitOfMeasure& b) {
   return a.powers == b.powers;
 }
 
-bool same_scale(const Unit& a, const Unit& b) {
+bool same_scale(const UnitOfMeasure& a, const UnitOfMeasure& b) {
   constexpr double kRounding = 1e-9;  // of the products above
   return std::abs(a.scale - b.scale) <= kRounding * std::abs(a.scale);
 }

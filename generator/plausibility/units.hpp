@@ -9,18 +9,18 @@
 namespace eagerx::gen {
 
 /// A product of powers of m, kg, s, A, K, rad, and a scale: 1 deg is 0.0174533 rad.
-struct Unit {
+struct UnitOfMeasure {
   static constexpr std::size_t kBases = 6;
   std::array<std::int8_t, kBases> powers{};
   double scale = 1.0;
 };
 
 /// nullopt for a text that is empty or not understood: nothing can be said of it then.
-std::optional<Unit> unit_of(std::string_view text);
+std::optional<UnitOfMeasure> unit_of(std::string_view text);
 
 /// Whether both measure the same thing, in whatever scale.
-bool same_quantity(const Unit& a, const Unit& b);
+bool same_quantity(const UnitOfMeasure& a, const UnitOfMeasure& b);
 /// Whether a number means the same in both.
-bool same_scale(const Unit& a, const Unit& b);
+bool same_scale(const UnitOfMeasure& a, const UnitOfMeasure& b);
 
 }  // namespace eagerx::gen
