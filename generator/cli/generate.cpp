@@ -2,9 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
 
 #include "generator/cli/next_steps.hpp"
@@ -108,18 +105,8 @@ std::string depfile_text(const Run& run, const Options& options) {
 
 /// Before the output: if it cannot be written, the output stays as it was.
 bool write_depfile(Run& run, const Options& options) {
-  if (options.depfile.empty()) return true;
-  std::error_code ignored;  // fopen() says what is wrong
-  fs::create_directories(fs::absolute(options.depfile).parent_path(), ignored);
-  std::FILE* file = std::fopen(options.depfile.c_str(), "wb");
-  const std::string text = depfile_text(run, options);
-  const bool written =
-      file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = file != nullptr && std::fclose(file) == 0;
-  if (!written || !closed)
-    run.diagnostics.io_error(
-        "E0901", {}, fmt::format("cannot write `{}`: {}", options.depfile, std::strerror(errno)));
-  return written && closed;
+  return options.depfile.empty() ||
+         write_file(options.depfile, depfile_text(run, options), run.diagnostics);
 }
 
 /// The program, or one of the two of a split graph.
@@ -201,8 +188,8 @@ int generate_command(const Options& options) {
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return finish(run, options);
   if (!options.quiet) {
-    fmt::print("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
-    fmt::print("{}", next_steps(run, options, targets, folder));
+    say("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
+    say("{}", next_steps(run, options, targets, folder));
   }
   return finish(run, options);
 }
@@ -218,9 +205,9 @@ int check_command(const Options& options) {
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;
     for (const auto& ring : run.plan->rings) messages += ring.capacity;
-    fmt::print("{}: {}, {}, {} with room for {}; no problems\n", options.graph,
-               counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
-               counted(run.plan->rings.size(), "buffer"), counted(messages, "message"));
+    say("{}: {}, {}, {} with room for {}; no problems\n", options.graph,
+        counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
+        counted(run.plan->rings.size(), "buffer"), counted(messages, "message"));
   }
   return code;
 }

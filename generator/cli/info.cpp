@@ -28,7 +28,7 @@ std::string space_of(const SpaceSpec& space) {
 
 void print_ports(const char* title, const std::vector<PortManifest>& ports) {
   if (ports.empty()) return;
-  fmt::print("\n{}\n", title);
+  say("\n{}\n", title);
   for (const auto& port : ports) {
     std::string more;
     if (!port.unit.empty()) more += " " + port.unit;
@@ -38,8 +38,8 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (port.optional) more += ", optional";
     if (port.settings.max_delay)
       more += fmt::format(", sets its delay up to {} s", text_of(*port.settings.max_delay));
-    fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
-    if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
+    say("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
+    if (!port.about.empty()) say("  {:<20}   {}\n", "", port.about);
   }
 }
 
@@ -48,10 +48,10 @@ void print_eagerx_ids(const Entity& entity) {
     std::string when;
     for (const auto& [name, span, value] : eagerx.when)
       when += fmt::format("{}{} = {}", when.empty() ? " if " : ", ", name, text_of(value));
-    fmt::print("{}{}{}", &eagerx == &entity.eagerx_ids.front() ? "\nin EAGERx: " : ", ",
-               eagerx.id.value, when);
+    say("{}{}{}", &eagerx == &entity.eagerx_ids.front() ? "\nin EAGERx: " : ", ", eagerx.id.value,
+        when);
   }
-  if (!entity.eagerx_ids.empty()) fmt::print("\n");
+  if (!entity.eagerx_ids.empty()) say("\n");
 }
 
 std::string_view type_of(const Parameter& parameter) {
@@ -76,7 +76,7 @@ std::string_view type_of(const Parameter& parameter) {
 
 void print_parameters(const std::vector<Parameter>& parameters) {
   if (parameters.empty()) return;
-  fmt::print("\nconfig\n");
+  say("\nconfig\n");
   for (const auto& parameter : parameters) {
     std::string more = std::string(type_of(parameter));
     if (!parameter.options.empty()) more = fmt::format("{}", fmt::join(parameter.options, " | "));
@@ -85,15 +85,15 @@ void print_parameters(const std::vector<Parameter>& parameters) {
     if (parameter.high) more += fmt::format(", at most {}", to_string(*parameter.high));
     more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
                                : " (required)";
-    fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
+    say("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
   }
 }
 
 void print_requirements(const std::vector<Requirement>& requirements) {
   if (requirements.empty()) return;
-  fmt::print("\nrequires\n");
+  say("\nrequires\n");
   for (const auto& requirement : requirements)
-    fmt::print("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
+    say("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
 }
 
 /// A node with targets is a reset node, whatever it is otherwise.
@@ -102,16 +102,16 @@ std::string_view kind_of(const Entity& entity) {
 }
 
 void print_entity(const Entity& entity) {
-  fmt::print("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
-  if (!entity.description.empty()) fmt::print("\n{}", entity.description);
+  say("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
+  if (!entity.description.empty()) say("\n{}", entity.description);
   print_eagerx_ids(entity);
-  if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
+  if (!entity.engines.empty()) say("\nworks on: {}\n", fmt::join(entity.engines, ", "));
   if (!entity.runs.empty())
-    fmt::print("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
+    say("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
   std::vector<std::string> engines;
   for (const auto& implementation : entity.object_engines)
     engines.push_back(implementation.engine.value);
-  if (!engines.empty()) fmt::print("\nimplemented for: {}\n", fmt::join(engines, ", "));
+  if (!engines.empty()) say("\nimplemented for: {}\n", fmt::join(engines, ", "));
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
@@ -120,20 +120,18 @@ void print_entity(const Entity& entity) {
   print_ports(entity.kind == EntityKind::engine_state ? "state" : "states", entity.states);
   print_ports("targets", entity.reset_targets);
   print_requirements(entity.requirements);
-  if (!entity.cpp.include.empty())
-    fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
+  if (!entity.cpp.include.empty()) say("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
 }
 
 void print_all(const Library& library) {
   for (const EntityKind kind :
        {EntityKind::object, EntityKind::node, EntityKind::processor, EntityKind::engine,
         EntityKind::engine_node, EntityKind::engine_state}) {
-    fmt::print("{}s\n", to_string(kind));
-    for (const auto& id : library.ids(kind))
-      fmt::print("  {:<22} {}\n", id, library.find(id)->summary);
+    say("{}s\n", to_string(kind));
+    for (const auto& id : library.ids(kind)) say("  {:<22} {}\n", id, library.find(id)->summary);
   }
-  fmt::print("targets\n");
-  for (const auto& [id, target] : library.targets) fmt::print("  {:<22} {}\n", id, target.summary);
+  say("targets\n");
+  for (const auto& [id, target] : library.targets) say("  {:<22} {}\n", id, target.summary);
 }
 
 bool is_graph_file(const std::string& name) {
@@ -162,9 +160,9 @@ int graph_info(Options options) {
   if (!make(run, options)) return finish(run, options);
   const PlanReport report = report_of(*run.plan);
   if (options.json_output)
-    fmt::print("{}\n", dump_json(report_json(report)));
+    say("{}\n", dump_json(report_json(report)));
   else
-    fmt::print("{}{}{}", plan_text(report), timing_text(report), profile_text(*run.spec));
+    say("{}{}{}", plan_text(report), timing_text(report), profile_text(*run.spec));
   return finish(run, options);
 }
 
@@ -173,7 +171,7 @@ int graph_info(Options options) {
 int info_command(const Options& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
   if (options.json_output) {
-    fmt::print(stderr, "error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
+    complain("error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
     return kWrongUsage;
   }
   Run run;
@@ -189,8 +187,7 @@ int info_command(const Options& options) {
   }
   if (const auto target = run.library.targets.find(options.entity);
       target != run.library.targets.end()) {
-    fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary,
-               target->second.description);
+    say("{} (target)\n{}\n\n{}", target->first, target->second.summary, target->second.description);
     return finish(run, options);
   }
   std::vector<std::string> known;
@@ -205,7 +202,7 @@ int info_command(const Options& options) {
 }
 
 int schema_command() {
-  fmt::print("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+  say_text(json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
   return kDone;
 }
 

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
+#include "generator/command_line/output.hpp"
 #include "generator/command_line/usage.hpp"
 
 namespace eagerx::gen {
@@ -59,6 +61,16 @@ const Command& given(const CLI::App& app, const Command& command) {
   return command;
 }
 
+/// The exit code of a command, once all that it printed has been taken.
+int told(int code) {
+  const auto why = flush_output();
+  if (!why) return code;
+  Diagnostics diagnostics;
+  report_output(*why, diagnostics);
+  std::fputs(render_text(diagnostics, {}, false).c_str(), stderr);
+  return kInputOutput;
+}
+
 }  // namespace
 
 Argument flag(std::string names, bool& value, std::string about) {
@@ -99,6 +111,7 @@ Argument required(Argument argument) {
 }
 
 int run_command_line(const CommandLine& line, std::vector<std::string> arguments) {
+  open_standard_descriptors();
   CLI::App app(line.top.about, line.top.name);
   app.footer(line.footer);
   if (!line.version.empty()) app.set_version_flag("--version", line.version);
@@ -110,7 +123,7 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   if (!line.default_command.empty() && !first.starts_with('-') &&
       std::ranges::find(line.top.commands, first, &Command::name) == line.top.commands.end()) {
     if (const std::string problem = not_a_command(app, first); !problem.empty()) {
-      std::fputs(problem.c_str(), stderr);
+      complain_text(problem);
       return kWrongUsage;
     }
     arguments.insert(arguments.begin(), line.default_command);
@@ -119,9 +132,13 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kWrongUsage;
+    std::ostringstream help, problem;
+    const int code = app.exit(error, help, problem);
+    say_text(help.str());
+    complain_text(problem.str());
+    return told(code == 0 ? kDone : kWrongUsage);
   }
-  return given(app, line.top).run();
+  return told(given(app, line.top).run());
 }
 
 }  // namespace eagerx::gen
