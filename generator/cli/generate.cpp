@@ -9,6 +9,7 @@
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/quote/quote.hpp"
 #include "generator/report/report.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -67,13 +68,7 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
 /// Everything that the output was made from, in the form that make and ninja read.
 std::string depfile_text(const Run& run, const Options& options) {
   const auto escaped = [](const std::string& path) {
-    std::string result;
-    for (const char c : fs::absolute(path).lexically_normal().string()) {
-      if (c == ' ' || c == '#') result += '\\';
-      if (c == '$') result += '$';
-      result += c;
-    }
-    return result;
+    return make_path(fs::absolute(path).lexically_normal().string());
   };
   const std::string target = options.depfile.ends_with(".d")
                                  ? options.depfile.substr(0, options.depfile.size() - 2)
@@ -99,7 +94,9 @@ std::string depfile_text(const Run& run, const Options& options) {
   }
   std::sort(inputs.begin() + 1, inputs.end());
   std::string text = escaped(target) + ":";
-  for (const auto& input : inputs) text += " \\\n  " + escaped(input);
+  for (const auto& input : inputs) {
+    if (is_make_path(input)) text += " \\\n  " + escaped(input);
+  }
   return text + "\n";
 }
 

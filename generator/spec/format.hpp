@@ -91,6 +91,8 @@ std::string shortened(std::string_view text);
 inline constexpr std::size_t kLongestName = 100;
 /// True if `text` is an identifier and no C++ keyword.
 bool is_identifier(std::string_view text);
+/// Reports what is not an identifier (E0205). True if it is one.
+bool check_name(std::string_view text, Span span, Diagnostics& diagnostics);
 /// True if `text` would be an identifier, were it not taken by C++ or by generated code.
 bool is_reserved_name(std::string_view text);
 

@@ -56,11 +56,9 @@ bool in_range(const YamlValue& yaml, const Format& format, double value, Diagnos
   return false;
 }
 
-bool check_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+bool check_scalar_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
-  if (is_identifier(yaml.text)) return true;
-  report_bad_name(yaml.text, yaml.span, diagnostics);
-  return false;
+  return check_name(yaml.text, yaml.span, diagnostics);
 }
 
 bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
@@ -208,6 +206,12 @@ bool takes(const YamlValue& yaml, const Format& format) {
 
 }  // namespace
 
+bool check_name(std::string_view text, Span span, Diagnostics& diagnostics) {
+  if (is_identifier(text)) return true;
+  report_bad_name(text, span, diagnostics);
+  return false;
+}
+
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   switch (format.kind) {
     case Format::Kind::any:
@@ -215,7 +219,7 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
     case Format::Kind::text:
       return yaml.is_scalar() || wrong_type(yaml, format, diagnostics);
     case Format::Kind::name:
-      return check_name(yaml, format, diagnostics);
+      return check_scalar_name(yaml, format, diagnostics);
     case Format::Kind::port:
       return check_port(yaml, format, diagnostics);
     case Format::Kind::keyword:
