@@ -44,8 +44,7 @@ Descriptor::~Descriptor() {
 }
 
 bool is_below(std::string_view path) {
-  if (path.empty() || std::ranges::any_of(path, [](unsigned char c) { return c < 0x20U; }))
-    return false;
+  if (path.find_first_of(std::string_view("\n\0", 2)) != std::string_view::npos) return false;
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
     const std::string_view name = path.substr(begin, end - begin);

@@ -28,8 +28,8 @@ class Descriptor {
   int number_;
 };
 
-/// Whether a path is below the folder that it is relative to, by its text: `a/b.hpp`. Line breaks
-/// and other control characters are in no such path.
+/// Whether a path is below the folder that it is relative to, by its text: `a/b.hpp`. There are no
+/// line breaks in such a path: lists of them have a line for each.
 bool is_below(std::string_view path);
 
 /// Paths are below the folder (is_below()). The folders in them must not be links, and what they

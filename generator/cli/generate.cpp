@@ -65,6 +65,18 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
   return result;
 }
 
+/// Refuses what CMake, or the ninja that it writes rules for, cannot have in the path of a project.
+void check_output_path(Run& run, const std::string& path) {
+  for (const std::string_view part : {";", "\"", "\\", "|", "${", "$<", "\n", "\r"}) {
+    if (path.find(part) == std::string::npos) continue;
+    run.diagnostics
+        .io_error("E0905", {},
+                  fmt::format("CMake cannot build in `{}`: the path has `{}`", path, part))
+        .help = "choose another folder with `--output`";
+    return;
+  }
+}
+
 /// Everything that the output was made from, in the form that make and ninja read.
 std::string depfile_text(const Run& run, const Options& options) {
   const auto escaped = [](const std::string& path) {
@@ -155,10 +167,11 @@ int generate_command(const Options& options) {
   if (!make(run, options)) return finish(run, options);
   const std::vector<const Target*> targets = find_targets(run, options);
   check_budget(run);
-  check_headers(*run.plan, run.diagnostics);
-  if (run.diagnostics.has_errors()) return finish(run, options);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
+  check_output_path(run, fs::absolute(folder).lexically_normal().string());
+  check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
+  if (run.diagnostics.has_errors()) return finish(run, options);
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
   emit_options.targets = targets;
@@ -196,7 +209,7 @@ int check_command(const Options& options) {
   if (make(run, options)) {
     find_targets(run, options);
     check_budget(run);
-    check_headers(*run.plan, run.diagnostics);
+    check_headers(*run.plan, "", run.diagnostics);
   }
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {

@@ -33,8 +33,9 @@ struct EmitOptions {
 /// A hash of all texts, for EmitOptions::graph_hash.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
-/// Problems: E0301 a header that a manifest names and that is not there.
-void check_headers(const Plan& plan, Diagnostics& diagnostics);
+/// `here`: the folder that will include them, if it is known. Problems: E0301 a header that a
+/// manifest names and that is not there, or whose path C++ cannot write.
+void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagnostics);
 
 /// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a
 /// template that cannot be read or is wrong.

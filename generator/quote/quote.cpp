@@ -182,11 +182,11 @@ std::string make_path(std::string_view path) {
   std::string result;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const char c = path[i];
-    if (c == ' ' || c == '\t' || c == '#') {
-      // Backslashes before a blank are halved, as gcc -MD knows.
+    // Backslashes before a blank are halved; before anything else they are what they are.
+    if (c == ' ' || c == '\t') {
       for (std::size_t back = i; back > 0 && path[back - 1] == '\\'; --back) result += '\\';
-      result += '\\';
     }
+    if (c == ' ' || c == '\t' || c == '#') result += '\\';
     if (c == '$') result += '$';
     result += c;
   }
