@@ -4,7 +4,8 @@
 # a line NAME=FILE for each, which is what the example's `evaluate` takes. A line of the example's file `programs`
 # is
 #   NAME GRAPH [--engine ENGINE] [--target TARGET]
-# and an example without that file has one program: linux-sim, of graph.yaml, on the target of that name. ENGINE
+#   NAME CMakeLists.txt --program PROGRAM [--target TARGET]
+# where the second is the PROGRAM of the example's own project; and an example without that file has one program: linux-sim, of graph.yaml, on the target of that name. ENGINE
 # is the engine of all programs that do not name one; WITHOUT_BOARDS leaves out programs with a --target. Programs on
 # RealEngine run on emulated hardware.
 # EAGERX_EXAMPLE_PROGRAMS is the list, too.
@@ -32,7 +33,7 @@ function(eagerx_add_example example)
   foreach(line IN LISTS lines)
     separate_arguments(words UNIX_COMMAND "${line}")
     list(POP_FRONT words name graph)
-    cmake_parse_arguments(own "" "--engine;--target" "" ${words})
+    cmake_parse_arguments(own "" "--engine;--target;--program" "" ${words})
     if(NOT graph OR own_UNPARSED_ARGUMENTS OR own_KEYWORDS_MISSING_VALUES)
       message(FATAL_ERROR "${folder}/programs: `${line}` is not NAME GRAPH [--engine ENGINE] [--target TARGET]")
     endif()
@@ -49,6 +50,13 @@ function(eagerx_add_example example)
       list(APPEND options BOARD ${own_--target})
     endif()
     set(target ${example}.${name})
+    if(own_--program)
+      _eagerx_add_project(image ${target} ${folder} ${own_--program} "${own_--target}")
+      add_dependencies(${example} ${target})
+      string(APPEND list "${name}=${image}\n")
+      list(APPEND names ${name}=${image})
+      continue()
+    endif()
     eagerx_add_graph(TARGET ${target} GRAPH ${folder}/${graph} ${options})
     add_dependencies(${example} ${target})
     get_target_property(image ${target} EAGERX_IMAGE)
@@ -63,6 +71,28 @@ function(eagerx_add_example example)
   endif()
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${example}.programs CONTENT "${list}")
   set(EAGERX_EXAMPLE_PROGRAMS ${names} PARENT_SCOPE)
+endfunction()
+
+# An example with a CMakeLists.txt of its own is built as its reader would do it.
+function(_eagerx_add_project image_variable target folder program board)
+  set(build ${CMAKE_CURRENT_BINARY_DIR}/${target}.build)
+  set(options)
+  set(image ${build}/${program})
+  if(board)
+    _eagerx_find_board(board_folder toolchain ${board} "")
+    set(options --toolchain ${toolchain} -DBOARD=${board})
+    set(image ${image}.elf)
+  endif()
+  add_custom_target(
+    ${target} ALL
+    COMMAND ${CMAKE_COMMAND} -S ${folder} -B ${build} -G ${CMAKE_GENERATOR} -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}
+            -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER} -Deagerx_gen_DIR=${EAGERX_PACKAGE_DIR} ${options}
+    COMMAND ${CMAKE_COMMAND} --build ${build}
+    DEPENDS eagerx::eagerx-gen
+    BYPRODUCTS ${image}
+    COMMENT "Building ${target}"
+    VERBATIM)
+  set(${image_variable} ${image} PARENT_SCOPE)
 endfunction()
 
 # A script that runs a program for real hardware on the emulated one.

@@ -1,4 +1,6 @@
 # Linux on 64-bit Arm, cross-compiled (Debian: g++-aarch64-linux-gnu).
+include(${CMAKE_CURRENT_LIST_DIR}/need-compiler.cmake)
+eagerx_need_compiler(aarch64-linux-gnu-g++ g++-aarch64-linux-gnu)
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)

@@ -1,4 +1,7 @@
 # GNU Arm Embedded for bare metal. The toolchain file of a core sets EAGERX_CPU_FLAGS and includes this one.
+include(${CMAKE_CURRENT_LIST_DIR}/need-compiler.cmake)
+eagerx_need_compiler(arm-none-eabi-g++ gcc-arm-none-eabi libnewlib-arm-none-eabi
+                     libstdc++-arm-none-eabi-dev libstdc++-arm-none-eabi-newlib)
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_C_COMPILER arm-none-eabi-gcc)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)

@@ -2,6 +2,9 @@
 # one. Debian's compiler comes without the headers of the C++ library; those for Arm
 # (libstdc++-arm-none-eabi-dev) serve, for what the runtime takes from them depends on the compiler only and
 # needs no library. The C library is picolibc.
+include(${CMAKE_CURRENT_LIST_DIR}/need-compiler.cmake)
+eagerx_need_compiler(riscv64-unknown-elf-g++ gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf
+                     libstdc++-arm-none-eabi-dev)
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_C_COMPILER riscv64-unknown-elf-gcc)
 set(CMAKE_CXX_COMPILER riscv64-unknown-elf-g++)

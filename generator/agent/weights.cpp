@@ -19,7 +19,7 @@ void round_weights(Network& network, const AgentSpec& policy, const GoldenRows* 
                    Diagnostics& diagnostics) {
   const bool int8 = policy.weights && policy.weights->value == "int8";
   if (policy.max_error && !int8) {
-    diagnostics.error("E0206", policy.max_error->span, "`max_error` goes with `weights: int8`");
+    diagnostics.error("E0206", policy.max_error->span, "`max_error` needs `weights: int8`");
   }
   if (!int8) return;
   Network rounded = with_int8_weights(network);
@@ -75,8 +75,8 @@ std::optional<Network> read_weights(const AgentSpec& policy, const std::string& 
   auto network = read_policy(request, diagnostics);
   if (!network) return network;
   for (const auto& what : network->assumed) {
-    diagnostics.note(policy.file.span,
-                     fmt::format("not in `{}`, and assumed: {}", policy.file.value, what));
+    diagnostics.note(policy.file.span, fmt::format("`{}` does not say it, so this is assumed: {}",
+                                                   policy.file.value, what));
   }
   if (policy.profile && policy.profile->value == "fast") network->profile = Profile::fast;
   add_known_answers(*network, policy, folder, diagnostics);

@@ -156,9 +156,10 @@ class WorldCheck {
         fmt::format("`{}` takes {}; the graph gives {}", use_.file, listed(theirs), listed(ours));
     if (!common) {
       auto& warning = diagnostics_.warning(
-          "E0706", use_.span, "the names of the policy's observations are not the graph's");
+          "E0706", use_.span, "the policy's observations have other names than the graph's");
       warning.notes.push_back({both, use_.place, ""});
-      warning.help = "their order was not checked: give the observations the names of the training";
+      warning.help =
+          "so their order was not checked: give the observations the names of the training";
       return;
     }
     wrong_order(both);
@@ -168,7 +169,7 @@ class WorldCheck {
     auto& problem = error("E0706", "the policy's observations are not in the graph's order");
     problem.notes.push_back({both, use_.place, ""});
     problem.help = use_.is_agent
-                       ? "say the order of the training: `agent: {policy: …, observations: […]}`"
+                       ? "write the order of the training: `agent: {policy: …, observations: […]}`"
                        : "write the node's inputs in the order of the training";
   }
 

@@ -21,8 +21,11 @@ struct Options {
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
   std::vector<std::string> packages;           // kinds of packages that the output is to be as well
+  bool library = false;                        // headers for a main loop of one's own, no program
+  bool compile = false;                        // check: also the code of entities
   bool standalone = false;                     // the output has all headers it needs
   std::string image, build, baseline, run_on;  // size
+  bool graph_schema = false, manifest_schema = false;  // schema
   bool json_output = false;
   std::string program, log, second_log, given;      // replay, identify
   std::string sensors, horizon_s, longest_delay_s;  // identify
@@ -32,6 +35,7 @@ struct Options {
   std::string normalize, activation;                // policy
   bool json = false;                                // --diagnostics=json
   bool quiet = false;
+  bool warnings_as_errors = false;
 };
 
 int generate_command(const Options& options);
@@ -39,11 +43,13 @@ int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
 int explain_command(const Options& options);
-int schema_command();
+int schema_command(const Options& options);
 int size_command(const Options& options);
 int replay_command(const Options& options);
 int identify_command(const Options& options);
 int new_board_command(const Options& options);
 int policy_command(const Options& options);
+/// Writes `pages` below the folder `output`.
+int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);
 
 }  // namespace eagerx::gen

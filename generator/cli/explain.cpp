@@ -22,20 +22,22 @@ constexpr std::array kGroups = {
     Group{"E02", "form of graphs and manifests"},
     Group{"E03", "names, spaces, parameters"},
     Group{"E04", "time, memory, budgets"},
-    Group{"E05", "templates and packages"},
+    Group{"E05", "templates, packages, code of entities"},
     Group{"E06", "weight files"},
     Group{"E07", "policy against graph"},
     Group{"E08", "files of EAGERx and of robots (URDF)"},
     Group{"E09", "writing, images"},
+    Group{"W01", "warnings: allowed, but hardly meant"},
 };
 
-/// `e307`, `0307` and `307` are E0307; nullopt for what is no code.
+/// `e307`, `0307` and `307` are E0307, `w101` is W0101; nullopt for what is no code.
 std::optional<std::string> code_of(std::string_view word) {
   constexpr std::size_t kDigits = 4;
-  if (word.starts_with('E') || word.starts_with('e')) word.remove_prefix(1);
+  const bool warning = word.starts_with('W') || word.starts_with('w');
+  if (warning || word.starts_with('E') || word.starts_with('e')) word.remove_prefix(1);
   const bool digits = std::ranges::all_of(word, [](char c) { return c >= '0' && c <= '9'; });
   if (word.empty() || word.size() > kDigits || !digits) return std::nullopt;
-  return fmt::format("E{:0>{}}", word, kDigits);
+  return fmt::format("{}{:0>{}}", warning ? 'W' : 'E', word, kDigits);
 }
 
 void list_all() {
@@ -73,7 +75,8 @@ int explain_command(const Options& options) {
   const auto code = code_of(options.code);
   if (!code) {
     complain(
-        "error: `{}` is no code\nhelp: codes are such as E0307; `eagerx-gen explain` lists them\n",
+        "error: `{}` is not a code\nhelp: codes are such as E0307; `eagerx-gen explain` "
+        "lists them\n",
         options.code);
     return kWrongUsage;
   }

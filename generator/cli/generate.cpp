@@ -2,13 +2,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "generator/cli/next_steps.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/compile/compile.hpp"
 #include "generator/emit/emit.hpp"
+#include "generator/plausibility/plausibility.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/report/report.hpp"
 #include "generator/resolve/needs.hpp"
@@ -160,13 +163,33 @@ void check_budget(Run& run) {
   check_plan_budget(report_of(*run.plan), budget, run.diagnostics);
 }
 
+/// Whether the graph is as it is written: what is said of another variant says little of it.
+bool is_as_written(const Options& options) {
+  return options.engine.empty() && options.real.empty() && options.split.empty() &&
+         options.targets.empty() && !options.engine_rate_hz && !options.rate_hz;
+}
+
+/// Everything besides the graph itself; true if the program can be written.
+bool judge(Run& run, const std::vector<const Target*>& targets, const Options& options) {
+  check_budget(run);
+  // The compiler gets whole paths, an output is beside the library.
+  check_headers(*run.plan, options.compile ? "/" : "", run.diagnostics);
+  // Errors first: they may be why something looks odd.
+  if (!run.diagnostics.has_errors())
+    check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
+  const bool complete = !run.diagnostics.has_errors() && is_as_written(options);
+  allow_warnings(run.spec->allow, complete, run.diagnostics);
+  if (options.warnings_as_errors) run.diagnostics.raise_warnings();
+  return !run.diagnostics.has_errors();
+}
+
 }  // namespace
 
 int generate_command(const Options& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
   const std::vector<const Target*> targets = find_targets(run, options);
-  check_budget(run);
+  if (!judge(run, targets, options)) return finish(run, options);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
   check_output_path(run, fs::absolute(folder).lexically_normal().string());
@@ -174,7 +197,7 @@ int generate_command(const Options& options) {
   if (run.diagnostics.has_errors()) return finish(run, options);
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
-  emit_options.targets = targets;
+  if (!options.library) emit_options.targets = targets;
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::absolute(folder).lexically_normal().string();
@@ -190,34 +213,69 @@ int generate_command(const Options& options) {
         .error("E0336", run.graph->placement->span, "a split graph has no standalone tree")
         .help = "leave out `--standalone` and `--package`";
   }
+  if (split && options.library) {
+    run.diagnostics.error("E0336", run.graph->placement->span, "a split graph has no library")
+        .help = "leave out `--library`";
+  }
   if (run.diagnostics.has_errors()) return finish(run, options);
   auto files = split ? emit_parts(run, emit_options) : emit_part(run, emit_options);
-  if (files && standalone && !carry_along(run, targets, emit_options.output, *files)) files.reset();
+  if (files && standalone && !carry_along(run, emit_options.targets, emit_options.output, *files))
+    files.reset();
   if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
   if (!write_depfile(run, options)) return finish(run, options);
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return finish(run, options);
   if (!options.quiet) {
     say("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
-    say("{}", next_steps(run, options, targets, folder));
+    say("{}", next_steps(run, options, emit_options.targets, folder));
   }
   return finish(run, options);
 }
 
+namespace {
+
+/// The whole program, also of a split graph: every entity is in it.
+void compile_entities(Run& run, const std::vector<const Target*>& targets) {
+  const TemporaryFolder folder;
+  if (folder.path().empty()) {
+    run.diagnostics.io_error(
+        "E0901", {}, fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
+    return;
+  }
+  EmitOptions emit_options;
+  emit_options.templates = (fs::path(run.root) / "templates").string();
+  emit_options.targets = targets;
+  emit_options.version = EAGERX_GEN_VERSION;
+  emit_options.builtin_root = run.root;
+  emit_options.output = folder.path();
+  const auto files = emit_part(run, emit_options);
+  if (!files) return;
+  const char* compiler = std::getenv("CXX");
+  check_entities(*run.plan, *files, folder,
+                 {compiler != nullptr && *compiler != '\0' ? compiler : "c++", run.root,
+                  run.graph->include_roots, packages_of(*run.graph, Part::whole)},
+                 run.sources, run.diagnostics);
+}
+
+}  // namespace
+
 int check_command(const Options& options) {
   Run run;
   if (make(run, options)) {
-    find_targets(run, options);
-    check_budget(run);
-    check_headers(*run.plan, "", run.diagnostics);
+    const std::vector<const Target*> targets = find_targets(run, options);
+    judge(run, targets, options);
+    if (options.compile && !run.diagnostics.has_errors()) compile_entities(run, targets);
   }
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;
+    const auto warnings = static_cast<std::uint64_t>(
+        std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity));
     for (const auto& ring : run.plan->rings) messages += ring.capacity;
-    say("{}: {}, {}, {} with room for {}; no problems\n", options.graph,
+    say("{}: {}, {}, {} with room for {}; {}\n", options.graph,
         counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
-        counted(run.plan->rings.size(), "buffer"), counted(messages, "message"));
+        counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
+        warnings == 0 ? "no problems" : counted(warnings, "warning"));
   }
   return code;
 }

@@ -5,7 +5,9 @@
 
 #include "generator/cli/pipeline.hpp"
 #include "generator/emit/namer.hpp"
+#include "generator/library/schema.hpp"
 #include "generator/report/report.hpp"
+#include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -34,10 +36,12 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (!port.unit.empty()) more += " " + port.unit;
     if (port.rate) more += fmt::format(", {} Hz", text_of(*port.rate));
     if (port.settings.window) more += fmt::format(", window {}", text_of(*port.settings.window));
+    if (port.settings.delay) more += fmt::format(", delay {} s", text_of(*port.settings.delay));
     if (skips(port.settings)) more += ", skip";
     if (port.optional) more += ", optional";
     if (port.settings.max_delay)
-      more += fmt::format(", sets its delay up to {} s", text_of(*port.settings.max_delay));
+      more += fmt::format("{} up to {} s", port.rate ? ", longest delay" : ", sets its delay",
+                          text_of(*port.settings.max_delay));
     say("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
     if (!port.about.empty()) say("  {:<20}   {}\n", "", port.about);
   }
@@ -83,6 +87,8 @@ void print_parameters(const std::vector<Parameter>& parameters) {
     if (!parameter.unit.empty()) more += " " + parameter.unit;
     if (parameter.low) more += fmt::format(", at least {}", to_string(*parameter.low));
     if (parameter.high) more += fmt::format(", at most {}", to_string(*parameter.high));
+    if (parameter.eagerx != parameter.name.value)
+      more += fmt::format(", in EAGERx {}", parameter.eagerx);
     more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
                                : " (required)";
     say("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
@@ -112,6 +118,11 @@ void print_entity(const Entity& entity) {
   for (const auto& implementation : entity.object_engines)
     engines.push_back(implementation.engine.value);
   if (!engines.empty()) say("\nimplemented for: {}\n", fmt::join(engines, ", "));
+  for (const auto& implementation : entity.object_engines) {
+    if (!implementation.summary.empty())
+      say("  {}: {}\n", implementation.engine.value, implementation.summary);
+    if (!implementation.description.empty()) say("{}\n", implementation.description);
+  }
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
@@ -132,6 +143,41 @@ void print_all(const Library& library) {
   }
   say("targets\n");
   for (const auto& [id, target] : library.targets) say("  {:<22} {}\n", id, target.summary);
+}
+
+/// A family is no entity, only a name that manifests use. False if `name` is none.
+bool print_family(const Library& library, const std::string& name) {
+  const auto engines = library.engines_of_family(name);
+  if (!engines.empty()) {
+    std::vector<std::string> objects;
+    for (const auto& id : library.ids(EntityKind::object)) {
+      const auto& made_for = library.find(id)->object_engines;
+      if (std::ranges::any_of(made_for,
+                              [&](const auto& each) { return each.engine.value == name; }))
+        objects.push_back(id);
+    }
+    say("{0} (family of engines)\nA name, not an engine: an object that is implemented for {0} "
+        "runs "
+        "on each engine of the family.\n\nengines that run it: {1}\nobjects implemented for it: "
+        "{2}\n",
+        name, fmt::join(engines, ", "),
+        objects.empty() ? "none" : fmt::format("{}", fmt::join(objects, ", ")));
+    return true;
+  }
+  std::vector<std::string> boards, entities;
+  for (const auto& [id, target] : library.targets) {
+    if (target.family == name) boards.push_back(id);
+  }
+  for (const auto& [id, entity] : library.entities) {
+    if (entity.family && entity.family->value == name) entities.push_back(id);
+  }
+  if (boards.empty() && entities.empty()) return false;
+  say("{} (family of boards)\nA name for boards with the same peripherals. Entities that need "
+      "these "
+      "name the family.\n\nboards: {}\nentities that need one of them: {}\n",
+      name, boards.empty() ? "none" : fmt::format("{}", fmt::join(boards, ", ")),
+      entities.empty() ? "none" : fmt::format("{}", fmt::join(entities, ", ")));
+  return true;
 }
 
 bool is_graph_file(const std::string& name) {
@@ -188,8 +234,11 @@ int info_command(const Options& options) {
   if (const auto target = run.library.targets.find(options.entity);
       target != run.library.targets.end()) {
     say("{} (target)\n{}\n\n{}", target->first, target->second.summary, target->second.description);
+    if (!target->second.facts.empty()) say("\n");
+    for (const auto& [name, value] : target->second.facts) say("{}: {}\n", name, value);
     return finish(run, options);
   }
+  if (print_family(run.library, options.entity)) return finish(run, options);
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.entities) known.push_back(id);
   for (const auto& [id, target] : run.library.targets) known.push_back(id);
@@ -201,9 +250,23 @@ int info_command(const Options& options) {
   return finish(run, options);
 }
 
-int schema_command() {
-  say_text(json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
-  return kDone;
+int schema_command(const Options& options) {
+  const bool of_library = options.graph_schema || !options.paths.empty();
+  if (options.manifest_schema) {
+    say("{}",
+        schema_text(manifest_schema(), "eagerx-gen manifest", "eagerx-gen/manifest.schema.json"));
+    return kDone;
+  }
+  if (!of_library) {
+    say("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+    return kDone;
+  }
+  Run run;
+  load(run, options);
+  if (!run.diagnostics.has_errors())
+    say("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
+                          "eagerx-gen/library.schema.json"));
+  return finish(run, options);
 }
 
 }  // namespace eagerx::gen

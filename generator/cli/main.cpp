@@ -5,12 +5,16 @@
 #include <utility>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/topics.hpp"
 #include "generator/command_line/command_line.hpp"
+#include "generator/read/quantity.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 using Arguments = std::vector<Argument>;
+
+CommandLine command_line(Options& options);
 
 Arguments joined(std::initializer_list<Arguments> parts) {
   Arguments all;
@@ -46,11 +50,13 @@ Arguments selection(Options& options) {
 }
 
 Argument rate(std::string name, std::string about, std::optional<Rational>& rate_hz) {
-  Argument argument{std::move(name), std::move(about), "HZ",
-                    [&rate_hz](const auto& values) { rate_hz = Rational::parse(values.front()); }};
+  Argument argument{std::move(name), std::move(about), "HZ", [&rate_hz](const auto& values) {
+                      rate_hz = parse_quantity(values.front(), Quantity::rate);
+                    }};
   argument.check = [](const std::string& text) {
-    const auto value = Rational::parse(text);
-    return value && *value > Rational() ? std::string() : text + " is no rate in Hz";
+    const auto value = parse_quantity(text, Quantity::rate);
+    return value && *value > Rational() ? std::string()
+                                        : text + " is not a rate such as 30, 30Hz or 30000/1001";
   };
   return argument;
 }
@@ -70,6 +76,8 @@ Argument library(Options& options) {
 Arguments output(Options& options) {
   return {
       text("-o,--output", options.output, "output folder (default: generated/<graph name>)", "DIR"),
+      flag("--library", options.library,
+           "write a library for a main loop of your own instead of a program"),
       flag("--standalone", options.standalone,
            "also write everything that is needed to compile the output"),
       texts("--package", options.packages,
@@ -87,6 +95,11 @@ Arguments diagnostics(Options& options) {
           flag("-q,--quiet", options.quiet, "print problems only")};
 }
 
+Argument warnings(Options& options) {
+  return flag("--warnings-as-errors", options.warnings_as_errors,
+              "a warning is a problem: exit code 1, and nothing is written");
+}
+
 Arguments policy(Options& options) {
   return joined({{required(text("file", options.policy, "the weight file", "FILE")),
                   text("--normalize", options.normalize,
@@ -99,30 +112,47 @@ Arguments policy(Options& options) {
 Command generate(Options& options) {
   return {.name = "generate",
           .about = "write the program of a graph",
+          .examples = {{"a program for Linux, in generated/pendulum",
+                        "eagerx-gen generate pendulum.yaml"},
+                       {"for a board, in a folder of your choice",
+                        "eagerx-gen generate pendulum.yaml --target mps2-an386 -o out"},
+                       {"a tree that compiles without eagerx-gen, also as an Arduino library",
+                        "eagerx-gen generate pendulum.yaml --standalone --package arduino"}},
           .arguments = joined({{graph(options)},
                                output(options),
                                selection(options),
                                rates(options),
-                               {library(options)},
+                               {library(options), warnings(options)},
                                diagnostics(options)}),
           .run = [&options] { return generate_command(options); }};
 }
 
 Command check(Options& options) {
-  return {.name = "check",
-          .about = "only look for problems",
-          .arguments = joined({{graph(options)},
-                               selection(options),
-                               rates(options),
-                               {library(options)},
-                               diagnostics(options)}),
-          .run = [&options] { return check_command(options); }};
+  return {
+      .name = "check",
+      .about = "only look for problems",
+      .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
+                   {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
+                   {"with entities of your own, messages as JSON",
+                    "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
+      .arguments = joined({{graph(options)},
+                           selection(options),
+                           rates(options),
+                           {library(options), warnings(options)},
+                           {flag("--compile", options.compile,
+                                 "also compile the entities as boards do: no heap, no <cmath>, no "
+                                 "double in a graph of floats")},
+                           diagnostics(options)}),
+      .run = [&options] { return check_command(options); }};
 }
 
 Command info(Options& options) {
   return {
       .name = "info",
       .about = "list entities and targets, or explain one or a graph",
+      .examples = {{"list what there is", "eagerx-gen info"},
+                   {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
+                   {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"}},
       .arguments = joined({{text("entity", options.entity,
                                  "id of an entity or target, or a graph file", "ENTITY|GRAPH.yaml"),
                             text("--engine", options.engine,
@@ -134,16 +164,21 @@ Command info(Options& options) {
 }
 
 Command explain(Options& options) {
-  return {.name = "explain",
-          .about = "explain a code such as E0307 and what to do, or list all codes",
-          .arguments = {text("code", options.code, "such as E0307 or 307 (default: list all codes)",
-                             "CODE")},
-          .run = [&options] { return explain_command(options); }};
+  return {
+      .name = "explain",
+      .about = "explain a code such as E0307 and what to do, or list all codes",
+      .examples = {{"one code", "eagerx-gen explain E0307"}, {"all codes", "eagerx-gen explain"}},
+      .arguments = {text("code", options.code, "such as E0307 or 307 (default: list all codes)",
+                         "CODE")},
+      .run = [&options] { return explain_command(options); }};
 }
 
 Command import(Options& options) {
   return {.name = "import",
           .about = "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph",
+          .examples =
+              {{"rewrite it, on an engine of your choice",
+                "eagerx-gen import state.yaml -o graph.yaml --engine OdeEngine --engine-rate 60"}},
           .arguments = joined(
               {{required(text("state", options.graph, "the file that EAGERx saved", "STATE.yaml")),
                 text("-o,--output", options.output, "the graph to write (default: print it)",
@@ -155,27 +190,51 @@ Command import(Options& options) {
           .run = [&options] { return import_command(options); }};
 }
 
-Command schema() {
-  return {.name = "schema",
-          .about = "print the JSON schema of graph files, for editors",
-          .run = [] { return schema_command(); }};
+Command schema(Options& options) {
+  Argument manifest = flag("--manifest", options.manifest_schema, "of manifests");
+  return {
+      .name = "schema",
+      .about = "print a JSON schema, for editors",
+      .examples = {{"of graphs, with the entities of eagerx-gen and your own",
+                    "eagerx-gen schema --graph --path my_models >graph.schema.json"},
+                   {"of manifests", "eagerx-gen schema --manifest >manifest.schema.json"},
+                   {"of graphs, whatever the entities", "eagerx-gen schema >graph.schema.json"}},
+      .arguments = {flag("--graph", options.graph_schema,
+                         "of graphs of this library: ids, ports and parameters of its entities"),
+                    std::move(manifest), library(options)},
+      .check =
+          [&options] {
+            const bool both =
+                options.manifest_schema && (options.graph_schema || !options.paths.empty());
+            return both ? "--manifest takes no --graph and no --path" : "";
+          },
+      .run = [&options] { return schema_command(options); }};
 }
 
 Command make_new(Options& options) {
-  Command board{.name = "board",
-                .about = "a board of your own",
-                .arguments = joined({{required(text("name", options.entity, "its name", "NAME")),
-                                      text("-o,--output", options.output,
-                                           "where to make its folder (default: targets)", "DIR")},
-                                     diagnostics(options)}),
-                .run = [&options] { return new_board_command(options); }};
-  return {.name = "new", .about = "make a folder to fill in", .commands = {std::move(board)}};
+  Command board{
+      .name = "board",
+      .about = "a board of your own",
+      .examples = {{"a folder targets/my-board to fill in", "eagerx-gen new board my-board"}},
+      .arguments = joined({{required(text("name", options.entity, "its name", "NAME")),
+                            text("-o,--output", options.output,
+                                 "where to make its folder (default: targets)", "DIR")},
+                           diagnostics(options)}),
+      .run = [&options] { return new_board_command(options); }};
+  return {
+      .name = "new",
+      .about = "make a folder to fill in",
+      .examples = {{"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
+      .commands = {std::move(board)}};
 }
 
 Command size(Options& options) {
   return {
       .name = "size",
       .about = "flash, RAM, stack and instructions of an image",
+      .examples = {{"flash and RAM of each node", "eagerx-gen size build/pendulum.elf"},
+                   {"check a graph's budget and count instructions in the emulator",
+                    "eagerx-gen size build/pendulum.elf --graph pendulum.yaml --run mps2-an386"}},
       .arguments = joined(
           {{required(text("image", options.image, "the image", "IMAGE.elf")),
             text("--graph", options.graph, "also check the image against this graph's `budget:`",
@@ -204,6 +263,10 @@ Command replay(Options& options) {
   compare.values = 2;
   return {.name = "replay",
           .about = "repeat the run of a log and find the first difference",
+          .examples = {{"repeat a run that was recorded with --trace",
+                        "eagerx-gen replay build/pendulum run.log"},
+                       {"the first difference of two runs",
+                        "eagerx-gen replay --compare run.log other.log"}},
           .arguments = {text("program", options.program, "the program, built for Linux", "PROGRAM"),
                         text("log", options.log, "what a run wrote with --trace", "LOG"),
                         text("--given", options.given,
@@ -224,6 +287,8 @@ Command identify(Options& options) {
   return {
       .name = "identify",
       .about = "find the parameters and delays that a log was made with",
+      .examples = {{"from a robot's log, as ranges for a graph's states",
+                    "eagerx-gen identify build/pendulum robot.log --out found.yaml"}},
       .arguments = {required(text("program", options.program,
                                   "the program of a simulation, built for Linux", "PROGRAM")),
                     required(text("log", options.log, "what a run wrote with --trace", "LOG")),
@@ -242,20 +307,38 @@ Command identify(Options& options) {
 
 Command policies(Options& options) {
   const auto run = [&options] { return policy_command(options); };
-  return {.name = "policy",
-          .about = "look into a trained policy",
-          .commands = {
-              {.name = "info",
-               .about = "layers, size and what it expects of a graph",
-               .arguments = policy(options),
-               .run = run},
-              {.name = "test",
-               .about = "compare its answers with known answers",
-               .arguments = joined(
-                   {policy(options),
-                    {required(text("golden", options.golden,
-                                   "rows of observations and known answers", "GOLDEN.csv|npz"))}}),
-               .run = run}}};
+  return {
+      .name = "policy",
+      .about = "look into a trained policy",
+      .examples = {{"layers, size and what it expects", "eagerx-gen policy info swing_up.onnx"},
+                   {"its error on known answers",
+                    "eagerx-gen policy test swing_up.onnx answers.csv"}},
+      .commands = {
+          {.name = "info",
+           .about = "layers, size and what it expects of a graph",
+           .examples = {{"an ONNX file", "eagerx-gen policy info swing_up.onnx"},
+                        {"a model of Stable-Baselines3 with its statistics",
+                         "eagerx-gen policy info sac.zip --normalize vec_normalize.pkl"}},
+           .arguments = policy(options),
+           .run = run},
+          {.name = "test",
+           .about = "compare its answers with known answers",
+           .examples = {{"rows of a CSV file", "eagerx-gen policy test swing_up.onnx answers.csv"}},
+           .arguments = joined(
+               {policy(options),
+                {required(text("golden", options.golden, "rows of observations and known answers",
+                               "GOLDEN.csv|npz"))}}),
+           .run = run}}};
+}
+
+Command pages(Options& options) {
+  return {
+      .name = "pages",
+      .about = "write the manual pages and completions that are installed",
+      .arguments = {required(text("folder", options.output, "where", "DIR"))},
+      .run =
+          [&options] { return pages_command(options, command_line_pages(command_line(options))); },
+      .hidden = true};
 }
 
 CommandLine command_line(Options& options) {
@@ -263,15 +346,16 @@ CommandLine command_line(Options& options) {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
               .commands = {generate(options), check(options), info(options), explain(options),
-                           import(options), schema(), make_new(options), size(options),
-                           replay(options), identify(options), policies(options)}},
+                           import(options), schema(options), make_new(options), size(options),
+                           replay(options), identify(options), policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"
           "Exit codes: 0 done, 1 problems found, 2 wrong usage, 3 cannot read or write, 4 a bug "
           "in eagerx-gen.",
       .version = "eagerx-gen " EAGERX_GEN_VERSION,
-      .default_command = "generate"};
+      .default_command = "generate",
+      .topics = help_topics()};
 }
 
 }  // namespace

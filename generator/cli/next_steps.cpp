@@ -86,6 +86,13 @@ std::string link_text(const Run& run) {
 
 std::string next_steps(const Run& run, const Options& options,
                        const std::vector<const Target*>& targets, const std::string& folder) {
+  if (options.library) {
+    return fmt::format(
+        "in the CMakeLists.txt of your program:\n  add_subdirectory({0} {0}.build)\n"
+        "  target_link_libraries(your_program PRIVATE {1})\n"
+        "{0}/{2}{1}.hpp says how to use it\n",
+        folder, run.graph->name, options.standalone || !options.packages.empty() ? "src/" : "");
+  }
   const Steps steps(run, options);
   const bool split = run.graph->placement.has_value();
   std::string text;

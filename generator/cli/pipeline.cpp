@@ -42,7 +42,7 @@ bool read_own_graph(Run& run, const YamlValue& tree, const Options& options) {
       folders.push_back({folder.value.empty() ? "" : path.string(), folder.span});
     }
     if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
-    if (options.engine_rate_hz)
+    if (options.engine_rate_hz && run.spec->has_engine())
       run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
   }
   const std::size_t errors_before = run.diagnostics.error_count();

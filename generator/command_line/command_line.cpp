@@ -40,10 +40,24 @@ void add(CLI::App& app, const Argument& argument) {
   }
 }
 
+/// Every help ends with examples of its own command.
+void add_examples(CLI::App& app, const Command& command) {
+  std::string text;
+  for (const Example& example : command.examples)
+    text +=
+        (text.empty() ? "Examples:" : "") + ("\n  # " + example.about + "\n  " + example.command);
+  if (!text.empty()) app.footer(text);
+}
+
 void add(CLI::App& app, const Command& command) {
   for (const Argument& argument : command.arguments) add(app, argument);
-  for (const Command& inner : command.commands)
-    add(*app.add_subcommand(inner.name, inner.about), inner);
+  for (const Command& inner : command.commands) {
+    CLI::App& sub = *app.add_subcommand(inner.name, inner.about);
+    sub.footer("");
+    if (inner.hidden) sub.group("");
+    add(sub, inner);
+  }
+  add_examples(app, command);
   if (!command.commands.empty()) app.require_subcommand(1);
   if (command.check) {
     app.callback([&command] {
@@ -71,7 +85,104 @@ int told(int code) {
   return kInputOutput;
 }
 
+const Command* find_command(const Command& top, const std::string& name) {
+  const auto found = std::ranges::find(top.commands, name, &Command::name);
+  return found == top.commands.end() ? nullptr : &*found;
+}
+
+const Argument* find_option(const Command& command, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  const auto found = std::ranges::find_if(command.arguments, [&](const Argument& argument) {
+    std::string_view names = argument.names;
+    for (std::size_t end = 0; end != std::string_view::npos; names.remove_prefix(end + 1)) {
+      end = names.find(',');
+      if (names.substr(0, end) == name) return true;
+      if (end == std::string_view::npos) break;
+    }
+    return false;
+  });
+  return found == command.arguments.end() ? nullptr : &*found;
+}
+
+/// Options of the default command may stand before its file, and before another command:
+/// `-q graph.yaml`, `-q check graph.yaml`. How many arguments they take; 0 if the first is none.
+std::size_t leading_options(const Command& command, const std::vector<std::string>& arguments) {
+  std::size_t count = 0;
+  while (count < arguments.size() && arguments[count].starts_with('-')) {
+    const Argument* option = find_option(command, arguments[count]);
+    if (option == nullptr) return 0;
+    const bool value_follows =
+        !option->type.empty() && arguments[count].find('=') == std::string::npos;
+    count += 1 + (value_follows ? option->values : 0);
+  }
+  return std::min(count, arguments.size());
+}
+
+/// Puts the command first. What is wrong with it, or "".
+std::string put_command_first(const CLI::App& app, const CommandLine& line,
+                              std::vector<std::string>& arguments) {
+  const Command* otherwise = find_command(line.top, line.default_command);
+  if (otherwise == nullptr || arguments.empty()) return {};
+  const std::size_t options = leading_options(*otherwise, arguments);
+  if (options == 0 && arguments.front().starts_with('-')) return {};
+  if (options < arguments.size()) {
+    const auto word = arguments.begin() + static_cast<std::ptrdiff_t>(options);
+    if (find_command(line.top, *word) != nullptr) {
+      std::rotate(arguments.begin(), word, word + 1);
+      return {};
+    }
+    if (std::string problem = not_a_command(app, *word); !problem.empty()) return problem;
+  }
+  arguments.insert(arguments.begin(), line.default_command);
+  return {};
+}
+
+/// What follows `help`: nothing, a command with the one inside it, or a topic.
+int print_help(const CommandLine& line, const CLI::App& app,
+               const std::vector<std::string>& words) {
+  const CLI::App* found = &app;
+  for (const std::string& word : words) {
+    const auto inner =
+        found->get_subcommands([&](const CLI::App* each) { return each->get_name() == word; });
+    if (!inner.empty()) {
+      found = inner.front();
+      continue;
+    }
+    const auto topic = std::ranges::find(line.topics, word, &Topic::name);
+    if (found == &app && words.size() == 1 && topic != line.topics.end()) {
+      say_text(topic->text);
+      return kDone;
+    }
+    complain_text(no_help(*found, line.topics, word));
+    return kWrongUsage;
+  }
+  std::string parents = line.top.name;
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) parents += " " + words[i];
+  say_text(found->help(words.empty() ? "" : parents));
+  if (!words.empty() || line.topics.empty()) return kDone;
+  say("\nTopics of `help`:\n");
+  for (const Topic& topic : line.topics) say("  {:<27} {}\n", topic.name, topic.about);
+  return kDone;
+}
+
+Command help_command() {
+  return {.name = "help",
+          .about = "explain a command or a topic",
+          .examples = {{"which topics there are", "eagerx-gen help"},
+                       {"how generate is used", "eagerx-gen help generate"}},
+          .arguments = {{"words", "a command or a topic (default: list them)", "COMMAND|TOPIC",
+                         [](const auto&) {}}},
+          .run = [] { return kDone; }};
+}
+
 }  // namespace
+
+std::vector<Command> visible_commands(const CommandLine& line) {
+  std::vector<Command> commands = line.top.commands;
+  std::erase_if(commands, [](const Command& command) { return command.hidden; });
+  if (!commands.empty()) commands.push_back(help_command());
+  return commands;
+}
 
 Argument flag(std::string names, bool& value, std::string about) {
   return {std::move(names), std::move(about), "", [&value](const auto&) { value = true; }};
@@ -113,28 +224,28 @@ Argument required(Argument argument) {
 int run_command_line(const CommandLine& line, std::vector<std::string> arguments) {
   open_standard_descriptors();
   CLI::App app(line.top.about, line.top.name);
-  app.footer(line.footer);
   if (!line.version.empty()) app.set_version_flag("--version", line.version);
   app.failure_message([](const CLI::App* failed, const CLI::Error& problem) {
     return usage_message(*failed, problem);
   });
   add(app, line.top);
-  const std::string first = arguments.empty() ? std::string("-") : arguments.front();
-  if (!line.default_command.empty() && !first.starts_with('-') &&
-      std::ranges::find(line.top.commands, first, &Command::name) == line.top.commands.end()) {
-    if (const std::string problem = not_a_command(app, first); !problem.empty()) {
-      complain_text(problem);
-      return kWrongUsage;
-    }
-    arguments.insert(arguments.begin(), line.default_command);
+  app.footer(line.footer);
+  const Command help = help_command();
+  if (!line.top.commands.empty()) add(*app.add_subcommand(help.name, help.about), help);
+  if (!line.top.commands.empty() && !arguments.empty() && arguments.front() == help.name &&
+      std::ranges::find(arguments, "--help") == arguments.end())
+    return told(print_help(line, app, {arguments.begin() + 1, arguments.end()}));
+  if (const std::string problem = put_command_first(app, line, arguments); !problem.empty()) {
+    complain_text(problem);
+    return kWrongUsage;
   }
   std::ranges::reverse(arguments);  // as CLI11 takes them
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    std::ostringstream help, problem;
-    const int code = app.exit(error, help, problem);
-    say_text(help.str());
+    std::ostringstream shown, problem;
+    const int code = app.exit(error, shown, problem);
+    say_text(shown.str());
     complain_text(problem.str());
     return told(code == 0 ? kDone : kWrongUsage);
   }

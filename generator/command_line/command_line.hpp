@@ -27,15 +27,30 @@ struct Argument {
   bool required = false;
 };
 
+/// A command line that works, and what it is for.
+struct Example {
+  std::string about;
+  std::string command;
+};
+
 /// A command, or with `commands` a group of them.
 struct Command {
   std::string name;
   std::string about;
+  std::vector<Example> examples = {};
   std::vector<Argument> arguments = {};
   std::vector<Command> commands = {};
   /// What is wrong with the arguments together, or "". Asked after all were taken.
   std::function<std::string()> check = {};
   std::function<int()> run = {};
+  bool hidden = false;  // from the help: not for people
+};
+
+/// What `help NAME` says besides what the commands say.
+struct Topic {
+  std::string name;
+  std::string about;
+  std::string text;
 };
 
 /// A program: a command of its own, or several.
@@ -44,6 +59,7 @@ struct CommandLine {
   std::string footer = {};           // of `--help`
   std::string version = {};          // what `--version` prints; empty: there is no such option
   std::string default_command = {};  // is put before a file name that comes first
+  std::vector<Topic> topics = {};    // with commands there is also `help [COMMAND|TOPIC]`
 };
 
 /// Arguments of common kinds. `texts` may be repeated; what is given twice is kept once.
@@ -59,5 +75,17 @@ Argument required(Argument argument);
 /// command line that is wrong gets an `error:` line, where there is one a `help:` line, and
 /// kWrongUsage.
 int run_command_line(const CommandLine& line, std::vector<std::string> arguments);
+
+/// The commands as people see them: with `help`, without hidden ones.
+std::vector<Command> visible_commands(const CommandLine& line);
+
+/// A file made from the table: where it belongs, and its text.
+struct CommandLinePage {
+  std::string path;
+  std::string text;
+};
+/// `man/…` has a manual page of the program and of each command, `bash/…` and `fish/…` what
+/// completes its command line there.
+std::vector<CommandLinePage> command_line_pages(const CommandLine& line);
 
 }  // namespace eagerx::gen

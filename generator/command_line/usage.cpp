@@ -28,7 +28,9 @@ const CLI::App* command_reached(const CLI::App& app, std::string& typed) {
 
 std::vector<std::string> names_of_commands(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* each : app.get_subcommands([](const CLI::App*) { return true; }))
+  // A hidden one is in no group.
+  for (const CLI::App* each :
+       app.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); }))
     names.push_back(each->get_name());
   return names;
 }
@@ -95,6 +97,14 @@ std::string not_a_command(const CLI::App& app, const std::string& word) {
   const std::vector<std::string> commands = names_of_commands(app);
   return message(fmt::format("`{}` is neither a command nor a file", word),
                  suggestion(word, commands, fmt::format("there is {}", fmt::join(commands, ", "))));
+}
+
+std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
+                    const std::string& word) {
+  std::vector<std::string> known = names_of_commands(app);
+  for (const Topic& topic : topics) known.push_back(topic.name);
+  return message(fmt::format("there is no help for `{}`", word),
+                 suggestion(word, known, fmt::format("there is {}", fmt::join(known, ", "))));
 }
 
 }  // namespace eagerx::gen

@@ -3,6 +3,9 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
+
+#include "generator/command_line/command_line.hpp"
 
 namespace eagerx::gen {
 
@@ -11,5 +14,8 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem);
 
 /// Of a word that is neither a command of `app` nor a file: the same. Empty if it may be a file.
 std::string not_a_command(const CLI::App& app, const std::string& word);
+
+/// Of a word after `help` that is neither a command of `app` nor a topic: the same.
+std::string no_help(const CLI::App& app, const std::vector<Topic>& topics, const std::string& word);
 
 }  // namespace eagerx::gen

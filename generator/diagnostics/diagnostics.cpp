@@ -35,6 +35,20 @@ void Diagnostics::drop_notes() {
   std::erase_if(all_, [](const Diagnostic& d) { return d.severity == Severity::note; });
 }
 
+void Diagnostics::drop_warnings(const std::vector<std::string>& codes) {
+  std::erase_if(all_, [&](const Diagnostic& d) {
+    return d.severity == Severity::warning && std::ranges::find(codes, d.code) != codes.end();
+  });
+}
+
+void Diagnostics::raise_warnings() {
+  for (Diagnostic& diagnostic : all_) {
+    if (diagnostic.severity != Severity::warning) continue;
+    diagnostic.severity = Severity::error;
+    ++errors_;
+  }
+}
+
 Diagnostic& Diagnostics::io_error(std::string code, Span span, std::string message) {
   ++io_errors_;
   Diagnostic& diagnostic = error(std::move(code), span, std::move(message));

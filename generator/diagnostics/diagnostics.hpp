@@ -41,7 +41,8 @@ class SourceMap {
 
 enum class Severity : std::uint8_t { error, warning, note };
 
-/// One problem. `code` is stable ("E0201"), `message` lower case with `identifiers` in backticks.
+/// One problem. `code` is stable ("E0201", "W0101"), `message` lower case with `identifiers` in
+/// backticks.
 struct Diagnostic {
   struct Note {
     std::string message;
@@ -75,6 +76,12 @@ class Diagnostics {
 
   /// Leaves only errors and warnings.
   void drop_notes();
+
+  /// Leaves out warnings with these codes.
+  void drop_warnings(const std::vector<std::string>& codes);
+
+  /// Makes errors of all warnings.
+  void raise_warnings();
 
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return errors_; }

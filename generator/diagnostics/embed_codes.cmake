@@ -1,7 +1,7 @@
 # Makes a C++ source of the pages of codes/, so that the program needs no file to explain a code:
 #   cmake -D FOLDER=codes -D OUTPUT=codes.cpp -P embed_codes.cmake
 # The texts pass through quoted arguments only: a list would lose semicolons and brackets.
-file(GLOB pages ${FOLDER}/E*.md)
+file(GLOB pages ${FOLDER}/[EW]*.md)
 list(SORT pages)
 set(entries "")
 set(count 0)

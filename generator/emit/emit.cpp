@@ -36,6 +36,7 @@ class Emitter {
     const fs::path here = fs::path(options_.output) / folder;
     View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
+    add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
     View program = program_view(plan_, names_);
     program.set("has_memory", network_ && network_->has_memory());
     program.set("indented", indented());
@@ -46,7 +47,13 @@ class Emitter {
       add(fmt::format("{}{}.hpp", folder, policy_namespace(plan_.graph->nodes[policy.node].name)),
           "cpp/policy.hpp.mustache", node_view(policy));
     }
-    add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
+    if (options_.targets.empty()) {
+      add(options_.header_folder + plan_.graph->name + ".hpp", "library/library.hpp.mustache",
+          gen::library_view(plan_, network_.has_value(), network_ && network_->has_memory()));
+      add("CMakeLists.txt", "library/CMakeLists.txt.mustache", cmake_view());
+    } else {
+      add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
+    }
     for (const Target* target : options_.targets) add_target(*target);
     for (const auto& package : options_.packages) add_package(package);
     if (failed_) return std::nullopt;
@@ -127,7 +134,7 @@ class Emitter {
       targets.push_back(item);
     }
     view["targets"] = std::move(targets);
-    view.set("first", options_.targets.front()->id.value);
+    view.set("first", options_.targets.empty() ? "" : options_.targets.front()->id.value);
     view.set("standalone", !options_.header_folder.empty());
     const auto packages = packages_of(*plan_.graph, options_.part);
     view.set("packages", View(!packages.empty()));

@@ -20,7 +20,7 @@ struct GeneratedFile {
 
 struct EmitOptions {
   std::string templates;               // folder of the templates
-  std::vector<const Target*> targets;  // at least one; the first is the default
+  std::vector<const Target*> targets;  // the first is the default; without any, a library
   std::string version;                 // of the generator
   std::string builtin_root;            // headers below it are included as <models/…>
   std::string output;                  // others are included relative to the output folder
@@ -32,6 +32,16 @@ struct EmitOptions {
 
 /// A hash of all texts, for EmitOptions::graph_hash.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
+
+/// A class of an entity that the program uses.
+struct UsedClass {
+  std::string header;  // its path
+  std::string name;    // with namespaces
+  std::string system;  // the operating system that its entity needs; empty: none
+  Span span;           // of the name in the manifest
+};
+/// Each once, in the order of the plan; without those that are generated along with the program.
+std::vector<UsedClass> used_classes(const Plan& plan);
 
 /// `here`: the folder that will include them, if it is known. Problems: E0301 a header that a
 /// manifest names and that is not there, or whose path C++ cannot write.

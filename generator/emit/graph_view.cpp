@@ -21,23 +21,21 @@ class GraphView {
         network_(network),
         node_policies_(node_policies) {
     constants_.unique("kName");
-    for (const char* taken :
-         {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kSafety"})
+    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels"})
       constants_.unique(taken);
   }
 
   View make() {
-    view_.set("engine", graph_.engine().entity->id.value);
+    view_.set("engine", graph_.engine_id());
     view_.set("rate_type", rate_type(graph_.environment().rate_hz));
     view_.set("agent", agent_name());
     view_.set("agent_csv",
               cpp_string(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
     add_channels();
-    add_spaces();
     add_draws();
+    add_states();
     add_random_action();
     add_policy();
-    add_safety();
     add_split();
     return std::move(view_);
   }
@@ -71,8 +69,30 @@ class GraphView {
     return "node";
   }
 
+  /// `{low, high}` for all elements or for each; nothing where every value is within.
+  static std::vector<std::string> bounds_of(const Space& space) {
+    const bool is_float = space.dtype == Dtype::float32;
+    const auto bound = [&](const std::vector<double>& given, std::size_t i, double otherwise) {
+      const double value = given.empty() ? otherwise : given[given.size() == 1 ? 0 : i];
+      return is_float ? static_cast<double>(static_cast<float>(value)) : value;
+    };
+    const double lowest = bound({}, 0, lowest_of(space.dtype));
+    const double highest = bound({}, 0, highest_of(space.dtype));
+    const std::size_t count = std::max({space.low.size(), space.high.size(), std::size_t{1}});
+    std::vector<std::string> result;
+    bool bounded = false;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double low = bound(space.low, i, lowest), high = bound(space.high, i, highest);
+      bounded = bounded || low > lowest || high < highest;
+      result.push_back(
+          fmt::format("{{{}, {}}}", literal(low, Dtype::float64), literal(high, Dtype::float64)));
+    }
+    return bounded ? result : std::vector<std::string>();
+  }
+
   void add_channels() {
-    View channels = list();
+    View channels = list(), bounds = list();
+    std::size_t first = 0;
     for (const auto& channel : plan_.channels) {
       const GraphNode& node = graph_.nodes[channel.node];
       const Space& space = node.outputs[channel.output].space;
@@ -83,8 +103,27 @@ class GraphView {
       item.set("num", fmt::format("{}", node.rate_hz.num()));
       item.set("den", fmt::format("{}", node.rate_hz.den()));
       item.set("publisher", publisher(node.role));
+      const Output& output = node.outputs[channel.output];
+      const std::string owner = node.role == NodeRole::environment ? "actions" : node.name;
+      item.set("port", output.sensor.empty() ? owner + "." + output.name : output.sensor);
+      const std::vector<std::string> own = bounds_of(space);
+      if (!own.empty()) {
+        View place = object();
+        place.set("first", fmt::format("{}", first));
+        place.set("count", fmt::format("{}", own.size()));
+        item["bounded"] = std::move(place);
+        View line = object();
+        line.set("values", joined(own));
+        line.set("channel", channel.name);
+        bounds.push_back(line);
+        first += own.size();
+      } else {
+        item["bounded"] = View(false);
+      }
       channels.push_back(item);
     }
+    view_.set("has_bounds", bounds.is_non_empty_list());
+    view_["bounds"] = std::move(bounds);
     view_["channels"] = std::move(channels);
   }
 
@@ -97,19 +136,6 @@ class GraphView {
     item.set("constant", constants_.unique("k" + prefix + camel(field)));
     item.set("literal", space_literal(space));
     return item;
-  }
-
-  void add_spaces() {
-    View actions = list(), observations = list();
-    for (const auto& action : graph_.environment().outputs)
-      actions.push_back(space_view(action.name, action.space, action.span, "Action"));
-    if (names_.receives(Graph::kEnvironment)) {
-      for (const auto& input : graph_.environment().inputs)
-        observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
-    }
-    view_["actions"] = std::move(actions);
-    view_.set("has_observations", observations.is_non_empty_list());
-    view_["observations"] = std::move(observations);
   }
 
   /// The lines that set one state from `random`.
@@ -230,10 +256,45 @@ class GraphView {
     view_.set("draws", draws);
   }
 
+  /// Everything that States has.
+  void add_states() {
+    View states = list();
+    const auto add = [&](const std::string& owner, const std::string& name, const Space& space,
+                         const std::string& field) {
+      View item = object();
+      item.set("state", owner + "." + name);
+      item.set("id", owner + "/" + name);
+      item.set("field", field);
+      item.set("type", message_type(space));
+      item.set("literal", space_literal(space));
+      states.push_back(item);
+    };
+    for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
+      const Object& item = graph_.objects[i];
+      for (std::size_t s = 0; s < item.states.size(); ++s)
+        add(item.name, item.states[s].name, item.states[s].space, names_.object_state[i][s]);
+    }
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
+      const GraphNode& node = graph_.nodes[n];
+      for (std::size_t s = 0; s < node.states.size(); ++s) {
+        if (node.states[s].settable)
+          add(node.name, node.states[s].name, node.states[s].space, names_.node_state[n][s]);
+      }
+      for (std::size_t i = 0; i < node.inputs.size(); ++i) {
+        if (names_.delay_state[n][i].empty()) continue;
+        add(node.name, node.inputs[i].name + "/delay",
+            {Dtype::float64, {}, {0.0}, {node.inputs[i].max_delay_s->to_double()}},
+            names_.delay_state[n][i]);
+      }
+    }
+    view_.set("has_states", states.is_non_empty_list());
+    view_["states"] = std::move(states);
+  }
+
   void add_random_action() {
     std::vector<std::string> samples;
     std::uint64_t words = 0;
-    Names constants;  // the same names as in add_spaces, which come first there
+    Names constants;  // the same names as in limits_view()
     for (const auto& action : graph_.environment().outputs) {
       samples.push_back(
           fmt::format("{}.sample(random)", constants.unique("kAction" + camel(action.name))));
@@ -279,31 +340,6 @@ class GraphView {
     view_["policy_outputs"] = policy_answers(use, *network_, "kAction");
     view_.set("reads_in_order", use.kind(*network_) != ActionKind::argmax);
     view_.set("place", names_.place(graph_.agent.span));
-  }
-
-  void add_safety() {
-    constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-    const Safety& safety = graph_.safety;
-    view_.set("safety_place", text_or_false(safety.declared ? names_.place(safety.span) : ""));
-    view_.set("declared", bool_literal(safety.declared));
-    view_.set("late", fmt::format("{}", safety.late));
-    const auto whole_ns = [](const Rational& seconds) {
-      return fmt::format("{}", (seconds * Rational(kNsPerSecond)).floor());
-    };
-    view_.set("max_lateness_ns", whole_ns(safety.max_lateness_s));
-    view_.set("link_timeout_ns", whole_ns(safety.link_timeout_s));
-    view_.set("missed", fmt::format("{}", safety.missed));
-    view_.set("recover", fmt::format("{}", safety.recover));
-    view_.set("clips", bool_literal(safety.clips));
-    view_.set("holds", bool_literal(safety.holds));
-    std::vector<std::string> values;
-    for (std::size_t i = 0; i < safety.actions.size(); ++i) {
-      std::vector<double> value = safety.actions[i];
-      if (std::count(value.begin(), value.end(), value.front()) == std::ssize(value))
-        value.resize(1);  // one for all elements
-      values.push_back(message_literal(value, graph_.environment().outputs[i].space));
-    }
-    view_.set("safe_action", braced(values));
   }
 
   const Plan& plan_;

@@ -1,7 +1,9 @@
 // The headers of entities that a program includes.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "generator/emit/emit.hpp"
@@ -68,6 +70,30 @@ View includes_view(const Plan& plan, const ProgramNames& names, const IncludePat
     views.push_back(view);
   }
   return views;
+}
+
+std::vector<UsedClass> used_classes(const Plan& plan) {
+  const Graph& graph = *plan.graph;
+  std::map<FileId, std::string> systems;  // by manifest
+  const auto add_system = [&](const Entity* entity) {
+    if (entity != nullptr && entity->system) systems[entity->id.span.file] = entity->system->value;
+  };
+  for (const GraphNode& node : graph.nodes) add_system(node.entity);
+  for (const Object& item : graph.objects) {
+    // A model for an engine runs where the engine does.
+    if (graph.engine().entity->system)
+      systems[item.implementation->engine.span.file] = graph.engine().entity->system->value;
+    for (const State& state : item.states) add_system(state.engine_state);
+  }
+  std::vector<UsedClass> result;
+  const auto add = [&](const std::string& root, const CppClass& cpp, const Span& place) {
+    if (root.empty() || cpp.name.empty()) return;
+    if (std::ranges::find(result, cpp.name, &UsedClass::name) != result.end()) return;
+    result.push_back({cpp.include.empty() ? "" : (fs::path(root) / cpp.include).string(), cpp.name,
+                      systems[place.file], cpp.span});
+  };
+  for_each_class(plan, ProgramNames(plan, Part::whole), add);
+  return result;
 }
 
 void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagnostics) {

@@ -54,7 +54,9 @@ struct ProgramNames {
   [[nodiscard]] bool has_io(std::size_t node) const {
     return gen::has_io(*plan_.graph, part_, node);
   }
-  [[nodiscard]] bool has_engine() const { return runs(Graph::kEngine); }
+  [[nodiscard]] bool has_engine() const {
+    return plan_.graph->has_engine() && runs(Graph::kEngine);
+  }
   [[nodiscard]] bool has_ring(std::size_t ring) const;
   /// Whether the other program gets, or sends, this output.
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
@@ -73,6 +75,10 @@ struct IncludePaths {
 };
 View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
 View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
+/// Spaces and `safety:`.
+View limits_view(const Plan& plan, const ProgramNames& names);
+/// The header of a library: what a main loop of one's own needs to know.
+View library_view(const Plan& plan, bool has_policy, bool has_memory);
 View program_view(const Plan& plan, const ProgramNames& names);
 /// What of the rendered program.hpp belongs to which node.
 ProgramMap program_map(const Plan& plan, const ProgramNames& names, const MarkedText& program);

@@ -25,7 +25,7 @@ class ProgramView {
 
   View make() {
     const std::size_t rate = plan_.nodes[Graph::kEnvironment].rate;
-    view_.set("engine", graph_.engine().entity->id.value);
+    view_.set("engine", graph_.engine_id());
     view_.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
     view_.set("environment_due", names_.due[rate]);
     view_.set("environment_rate", rate_type(graph_.environment().rate_hz));
@@ -69,6 +69,9 @@ class ProgramView {
     view_.set("step_parameter", decides             ? "const Action& action"
                                 : names_.is_board() ? "const Action& /*action*/"
                                                     : "Action& action");
+    view_.set("guards", decides && !graph_.environment().outputs.empty());
+    // Without an engine, actions are what a main loop measures: no answer to what it is given.
+    view_.set("answers", decides && graph_.has_engine() && !graph_.environment().outputs.empty());
     view_.set("gives_action_back", !decides && !names_.is_board());
   }
 

@@ -83,7 +83,7 @@ class ResetView {
   void add_nodes() {
     View resets = list();
     for (const std::size_t n : nodes_in_order(plan_)) {
-      if (n == Graph::kEngine || !names_.runs(n)) continue;
+      if (graph_.nodes[n].role == NodeRole::engine || !names_.runs(n)) continue;
       std::vector<std::string> arguments = {braced(state_arguments(n))}, delays;
       const GraphNode& node = graph_.nodes[n];
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
@@ -246,10 +246,12 @@ class ResetView {
 }  // namespace
 
 std::vector<std::size_t> nodes_in_order(const Plan& plan) {
-  std::vector<std::size_t> nodes = {Graph::kEngine};
+  std::vector<std::size_t> nodes;
+  const bool has_engine = plan.graph->has_engine();
+  if (has_engine) nodes.push_back(Graph::kEngine);
   for (const auto* phase : {&plan.before, &plan.after}) {
     for (const std::size_t n : *phase) {
-      if (n != Graph::kEngine) nodes.push_back(n);
+      if (!has_engine || n != Graph::kEngine) nodes.push_back(n);
     }
   }
   return nodes;

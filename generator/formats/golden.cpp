@@ -112,10 +112,10 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
           std::from_chars(cells[i].data(), cells[i].data() + cells[i].size(), value);
       if (result.ec != std::errc{} || result.ptr != cells[i].data() + cells[i].size()) {
         return fail(
-            fmt::format("has `{}` in line {}, which is no number", printable(cells[i]), number));
+            fmt::format("has `{}` in line {}, which is not a number", printable(cells[i]), number));
       }
       if (!std::isfinite(value)) {
-        return fail(fmt::format("has `{}` in line {}, column {}, which is no finite number",
+        return fail(fmt::format("has `{}` in line {}, column {}, which is not a finite number",
                                 printable(cells[i]), number, i + 1));
       }
       rows->back().push_back(value);

@@ -15,11 +15,24 @@ namespace eagerx::gen {
 namespace {
 
 constexpr const char* kKnownFormats =
-    "known are Stable-Baselines3's zip, ONNX, safetensors, npz and torch.save";
+    "the formats are Stable-Baselines3's zip, ONNX, safetensors, npz and torch.save";
 
 bool is_safetensors(std::string_view bytes) {
   constexpr std::size_t kLength = 8;
   return bytes.size() > kLength && bytes[kLength] == '{' && bytes[kLength - 1] == '\0';
+}
+
+/// By its beginning: no format that is read has only letters, blanks and line ends there.
+bool is_text(std::string_view bytes) {
+  constexpr std::size_t kLooked = 512;
+  constexpr unsigned char kFirstLetter = ' ';
+  constexpr unsigned char kDelete = 0x7f;
+  return std::ranges::all_of(bytes.substr(0, kLooked),
+                             [](unsigned char c) {
+                               return (c >= kFirstLetter && c != kDelete) || c == '\n' ||
+                                      c == '\r' || c == '\t';
+                             }) &&
+         std::ranges::none_of(bytes.substr(0, kLooked), [](unsigned char c) { return c >= 0xf8; });
 }
 
 /// What `bytes` are by their first few, or empty when only a parser can tell.
@@ -34,9 +47,12 @@ std::string_view known_other_format(std::string_view bytes) {
     return "a Python pickle without tensors' files (torch before 1.6, or VecNormalize's "
            "statistics, which are named as `normalize`)";
   }
-  constexpr char kFirstLetter = ' ';
-  if (bytes.front() >= kFirstLetter) return "a text file";  // no format starts like this
+  if (is_text(bytes)) return "a text file";
   return {};
+}
+
+PolicyProblem none_of_the_formats() {
+  return {"E0603", "is in none of the formats that are read", kKnownFormats};
 }
 
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
@@ -47,7 +63,14 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
   if (const std::string_view other = known_other_format(bytes); !other.empty()) {
     return refuse(problem, "E0603", fmt::format("is {}", other), kKnownFormats);
   }
-  return read_onnx(bytes, problem);
+  auto network = read_onnx(bytes, problem);
+  if (network && context.activation) {
+    return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
+                  "leave the graph's `activation` out");
+  }
+  // The reader of ONNX is the last one: what it does not know, nobody knows.
+  if (!network && problem.code == "E0603") problem = none_of_the_formats();
+  return network;
 }
 
 /// "`angle` (2), `speed` (1)"

@@ -132,7 +132,7 @@ std::optional<Normalization> statistics_of_json(std::string_view bytes, PolicyPr
     const Json* given = inner != nullptr ? inner : member(&*value, key);
     if (given == nullptr) continue;
     const auto number = number_of(given);
-    if (!number) return unusable(problem, fmt::format("has a `{}` that is no number", key));
+    if (!number) return unusable(problem, fmt::format("has a `{}` that is not a number", key));
     *target = *number;
   }
   return checked(std::move(statistics), problem);

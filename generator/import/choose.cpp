@@ -200,7 +200,7 @@ void choose_rate(Translation& t) {
     if (!acts && link.to.entity != "environment") continue;
     const auto other = rate_of(t, acts ? link.to : link.from);
     if (other && link.to.section == "feedthroughs") {
-      fastest = other;  // a reset node has the rate of what it passes on
+      fastest = other;  // give the reset node the rate of what it passes on
       reason = "that of the reset node that passes its actions on";
       break;
     }

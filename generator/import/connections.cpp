@@ -23,7 +23,7 @@ class ConnectionTranslator {
       connection.span = link.from.span;
       connection.from = {*from, link.from.span};
       connection.to = {*to, link.to.span};
-      take_settings(link.to, connection.settings);
+      take_settings(link, connection.settings);
       t_.result.spec.connections.push_back(std::move(connection));
     }
   }
@@ -71,7 +71,16 @@ class ConnectionTranslator {
     return fail(end, "a target is an input, an actuator, a feedthrough or a reset target");
   }
 
-  /// What the connection has if nothing is said.
+  /// What the connection has if nothing is said: the sender's delay over what the receiver says.
+  ConnectionSettings defaults_of(const SavedLink& link) {
+    const Entity* entity = t_.entity(link.from.entity);
+    const PortManifest* sensor = entity != nullptr && link.from.section == "sensors"
+                                     ? manifest_port(*entity, link.from.section, link.from.port)
+                                     : nullptr;
+    ConnectionSettings defaults = defaults_of(link.to);
+    return sensor != nullptr ? overlay(std::move(defaults), sensor->settings) : defaults;
+  }
+
   ConnectionSettings defaults_of(const SavedEnd& end) {
     const Entity* entity = t_.entity(end.entity);
     if (entity == nullptr) return {};
@@ -108,19 +117,20 @@ class ConnectionTranslator {
   }
 
   /// What is saved of the connection and differs from its defaults.
-  void take_settings(const SavedEnd& end, ConnectionSettings& settings) {
+  void take_settings(const SavedLink& link, ConnectionSettings& settings) {
+    const SavedEnd& end = link.to;
     const SavedEntity& entity = *t_.saved.find(end.entity);
     const SavedPort* port = entity.port(end.section, end.port);
     if (port == nullptr) return;
     settings.processor =
         t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
     if (end.section == "targets") return;
-    const ConnectionSettings defaults = defaults_of(end);
+    const ConnectionSettings defaults = defaults_of(link);
     if (const YamlValue* window = port->find("window")) take_window(*window, defaults, settings);
     if (const YamlValue* delay = port->find("delay")) {
       const auto value = saved_delay(*delay, t_.diagnostics);
-      if (value && *value != delay_of(defaults))
-        settings.delay_s = Spanned<Rational>{*value, delay->span};
+      if (value && value != delay_of(defaults))
+        settings.delay = made_scalar(value->to_string(), delay->span);
     }
     if (const YamlValue* skip = port->find("skip")) {
       const auto value = parse_bool(skip->text);

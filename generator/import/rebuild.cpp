@@ -265,7 +265,7 @@ class Rebuilder {
     if (port == nullptr || manifest == nullptr) return;
     const ConnectionSettings ours = overlay(manifest->settings, inside.settings);
     const std::string window = ours.window ? ours.window->text : "1";
-    const Rational delay = delay_of(ours);
+    const auto delay = delay_of(ours);
     const bool skip = skips(ours);
     const auto check = [&](const char* key, const std::string& here, bool same) {
       if (same) return;
@@ -277,7 +277,8 @@ class Rebuilder {
     if (const YamlValue* value = port->find("window"))
       check("window", window, value->text == window || window.starts_with("$("));
     if (const YamlValue* value = port->find("delay"))
-      check("delay", delay.to_string(), Rational::parse(value->text) == delay);
+      check("delay", delay.value_or(Rational()).to_string(),
+            !delay || Rational::parse(value->text) == delay);
     if (const YamlValue* value = port->find("skip"))
       check("skip", skip ? "true" : "false", value->text == (skip ? "true" : "false"));
   }

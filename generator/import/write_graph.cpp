@@ -61,7 +61,7 @@ std::string processor_text(const ProcessorSpec& processor) {
 /// What EAGERx can say of a connection: it has no `max_delay` and draws no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
   if (settings.window) items.push_back("window: " + text_of(*settings.window));
-  if (settings.delay_s) items.push_back("delay: " + settings.delay_s->value.to_string());
+  if (settings.delay) items.push_back("delay: " + text_of(*settings.delay));
   if (settings.skip) items.push_back(fmt::format("skip: {}", settings.skip->value));
   if (settings.processor) items.push_back("processor: " + processor_text(*settings.processor));
 }

@@ -15,11 +15,20 @@ using Value = ConditionValue;
 using Number = ConditionNumber;
 
 double as_double(const Number& number) {
-  return std::visit([](auto value) { return static_cast<double>(value); }, number);
+  if (const auto* exact = std::get_if<Rational>(&number)) return exact->to_double();
+  const auto* whole = std::get_if<std::int64_t>(&number);
+  return whole != nullptr ? static_cast<double>(*whole) : std::get<double>(number);
+}
+
+std::optional<Rational> as_rational(const Number& number) {
+  if (const auto* exact = std::get_if<Rational>(&number)) return *exact;
+  const auto* whole = std::get_if<std::int64_t>(&number);
+  return whole != nullptr ? std::optional<Rational>(*whole) : std::nullopt;
 }
 
 Number number_of(const Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return *whole;
+  if (const auto* exact = std::get_if<Rational>(&value)) return *exact;
   const auto* real = std::get_if<double>(&value);
   return real != nullptr ? *real : std::numeric_limits<double>::quiet_NaN();
 }
@@ -29,15 +38,13 @@ Value value_of(const Number& number) {
 }
 
 bool less(const Number& a, const Number& b) {
-  if (std::holds_alternative<std::int64_t>(a) && std::holds_alternative<std::int64_t>(b))
-    return std::get<std::int64_t>(a) < std::get<std::int64_t>(b);
-  return as_double(a) < as_double(b);
+  const auto left = as_rational(a), right = as_rational(b);
+  return left && right ? *left < *right : as_double(a) < as_double(b);
 }
 
 bool equal(const Number& a, const Number& b) {
-  if (std::holds_alternative<std::int64_t>(a) && std::holds_alternative<std::int64_t>(b))
-    return std::get<std::int64_t>(a) == std::get<std::int64_t>(b);
-  return as_double(a) == as_double(b);
+  const auto left = as_rational(a), right = as_rational(b);
+  return left && right ? *left == *right : as_double(a) == as_double(b);
 }
 
 bool equal(const Value& a, const Value& b) {
@@ -45,24 +52,26 @@ bool equal(const Value& a, const Value& b) {
   return equal(number_of(a), number_of(b));
 }
 
-Value arithmetic(Op op, const Number& a, const Number& b) {
-  const auto* whole_a = std::get_if<std::int64_t>(&a);
-  const auto* whole_b = std::get_if<std::int64_t>(&b);
-  const bool whole = whole_a != nullptr && whole_b != nullptr;
-  std::int64_t result = 0;
+template <class T>
+T calculated(Op op, const T& a, const T& b) {
   switch (op) {
     case Op::add:
-      if (whole && !__builtin_add_overflow(*whole_a, *whole_b, &result)) return result;
-      return as_double(a) + as_double(b);
+      return a + b;
     case Op::subtract:
-      if (whole && !__builtin_sub_overflow(*whole_a, *whole_b, &result)) return result;
-      return as_double(a) - as_double(b);
+      return a - b;
     case Op::multiply:
-      if (whole && !__builtin_mul_overflow(*whole_a, *whole_b, &result)) return result;
-      return as_double(a) * as_double(b);
+      return a * b;
     default:
-      return as_double(a) / as_double(b);
+      return a / b;
   }
+}
+
+Value arithmetic(Op op, const Number& a, const Number& b) {
+  const auto left = as_rational(a), right = as_rational(b);
+  const Rational exact = left && right ? calculated(op, *left, *right) : Rational(0, 0);
+  if (exact.overflowed()) return calculated(op, as_double(a), as_double(b));
+  if (exact.is_integer()) return exact.num();
+  return exact;
 }
 
 bool compare(Op op, const Value& a, const Value& b) {
@@ -180,7 +189,7 @@ class Stack {
 
 }  // namespace
 
-std::optional<bool> holds(const Condition& condition, const Facts& facts) {
+std::optional<Value> evaluate(const Condition& condition, const Facts& facts) {
   Stack stack;
   for (const auto& step : condition) {
     if (step.op != Op::fact) {
@@ -191,7 +200,12 @@ std::optional<bool> holds(const Condition& condition, const Facts& facts) {
     if (fact == facts.end()) return std::nullopt;
     stack.push(fact->second);
   }
-  return Stack::is_true(stack.pop());
+  return stack.pop();
+}
+
+std::optional<bool> holds(const Condition& condition, const Facts& facts) {
+  const auto value = evaluate(condition, facts);
+  return value ? std::optional(Stack::is_true(*value)) : std::nullopt;
 }
 
 bool at_most(const ConditionNumber& a, const ConditionNumber& b) {
@@ -199,7 +213,9 @@ bool at_most(const ConditionNumber& a, const ConditionNumber& b) {
 }
 
 std::string to_string(const ConditionNumber& number) {
-  return std::visit([](auto value) { return fmt::format("{}", value); }, number);
+  if (const auto* exact = std::get_if<Rational>(&number)) return exact->to_string();
+  const auto* whole = std::get_if<std::int64_t>(&number);
+  return whole != nullptr ? fmt::format("{}", *whole) : fmt::format("{}", std::get<double>(number));
 }
 
 std::string to_string(const ConditionValue& value) {
@@ -207,6 +223,7 @@ std::string to_string(const ConditionValue& value) {
     std::string operator()(bool truth) const { return truth ? "true" : "false"; }
     std::string operator()(std::int64_t whole) const { return fmt::format("{}", whole); }
     std::string operator()(double real) const { return fmt::format("{}", real); }
+    std::string operator()(const Rational& exact) const { return exact.to_string(); }
     std::string operator()(const std::string& text) const { return text; }
     std::string operator()(const std::vector<Number>& list) const {
       std::vector<std::string> items;

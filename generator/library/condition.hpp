@@ -1,4 +1,5 @@
 // Conditions that manifests state about parameters, ports and rates: `max(cutoff_hz) < rate / 2`.
+// In the same language they compute numbers from what the graph says: `2 * $(config limit)`.
 //
 //   or:       and, not binds tighter; `a or b and not c`
 //   compare:  < <= > >= == !=, `x in (a, b)`; not chained
@@ -8,8 +9,8 @@
 //             size(PORT), window(INPUT), dtype(PORT)
 //
 // A port is written by its name, or as inputs.NAME, outputs.NAME, states.NAME where the name alone
-// could mean two. Whole numbers are exact in 64 bits as long as a result fits, all others are
-// doubles.
+// could mean two. Decimals are exact fractions as long as a result fits into 64 bits, all other
+// numbers are doubles.
 #pragma once
 
 #include <map>
@@ -19,15 +20,16 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/read/rational.hpp"
 
 namespace eagerx::gen {
 
 struct Entity;
 struct YamlValue;
 
-using ConditionNumber = std::variant<std::int64_t, double>;
+using ConditionNumber = std::variant<std::int64_t, double, Rational>;
 using ConditionValue =
-    std::variant<bool, std::int64_t, double, std::string, std::vector<ConditionNumber>>;
+    std::variant<bool, std::int64_t, double, Rational, std::string, std::vector<ConditionNumber>>;
 
 /// What a condition speaks of, by the names of ConditionStep::fact.
 using Facts = std::map<std::string, ConditionValue>;
@@ -71,6 +73,22 @@ using Condition = std::vector<ConditionStep>;
 /// place in the text: E0207. nullopt then.
 std::optional<Condition> read_condition(const YamlValue& text, const Entity& entity,
                                         Diagnostics& diagnostics);
+
+/// What `$(…)` refers to: `config limit`, `config limit 0`, `sensors theta rate`. References whose
+/// value is not known have none.
+using KnownReferences = std::map<std::string, std::optional<ConditionValue>, std::less<>>;
+
+/// Whether the text computes something from references: `$(2 * config limit)`, `-$(config limit)`.
+bool is_expression(const YamlValue& yaml);
+
+/// A number computed from references; a list or text where it is nothing but a reference to one.
+/// Problems, at their place: E0324. nullopt then.
+std::optional<Condition> read_expression(const YamlValue& text, const KnownReferences& references,
+                                         Diagnostics& diagnostics);
+
+/// The value of a condition or expression; nullopt if it speaks of something that is not among the
+/// facts.
+std::optional<ConditionValue> evaluate(const Condition& condition, const Facts& facts);
 
 /// Whether the condition holds; nullopt if it speaks of something that is not among the facts.
 std::optional<bool> holds(const Condition& condition, const Facts& facts);

@@ -38,19 +38,33 @@ std::string_view to_string(Type::Kind kind) {
   return "";
 }
 
-class Parser : private ConditionText {
+class Parser : protected ConditionText {
  public:
-  Parser(const YamlValue& yaml, const Entity& entity, Diagnostics& diagnostics)
-      : ConditionText(yaml, diagnostics), entity_(entity) {}
+  Parser(const YamlValue& yaml, const char* code, Diagnostics& diagnostics)
+      : ConditionText(yaml, code, diagnostics) {}
+  virtual ~Parser() = default;
+  Parser(const Parser&) = delete;
+  Parser& operator=(const Parser&) = delete;
 
-  std::optional<Condition> read() {
+  std::optional<Condition> read(Type::Kind kind) {
     const Type type = disjunction();
     if (!at_end()) fail(place(), fmt::format("expected the end, found {}", next()));
-    expect(type, Type::Kind::boolean);
+    expect(type, kind);
     return good() ? std::optional<Condition>(std::move(steps_)) : std::nullopt;
   }
 
- private:
+ protected:
+  // What the two kinds of texts have names for.
+
+  /// What begins with the name `word`, which is taken already.
+  virtual Type name(const std::string& word, std::size_t begin) = 0;
+  /// A function of a port: size, window, dtype.
+  virtual Type port_fact(const std::string& function, std::size_t begin) = 0;
+  /// A name that means nothing.
+  virtual void unknown(const Type& word) = 0;
+  /// What else an operand can be; nullopt if this is none.
+  virtual std::optional<Type> more_operands() { return std::nullopt; }
+
   // Grammar, loosest first.
 
   Type disjunction() {
@@ -141,6 +155,7 @@ class Parser : private ConditionText {
       require(')');
       return inside;
     }
+    if (auto more = more_operands()) return *more;
     if (const std::string digits = take_number(); !digits.empty()) return number(digits, begin);
     const std::string word = take_name();
     if (word.empty()) {
@@ -156,23 +171,11 @@ class Parser : private ConditionText {
   Type number(const std::string& text, std::size_t begin) {
     if (const auto whole = parse_int(text))
       return result({Op::constant, *whole, {}, {}, 0}, Type::Kind::number, begin);
+    if (const auto exact = is_decimal_text(text) ? Rational::parse(text) : std::nullopt)
+      return result({Op::constant, *exact, {}, {}, 0}, Type::Kind::number, begin);
     const auto real = is_decimal_text(text) ? parse_number(text) : std::nullopt;
     if (!real) fail(begin, fmt::format("`{}` is no number", text));
     return result({Op::constant, real.value_or(0.0), {}, {}, 0}, Type::Kind::number, begin);
-  }
-
-  /// A parameter, the node's rate, or a choice.
-  Type name(const std::string& word, std::size_t begin) {
-    if (const Parameter* found = find_named(entity_.config, word)) {
-      Type type = result({Op::fact, {}, word, word, 0}, kind_of(*found), begin);
-      if (found->type == Parameter::Type::keyword) type.choices = &found->options;
-      return type;
-    }
-    if (word == "rate" && has_rate())
-      return result({Op::fact, {}, word, word, 0}, Type::Kind::number, begin);
-    Type type = result({Op::constant, word, {}, {}, 0}, Type::Kind::word, begin);
-    type.word = word;
-    return type;
   }
 
   Type call(const std::string& function, std::size_t begin) {
@@ -206,78 +209,12 @@ class Parser : private ConditionText {
     return result({op, {}, {}, {}, count}, Type::Kind::number, begin);
   }
 
-  Type port_fact(const std::string& function, std::size_t begin) {
-    const std::size_t port_begin = place();
-    const std::string written = take_port();
-    const std::string port = find_port(written, port_begin);
-    if (function == "window" && !port.starts_with("inputs."))
-      fail(port_begin, fmt::format("`{}` is no input", written));
-    Type type = result({Op::fact,
-                        {},
-                        fmt::format("{}({})", function, port),
-                        fmt::format("{}({})", function, written),
-                        0},
-                       function == "dtype" ? Type::Kind::text : Type::Kind::number, begin);
-    if (function == "dtype") type.choices = &dtype_names();
-    return type;
-  }
-
-  /// The port with its group: "inputs.signal".
-  std::string find_port(const std::string& written, std::size_t begin) {
-    std::vector<std::string> known, found;
-    const auto collect = [&](const char* group, const std::vector<PortManifest>& ports) {
-      for (const auto& port : ports) {
-        const std::string full = fmt::format("{}.{}", group, port.name.value);
-        known.push_back(port.name.value);
-        if (written == port.name.value || written == full) found.push_back(full);
-      }
-    };
-    collect("inputs", entity_.inputs);
-    collect("outputs", entity_.outputs);
-    collect("states", entity_.states);
-    if (found.empty()) {
-      fail(begin, fmt::format("there is no input, output or state `{}`", written),
-           suggest(written, known));
-    } else if (found.size() > 1) {
-      fail(begin, fmt::format("`{}` could be two ports", written),
-           fmt::format("write {}", fmt::join(found, " or ")));
-    }
-    return found.empty() ? "" : found.front();
-  }
-
   // Types.
-
-  static Type::Kind kind_of(const Parameter& parameter) {
-    switch (parameter.type) {
-      case Parameter::Type::boolean:
-        return Type::Kind::boolean;
-      case Parameter::Type::text:
-      case Parameter::Type::keyword:
-        return Type::Kind::text;
-      case Parameter::Type::integers:
-      case Parameter::Type::numbers:
-        return Type::Kind::list;
-      default:
-        return Type::Kind::number;
-    }
-  }
-
-  [[nodiscard]] bool has_rate() const {
-    return entity_.kind == EntityKind::node || entity_.kind == EntityKind::engine ||
-           entity_.kind == EntityKind::engine_node;
-  }
 
   void expect(const Type& type, Type::Kind kind) {
     if (type.kind == kind || !good()) return;
     if (type.kind == Type::Kind::word) return unknown(type);
     fail(type.begin, fmt::format("expected {}, found {}", to_string(kind), to_string(type.kind)));
-  }
-
-  void unknown(const Type& word) {
-    std::vector<std::string> known;
-    for (const auto& parameter : entity_.config) known.push_back(parameter.name.value);
-    if (has_rate()) known.emplace_back("rate");
-    fail(word.begin, fmt::format("unknown name `{}`", word.word), suggest(word.word, known));
   }
 
   void check_comparable(Op op, const Type& left, const Type& right) {
@@ -318,15 +255,178 @@ class Parser : private ConditionText {
     return {kind, nullptr, {}, begin};
   }
 
-  const Entity& entity_;
   Condition steps_;
+};
+
+/// Of an entity: its parameters, ports and rate.
+class ConditionParser : public Parser {
+ public:
+  ConditionParser(const YamlValue& yaml, const Entity& entity, Diagnostics& diagnostics)
+      : Parser(yaml, "E0207", diagnostics), entity_(entity) {}
+
+ private:
+  /// A parameter, the node's rate, or a choice.
+  Type name(const std::string& word, std::size_t begin) override {
+    if (const Parameter* found = find_named(entity_.config, word)) {
+      Type type = result({Op::fact, {}, word, word, 0}, kind_of(*found), begin);
+      if (found->type == Parameter::Type::keyword) type.choices = &found->options;
+      return type;
+    }
+    if (word == "rate" && has_rate())
+      return result({Op::fact, {}, word, word, 0}, Type::Kind::number, begin);
+    Type type = result({Op::constant, word, {}, {}, 0}, Type::Kind::word, begin);
+    type.word = word;
+    return type;
+  }
+
+  Type port_fact(const std::string& function, std::size_t begin) override {
+    const std::size_t port_begin = place();
+    const std::string written = take_port();
+    const std::string port = find_port(written, port_begin);
+    if (function == "window" && !port.starts_with("inputs."))
+      fail(port_begin, fmt::format("`{}` is no input", written));
+    Type type = result({Op::fact,
+                        {},
+                        fmt::format("{}({})", function, port),
+                        fmt::format("{}({})", function, written),
+                        0},
+                       function == "dtype" ? Type::Kind::text : Type::Kind::number, begin);
+    if (function == "dtype") type.choices = &dtype_names();
+    return type;
+  }
+
+  /// The port with its group: "inputs.signal".
+  std::string find_port(const std::string& written, std::size_t begin) {
+    std::vector<std::string> known, found;
+    const auto collect = [&](const char* group, const std::vector<PortManifest>& ports) {
+      for (const auto& port : ports) {
+        const std::string full = fmt::format("{}.{}", group, port.name.value);
+        known.push_back(port.name.value);
+        if (written == port.name.value || written == full) found.push_back(full);
+      }
+    };
+    collect("inputs", entity_.inputs);
+    collect("outputs", entity_.outputs);
+    collect("states", entity_.states);
+    if (found.empty()) {
+      fail(begin, fmt::format("there is no input, output or state `{}`", written),
+           suggest(written, known));
+    } else if (found.size() > 1) {
+      fail(begin, fmt::format("`{}` could be two ports", written),
+           fmt::format("write {}", fmt::join(found, " or ")));
+    }
+    return found.empty() ? "" : found.front();
+  }
+
+  static Type::Kind kind_of(const Parameter& parameter) {
+    switch (parameter.type) {
+      case Parameter::Type::boolean:
+        return Type::Kind::boolean;
+      case Parameter::Type::text:
+      case Parameter::Type::keyword:
+        return Type::Kind::text;
+      case Parameter::Type::integers:
+      case Parameter::Type::numbers:
+        return Type::Kind::list;
+      default:
+        return Type::Kind::number;
+    }
+  }
+
+  [[nodiscard]] bool has_rate() const {
+    return entity_.kind == EntityKind::node || entity_.kind == EntityKind::engine ||
+           entity_.kind == EntityKind::engine_node;
+  }
+
+  void unknown(const Type& word) override {
+    std::vector<std::string> known;
+    for (const auto& parameter : entity_.config) known.push_back(parameter.name.value);
+    if (has_rate()) known.emplace_back("rate");
+    fail(word.begin, fmt::format("unknown name `{}`", word.word), suggest(word.word, known));
+  }
+
+  const Entity& entity_;
+};
+
+/// Of an object or engine node: what its manifest refers to with `$(…)`.
+class ExpressionParser : public Parser {
+ public:
+  ExpressionParser(const YamlValue& yaml, const KnownReferences& references,
+                   Diagnostics& diagnostics)
+      : Parser(yaml, "E0324", diagnostics), references_(references) {}
+
+ private:
+  /// `$(…)` anywhere in the text, and what is in it.
+  std::optional<Type> more_operands() override {
+    if (!take('$')) return std::nullopt;
+    require('(');
+    ++depth_;
+    Type inside = sum();
+    --depth_;
+    require(')');
+    return inside;
+  }
+
+  /// `config limit`, `sensors theta rate`, `config list 0`: names with blanks between them.
+  Type name(const std::string& word, std::size_t begin) override {
+    std::string reference = word;
+    for (std::string more = take_name(); !more.empty(); more = take_name()) reference += " " + more;
+    if (const std::string index = take_number(); !index.empty()) reference += " " + index;
+    const auto found = references_.find(reference);
+    if (found == references_.end() || depth_ == 0) {
+      report(reference, begin);
+      return {};
+    }
+    return result({Op::fact, {}, reference, reference, 0}, kind_of(found->second), begin);
+  }
+
+  void report(const std::string& reference, std::size_t begin) {
+    if (depth_ == 0)
+      return fail(begin, fmt::format("`{}` is no number", reference),
+                  "references stand inside of `$(…)`");
+    std::vector<std::string> known;
+    for (const auto& [name, value] : references_) known.push_back(name);
+    const std::string near = nearest(reference, known);
+    fail(begin, fmt::format("`{}` refers to nothing", reference),
+         near.empty() ? "" : fmt::format("did you mean `{}`?", near));
+  }
+
+  Type port_fact(const std::string& function, std::size_t begin) override {
+    fail(begin, fmt::format("unknown function `{}`", function),
+         suggest(function, {"min", "max", "len"}));
+    return {};
+  }
+
+  void unknown(const Type& word) override { report(word.word, word.begin); }
+
+  static Type::Kind kind_of(const std::optional<ConditionValue>& value) {
+    if (!value) return Type::Kind::number;  // said elsewhere why it is not known
+    if (std::holds_alternative<bool>(*value)) return Type::Kind::boolean;
+    if (std::holds_alternative<std::string>(*value)) return Type::Kind::text;
+    return std::holds_alternative<std::vector<ConditionNumber>>(*value) ? Type::Kind::list
+                                                                        : Type::Kind::number;
+  }
+
+  const KnownReferences& references_;
+  int depth_ = 0;  // of `$(`
 };
 
 }  // namespace
 
 std::optional<Condition> read_condition(const YamlValue& text, const Entity& entity,
                                         Diagnostics& diagnostics) {
-  return Parser(text, entity, diagnostics).read();
+  return ConditionParser(text, entity, diagnostics).read(Type::Kind::boolean);
+}
+
+bool is_expression(const YamlValue& yaml) {
+  const std::size_t reference = yaml.text.find("$(");
+  return yaml.is_scalar() && !yaml.quoted && reference != std::string::npos &&
+         yaml.text.ends_with(')') && yaml.text.find_first_not_of("0123456789.+-*/( ") >= reference;
+}
+
+std::optional<Condition> read_expression(const YamlValue& text, const KnownReferences& references,
+                                         Diagnostics& diagnostics) {
+  return ExpressionParser(text, references, diagnostics).read(Type::Kind::number);
 }
 
 }  // namespace eagerx::gen

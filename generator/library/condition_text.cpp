@@ -34,8 +34,8 @@ constexpr std::array<Operator, 6> kComparisons = {{{"<=", Op::less_equal},
 
 }  // namespace
 
-ConditionText::ConditionText(const YamlValue& yaml, Diagnostics& diagnostics)
-    : yaml_(yaml), text_(yaml.text), diagnostics_(diagnostics) {
+ConditionText::ConditionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics)
+    : yaml_(yaml), text_(yaml.text), code_(std::move(code)), diagnostics_(diagnostics) {
   if (text_.size() > kLongest)
     fail(0, fmt::format("a condition has at most {} characters", kLongest));
 }
@@ -120,7 +120,7 @@ std::string ConditionText::next() {
 void ConditionText::fail(std::size_t place, std::string message, std::string help) {
   if (!good_) return;
   good_ = false;
-  auto& problem = diagnostics_.error("E0207", span_at(place), std::move(message));
+  auto& problem = diagnostics_.error(code_, span_at(place), std::move(message));
   problem.help = std::move(help);
 }
 

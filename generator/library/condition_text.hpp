@@ -14,7 +14,8 @@ namespace eagerx::gen {
 /// After the first problem nothing can be taken any more, so that only that one is told of.
 class ConditionText {
  public:
-  ConditionText(const YamlValue& yaml, Diagnostics& diagnostics);
+  /// `code` of its problems.
+  ConditionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics);
 
   [[nodiscard]] bool good() const { return good_; }
   /// Blanks aside: where the next piece begins, and whether there is none.
@@ -36,7 +37,7 @@ class ConditionText {
   /// What comes next, for messages: "`name`", "the end".
   std::string next();
 
-  /// E0207 at this place.
+  /// A problem at this place.
   void fail(std::size_t place, std::string message, std::string help = {});
   /// "did you mean `…`?", else what there is.
   static std::string suggest(const std::string& word, const std::vector<std::string>& known);
@@ -57,6 +58,7 @@ class ConditionText {
 
   const YamlValue& yaml_;
   const std::string& text_;
+  std::string code_;
   Diagnostics& diagnostics_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;

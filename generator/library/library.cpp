@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "generator/spec/named.hpp"
 
@@ -14,17 +15,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Files of an output of eagerx-gen in `folder`, as its list names them: a standalone tree has
+/// copies of manifests, and these are no entities.
+void add_generated(const fs::path& folder, std::set<fs::path>& generated) {
+  std::ifstream list(folder / "eagerx-gen.files");
+  for (std::string line; std::getline(list, line);)
+    generated.insert((folder / line).lexically_normal());
+}
+
 /// Manifests below `folder`, sorted, so that the order of a directory listing never matters.
 std::vector<std::string> find_manifests(const Spanned<std::string>& folder,
                                         Diagnostics& diagnostics) {
   std::vector<std::string> result;
   std::error_code error;
+  std::set<fs::path> generated;
+  add_generated(folder.value, generated);
   fs::recursive_directory_iterator walk(folder.value, fs::directory_options::skip_permission_denied,
                                         error);
   for (; !error && walk != fs::recursive_directory_iterator(); walk.increment(error)) {
     if (walk.depth() > 8) walk.disable_recursion_pending();
+    std::error_code ignored;
+    if (walk->is_directory(ignored)) add_generated(walk->path(), generated);
     if (walk->path().filename() == "manifest.yaml") result.push_back(walk->path().string());
   }
+  std::erase_if(result, [&](const std::string& path) {
+    return generated.contains(fs::path(path).lexically_normal());
+  });
   if (error) {
     const bool missing = error == std::errc::no_such_file_or_directory;
     diagnostics.io_error("E0301", folder.span,
@@ -166,6 +182,15 @@ std::vector<std::string> Library::ids(EntityKind kind) const {
   std::vector<std::string> result;
   for (const auto& [id, entity] : entities) {
     if (entity.kind == kind) result.push_back(id);
+  }
+  return result;
+}
+
+std::vector<std::string> Library::engines_of_family(const std::string& name) const {
+  std::vector<std::string> result;
+  if (find(name) != nullptr) return result;
+  for (const auto& [id, entity] : entities) {
+    if (contains(entity.runs, name)) result.push_back(id);
   }
   return result;
 }

@@ -55,6 +55,7 @@ struct PortManifest {
 struct CppClass {
   std::string name;
   std::string include;  // empty: none besides the entity's own
+  Span span = {};       // of the name
 };
 
 /// A state of an object that is one of an engine node.
@@ -67,6 +68,7 @@ struct NodeState {
 struct ObjectEngine {
   Spanned<std::string> engine;
   CppClass model;
+  std::string summary, description;  // of one that has a manifest of its own
   std::vector<EntitySpec> nodes;
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
@@ -126,8 +128,10 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
-  std::string system;  // its operating system; empty: none
-  std::string family;  // the family of boards it is of; empty: none
+  std::string system;                      // its operating system; empty: none
+  std::string family;                      // the family of boards it is of; empty: none
+  std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
+  std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;
 };
 
@@ -137,6 +141,9 @@ struct Library {
 
   [[nodiscard]] const Entity* find(const std::string& id) const;
   [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
+  /// A name that objects are implemented for and several engines run, but that is no engine itself.
+  /// These engines; empty if `name` is none.
+  [[nodiscard]] std::vector<std::string> engines_of_family(const std::string& name) const;
 };
 
 std::string_view to_string(EntityKind kind);

@@ -7,6 +7,8 @@
 
 #include "generator/library/library.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -78,6 +80,20 @@ void check_options(const YamlValue& options, Diagnostics& diagnostics) {
   }
 }
 
+void refuse_bounds_without_numbers(const YamlValue::Entry& parameter, Parameter::Type type,
+                                   Diagnostics& diagnostics) {
+  const bool numbers = type != Parameter::Type::boolean && type != Parameter::Type::text &&
+                       type != Parameter::Type::keyword;
+  for (const char* key : {"low", "high"}) {
+    const YamlValue* bound = parameter.value.find(key);
+    if (numbers || bound == nullptr) continue;
+    diagnostics
+        .error("E0208", bound->span,
+               fmt::format("`{}` does nothing for `{}`, which is no number", key, parameter.key))
+        .help = "leave it out";
+  }
+}
+
 std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
   const YamlValue* map = root.find("config");
@@ -104,6 +120,7 @@ std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagn
           "E0206", entry.key_span,
           fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
     }
+    refuse_bounds_without_numbers(entry, parameter.type, diagnostics);
     result.push_back(std::move(parameter));
   }
   return result;
@@ -155,9 +172,15 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
 }
 
 /// `tick` is the engine's own message: its space is always the same.
-void complete_tick(std::vector<PortManifest>& inputs) {
+void complete_tick(std::vector<PortManifest>& inputs, const YamlValue& root,
+                   Diagnostics& diagnostics) {
   for (auto& input : inputs) {
     if (input.name.value != "tick") continue;
+    const YamlValue* written = root.find("inputs")->find("tick");
+    if (const YamlValue* space = written->find("space")) {
+      diagnostics.error("E0208", space->span, "`space` does nothing for `tick`").help =
+          "leave it out: the engine's tick is always an int64";
+    }
     input.space.dtype = Spanned<std::string>{"int64", input.name.span};
     input.space.shape = made_list({}, input.name.span);
   }
@@ -174,10 +197,29 @@ std::vector<EntitySpec> read_entities(const YamlValue& root, const char* key,
   return result;
 }
 
+/// An output may have the space of an input of the same entity, and of nothing else.
+void check_like(const Entity& entity, Diagnostics& diagnostics) {
+  const std::vector<std::string> known = names_of(entity.inputs);
+  for (const PortManifest& output : entity.outputs) {
+    const auto& like = output.space.like;
+    if (!like || contains(known, like->value)) continue;
+    auto& problem = diagnostics.error(
+        "E0309", like->span, fmt::format("`{}` has no input `{}`", entity.id.value, like->value));
+    const std::string near = nearest(like->value, known);
+    problem.label = fmt::format("`{}` is to have its space", output.name.value);
+    problem.help = !near.empty()   ? fmt::format("did you mean `{}`?", near)
+                   : known.empty() ? "write `dtype` and `shape`: it has no inputs"
+                                   : fmt::format("its inputs are {}", fmt::join(known, ", "));
+  }
+}
+
 /// The include is the header's full path here; load_library makes it relative to its root.
 CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& diagnostics) {
   CppClass result;
-  if (const YamlValue* name = yaml.find("class")) check_class(*name, diagnostics);
+  if (const YamlValue* name = yaml.find("class")) {
+    check_class(*name, diagnostics);
+    result.span = name->span;
+  }
   result.name = text_at(yaml, "class");
   const std::string header = text_at(yaml, "header");
   if (!header.empty()) {
@@ -202,13 +244,45 @@ PortManifest only_port(const YamlValue& root, const char* key) {
   return port;
 }
 
+/// A sensor ends inside of the object: it is received where the graph connects it.
+void refuse_settings_of_sensors(const std::vector<ConnectionSpec>& connections,
+                                Diagnostics& diagnostics) {
+  for (const auto& connection : connections) {
+    const PortName to = parse_port(connection.to.value);
+    if (to.owner != "sensors") continue;
+    const auto refuse = [&](const char* key, const auto& setting, const std::string& help) {
+      if (!setting) return;
+      auto& problem = diagnostics.error(
+          "E0208", setting->span,
+          fmt::format("`{}` does nothing on a connection to `{}`", key, connection.to.value));
+      problem.label = "nobody receives messages here";
+      problem.help = help;
+    };
+    const std::string of_graph =
+        fmt::format("write it where the graph connects the sensor `{}`", to.within_owner());
+    const ConnectionSettings& settings = connection.settings;
+    refuse("window", settings.window, of_graph);
+    refuse("skip", settings.skip, of_graph);
+    const auto of_sensor = [&](const char* key) {
+      return fmt::format("write it for the sensor: `sensors: {{{}: {{{}: …}}}}`", to.within_owner(),
+                         key);
+    };
+    refuse("delay", settings.delay, of_sensor("delay"));
+    refuse("delay", settings.random_delay, of_sensor("max_delay"));
+    refuse("max_delay", settings.max_delay, of_sensor("max_delay"));
+  }
+}
+
 ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlValue& yaml,
                                  const fs::path& folder, Diagnostics& diagnostics) {
   ObjectEngine result;
   result.engine = engine;
   result.model = read_cpp(*yaml.find("model"), folder, diagnostics);
+  result.summary = text_at(yaml, "summary");
+  result.description = text_at(yaml, "description");
   result.nodes = read_entities(yaml, "nodes", diagnostics);
   result.connections = read_connections(yaml.find("connections"), diagnostics);
+  refuse_settings_of_sensors(result.connections, diagnostics);
   const YamlValue* states = yaml.find("states");
   for (const auto& entry : states != nullptr ? states->entries : std::vector<YamlValue::Entry>{}) {
     const YamlValue* owner = entry.value.find("node");
@@ -218,6 +292,10 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
                                     "state of an engine node)",
                                     entry.key));
     } else if (owner != nullptr) {
+      if (const YamlValue* config = entry.value.find("config")) {
+        diagnostics.error("E0208", config->span, "`config` does nothing beside `node`").help =
+            "write it for that node";
+      }
       result.node_states.push_back({{entry.key, entry.key_span}, {owner->text, owner->span}});
     } else {
       result.states.push_back(read_entity(entry.key, entry.key_span, entry.value, diagnostics));
@@ -226,28 +304,47 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   return result;
 }
 
-bool check_manifest(const YamlValue& root, Diagnostics& diagnostics) {
+/// The size in `[0x20000000, 128K]`; nullopt for what a person has still to fill in.
+std::optional<std::uint64_t> size_of_memory(const std::vector<std::string>& texts) {
+  if (texts.size() != 2 || texts[1].empty()) return std::nullopt;
+  std::string_view text = texts[1];
+  const char unit = text.back();
+  constexpr std::int64_t kKilo = 1024;
+  const std::int64_t scale = unit == 'K' ? kKilo : unit == 'M' ? kKilo * kKilo : 1;
+  if (scale > 1) text.remove_suffix(1);
+  const auto count = parse_whole(text);
+  std::int64_t bytes = 0;
+  if (!count || *count <= 0 || __builtin_mul_overflow(*count, scale, &bytes)) return std::nullopt;
+  return static_cast<std::uint64_t>(bytes);
+}
+
+/// The manifest with its rates in Hz and its times in seconds, if it has the form of its kind.
+std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics) {
   const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
   if (kind == nullptr || manifest_format(kind->text) == nullptr) {
     auto& problem =
         kind == nullptr
             ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
             : diagnostics.error("E0204", kind->span,
-                                fmt::format("{} is no kind of manifest", describe(*kind)));
+                                fmt::format("{} is not a kind of manifest", describe(*kind)));
     const std::string near = kind != nullptr ? nearest(kind->text, manifest_kinds()) : "";
     problem.help =
         near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "))
                      : fmt::format("did you mean `{}`?", near);
-    return false;
+    return std::nullopt;
   }
-  return check(root, *manifest_format(kind->text), diagnostics);
+  const Format& format = *manifest_format(kind->text);
+  return check(root, format, diagnostics) ? std::optional(in_base_units(root, format))
+                                          : std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,
+std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   const std::size_t errors_before = diagnostics.error_count();
   const fs::path folder = fs::path(path).parent_path();
   Entity entity;
@@ -267,7 +364,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
     entity.asynchronous = clock->text == "true";
   entity.config = read_parameters(root, diagnostics);
   entity.inputs = read_ports(root, "inputs", diagnostics);
-  complete_tick(entity.inputs);
+  complete_tick(entity.inputs, root, diagnostics);
   entity.outputs = read_ports(root, "outputs", diagnostics);
   entity.states = read_ports(root, "states", diagnostics);
   entity.sensors = read_ports(root, "sensors", diagnostics);
@@ -281,6 +378,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
     entity.inputs = {only_port(root, "input")};
     entity.outputs = {only_port(root, "output")};
   }
+  check_like(entity, diagnostics);
   if (const YamlValue* simulator = root.find("simulator"))
     entity.simulator = read_cpp(*simulator, folder, diagnostics);
   if (entity.kind == EntityKind::object && root.find("engines") != nullptr) {
@@ -298,10 +396,12 @@ std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::str
   return entity;
 }
 
-std::optional<Implementation> read_implementation_manifest(const YamlValue& root,
+std::optional<Implementation> read_implementation_manifest(const YamlValue& written,
                                                            const std::string& path,
                                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   const std::size_t errors_before = diagnostics.error_count();
   const YamlValue& object = *root.find("object");
   const YamlValue& engine = *root.find("engine");
@@ -312,9 +412,11 @@ std::optional<Implementation> read_implementation_manifest(const YamlValue& root
   return result;
 }
 
-std::optional<Target> read_target_manifest(const YamlValue& root, const std::string& path,
+std::optional<Target> read_target_manifest(const YamlValue& written, const std::string& path,
                                            Diagnostics& diagnostics) {
-  if (!check_manifest(root, diagnostics)) return std::nullopt;
+  const std::optional<YamlValue> tree = checked(written, diagnostics);
+  if (!tree) return std::nullopt;
+  const YamlValue& root = *tree;
   Target target;
   target.id = {root.find("id")->text, root.find("id")->span};
   target.summary = text_at(root, "summary");
@@ -331,6 +433,14 @@ std::optional<Target> read_target_manifest(const YamlValue& root, const std::str
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
   target.family = text_at(root, "family");
+  for (const char* key : {"cpu", "clock_hz", "toolchain"}) {
+    if (const YamlValue* value = root.find(key)) target.facts.emplace_back(key, value->text);
+  }
+  for (const char* key : {"flash", "ram", "run"}) {
+    if (root.find(key) != nullptr)
+      target.facts.emplace_back(key, fmt::format("{}", fmt::join(texts_at(root, key), ", ")));
+  }
+  target.ram_bytes = size_of_memory(texts_at(root, "ram"));
   target.run = texts_at(root, "run");
   return target;
 }

@@ -25,7 +25,7 @@ FormatPtr eagerx_format() {
                      {format::record("an id of EAGERx",
                                      {{"id", id, true, "module/Class"},
                                       {"when", config_format(), false,
-                                       "values of its parameters that it is this entity for"}}),
+                                       "values of its parameters for which it is this entity"}}),
                       id}));
 }
 
@@ -54,10 +54,16 @@ FormatPtr requirements_format() {
                       {"because", format::text("a text"), true, "what it means, in one line"}}));
 }
 
-Fields port_fields() {
-  return {{"space", space_format(Reference::accept, true), false, "what its messages may hold"},
+/// `like` only where messages leave: what comes in has a space of its own.
+Fields port_fields(bool like = false) {
+  return {{"space", space_format(Reference::accept, like), false, "what its messages may hold"},
           {"unit", format::text("a unit"), false, "unit"},
           {"about", format::text("a text"), false, "what it means, in one line"}};
+}
+
+FormatPtr delay_format() {
+  return format::one_of("a delay in seconds or `$(config NAME)`",
+                        {format::time("a delay in seconds"), format::text("`$(config NAME)`")});
 }
 
 Fields connection_defaults() {
@@ -66,7 +72,7 @@ Fields connection_defaults() {
                           {format::integer("a number of messages", 0, 1'000'000),
                            format::text("`$(config NAME)`")}),
            false, "default window"},
-          {"delay", format::decimal("a delay in seconds", 0.0, false), false, "default delay"},
+          {"delay", delay_format(), false, "default delay"},
           {"skip", format::boolean(), false, "default skip"}};
 }
 
@@ -74,13 +80,9 @@ FormatPtr ports(const std::string& what, const Fields& fields) {
   return format::map(what, format::record("one of the " + what, fields));
 }
 
-Fields common(const std::string& kind) {
-  // Boards have names such as mps2-an386; an entity's id is a name.
-  const FormatPtr id =
-      kind == "target" ? format::file_name("the id of a target") : format::name("an id");
+Fields about(const std::string& kind, FormatPtr id) {
   return {{"kind", format::keyword({kind}), true, "kind of entity"},
-          {"id", id, true, "what graphs write as `type:`, or `--target`"},
-          {"eagerx", eagerx_format(), false, "ids of EAGERx that it stands for"},
+          {"id", std::move(id), true, "its name: what follows `type:` in graphs, or `--target`"},
           {"summary", format::text("a text"), true, "one line"},
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }
@@ -95,6 +97,11 @@ FormatPtr templates_format() {
   result.key = format::path("a template file", true);
   result.item = format::path("a file of the output", false);
   return std::make_shared<const Format>(std::move(result));
+}
+
+Fields common(const std::string& kind) {
+  return about(kind, format::name("an id")) +
+         Fields{{"eagerx", eagerx_format(), false, "ids of EAGERx that it stands for"}};
 }
 
 FormatPtr system_format() {
@@ -114,7 +121,7 @@ Fields cpp() {
 
 Fields config() {
   return {{"config", format::map("parameters", parameter_format()), false, "parameters"},
-          {"requires", requirements_format(), false, "what they must fulfil together"}};
+          {"requires", requirements_format(), false, "conditions that they must meet together"}};
 }
 Fields engines() {
   return {{"engines", texts(), false, "engines it works with (default: all)"}};
@@ -123,29 +130,28 @@ Fields states() {
   return {{"states", ports("states", port_fields()), false, "what can be set at a reset"}};
 }
 
-Fields node_ports() {
-  const Fields max_delay = {{"max_delay",
-                             format::one_of("a delay in seconds or `$(config NAME)`",
-                                            {format::decimal("a delay in seconds", 0.0, false),
-                                             format::text("`$(config NAME)`")}),
-                             false, "the entity sets the delay at its reset, up to this"}};
-  const Fields optional = {
-      {"optional", format::boolean(), false, "whether a graph may leave it out (default: false)"}};
+Fields node_ports(bool can_do_without) {
+  const Fields max_delay = {
+      {"max_delay", delay_format(), false, "the entity sets the delay at its reset, up to this"}};
+  const Field leave_out = {"optional", format::boolean(), false,
+                           "whether a graph may leave it out (default: false)"};
+  const Fields optional = can_do_without ? Fields{leave_out} : Fields{};
   return Fields{{"inputs",
                  ports("inputs", port_fields() + connection_defaults() + max_delay + optional),
                  false, "inputs"},
-                {"outputs", ports("outputs", port_fields() + optional), false, "outputs"},
+                {"outputs", ports("outputs", port_fields(true) + optional), false, "outputs"},
                 {"counts", texts(), false,
-                 "what its for_each_count() counts besides messages, for the summary"}} +
+                 "names of what its for_each_count() counts, for the summary"}} +
          states();
 }
 
 Fields implementation() {
-  const FormatPtr engine_state = format::record(
-      "an engine state, or the state of an engine node",
-      {{"type", format::name("the id of an engine state"), false, "its id"},
-       {"config", config_format(), false, "its parameters"},
-       {"node", format::port("`NODE.STATE`"), false, "the engine node's state that it is"}});
+  const FormatPtr engine_state =
+      format::record("an engine state, or the state of an engine node",
+                     {{"type", format::name("the id of an engine state"), false, "its id"},
+                      {"config", config_format(), false, "its parameters"},
+                      {"node", format::port("`NODE.STATE`"), false,
+                       "the state of an engine node that it stands for"}});
   return {
       {"model",
        format::record("a model", {{"header", header_format(), true, "header beside the manifest"},
@@ -172,26 +178,37 @@ Fields implementation_apart() {
 }
 
 Fields object_ports() {
-  const FormatPtr rate = format::one_of(
-      "a rate in Hz or `$(config NAME)`",
-      {format::decimal("a rate in Hz", 0.0, true), format::text("`$(config NAME)`")});
+  const FormatPtr rate = format::one_of("a rate in Hz or `$(config NAME)`",
+                                        {format::rate(), format::text("`$(config NAME)`")});
   const Fields rated = port_fields() + Fields{{"rate", rate, true, "its rate in Hz"}};
+  const Fields delayed = {
+      {"delay", delay_format(), false, "default delay of connections from it"},
+      {"max_delay", delay_format(), false, "longest delay that a reset may set there"}};
   return Fields{
-             {"sensors", ports("sensors", rated), false, "sensors"},
+             {"sensors", ports("sensors", rated + delayed), false, "sensors"},
              {"actuators", ports("actuators", rated + connection_defaults()), false, "actuators"}} +
          states() +
-         Fields{{"engines", object_engine_format(), false, "how it is made on each engine"}};
+         Fields{{"engines", object_engine_format(), false, "its implementation for each engine"}};
+}
+
+/// An engine state is given values of the object's space, whose bounds are the object's.
+Fields space_of_state() {
+  std::vector<Field> fields = space_format(Reference::accept, false)->fields;
+  std::erase_if(fields,
+                [](const Field& field) { return field.name == "low" || field.name == "high"; });
+  return {{"space", format::record("a space", std::move(fields)), false, "what it takes"}};
 }
 
 FormatPtr target_format() {
   return format::record(
       "a target",
-      common("target") +
+      // Boards have names such as mps2-an386.
+      about("target", format::file_name("the id of a target")) +
           Fields{{"templates", templates_format(), false, "files made for each graph"},
                  {"partner", templates_format(), false,
                   "files made for the board's half of a split graph"},
                  {"cmake", format::path("a CMake file", true), true,
-                  "defines eagerx_configure_target"},
+                  "the CMake file that defines eagerx_configure_target"},
                  {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
                  // For people and for CMake; a board in the making has blanks here.
                  {"cpu", format::text("a processor core"), false, "the processor core"},
@@ -200,7 +217,7 @@ FormatPtr target_format() {
                  {"ram", texts(), false, "origin and size of the memory for data"},
                  {"system", system_format(), false, "its operating system (default: none)"},
                  {"family", format::name("a family of boards"), false,
-                  "what entities made for these boards name (default: none)"},
+                  "the family of boards that it belongs to (default: none)"},
                  {"run", texts(), false, "command that runs an image"}});
 }
 
@@ -212,20 +229,19 @@ std::vector<std::string> manifest_kinds() {
 }
 
 const Format* manifest_format(std::string_view kind) {
-  const Fields space = {{"space", space_format(Reference::accept, true), false, "what it takes"}};
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
-      {"node", format::record("a node", common("node") + cpp() + config() + node_ports())},
+      {"node", format::record("a node", common("node") + cpp() + config() + node_ports(true))},
       {"reset_node",
-       format::record("a reset node", common("reset_node") + cpp() + config() + node_ports() +
+       format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,
-                                                  "states that it brings about"}})},
+                                                  "states that it can bring about"}})},
       {"engine",
        format::record("an engine",
                       common("engine") + cpp() + config() + states() +
                           Fields{{"runs", texts(), false,
-                                  "engines whose implementations of objects it runs, too"},
+                                  "other engines whose implementations of objects it can run"},
                                  {"asynchronous", format::boolean(), false,
-                                  "its class has now_ns(), a clock that inputs can go by"},
+                                  "whether its class has a clock, now_ns(), for `sync: false`"},
                                  {"simulator",
                                   format::record("a simulator",
                                                  {{"class", format::text("a C++ class template"),
@@ -234,9 +250,10 @@ const Format* manifest_format(std::string_view kind) {
                                                    "header beside the manifest"}}),
                                   true, "what holds an object's state"}})},
       {"engine_node", format::record("an engine node", common("engine_node") + cpp() + engines() +
-                                                           config() + node_ports())},
-      {"engine_state", format::record("an engine state", common("engine_state") + cpp() +
-                                                             engines() + config() + space)},
+                                                           config() + node_ports(false))},
+      {"engine_state",
+       format::record("an engine state",
+                      common("engine_state") + cpp() + engines() + config() + space_of_state())},
       {"object", format::record("an object", common("object") + config() + object_ports())},
       {"processor",
        format::record("a processor", common("processor") + cpp() + config() +

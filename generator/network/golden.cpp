@@ -37,18 +37,17 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
                        rows.observations.front().size(), network.inputs());
   }
   if (!all_of_width(rows.normalized, count, network.inputs())) {
-    return "has another number of normalised observations than of observations";
+    return "has different numbers of normalised observations and observations";
   }
-  if (!all_of_width(rows.starts, count, 1))
-    return "has another number of `episode_start` than rows";
+  if (!all_of_width(rows.starts, count, 1)) return "does not have one `episode_start` for each row";
   const bool fits = all_of_width(rows.outputs, count, network.outputs()) &&
                     all_of_width(rows.outputs_double, count, network.outputs());
   if (!fits)
-    return fmt::format("has another number of outputs than the policy ({})", network.outputs());
+    return fmt::format("does not have as many outputs as the policy ({})", network.outputs());
   const std::size_t actions =
       network.action_kind() == ActionKind::argmax ? 1 : std::size_t{network.outputs()};
   if (!all_of_width(rows.actions, count, actions)) {
-    return fmt::format("has another number of actions than the policy ({})", actions);
+    return fmt::format("does not have as many actions as the policy ({})", actions);
   }
   if (rows.outputs.empty() && rows.outputs_double.empty() && rows.actions.empty()) {
     return "has neither outputs nor actions";
@@ -126,10 +125,11 @@ bool check_normalized(const Network& network, const GoldenRows& rows, const std:
       diagnostics
           .error("E0633", mention,
                  fmt::format("golden rows `{}` were normalised (row {}: obs{} is {:.3g}, nobs{} is "
-                             "{:.3g}), but the policy `{}` gets observations as they are",
+                             "{:.3g}), but the policy `{}` does not normalise its observations",
                              name, row + 1, i, given, i, normalized, network.file))
           .help =
-          "name the statistics as `normalize`; if a node normalises, give what it sends as obs";
+          "give the statistics as `normalize`; if a node normalises, write its output into the "
+          "columns `obs`";
       return false;
     }
   }
@@ -202,12 +202,13 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
                 "{:.2g} off{}",
                 network.file, name, farthest_row + 1, farthest,
                 result.action ? fmt::format(", and an action is {:.2g} off", *result.action) : ""))
-        .help = network.normalization || rows.normalized.empty()
-                    ? network.has_memory() && rows.starts.empty()
-                          ? "these rows are of another policy, or follow one another: add a column "
-                            "`episode_start`"
-                          : "these rows are of another policy, or of other statistics"
-                    : "give the statistics of its observations as `normalize`";
+        .help =
+        network.normalization || rows.normalized.empty()
+            ? network.has_memory() && rows.starts.empty()
+                  ? "these rows belong to another policy, or follow one another: add a column "
+                    "`episode_start`"
+                  : "these rows belong to another policy, or to other statistics"
+            : "give the statistics of its observations as `normalize`";
     return std::nullopt;
   }
   return result;

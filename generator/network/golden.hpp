@@ -53,7 +53,7 @@ struct GoldenResult {
   }
 };
 
-/// For a program, which gets observations as they are: false, and E0633, if the rows were
+/// For a program, which does not normalise its observations: false, and E0633, if the rows were
 /// normalised and the network has no statistics.
 bool check_normalized(const Network& network, const GoldenRows& rows, const std::string& name,
                       Span mention, Diagnostics& diagnostics);

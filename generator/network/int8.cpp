@@ -148,10 +148,10 @@ RoundingError rounding_error(const Network& given, const Network& rounded, const
 }
 
 std::string to_string(const RoundingError& error) {
-  std::string text = fmt::format("mean {:.2g}, largest {:.2g} of a range of {:.2g}, on {} {}",
+  std::string text = fmt::format("mean {:.2g}, largest {:.2g} in a range of {:.2g}, on {} {}",
                                  error.mean, error.largest, error.range, error.rows,
                                  error.golden ? "golden rows" : "drawn rows in -1…1");
-  if (error.choices > 0) text += fmt::format("; {} with another choice", error.choices);
+  if (error.choices > 0) text += fmt::format("; the choice differs in {}", error.choices);
   return text;
 }
 

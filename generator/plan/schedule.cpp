@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace eagerx::gen {
@@ -84,27 +85,99 @@ ScheduleForm choose_form(const Schedule& schedule, std::size_t environment, std:
                                                                            : ScheduleForm::table;
 }
 
-/// Quanta a second, such that every tick of every rate falls on one.
-std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) {
-  Rational grid = graph.environment().rate_hz;
+using Rates = std::vector<const GraphNode*>;
+
+/// Quanta a second, such that every tick of every rate falls on one; overflowed if they cannot be
+/// counted.
+Rational grid_of(const std::vector<Rational>& rates) {
+  Rational grid = rates.front();
   Rational slowest = grid;
-  for (const auto& node : graph.nodes) {
-    const Rational finer = lcm(grid, node.rate_hz);
-    slowest =
-        std::min(slowest, node.rate_hz, [](const Rational& a, const Rational& b) { return a < b; });
-    if (finer.overflowed() || (finer / slowest).overflowed()) {
-      diagnostics
-          .error(
-              "E0402", node.span,
-              fmt::format("the rate {} Hz of `{}` and the rates before it have no common grid that "
-                          "fits into 63 bits",
-                          node.rate_hz.to_string(), node.name))
-          .help = "write rates with fewer decimals";
-      return std::nullopt;
-    }
-    grid = finer;
+  for (const Rational& rate : rates) {
+    grid = lcm(grid, rate);
+    if (rate < slowest) slowest = rate;
   }
-  return grid;
+  return (grid / slowest).overflowed() ? Rational(0, 0) : grid;
+}
+
+/// `rate` to the nearest multiple of `step`; zero if it is less, or was one already.
+Rational rounded(const Rational& rate, const Rational& step) {
+  const Rational near = Rational((rate / step + Rational(1, 2)).floor()) * step;
+  return near.overflowed() || near == rate ? Rational() : near;
+}
+
+/// Leaves out as few of the last digits of the rates of `nodes` as are needed that all rates have a
+/// grid; nothing if that does not help.
+std::optional<std::vector<Rational>> fitting_rates(const Rates& nodes,
+                                                   const std::vector<Rational>& rates) {
+  constexpr std::int64_t kFinest = 1'000'000'000;
+  std::vector<Rational> others = rates;
+  for (const GraphNode* node : nodes) std::erase(others, node->rate_hz);
+  for (Rational step(1, kFinest); step < Rational(kFinest); step = step * Rational(10)) {
+    std::vector<Rational> all = others;
+    for (const GraphNode* node : nodes) all.push_back(rounded(node->rate_hz, step));
+    const bool any_zero = std::ranges::find(all, Rational()) != all.end();
+    if (!any_zero && !grid_of(all).overflowed())
+      return std::vector<Rational>(all.end() - static_cast<std::ptrdiff_t>(nodes.size()),
+                                   all.end());
+  }
+  return std::nullopt;
+}
+
+/// What to write in place of one of two rates, or of both.
+std::string mend_of(const GraphNode& first, const GraphNode& second,
+                    const std::vector<Rational>& rates) {
+  for (const Rates& nodes : {Rates{&second}, Rates{&first}, Rates{&first, &second}}) {
+    const auto near = fitting_rates(nodes, rates);
+    if (!near) continue;
+    std::string text;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      text += fmt::format("{}{} Hz for `{}`", i == 0 ? "" : " and ", (*near)[i].to_string(),
+                          nodes[i]->name);
+    return fmt::format("write {} that {}: {}",
+                       nodes.size() == 1 ? "a rate near it" : "rates near them",
+                       nodes.size() == 1 ? "fits" : "fit", text);
+  }
+  return "write rates with fewer digits";
+}
+
+/// The two nodes whose rates fit worst, so that they or they with others have no grid.
+std::pair<const GraphNode*, const GraphNode*> worst_pair(const Rates& nodes) {
+  std::pair worst(nodes.front(), nodes.front());
+  double most = 0;
+  for (const GraphNode* a : nodes) {
+    for (const GraphNode* b : nodes) {
+      if (a == b) break;
+      const Rational both = lcm(a->rate_hz, b->rate_hz);
+      // How many ticks of the slower one until both tick together.
+      const double ticks =
+          both.overflowed() ? std::numeric_limits<double>::infinity()
+                            : (both / std::min(a->rate_hz, b->rate_hz, std::less<>())).to_double();
+      if (ticks > most) worst = {b, a};
+      most = std::max(most, ticks);
+    }
+  }
+  return worst;
+}
+
+std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) {
+  Rates nodes;  // one of each rate
+  std::vector<Rational> rates;
+  for (const auto& node : graph.nodes) {
+    if (std::ranges::find(rates, node.rate_hz) != rates.end()) continue;
+    rates.push_back(node.rate_hz);
+    nodes.push_back(&node);
+  }
+  const Rational grid = grid_of(rates);
+  if (!grid.overflowed()) return grid;
+  const auto [first, second] = worst_pair(nodes);
+  auto& problem = diagnostics.error(
+      "E0402", second->span,
+      fmt::format("`{}` at {} Hz and `{}` at {} Hz tick together too rarely to be counted",
+                  first->name, first->rate_hz.to_string(), second->name,
+                  second->rate_hz.to_string()));
+  problem.notes.push_back({fmt::format("`{}` is here", first->name), first->span, ""});
+  problem.help = mend_of(*first, *second, rates);
+  return std::nullopt;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // writes it beside program.hpp, `size` reads it; what it looks like is known here only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,6 +13,10 @@
 #include "generator/diagnostics/diagnostics.hpp"
 
 namespace eagerx::gen {
+
+/// What nodes share, beside them in reports and budgets.
+inline constexpr std::array<std::string_view, 7> kSharedParts = {
+    "board", "other", "policy", "rings", "runtime", "schedule", "simulators"};
 
 struct ProgramMap {
   /// The lines of a node, from 1, both included.

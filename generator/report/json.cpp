@@ -33,7 +33,7 @@ Json report_json(const PlanReport& report) {
   const Plan& plan = *report.plan;
   Json json;
   json["name"] = plan.graph->name;
-  json["engine"] = plan.graph->engine().entity->id.value;
+  json["engine"] = plan.graph->engine_id();
   json["rates"] = Json::object();
   for (const auto& rate : plan.rates) json["rates"][rate.rate_hz.to_string()] = Json::list();
   for (std::size_t n = 0; n < plan.nodes.size(); ++n)
@@ -46,6 +46,16 @@ Json report_json(const PlanReport& report) {
                          {"output", plan.graph->nodes[ring.node].outputs[ring.output].name},
                          {"messages", ring.capacity},
                          {"bytes", ring.capacity * bytes_of(ring.space)}});
+  json["delays"] = Json::list();
+  for (const auto& node : plan.graph->nodes) {
+    for (const auto& input : node.inputs) {
+      if (input.delay_s == Rational() && !input.max_delay_s) continue;
+      Json delay{{"from", name_of_source(*plan.graph, input)}, {"input", input.written}};
+      delay["delay"] = time_of(input.delay_s);
+      delay["longest"] = time_of(input.max_delay_s.value_or(input.delay_s));
+      json["delays"].push_back(std::move(delay));
+    }
+  }
   json["ages"] = Json::list();
   for (const auto& age : report.ages) json["ages"].push_back(json_of(age));
   json["ages_unknown"] = Json::list();

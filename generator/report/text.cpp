@@ -25,6 +25,19 @@ std::string milliseconds(const Rational& seconds) {
              : fmt::format("{:.3f} ms", seconds.to_double() * 1e3);
 }
 
+std::string delays_text(const Graph& graph) {
+  std::string text;
+  for (const auto& node : graph.nodes) {
+    for (const auto& input : node.inputs) {
+      if (input.delay_s == Rational() && !input.max_delay_s) continue;
+      text += fmt::format("  {} <- {}: {}{}\n", input.written, name_of_source(graph, input),
+                          milliseconds(input.delay_s),
+                          input.max_delay_s ? ", up to " + milliseconds(*input.max_delay_s) : "");
+    }
+  }
+  return text.empty() ? text : "\ndelays\n" + text;
+}
+
 std::string load_text(const char* what, const LinkLoad& load) {
   return fmt::format(
       "  {:<10} {:>10.1f} frames/s, {} bytes at most in one, {:.1f} bytes/s, {:.0f} baud\n", what,
@@ -36,8 +49,9 @@ std::string load_text(const char* what, const LinkLoad& load) {
 
 std::string plan_text(const PlanReport& report) {
   const Plan& plan = *report.plan;
-  std::string text = fmt::format("{}: {} nodes on {}\n\nrates\n", plan.graph->name,
-                                 plan.graph->nodes.size(), plan.graph->engine().entity->id.value);
+  std::string text =
+      fmt::format("{}: {} nodes {}\n\nrates\n", plan.graph->name, plan.graph->nodes.size(),
+                  plan.graph->has_engine() ? "on " + plan.graph->engine_id() : "without an engine");
   for (std::size_t rate = 0; rate < plan.rates.size(); ++rate) {
     text += fmt::format("  {} Hz:", plan.rates[rate].rate_hz.to_string());
     for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
@@ -54,8 +68,10 @@ std::string plan_text(const PlanReport& report) {
     messages += ring.capacity;
     bytes += ring.capacity * bytes_of(ring.space);
   }
-  return text + fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(),
-                            messages, bytes);
+  return text +
+         fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(),
+                     messages, bytes) +
+         delays_text(*plan.graph);
 }
 
 std::string timing_text(const PlanReport& report) {

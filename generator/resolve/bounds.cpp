@@ -25,7 +25,7 @@ bool check_side(const Space& space, const std::vector<double>& bounds, std::stri
     if (inside && (floating || bound == std::trunc(bound))) continue;
     diagnostics.error(
         "E0326", place,
-        fmt::format("`{}` is no bound of {} {}", bound,
+        fmt::format("`{}` cannot be a bound of {} {}", bound,
                     to_string(space.dtype).front() == 'i' ? "an" : "a", to_string(space.dtype)));
     return false;
   }

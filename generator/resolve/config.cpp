@@ -8,13 +8,16 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kUnresolved = "unresolved";  // as a tag, which trees from files never have
+// As tags, which trees from files never have.
+constexpr const char* kUnresolved = "unresolved";
+constexpr const char* kComputed = "computed";  // a number, perhaps a fraction: `1/3`
 
 std::string_view type_name(Parameter::Type type) {
   switch (type) {
@@ -47,10 +50,32 @@ bool in_range(const Parameter& parameter, const ConditionNumber& value, const Ya
   return false;
 }
 
+std::optional<double> any_number_of(const YamlValue& yaml) {
+  const auto number = parse_number(yaml.text);
+  if (number || yaml.tag != kComputed) return number;
+  const auto fraction = Rational::parse(yaml.text);
+  return fraction ? std::optional(fraction->to_double()) : std::nullopt;
+}
+
 /// What is no number is no value of a parameter either.
 std::optional<double> number_of(const YamlValue& yaml) {
-  const auto number = parse_number(yaml.text);
+  const auto number = any_number_of(yaml);
   return number && std::isnan(*number) ? std::nullopt : number;
+}
+
+/// A value whose unit is written, in the unit of the parameter: `10 ms` for a parameter in s is
+/// 0.01.
+YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
+  for (auto& item : yaml.items) item = in_unit_of(parameter, std::move(item));
+  const bool text =
+      parameter.type == Parameter::Type::text || parameter.type == Parameter::Type::keyword;
+  const Unit* unit = find_unit(parameter.unit);
+  if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted) return yaml;
+  const auto number = number_in(yaml.text, *unit);
+  // What parameters are read with knows no fractions.
+  if (number && (*number == yaml.text || number->find('/') == std::string::npos))
+    yaml.text = *number;
+  return yaml;
 }
 
 class Reader {
@@ -79,6 +104,15 @@ class Reader {
   }
 
  private:
+  /// What to write in place of a number with a unit.
+  [[nodiscard]] std::string help_with_unit(const YamlValue& yaml) const {
+    const Unit* unit = find_unit(parameter_.unit);
+    if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
+    const std::string right = with_right_unit(yaml.text, unit->quantity);
+    return right.empty() ? fmt::format("its unit is {}", unit->name)
+                         : fmt::format("write `{}`", right);
+  }
+
   template <class T>
   std::optional<ConfigValue> value(T t) {
     return ConfigValue{&parameter_, std::move(t)};
@@ -86,9 +120,11 @@ class Reader {
 
   std::optional<ConfigValue> wrong(const YamlValue& yaml) {
     if (is_unresolved(yaml)) return std::nullopt;
-    diagnostics_.error("E0322", yaml.span,
-                       fmt::format("`{}` must be {}, found {}", parameter_.name.value,
-                                   type_name(parameter_.type), describe(yaml)));
+    diagnostics_
+        .error("E0322", yaml.span,
+               fmt::format("`{}` must be {}, found {}", parameter_.name.value,
+                           type_name(parameter_.type), describe(yaml)))
+        .help = help_with_unit(yaml);
     return std::nullopt;
   }
 
@@ -211,7 +247,8 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
                       parameter.unit.empty() ? "" : fmt::format(" ({})", parameter.unit));
       continue;
     }
-    const YamlValue read = setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics);
+    const YamlValue read =
+        in_unit_of(parameter, setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics));
     auto value = Reader(parameter, read, diagnostics).read();
     if (!value) continue;
     value->given = setting != nullptr;
@@ -230,7 +267,8 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
       result["config " + parameter.name.value].tag = kUnresolved;
       continue;
     }
-    const YamlValue& value = setting != nullptr ? setting->value : *parameter.fallback;
+    const YamlValue value =
+        in_unit_of(parameter, setting != nullptr ? setting->value : *parameter.fallback);
     result["config " + parameter.name.value] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;
@@ -257,26 +295,68 @@ bool is_missing(const std::string& name, const References& references) {
   return parameter != references.end() && is_unresolved(parameter->second);
 }
 
+/// A value as expressions calculate with it; nullopt if it is not known.
+std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
+  if (is_unresolved(yaml)) return std::nullopt;
+  const auto number = [](const YamlValue& item) -> std::optional<ConditionNumber> {
+    if (!item.is_scalar() || item.quoted) return std::nullopt;
+    if (const auto exact = Rational::parse(item.text)) {
+      if (exact->is_integer()) return exact->num();
+      return *exact;
+    }
+    const auto real = parse_number(item.text);
+    return real ? std::optional<ConditionNumber>(*real) : std::nullopt;
+  };
+  if (yaml.is_sequence()) {
+    std::vector<ConditionNumber> list;
+    for (const auto& item : yaml.items)
+      list.push_back(number(item).value_or(std::numeric_limits<double>::quiet_NaN()));
+    return list;
+  }
+  if (const auto one = number(yaml))
+    return std::visit([](const auto& value) { return ConditionValue(value); }, *one);
+  if (const auto truth = parse_bool(yaml.text)) return *truth;
+  return yaml.text;
+}
+
+/// `2 * $(config limit)`; marked as unresolved where something in it is not known.
+YamlValue compute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
+  KnownReferences known;
+  Facts facts;
+  for (const auto& [name, value] : references) {
+    const auto fact = known[name] = fact_of(value);
+    if (fact) facts[name] = *fact;
+  }
+  const auto expression = read_expression(yaml, known, diagnostics);
+  yaml.tag = kUnresolved;
+  const auto value = expression ? evaluate(*expression, facts) : std::nullopt;
+  if (!value) return yaml;
+  std::string text = to_string(*value);
+  if (!Rational::parse(text) && !is_decimal_text(text)) {
+    diagnostics.error("E0324", yaml.span, fmt::format("`{}` is no finite number", yaml.text));
+    return yaml;
+  }
+  yaml.tag = kComputed;
+  yaml.text = std::move(text);
+  return yaml;
+}
+
 }  // namespace
 
 YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
   for (auto& item : yaml.items) item = substitute(std::move(item), references, diagnostics);
   for (auto& entry : yaml.entries)
     entry.value = substitute(std::move(entry.value), references, diagnostics);
-  if (!yaml.is_scalar() || yaml.quoted || !yaml.text.starts_with("$(") || !yaml.text.ends_with(")"))
-    return yaml;
+  if (!is_expression(yaml)) return yaml;
+  if (!yaml.text.starts_with("$(")) return compute(std::move(yaml), references, diagnostics);
   const std::string name = yaml.text.substr(2, yaml.text.size() - 3);
   const auto found = references.find(name);
   if (found != references.end()) return found->second;
-  yaml.tag = kUnresolved;
-  if (is_missing(name, references)) return yaml;
-  std::vector<std::string> known;
-  for (const auto& [key, value] : references) known.push_back(key);
-  auto& problem =
-      diagnostics.error("E0324", yaml.span, fmt::format("`{}` refers to nothing", yaml.text));
-  const std::string near = nearest(name, known);
-  if (!near.empty()) problem.help = fmt::format("did you mean `$({})`?", near);
-  return yaml;
+  if (is_missing(name, references)) {
+    yaml.tag = kUnresolved;
+    return yaml;
+  }
+  return compute(std::move(yaml), references, diagnostics);
 }
 
 std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
@@ -291,7 +371,7 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
   const std::vector<YamlValue> items =
       yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
   for (const auto& item : items) {
-    const auto number = item.is_scalar() && !item.quoted ? parse_number(item.text) : std::nullopt;
+    const auto number = item.is_scalar() && !item.quoted ? any_number_of(item) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
       diagnostics.error("E0322", item.span,
@@ -346,6 +426,12 @@ const Entity* find_entity(const Library& library, const Spanned<std::string>& id
   auto& problem = diagnostics.error("E0303", id.span,
                                     fmt::format("unknown {} `{}`", to_string(kind), id.value));
   const std::vector<std::string> known = library.ids(kind);
+  const std::vector<std::string> family = library.engines_of_family(id.value);
+  if (kind == EntityKind::engine && !family.empty()) {
+    problem.help =
+        fmt::format("`{}` is a family of engines: choose {}", id.value, fmt::join(family, " or "));
+    return nullptr;
+  }
   const std::string near = nearest(id.value, known);
   constexpr std::size_t kMostListed = 8;
   if (!near.empty()) {

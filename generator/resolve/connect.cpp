@@ -172,7 +172,8 @@ class Connector {
     diagnostics()
         .error("E0307", text.span,
                fmt::format("`{}` has no feedthrough `{}`", port.owner, port.name))
-        .help = suggestion(port.name, known, "only reset nodes have feedthroughs, one an output");
+        .help =
+        suggestion(port.name, known, "only reset nodes have feedthroughs: one for each output");
   }
 
   void report_unknown_port(const PortName& port, const Spanned<std::string>& text, Side side,
@@ -198,9 +199,9 @@ class Connector {
             : diagnostics().error("E0307", text.span,
                                   fmt::format("`{}` has no {} `{}`", port.owner, kind, port.name));
     const std::string near = nearest(port.name, known);
-    problem.help =
-        near.empty() ? suggestion(port.name, known, fmt::format("nothing of it {} messages", verb))
-                     : fmt::format("did you mean `{}.{}`?", port.owner, near);
+    problem.help = near.empty()
+                       ? suggestion(port.name, known, fmt::format("it {} no messages", verb))
+                       : fmt::format("did you mean `{}.{}`?", port.owner, near);
   }
 
   std::string report_unknown_owner(const PortName& port, const Spanned<std::string>& text,
@@ -250,6 +251,8 @@ class Connector {
       excused_.insert({Side::from, source.node, source.port});
       return;
     }
+    input.settings = overlay(input.settings, delay_of_sensor(connection));
+    input.settings = overlay(input.settings, input.said);
     if (input.settings.processor && connection.settings.processor) {
       diagnostics()
           .error("E0313", connection.settings.processor->type.span,
@@ -262,11 +265,20 @@ class Connector {
     excused_.insert({Side::from, source.node, source.port});
   }
 
+  /// What the sensor at the beginning of the connection offers, if it is one.
+  ConnectionSettings delay_of_sensor(const ConnectionSpec& connection) {
+    const PortName port = parse_port(connection.from.value);
+    const DraftObject* object = find_named(draft_.objects, port.owner);
+    if (object == nullptr) return {};
+    const auto found = object->delays.find(port.name);
+    return found == object->delays.end() ? ConnectionSettings() : found->second;
+  }
+
   void report_open_inputs() {
     std::set<std::string> reported;  // an actuator may feed several engine nodes
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       const DraftNode& node = draft_.nodes[n];
-      if (node.node.role == NodeRole::node && draft_.doubtful.contains(node.node.name)) continue;
+      if (draft_.is_doubtful(node)) continue;
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         const DraftInput& input = node.inputs[i];
         if (input.edge || excused_.contains({Side::to, n, i}) ||
@@ -279,7 +291,7 @@ class Connector {
           problem.help += ": a sensor in use depends on it, or it is listed in `actuators:`";
         } else {
           problem.help += n == Graph::kEnvironment ? ", or leave it out of `observations:`"
-                          : input.feedthrough      ? ": what it sends when there is no reset"
+                          : input.feedthrough      ? ": outside of a reset the node passes this on"
                           : input.optional         ? ", or leave it out with `inputs:`"
                                                    : "";
         }

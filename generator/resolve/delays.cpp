@@ -44,7 +44,7 @@ void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) 
   if (!input.max_delay_s) input.max_delay_s = longest_delay(*input.random_delay);
   if (!input.max_delay_s) {
     diagnostics.error("E0327", spec.span, "this delay has no longest value").help =
-        "give `max_delay` beside it: memory is set aside for that";
+        "give `max_delay` beside it, so that enough memory is set aside";
   }
 }
 
@@ -52,7 +52,7 @@ void draw_delay(const RandomSpec& spec, Input& input, Diagnostics& diagnostics) 
 
 void resolve_delay(const Draft& draft, const DraftInput& from, Input& into) {
   const ConnectionSettings& settings = from.settings;
-  into.delay_s = delay_of(settings);
+  into.delay_s = delay_of(settings).value_or(Rational());
   into.entity_sets_delay = from.entity_sets_delay;
   if (settings.max_delay) into.max_delay_s = Rational::parse(settings.max_delay->text);
   if (settings.random_delay) draw_delay(*settings.random_delay, into, draft.diagnostics);

@@ -21,7 +21,8 @@ std::optional<std::vector<std::uint64_t>> shape_of(const YamlValue& yaml,
     const auto dimension = parse_int(item.text);
     if (!dimension || *dimension < 1 ||
         static_cast<std::uint64_t>(*dimension) > kMaxElements / elements) {
-      diagnostics.error("E0325", item.span, fmt::format("`{}` is no size of a message", item.text))
+      diagnostics
+          .error("E0325", item.span, fmt::format("`{}` cannot be the size of a message", item.text))
           .label = fmt::format("a message has 1 to {} elements", kMaxElements);
       return std::nullopt;
     }
@@ -49,6 +50,10 @@ DraftInput* DraftNode::input(std::string_view name) {
 
 DraftOutput* DraftNode::output(std::string_view name) {
   return find_named(outputs, name);
+}
+
+bool Draft::is_doubtful(const DraftNode& node) const {
+  return doubtful.contains(node.node.object ? objects[*node.node.object].name : node.node.name);
 }
 
 PartialSpace partial_space(const SpaceSpec& spec, const References& references,
@@ -184,6 +189,7 @@ ConnectionSettings manifest_settings(const PortManifest& port, const References&
   ConnectionSettings result = port.settings;
   result.window =
       replaced(result.window, "a number of messages", references, diagnostics, is_window);
+  result.delay = replaced(result.delay, "a delay in seconds", references, diagnostics, is_delay);
   result.max_delay =
       replaced(result.max_delay, "a delay in seconds", references, diagnostics, is_delay);
   return result;
@@ -240,6 +246,14 @@ bool report_unknown(const Selection& selection, const std::vector<PortManifest>&
   return diagnostics.error_count() != errors_before;
 }
 
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics) {
+  diagnostics
+      .error("E0308", span,
+             fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
+      .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
+}
+
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
                                         const Entity& engine, Span span, Diagnostics& diagnostics) {
   if (const ObjectEngine* found = entity.implementation(engine)) return found;
@@ -250,7 +264,7 @@ const ObjectEngine* find_implementation(const Library& library, const Entity& en
   auto& problem = diagnostics.error(
       "E0308", span,
       fmt::format("`{}` is not implemented for `{}`", entity.id.value, engine.id.value));
-  problem.help = known.empty() ? "it has no implementation at all"
+  problem.help = known.empty() ? "it has no implementation for any engine"
                                : fmt::format("it is made for {}", fmt::join(known, ", "));
   return nullptr;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "generator/resolve/config.hpp"
@@ -35,8 +36,9 @@ struct DraftInput {
   std::string
       written;  // as the graph calls it: "smooth.signal", "pendulum.u", "observations.angle"
   Span span;
-  PartialSpace declared;  // what the callback takes, after the processor
-  ConnectionSettings settings;
+  PartialSpace declared;        // what the callback takes, after the processor
+  ConnectionSettings settings;  // once it is connected; before, what its manifest says
+  ConnectionSettings said;      // of the port, in the graph
   std::optional<DraftEdge> edge;
   std::optional<PartialSpace> outside = {};  // an actuator that has a processor: what comes to that
   bool entity_sets_delay = false;
@@ -74,6 +76,7 @@ struct DraftObject {
   const Entity* entity = nullptr;
   std::map<std::string, PortIndex> sensors;                 // to outputs of engine nodes
   std::map<std::string, std::vector<PortIndex>> actuators;  // to inputs of engine nodes
+  std::map<std::string, ConnectionSettings> delays;         // defaults of what comes from sensors
 };
 
 struct Draft {
@@ -83,9 +86,30 @@ struct Draft {
   Graph graph;
   std::vector<DraftNode> nodes;
   std::vector<DraftObject> objects;
-  std::set<std::string> doubtful;  // objects and nodes with a reported problem: what is said of
-                                   // their ports is not judged
+  std::set<std::string> doubtful;  // objects and nodes with a reported problem of their ports:
+                                   // what follows from it is not said
   References safety = {};          // `$(safety KEY)`, in defaults of parameters
+
+  /// Whether a node, or the object that an engine node is of, has such a problem.
+  [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
+};
+
+/// While the ports of an object or a node are made: if a problem is reported meanwhile, it is the
+/// cause, and what would be said of connections to these ports only follows from it.
+class MakingPorts {
+ public:
+  MakingPorts(Draft& draft, std::string name)
+      : draft_(draft), name_(std::move(name)), before_(draft.diagnostics.error_count()) {}
+  ~MakingPorts() {
+    if (draft_.diagnostics.error_count() != before_) draft_.doubtful.insert(name_);
+  }
+  MakingPorts(const MakingPorts&) = delete;
+  MakingPorts& operator=(const MakingPorts&) = delete;
+
+ private:
+  Draft& draft_;
+  std::string name_;
+  std::size_t before_;
 };
 
 /// What a SpaceSpec says, with references replaced. Problems: E0325 shape, E0326 bounds.
@@ -130,6 +154,9 @@ const ComponentSpec* find_component(const Selection& selection, std::string_view
 /// any. `what` they are: "sensor", "input", …
 bool report_unknown(const Selection& selection, const std::vector<PortManifest>& ports,
                     const Entity& entity, std::string_view what, Diagnostics& diagnostics);
+/// E0308: an engine node or state that is of other engines.
+void report_wrong_engine(const Entity& entity, const Entity& engine, Span span,
+                         Diagnostics& diagnostics);
 /// How an object is made on an engine; E0308 if it is not.
 const ObjectEngine* find_implementation(const Library& library, const Entity& entity,
                                         const Entity& engine, Span span, Diagnostics& diagnostics);
@@ -147,7 +174,8 @@ void check_cycles(Draft& draft);
 void connect(Draft& draft);         // the user's connections; unconnected ports
 void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
 void resolve_safety(Draft& draft);  // safe actions, in the spaces of the actions
-void resolve_states(Draft& draft);  // how states are drawn
+void find_applied_spaces(Graph& graph);
+void resolve_states(Draft& draft);         // how states are drawn
 void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring about
 /// `sync: false` (E0338 what does not go together with it).
 void check_sync(Draft& draft);
@@ -166,6 +194,10 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
 /// message comes from. Problems: E0303 to E0306, E0312.
 std::optional<Processor> make_processor(Draft& draft, const ProcessorSpec& spec,
                                         const Space& arriving, Span source);
+/// The processors that turn a message with the space `arriving` into what is declared, as a
+/// connection names them: "processor: {type: GetIndex, config: {index: [0]}}".
+std::vector<std::string> fitting_processors(const Library& library, const PartialSpace& takes,
+                                            const Space& arriving);
 /// How `name` is drawn, checked against its space (E0322, E0327).
 std::optional<Random> read_random(const std::string& name, const Space& space,
                                   const RandomSpec& spec, Diagnostics& diagnostics);
@@ -176,6 +208,8 @@ void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
 void check_resets(Graph& graph, Diagnostics& diagnostics);
 /// What manifests require of parameters, ports and rates together (E0328).
 void check_limits(Draft& draft);
+/// The same of one processor; false if there was a problem.
+bool check_limits(const Processor& processor, Diagnostics& diagnostics);
 /// The space that an input is declared with, by the name that connections call it; nullopt if there
 /// is none.
 std::optional<PartialSpace> declared_space(const Draft& draft, const std::string& port);

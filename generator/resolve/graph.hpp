@@ -73,7 +73,10 @@ struct Input {
   bool entity_sets_delay = false;       // at its reset; else only the program's interface does
   std::optional<Random> random_delay;
   bool skip = false;
-  bool actuator = false;     // of an object, `written` is its name
+  bool actuator = false;  // of an object, `written` is its name
+  // Of an actuator: what it takes, before a processor of the object; not known behind one of the
+  // graph.
+  std::optional<Space> actuator_space;
   bool feedthrough = false;  // of a reset node: `name` is the output that it is passed on to
   Span span;
 };
@@ -156,6 +159,14 @@ struct Safety {
   Span span;
 };
 
+/// What may be applied of an action: its space without what an actuator that it is connected to
+/// does not take.
+struct AppliedAction {
+  Space space;
+  std::string narrowed_by;  // "pendulum.u"; empty if that is the action's own space
+  Span span;
+};
+
 /// What runs on a board, linked with the rest, which runs on Linux.
 struct Placement {
   const Target* board = nullptr;
@@ -168,10 +179,11 @@ struct Graph {
   std::string path, file_name;  // of the graph file; file_name without folders
   bool double_precision = false;
   std::vector<GraphNode>
-      nodes;  // [0] environment, [1] engine, then the others in the order written
+      nodes;  // [0] environment, [1] engine if there is one, then the others as written
   std::vector<Object> objects;
   Agent agent;
   Safety safety;
+  std::vector<AppliedAction> applied;  // of each action
   std::optional<Placement> placement;  // without: one program
   bool asynchronous = false;           // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
@@ -181,11 +193,23 @@ struct Graph {
   static constexpr std::size_t kEnvironment = 0;
   static constexpr std::size_t kEngine = 1;
   [[nodiscard]] const GraphNode& environment() const { return nodes[kEnvironment]; }
+  /// A graph of nodes alone has none.
+  [[nodiscard]] bool has_engine() const {
+    return nodes.size() > kEngine && nodes[kEngine].role == NodeRole::engine;
+  }
   [[nodiscard]] const GraphNode& engine() const { return nodes[kEngine]; }
+  /// Its id, or "none".
+  [[nodiscard]] std::string engine_id() const {
+    return has_engine() ? engine().entity->id.value : "none";
+  }
   [[nodiscard]] bool has_reset_nodes() const {
     return std::ranges::any_of(nodes, &GraphNode::is_reset_node);
   }
 };
+
+/// Where an input's messages come from, as the graph calls it: "pendulum.theta",
+/// "actions.voltage".
+std::string name_of_source(const Graph& graph, const Input& input);
 
 /// What the command line may say besides the graph.
 struct ResolveOptions {

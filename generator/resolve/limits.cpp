@@ -113,6 +113,12 @@ void check(const Object& object, Diagnostics& diagnostics) {
 
 }  // namespace
 
+bool check_limits(const Processor& processor, Diagnostics& diagnostics) {
+  const std::size_t errors_before = diagnostics.error_count();
+  check(*processor.entity, processor.config, facts_of(processor), processor.span, diagnostics);
+  return diagnostics.error_count() == errors_before;
+}
+
 void check_limits(Draft& draft) {
   const auto& complete = draft.graph.nodes;
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {

@@ -14,7 +14,7 @@ void for_each_entity(const Graph& graph, Part part, F&& f) {
   const auto processor = [&](const std::optional<Processor>& item) {
     if (item) f(*item->entity, item->span);
   };
-  if (part != Part::board) f(*graph.engine().entity, graph.engine().span);
+  if (part != Part::board && graph.has_engine()) f(*graph.engine().entity, graph.engine().span);
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
     if (receives_here(graph, part, n)) {
@@ -83,8 +83,8 @@ void check_system(const Graph& graph, Part part, const Target& target, const Lib
                   Diagnostics& diagnostics) {
   std::set<std::string> reported;
   // What belongs to an engine that cannot run here need not be named too.
-  const bool engine_runs = part == Part::board || missing(*graph.engine().entity, target).empty();
-  bool is_engine = part != Part::board;
+  bool is_engine = part != Part::board && graph.has_engine();
+  const bool engine_runs = !is_engine || missing(*graph.engine().entity, target).empty();
   for_each_entity(graph, part, [&](const Entity& entity, Span span) {
     const bool follows = !is_engine && !engine_runs && !entity.engines.empty();
     is_engine = false;

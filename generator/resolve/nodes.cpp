@@ -25,10 +25,9 @@ bool is_selected(const Selection& components, const std::string& name) {
   return !components || find_component(components, name) != nullptr;
 }
 
-/// Reports ports that are left out and that the class cannot do without; true if there was any.
-bool report_left_out(const Selection& components, const std::vector<PortManifest>& ports,
+/// Reports ports that are left out and that the class cannot do without.
+void report_left_out(const Selection& components, const std::vector<PortManifest>& ports,
                      const EntitySpec& spec, std::string_view section, Diagnostics& diagnostics) {
-  const std::size_t errors_before = diagnostics.error_count();
   for (const auto& port : ports) {
     const std::string& name = port.name.value;
     if (port.optional || is_selected(components, name)) continue;
@@ -37,7 +36,6 @@ bool report_left_out(const Selection& components, const std::vector<PortManifest
                fmt::format("`{}.{}` cannot be left out", spec.name.value, name))
         .help = fmt::format("add it to `{}:`, as `{}` needs it", section, spec.type.value);
   }
-  return diagnostics.error_count() != errors_before;
 }
 
 }  // namespace
@@ -75,7 +73,28 @@ void note_left_out(const EntitySpec& spec, std::string_view engine, Diagnostics&
                                                fmt::join(names, ", "), spec.type.value, engine));
 }
 
+/// Keeps the engine's place until everything is resolved.
+DraftNode no_engine(const Draft& draft) {
+  DraftNode engine;
+  engine.node.name = "engine";
+  engine.node.role = NodeRole::engine;
+  engine.node.span = draft.spec.name.span;
+  return engine;
+}
+
 void add_engine(Draft& draft, const ResolveOptions& options) {
+  if (!draft.spec.has_engine()) {
+    draft.nodes.push_back(no_engine(draft));
+    if (draft.spec.objects.empty()) return;
+    const EntitySpec& object = draft.spec.objects.front();
+    draft.diagnostics
+        .error("E0202", object.name.span, "missing key `engine` in the graph: objects need one")
+        .help = fmt::format(
+        "write `engine: {{type: …, rate: …}}`; `eagerx-gen info {}` lists the "
+        "engines that it is made for",
+        object.type.value);
+    return;
+  }
   EntitySpec spec = draft.spec.engine;
   if (!options.engine.empty() && options.engine != spec.type.value) {
     note_left_out(spec, options.engine, draft.diagnostics);
@@ -115,19 +134,12 @@ void add_nodes(Draft& draft) {
     } else {
       node.node.config =
           resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics, draft.safety);
+      const MakingPorts making(draft, spec.name.value);
       const References references = references_of(*entity, spec.config);
-      const bool inputs_unknown =
-          report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics);
-      const bool outputs_unknown =
-          report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics);
-      const bool input_missing =
-          !inputs_unknown &&
-          report_left_out(spec.inputs, entity->inputs, spec, "inputs", draft.diagnostics);
-      const bool output_missing =
-          !outputs_unknown &&
-          report_left_out(spec.outputs, entity->outputs, spec, "outputs", draft.diagnostics);
-      if (inputs_unknown || outputs_unknown || input_missing || output_missing)
-        draft.doubtful.insert(spec.name.value);
+      if (!report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics))
+        report_left_out(spec.inputs, entity->inputs, spec, "inputs", draft.diagnostics);
+      if (!report_unknown(spec.outputs, entity->outputs, *entity, "output", draft.diagnostics))
+        report_left_out(spec.outputs, entity->outputs, spec, "outputs", draft.diagnostics);
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
         const std::string written = spec.name.value + "." + port.name.value;
@@ -135,7 +147,7 @@ void add_nodes(Draft& draft) {
             draft_input(port, written, spec.name.span, references, draft.diagnostics);
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
           input.span = component->name.span;
-          input.settings = overlay(input.settings, component->settings);
+          input.said = component->settings;
           if (component->space)
             input.declared =
                 narrow(input.declared, partial_space(*component->space, {}, draft.diagnostics),

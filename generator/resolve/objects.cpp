@@ -19,10 +19,13 @@ class ObjectBuilder {
       : draft_(draft), spec_(spec), entity_(entity), implementation_(implementation) {}
 
   void build() {
+    const std::size_t errors_before = diagnostics().error_count();
     collect_references();
     select();
     draft_engine_nodes();
     connect_inside();
+    // If the manifest contradicts itself, a name that the graph selects need not be what is wrong.
+    if (diagnostics().error_count() == errors_before) report_unknown_selection();
     mark_needed();
     move_to_graph();
   }
@@ -66,16 +69,15 @@ class ObjectBuilder {
       note(connection.from, "sensors", sensors_);
       note(connection.to, "actuators", actuators_);
     }
-    list(spec_.sensors, entity_.sensors, "sensor", sensors_);
-    list(spec_.actuators, entity_.actuators, "actuator", actuators_);
+    for (const auto& item : spec_.sensors.value_or(std::vector<ComponentSpec>()))
+      sensors_.insert(item.name.value);
+    for (const auto& item : spec_.actuators.value_or(std::vector<ComponentSpec>()))
+      actuators_.insert(item.name.value);
   }
 
-  void list(const Selection& chosen, const std::vector<PortManifest>& ports, std::string_view what,
-            std::set<std::string>& into) {
-    if (!chosen) return;
-    for (const auto& item : *chosen) into.insert(item.name.value);
-    if (report_unknown(chosen, ports, entity_, what, diagnostics()))
-      draft_.doubtful.insert(spec_.name.value);
+  void report_unknown_selection() {
+    report_unknown(spec_.sensors, entity_.sensors, entity_, "sensor", diagnostics());
+    report_unknown(spec_.actuators, entity_.actuators, entity_, "actuator", diagnostics());
   }
 
   void draft_engine_nodes() {
@@ -107,12 +109,8 @@ class ObjectBuilder {
         resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
     const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
-    if (!entity.works_on(engine)) {
-      diagnostics()
-          .error("E0308", spec.type.span,
-                 fmt::format("`{}` does not work on `{}`", entity.id.value, engine.id.value))
-          .help = fmt::format("it works on {}", fmt::join(entity.engines, ", "));
-    }
+    if (!entity.works_on(engine))
+      report_wrong_engine(entity, engine, spec.type.span, diagnostics());
     report_unknown(spec.inputs, entity.inputs, entity, "input", diagnostics());
     report_unknown(spec.outputs, entity.outputs, entity, "output", diagnostics());
     for (const auto& port : entity.inputs) {
@@ -137,7 +135,8 @@ class ObjectBuilder {
     for (std::size_t i = 0; i < implementation_.nodes.size(); ++i) {
       if (implementation_.nodes[i].name.value == name) return i;
     }
-    diagnostics().error("E0309", port.span, fmt::format("there is no engine node `{}` here", name));
+    diagnostics().error("E0309", port.span,
+                        fmt::format("this implementation has no engine node `{}`", name));
     return std::nullopt;
   }
 
@@ -244,7 +243,19 @@ class ObjectBuilder {
     if (const ComponentSpec* set = find_component(spec_.sensors, name))
       settle(port, *set, written, diagnostics());
     check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
+    add_delay(*sensor);
     sensor_sources_.push_back({name, source, output});
+  }
+
+  /// The delay of a sensor is that of every connection from it which says nothing else.
+  void add_delay(const PortManifest& sensor) {
+    ConnectionSettings& settings = delays_[sensor.name.value];
+    settings = manifest_settings(sensor, references_, diagnostics());
+    const ComponentSpec* set = find_component(spec_.sensors, sensor.name.value);
+    if (set == nullptr) return;
+    ConnectionSettings said = set->settings;
+    said.processor.reset();  // converts what the sensor publishes
+    settings = overlay(settings, said);
   }
 
   /// A sensor or actuator ticks with the engine node that implements it.
@@ -295,7 +306,7 @@ class ObjectBuilder {
   }
 
   void move_to_graph() {
-    DraftObject object{spec_.name.value, &entity_, {}, {}};
+    DraftObject object{spec_.name.value, &entity_, {}, {}, std::move(delays_)};
     std::vector<std::size_t> place(nodes_.size(), 0);
     std::size_t next = draft_.nodes.size();
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -331,6 +342,7 @@ class ObjectBuilder {
   std::vector<Link> links_;
   std::vector<Outside> sensor_sources_, actuator_sinks_;
   std::vector<bool> needed_;
+  std::map<std::string, ConnectionSettings> delays_;  // by sensor
 };
 
 }  // namespace
@@ -350,10 +362,11 @@ void add_objects(Draft& draft) {
       object.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
     draft.graph.objects.push_back(std::move(object));
     if (implementation != nullptr) {
+      const MakingPorts making(draft, spec.name.value);
       ObjectBuilder(draft, spec, *entity, *implementation).build();
     } else {
       draft.doubtful.insert(spec.name.value);
-      draft.objects.push_back({spec.name.value, entity, {}, {}});
+      draft.objects.push_back({spec.name.value, entity, {}, {}, {}});
     }
   }
 }

@@ -22,8 +22,8 @@ class Placer {
     if (placement_.on_board[Graph::kEnvironment] &&
         draft_.graph.agent.kind == AgentSpec::Kind::csv) {
       draft_.diagnostics
-          .error("E0332", placement_.span, "the agent reads a file, which a board cannot")
-          .help = "place nodes, without `agent` and `controller`";
+          .error("E0332", placement_.span, "the agent reads a file, and a board has no files")
+          .help = "place only nodes, not `agent` or `controller`";
     }
     draft_.graph.placement = std::move(placement_);
   }
@@ -39,14 +39,15 @@ class Placer {
     if (found == targets.end()) {
       draft_.diagnostics
           .error("E0316", item.board.span, fmt::format("unknown target `{}`", item.board.value))
-          .help = suggestion(item.board.value, partners, "no target can be a partner");
+          .help = suggestion(item.board.value, partners, "no target can run a part of a graph");
       return;
     }
     if (found->second.partner.empty()) {
       draft_.diagnostics
           .error("E0334", item.board.span,
                  fmt::format("target `{}` cannot run a part of a graph", item.board.value))
-          .help = fmt::format("its manifest has no `partner`; {} have", fmt::join(partners, ", "));
+          .help = fmt::format("its manifest has no `partner`; these targets have one: {}",
+                              fmt::join(partners, ", "));
       return;
     }
     if (placement_.board == nullptr) {

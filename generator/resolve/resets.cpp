@@ -58,10 +58,10 @@ class ResetTargetResolver {
       diagnostics()
           .error("E0318", setting->span,
                  fmt::format("`{}` cannot have `{}`", connection.to.value, key))
-          .help = "a target gets its state when a reset begins; only `processor` can be set";
+          .help = "a target gets its state once, when a reset begins: only `processor` can be set";
     };
     refuse("window", settings.window);
-    refuse("delay", settings.delay_s);
+    refuse("delay", settings.delay);
     refuse("delay", settings.random_delay);
     refuse("max_delay", settings.max_delay);
     refuse("skip", settings.skip);
@@ -96,8 +96,8 @@ class ResetTargetResolver {
   Owner find_owner(const Spanned<std::string>& from) {
     const auto& [name, section, state] = parse_port(from.value);
     if (section != "states") {
-      diagnostics().error("E0309", from.span, fmt::format("`{}` is no state", from.value)).help =
-          "a target is a state: write `from: object.states.name`";
+      diagnostics().error("E0309", from.span, fmt::format("`{}` is not a state", from.value)).help =
+          "a target takes a state: write `from: object.states.name`";
       return {};
     }
     for (std::size_t i = 0; i < draft_.graph.objects.size(); ++i) {
@@ -175,7 +175,7 @@ class ResetTargetResolver {
                               fmt::format("`{}` takes {}, but gets {}", connection.to.value,
                                           describe(declared), reset_target.space.describe()));
       problem.notes.push_back(
-          {"this is where it comes from", connection.from.span, reset_target.space.describe()});
+          {"it comes from here", connection.from.span, reset_target.space.describe()});
       return;
     }
     node.node.reset_targets.push_back(std::move(reset_target));
@@ -207,7 +207,7 @@ void check_feedthrough(const Graph& graph, const GraphNode& node, const Input& i
         "E0317", input.span,
         fmt::format("`{}` ticks at {} Hz, but what it gets at {} Hz", input.written,
                     node.rate_hz.to_string(), source.rate_hz.to_string()));
-    problem.help = "a reset node has the rate of what it passes on";
+    problem.help = "give the reset node the rate of what it passes on";
   }
   if (input.skip || input.window == 0) {
     diagnostics

@@ -26,7 +26,8 @@ void check_graph_name(const Spanned<std::string>& name, Diagnostics& diagnostics
                                           "test"};
   if (std::ranges::find(kOfCMake, name.value) == kOfCMake.end()) return;
   diagnostics.error("E0315", name.span, fmt::format("the name `{}` is taken", name.value)).help =
-      "CMake has a target of that name, and the program's is that of the graph: choose another one";
+      "CMake has a target of this name, and the program gets the name of the graph: choose another "
+      "one";
 }
 
 void check_names(Draft& draft) {
@@ -41,7 +42,7 @@ void check_names(Draft& draft) {
             .error("E0315", entity.name.span,
                    fmt::format("the name `{}` is taken", entity.name.value))
             .help =
-            fmt::format("every graph has its own {}: choose another name", fmt::join(kTaken, ", "));
+            fmt::format("every graph already has {}: choose another name", fmt::join(kTaken, ", "));
         draft.doubtful.insert(entity.name.value);
       }
       const auto same = std::ranges::find(
@@ -124,18 +125,43 @@ void check_reset_timeout(Draft& draft) {
   draft.graph.reset_timeout_s = timeout.value;
   if (timeout.value * draft.spec.rate.value <= Rational(kMostTicks)) return;
   draft.diagnostics.error("E0323", timeout.span, "`reset_timeout` is out of range").label =
-      "so many ticks of the environment cannot be counted";
+      "these are more ticks of the environment than can be counted";
 }
 
 /// `--engine` names no place in a file, so its problem is found before anything points at the
 /// graph's engine.
-bool check_engine_option(const Library& library, const ResolveOptions& options,
-                         Diagnostics& diagnostics) {
+bool check_engine_option(const GraphSpec& spec, const Library& library,
+                         const ResolveOptions& options, Diagnostics& diagnostics) {
   if (options.engine.empty()) return true;
+  if (!spec.has_engine()) {
+    diagnostics.error("E0303", {}, "there is no engine to replace: the graph has none").help =
+        "leave out `--engine`, or write `engine:` in the graph";
+    return false;
+  }
   return find_entity(library, {options.engine, {}}, EntityKind::engine, diagnostics) != nullptr;
 }
 
+/// A graph of nodes alone: the engine's place, which nobody reads from, goes.
+void drop_engine(Graph& graph) {
+  graph.nodes.erase(graph.nodes.begin() + Graph::kEngine);
+  const auto moved = [](std::size_t& node) { node -= node > Graph::kEngine ? 1 : 0; };
+  for (auto& node : graph.nodes) {
+    for (auto& input : node.inputs) moved(input.source_node);
+    for (auto& target : node.reset_targets) moved(target.node);
+  }
+  if (!graph.placement) return;
+  auto& on_board = graph.placement->on_board;
+  on_board.erase(on_board.begin() + Graph::kEngine);
+}
+
 }  // namespace
+
+std::string name_of_source(const Graph& graph, const Input& input) {
+  const GraphNode& node = graph.nodes[input.source_node];
+  const Output& output = node.outputs[input.source_output];
+  if (!output.sensor.empty()) return output.sensor;
+  return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
+}
 
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics) {
@@ -145,7 +171,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   draft.graph.file_name = std::filesystem::path(spec.path).filename().string();
   draft.graph.double_precision = (options.real.empty() ? spec.real : options.real) == "double";
   draft.graph.span = spec.name.span;
-  if (!check_engine_option(library, options, diagnostics)) return std::nullopt;
+  if (!check_engine_option(spec, library, options, diagnostics)) return std::nullopt;
   check_graph_name(spec.name, diagnostics);
   check_names(draft);
   add_environment(draft);
@@ -160,12 +186,14 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_safety(draft);
+  if (!diagnostics.has_errors()) find_applied_spaces(draft.graph);
   check_random_agent(draft);
   check_reset_timeout(draft);
   if (!diagnostics.has_errors()) check_resets(draft.graph, diagnostics);
   check_sync(draft);
   check_limits(draft);
   if (diagnostics.has_errors()) return std::nullopt;
+  if (!spec.has_engine()) drop_engine(draft.graph);
   return std::move(draft.graph);
 }
 

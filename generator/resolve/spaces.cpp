@@ -69,7 +69,7 @@ class SpaceResolver {
     }
     if (draft_.doubtful.contains(parse_port(port).owner)) return;
     diagnostics()
-        .error("E0309", declared.like_span, fmt::format("`{}` is no input of this graph", port))
+        .error("E0309", declared.like_span, fmt::format("`{}` is not an input of this graph", port))
         .help = suggestion(port, input_names(draft_), "write the port as in `to:` of a connection");
   }
 
@@ -146,7 +146,7 @@ class SpaceResolver {
     if (input == nullptr) {
       slot.settled = true;
       const std::string name = node.node.name + "." + draft.name;
-      if (!draft_.doubtful.contains(node.node.name)) {
+      if (!draft_.is_doubtful(node)) {
         diagnostics()
             .error("E0309", draft.span,
                    fmt::format("`{}` has the space of the input `{}`, which is not there", name,
@@ -181,8 +181,12 @@ class SpaceResolver {
     resolve_delay(draft_, draft, input);
     input.space = source->space;
     if (draft.outside && !fits(*draft.outside, source->space)) {
-      report_misfit(draft, *draft.outside, input);
+      report_misfit(n, draft, *draft.outside, input);
       return true;
+    }
+    if (draft.actuator && (draft.outside || !draft.settings.processor)) {
+      const PartialSpace& taken = draft.outside ? *draft.outside : draft.declared;
+      input.actuator_space = complete(overlay(partial_of(source->space), taken));
     }
     if (draft.settings.processor) {
       input.processor =
@@ -190,7 +194,7 @@ class SpaceResolver {
       if (!input.processor) return true;
       input.space = input.processor->output;
     }
-    if (!agrees(draft, input)) return true;
+    if (!agrees(n, draft, input)) return true;
     // The receiver's own bounds, where it has some, say more about what it takes.
     if (!draft.declared.low.empty()) input.space.low = draft.declared.low;
     if (!draft.declared.high.empty()) input.space.high = draft.declared.high;
@@ -200,13 +204,16 @@ class SpaceResolver {
     return true;
   }
 
-  bool agrees(const DraftInput& draft, const Input& input) {
+  bool agrees(std::size_t n, const DraftInput& draft, const Input& input) {
     if (fits(draft.declared, input.space)) return true;
-    report_misfit(draft, draft.declared, input);
+    report_misfit(n, draft, draft.declared, input);
     return false;
   }
 
-  void report_misfit(const DraftInput& draft, const PartialSpace& takes, const Input& input) {
+  void report_misfit(std::size_t n, const DraftInput& draft, const PartialSpace& takes,
+                     const Input& input) {
+    if (draft_.is_doubtful(draft_.nodes[n]) || draft_.is_doubtful(draft_.nodes[draft.edge->node]))
+      return;
     const bool dtype = !takes.dtype || *takes.dtype == input.space.dtype;
     auto& problem = diagnostics().error(dtype ? "E0306" : "E0305", draft.span,
                                         fmt::format("`{}` takes {}, but gets {}", draft.written,
@@ -218,9 +225,12 @@ class SpaceResolver {
            input.processor->span, ""});
       return;
     }
-    problem.notes.push_back(
-        {"this is where it comes from", draft.edge->span, input.space.describe()});
-    problem.help = "put a `processor` on the connection, or connect something that fits";
+    problem.notes.push_back({"it comes from here", draft.edge->span, input.space.describe()});
+    const auto processors = fitting_processors(draft_.library, takes, input.space);
+    problem.help = processors.empty()
+                       ? fmt::format("no processor makes {} of it: connect something that fits",
+                                     describe(takes))
+                       : fmt::format("add `{}` to the connection", fmt::join(processors, "` or `"));
   }
 
   /// Everything is connected and no space was refused, so what is missing was never written.
@@ -254,7 +264,8 @@ class SpaceResolver {
           output.name);
     } else if (output.declared.like) {
       problem.help = fmt::format(
-          "it is that of its input `{0}`, which depends on it in turn: write `inputs: {{{0}: "
+          "it has the space of its input `{0}`, which depends on this output: write `inputs: "
+          "{{{0}: "
           "{{space: {{dtype: …, shape: …}}}}}}`",
           *output.declared.like);
     } else {

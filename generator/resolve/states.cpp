@@ -242,6 +242,20 @@ bool move_to_node(Draft& draft, const Object& object, State& state) {
   return true;
 }
 
+/// What an engine state says of its space, against what it is given.
+void check_space_of_state(const State& state, const References& references, Span span,
+                          Diagnostics& diagnostics) {
+  const PortManifest& port = state.engine_state->states.front();
+  const PartialSpace declared = partial_space(port.space, references, diagnostics);
+  if (fits(declared, state.received())) return;
+  const bool dtype = !declared.dtype || *declared.dtype == state.received().dtype;
+  auto& problem =
+      diagnostics.error(dtype ? "E0306" : "E0305", span,
+                        fmt::format("`{}` takes {}, but `{}` is {}", state.engine_state->id.value,
+                                    describe(declared), state.name, state.received().describe()));
+  problem.notes.push_back({"used here", state.span, ""});
+}
+
 void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spec, State& state) {
   const EntitySpec* found = find_named(object.implementation->states, state.name);
   if (found == nullptr) {
@@ -253,10 +267,14 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
   state.engine_state =
       find_entity(draft.library, found->type, EntityKind::engine_state, draft.diagnostics);
   if (state.engine_state == nullptr) return;
+  const Entity& engine = *draft.nodes[Graph::kEngine].node.entity;
+  if (!state.engine_state->works_on(engine))
+    report_wrong_engine(*state.engine_state, engine, found->type.span, draft.diagnostics);
   const References references = references_of(*object.entity, spec.config);
-  state.config =
-      resolve_config(*state.engine_state, substitute(found->config, references, draft.diagnostics),
-                     found->type.span, draft.diagnostics);
+  const auto settings = substitute(found->config, references, draft.diagnostics);
+  state.config = resolve_config(*state.engine_state, settings, found->type.span, draft.diagnostics);
+  check_space_of_state(state, references_of(*state.engine_state, settings), found->type.span,
+                       draft.diagnostics);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@ std::string engines_with_a_clock(const Library& library) {
     if (entity.kind == EntityKind::engine && entity.asynchronous) ids.push_back(id);
   }
   if (ids.empty()) return "leave `sync` out";
-  return fmt::format("leave `sync` out, or take an engine with a clock: {}", fmt::join(ids, ", "));
+  return fmt::format("leave `sync` out, or choose an engine with a clock: {}",
+                     fmt::join(ids, ", "));
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ void check_sync(Draft& draft) {
   if (engine != nullptr && !engine->asynchronous) {
     auto& problem = draft.diagnostics.error(
         "E0338", sync->span, fmt::format("`{}` cannot run asynchronously", engine->id.value));
-    problem.label = "its time is counted in ticks, so there is no clock to go by";
+    problem.label = "it counts time in ticks and has no clock";
     problem.help = engines_with_a_clock(draft.library);
   }
   if (draft.graph.has_reset_nodes()) {

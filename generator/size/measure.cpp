@@ -306,7 +306,7 @@ std::optional<SizeReport> measure_image(const std::string& image, const std::str
   // Of a program for Linux neither flash nor the stack's frames are known.
   const auto prefix = tool_prefix(image);
   if (!prefix || prefix->empty()) {
-    diagnostics.io_error("E0911", {}, fmt::format("`{}` is no image of a board", image)).help =
+    diagnostics.io_error("E0911", {}, fmt::format("`{}` is not the image of a board", image)).help =
         "give the .elf file that was built for one";
     return std::nullopt;
   }

@@ -32,8 +32,10 @@ FormatPtr name(std::string what) {
 FormatPtr port(std::string what) {
   return share(make(Format::Kind::port, std::move(what)));
 }
-FormatPtr number(std::string what) {
-  return share(make(Format::Kind::number, std::move(what)));
+FormatPtr number(std::string what, Quantity quantity) {
+  Format result = make(Format::Kind::number, std::move(what));
+  result.quantity = quantity;
+  return share(std::move(result));
 }
 FormatPtr boolean() {
   return share(make(Format::Kind::boolean, "true or false"));
@@ -50,6 +52,18 @@ FormatPtr decimal(std::string what, double low, bool low_exclusive) {
   Format result = make(Format::Kind::decimal, std::move(what));
   result.low = low;
   result.low_exclusive = low_exclusive;
+  return share(std::move(result));
+}
+
+FormatPtr rate() {
+  Format result = *decimal("a rate in Hz", 0.0, true);
+  result.quantity = Quantity::rate;
+  return share(std::move(result));
+}
+
+FormatPtr time(std::string what, bool low_exclusive) {
+  Format result = *decimal(std::move(what), 0.0, low_exclusive);
+  result.quantity = Quantity::time;
   return share(std::move(result));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
+#include "generator/read/quantity.hpp"
 #include "generator/read/tree.hpp"
 
 namespace eagerx::gen {
@@ -53,11 +54,12 @@ struct Format {
   std::optional<double> low;          // integer, decimal, number
   std::optional<double> high;
   bool low_exclusive = false;
-  std::size_t min_items = 0;  // list
-  bool file_names = false;    // map: keys are no identifiers
-  FormatPtr key;              // map: what they are then; without it anything
-  bool one_name = false;      // path: no folders
-  bool leaves = false;        // path: `..` is allowed
+  Quantity quantity = Quantity::none;  // decimal, number: may have a unit of it
+  std::size_t min_items = 0;           // list
+  bool file_names = false;             // map: keys are no identifiers
+  FormatPtr key;                       // map: what they are then; without it anything
+  bool one_name = false;               // path: no folders
+  bool leaves = false;                 // path: `..` is allowed
 };
 
 namespace format {
@@ -68,7 +70,9 @@ FormatPtr port(std::string what);
 FormatPtr integer(std::string what, std::optional<double> low = {},
                   std::optional<double> high = {});
 FormatPtr decimal(std::string what, double low, bool low_exclusive);
-FormatPtr number(std::string what);
+FormatPtr rate();
+FormatPtr time(std::string what, bool low_exclusive = false);
+FormatPtr number(std::string what, Quantity quantity = Quantity::none);
 FormatPtr boolean();
 FormatPtr keyword(std::vector<std::string> words);
 FormatPtr list(std::string what, FormatPtr item, std::size_t min_items = 0);
@@ -84,8 +88,12 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 
 /// Checks `yaml` against `format`; every problem is reported. True if there was none.
 /// Codes: E0201 unknown key, E0202 missing key, E0203 wrong type, E0204 value out of range or not a
-/// choice, E0205 not a name.
+/// choice, E0205 not a name, E0209 a wrong unit.
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
+
+/// A tree that `check` has accepted, with all rates in Hz and all times in seconds: "10 ms" becomes
+/// "0.01".
+YamlValue in_base_units(YamlValue yaml, const Format& format);
 
 /// The format as JSON schema (draft-07).
 std::string json_schema(const Format& format, const std::string& title, const std::string& id);

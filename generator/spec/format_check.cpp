@@ -115,19 +115,45 @@ bool check_keyword(const YamlValue& yaml, const Format& format, const std::strin
   return false;
 }
 
-bool check_number(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
-  if (!yaml.is_scalar() || yaml.quoted) return wrong_type(yaml, format, diagnostics);
+std::string with_article(Quantity quantity) {
+  return quantity == Quantity::rate ? "a rate" : "a time";
+}
+
+/// Whether a number has no unit, or one of its format; a text without a number is left to others.
+bool check_unit(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  const auto [number, name] = take_unit_off(yaml.text);
+  if (name.empty() || !Rational::parse(number)) return true;
+  const Unit* unit = find_unit(name);
+  if (unit != nullptr && unit->quantity == format.quantity) return true;
+  const std::string wanted = with_article(format.quantity);
+  auto& problem = diagnostics.error(
+      "E0209", yaml.span,
+      unit != nullptr ? fmt::format("expected {}, found {}, which is {}", format.what,
+                                    describe(yaml), with_article(unit->quantity))
+                      : fmt::format("`{}` is not a unit of {}", shortened(name), wanted));
+  const std::string right = with_right_unit(yaml.text, format.quantity);
+  problem.help = right.empty() ? fmt::format("units of {} are {}", wanted,
+                                             fmt::join(units_of(format.quantity), ", "))
+                               : fmt::format("write `{}`", right);
+  return false;
+}
+
+/// The value of a number in the base unit; nothing for what is no number.
+std::optional<double> number_in_base_unit(const YamlValue& yaml, const Format& format) {
   if (format.kind == Format::Kind::integer) {
     const auto value = parse_int(yaml.text);
-    return value ? in_range(yaml, format, static_cast<double>(*value), diagnostics)
-                 : wrong_type(yaml, format, diagnostics);
+    return value ? std::optional(static_cast<double>(*value)) : std::nullopt;
   }
-  if (format.kind == Format::Kind::decimal) {
-    const auto value = Rational::parse(yaml.text);
-    return value ? in_range(yaml, format, value->to_double(), diagnostics)
-                 : wrong_type(yaml, format, diagnostics);
-  }
-  const auto value = parse_number(yaml.text);
+  const bool plain = format.quantity == Quantity::none || take_unit_off(yaml.text).unit.empty();
+  if (format.kind == Format::Kind::number && plain) return parse_number(yaml.text);
+  const auto value = parse_quantity(yaml.text, format.quantity);
+  return value ? std::optional(value->to_double()) : std::nullopt;
+}
+
+bool check_number(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_scalar() || yaml.quoted) return wrong_type(yaml, format, diagnostics);
+  if (format.quantity != Quantity::none && !check_unit(yaml, format, diagnostics)) return false;
+  const auto value = number_in_base_unit(yaml, format);
   return value ? in_range(yaml, format, *value, diagnostics)
                : wrong_type(yaml, format, diagnostics);
 }
@@ -196,6 +222,13 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   return good;
 }
 
+/// Right or wrong: it is meant as a number with a unit.
+bool has_unit(const YamlValue& yaml, const Format& format) {
+  if (format.quantity == Quantity::none) return false;
+  const auto [number, unit] = take_unit_off(yaml.text);
+  return !unit.empty() && Rational::parse(number);
+}
+
 /// Whether a value of this kind could be meant for the format at all.
 bool takes(const YamlValue& yaml, const Format& format) {
   switch (format.kind) {
@@ -215,7 +248,7 @@ bool takes(const YamlValue& yaml, const Format& format) {
     case Format::Kind::number:
     case Format::Kind::decimal:
       return yaml.is_scalar() && !yaml.quoted &&
-             (parse_number(yaml.text) || Rational::parse(yaml.text));
+             (parse_number(yaml.text) || Rational::parse(yaml.text) || has_unit(yaml, format));
     case Format::Kind::boolean:
       return yaml.is_scalar() && !yaml.quoted && parse_bool(yaml.text);
     default:
@@ -268,6 +301,27 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
       return wrong_type(yaml, format, diagnostics);
   }
   return false;
+}
+
+YamlValue in_base_units(YamlValue yaml, const Format& format) {
+  if (format.kind == Format::Kind::one_of) {
+    const auto option = std::ranges::find_if(
+        format.options, [&](const FormatPtr& each) { return takes(yaml, *each); });
+    return option == format.options.end() ? yaml : in_base_units(std::move(yaml), **option);
+  }
+  if (format.quantity != Quantity::none && yaml.is_scalar()) {
+    const Unit& base = *find_unit(format.quantity == Quantity::rate ? "Hz" : "s");
+    yaml.text = number_in(yaml.text, base).value_or(yaml.text);
+  }
+  for (auto& item : yaml.items) {
+    if (format.item) item = in_base_units(std::move(item), *format.item);
+  }
+  for (auto& [key, span, value] : yaml.entries) {
+    const Field* field = find_named(format.fields, key);
+    const Format* inner = field != nullptr ? field->format.get() : format.item.get();
+    if (inner != nullptr) value = in_base_units(std::move(value), *inner);
+  }
+  return yaml;
 }
 
 }  // namespace eagerx::gen

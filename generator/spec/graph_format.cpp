@@ -5,10 +5,6 @@
 namespace eagerx::gen {
 namespace {
 
-FormatPtr rate_format() {
-  return format::decimal("a rate in Hz", 0.0, true);
-}
-
 FormatPtr number_or_reference(Reference references) {
   FormatPtr number = format::number("a number");
   if (references == Reference::refuse) return number;
@@ -39,11 +35,10 @@ std::vector<Field> with(std::vector<Field> fields, std::vector<Field> more) {
   return fields;
 }
 
-std::vector<Field> random_fields() {
-  const FormatPtr value =
-      format::one_of("a number or a list of numbers",
-                     {format::list("a list of numbers", format::number("a number"), 1),
-                      format::number("a number")});
+/// `one`: a number that is drawn, or a delay.
+std::vector<Field> random_fields(const FormatPtr& one) {
+  const FormatPtr value = format::one_of("a number or a list of numbers",
+                                         {format::list("a list of numbers", one, 1), one});
   const auto pair = [&](const char* what, const char* first, const char* second) {
     return format::record(what, {{first, value, true, first}, {second, value, true, second}});
   };
@@ -62,12 +57,14 @@ std::vector<Field> connection_settings() {
   return {{"window", format::integer("a number of messages", 0, 1'000'000), false,
            "how many of the last messages the receiver sees; 0: only the new ones (default 1)"},
           {"delay",
-           format::one_of("a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
-                          "0.1}}`",
-                          {format::record("how a delay is drawn", random_fields()),
-                           format::decimal("a delay in seconds", 0.0, false)}),
+           format::one_of(
+               "a delay in seconds, or a mapping such as `{uniform: {low: 0, high: "
+               "0.1}}`",
+               {format::record("how a delay is drawn",
+                               random_fields(format::number("a delay in seconds", Quantity::time))),
+                format::time("a delay in seconds")}),
            false, "seconds from sending to receiving, or how the delay is drawn at every reset"},
-          {"max_delay", format::decimal("a delay in seconds", 0.0, false), false,
+          {"max_delay", format::time("a delay in seconds"), false,
            "longest delay that a reset may set (default: the longest that can be drawn)"},
           {"skip", format::boolean(), false,
            "take the message of the tick before; this breaks a cycle"}};
@@ -86,8 +83,9 @@ Field space_field() {
 }
 
 FormatPtr states_format() {
-  const FormatPtr drawn = format::record("how a state gets its value",
-                                         with(random_fields(), {space_field(), processor_field()}));
+  const FormatPtr drawn = format::record(
+      "how a state gets its value",
+      with(random_fields(format::number("a number")), {space_field(), processor_field()}));
   return format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
                                               {drawn, format::keyword({"uniform"})}));
 }
@@ -99,12 +97,21 @@ Field config_field() {
   return {"config", config_format(), false, "parameters of the entity"};
 }
 Field rate_field(bool required, const char* about) {
-  return {"rate", rate_format(), required, about};
+  return {"rate", format::rate(), required, about};
 }
 Field states_field() {
   return {"states", states_format(), false,
           "values of its states at a reset; other states do not change, at first they have their "
           "default"};
+}
+
+/// The default of the connections from a sensor.
+std::vector<Field> delay_settings() {
+  std::vector<Field> fields;
+  for (const Field& field : connection_settings()) {
+    if (field.name == "delay" || field.name == "max_delay") fields.push_back(field);
+  }
+  return fields;
 }
 
 FormatPtr object_format() {
@@ -114,7 +121,8 @@ FormatPtr object_format() {
        config_field(),
        {"sensors",
         selection("sensors",
-                  {rate_field(false, "its rate in Hz"), space_field(), processor_field()}),
+                  with({rate_field(false, "its rate in Hz"), space_field(), processor_field()},
+                       delay_settings())),
         false, "sensors to use (default: the connected ones) and their settings"},
        {"actuators", selection("actuators", {rate_field(false, "its rate in Hz"), space_field()}),
         false, "actuators to use (default: the connected ones) and their settings"},
@@ -232,7 +240,7 @@ FormatPtr connections_format() {
 FormatPtr engine_nodes_format() {
   const FormatPtr rate = format::one_of(
       "a rate in Hz, or `$(sensors NAME rate)`, `$(actuators NAME rate)`, `$(config NAME)`",
-      {rate_format(), format::text("a reference such as `$(sensors theta rate)`")});
+      {format::rate(), format::text("a reference such as `$(sensors theta rate)`")});
   return format::map(
       "engine nodes",
       format::record("an engine node",
@@ -258,7 +266,7 @@ FormatPtr budget_format() {
                          {"stack", bytes, false, "bytes of stack"},
                          {"instructions", format::integer("a number of instructions", 0), false,
                           "most instructions of a slot, the agent included"},
-                         {"age", format::decimal("a time in seconds", 0.0, true), false,
+                         {"age", format::time("a time in seconds", true), false,
                           "largest age, in seconds, of the newest data of a sensor at an actuator"},
                          {"link", format::integer("a baud rate", 1), false,
                           "baud rate of a serial link between the engine and the rest"},
@@ -271,11 +279,11 @@ const Format& graph_format() {
       "the graph",
       {{"name", format::name("a name"), true,
         "the name of the graph, of the C++ namespace and of the program"},
-       {"rate", rate_format(), true,
+       {"rate", format::rate(), true,
         "the rate of the environment in Hz: one step is 1/rate seconds"},
        {"real", format::keyword({"float", "double"}), false,
         "type that engines and nodes calculate in (default float)"},
-       {"reset_timeout", format::decimal("a time in seconds", 0.0, true), false,
+       {"reset_timeout", format::time("a time in seconds", true), false,
         "longest time that reset nodes may take, in seconds of the graph (default 60)"},
        {"library", format::list("a list of folders", format::text("a folder")), false,
         "folders with entities of your own, relative to this file"},
@@ -289,7 +297,7 @@ const Format& graph_format() {
                                       {"sync", format::boolean(), false,
                                        "false: inputs take the messages that have arrived when "
                                        "their node begins (default true: messages are counted)"}}),
-        true, "what the objects run on"},
+        false, "what the objects run on; a graph without objects needs none"},
        {"objects", format::map("objects", object_format()), false,
         "robots, things, sensors, actuators"},
        {"nodes", format::map("nodes", node_format()), false, "filters, controllers, estimators"},
@@ -312,7 +320,9 @@ const Format& graph_format() {
         "the "
         "agent and all nodes"},
        {"budget", budget_format(), false,
-        "what the program may take; `eagerx-gen size` checks what concerns an image"}});
+        "what the program may take; `eagerx-gen size` checks what concerns an image"},
+       {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
+        false, "warnings that are not given for this graph"}});
   return *kFormat;
 }
 

@@ -192,9 +192,10 @@ EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml
   return spec;
 }
 
-std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::string& path,
+std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::string& path,
                                          Diagnostics& diagnostics) {
-  if (!check(root, graph_format(), diagnostics)) return std::nullopt;
+  if (!check(written, graph_format(), diagnostics)) return std::nullopt;
+  const YamlValue root = in_base_units(written, graph_format());
   GraphSpec spec;
   spec.file = root.span.file;
   spec.path = path;
@@ -205,9 +206,11 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
     for (const auto& item : library->items) spec.library.push_back(text_of(item));
   }
   const auto engine = std::ranges::find(root.entries, "engine", &YamlValue::Entry::key);
-  spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
-  spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
-  spec.sync = optional_of<bool>(engine->value, "sync", bool_of);
+  if (engine != root.entries.end()) {
+    spec.engine = read_entity("engine", engine->key_span, engine->value, diagnostics);
+    spec.simulate_delays = optional_of<bool>(engine->value, "simulate_delays", bool_of);
+    spec.sync = optional_of<bool>(engine->value, "sync", bool_of);
+  }
   spec.reset_timeout_s = optional_of<Rational>(root, "reset_timeout", rational_of);
   const auto read_all = [&](const char* key, std::vector<EntitySpec>& into) {
     const YamlValue* map = root.find(key);
@@ -225,6 +228,9 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
   spec.agent = read_agent(root.find("agent"), diagnostics);
   spec.safety = read_safety(root.find("safety"));
   spec.budget = value_at(root, "budget");
+  if (const YamlValue* allow = root.find("allow")) {
+    for (const auto& item : allow->items) spec.allow.push_back(text_of(item));
+  }
   if (const YamlValue* placement = root.find("placement")) {
     for (const auto& entry : placement->entries)
       spec.placement.push_back({{entry.key, entry.key_span}, text_of(entry.value)});

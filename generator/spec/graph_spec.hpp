@@ -99,7 +99,7 @@ struct GraphSpec {
   std::optional<Spanned<Rational>> reset_timeout_s;  // of reset nodes
   std::optional<Spanned<bool>> simulate_delays;      // of the engine; default true
   std::optional<Spanned<bool>> sync;                 // of the engine; default true
-  EntitySpec engine;
+  EntitySpec engine;  // without a type: a graph of nodes alone has none
   std::vector<EntitySpec> objects;
   std::vector<EntitySpec> nodes;
   std::vector<ComponentSpec> actions;
@@ -109,6 +109,9 @@ struct GraphSpec {
   std::optional<SafetySpec> safety;
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
+  std::vector<Spanned<std::string>> allow;  // codes of warnings
+
+  [[nodiscard]] bool has_engine() const { return !engine.type.value.empty(); }
 };
 
 /// The table of the graph file.

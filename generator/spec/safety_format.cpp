@@ -13,7 +13,7 @@ const std::vector<SafetyDefault>& safety_defaults() {
 FormatPtr safety_format() {
   constexpr double kMost = 1'000'000;
   const FormatPtr count = format::integer("a number of instants", 1, kMost);
-  const FormatPtr time = format::decimal("a time in seconds", 0.0, false);
+  const FormatPtr time = format::time("a time in seconds");
   const FormatPtr values =
       format::one_of("a number, or a list with one number for each element",
                      {format::list("a list of numbers", format::number("a number"), 1),

@@ -1,12 +1,9 @@
-#include <algorithm>
+#include "generator/spec/schema.hpp"
 
-#include "generator/json/json.hpp"
-#include "generator/spec/format.hpp"
+#include <algorithm>
 
 namespace eagerx::gen {
 namespace {
-
-Json schema_of(const Format& format);
 
 void add_bounds(Json& schema, const Format& format) {
   if (format.low) schema[format.low_exclusive ? "exclusiveMinimum" : "minimum"] = *format.low;
@@ -34,12 +31,29 @@ Json record_schema(const Format& format) {
   return schema;
 }
 
-Json decimal_schema(const Format& format) {
+/// A fraction, and with a quantity any number with one of its units.
+std::string text_pattern(const Format& format) {
+  const bool fraction = format.kind == Format::Kind::decimal;
+  const std::string number = fraction ? "[0-9]+/[0-9]+" : "";
+  if (format.quantity == Quantity::none) return "^" + number + "$";
+  std::string units;
+  for (const std::string& unit : units_of(format.quantity))
+    units += (units.empty() ? "" : "|") + unit;
+  if (format.quantity == Quantity::time) units += "|\u00b5s|\u03bcs";
+  const std::string with_unit = "[-+]?(" + (fraction ? number + "|" : "") +
+                                "[0-9]*\\.?[0-9]+([eE][-+]?[0-9]+)?) *(" + units + ")";
+  return "^(" + (fraction ? number + "|" : "") + with_unit + ")$";
+}
+
+Json number_schema(const Format& format) {
   Json number = {{"type", "number"}};
   add_bounds(number, format);
-  const Json fraction = {{"type", "string"}, {"pattern", "^[0-9]+/[0-9]+$"}};
-  return {{"anyOf", Json::List{number, fraction}}};
+  if (format.kind == Format::Kind::number && format.quantity == Quantity::none) return number;
+  const Json text = {{"type", "string"}, {"pattern", text_pattern(format)}};
+  return {{"anyOf", Json::List{number, text}}};
 }
+
+}  // namespace
 
 Json schema_of(const Format& format) {
   static constexpr const char* kIdentifier = "^[A-Za-z][A-Za-z0-9_]*$";
@@ -60,10 +74,10 @@ Json schema_of(const Format& format) {
     case Format::Kind::keyword:
       return {{"enum", format.keywords}};
     case Format::Kind::decimal:
-      return decimal_schema(format);
-    case Format::Kind::integer:
-    case Format::Kind::number: {
-      Json schema = {{"type", format.kind == Format::Kind::integer ? "integer" : "number"}};
+    case Format::Kind::number:
+      return number_schema(format);
+    case Format::Kind::integer: {
+      Json schema = {{"type", "integer"}};
       add_bounds(schema, format);
       return schema;
     }
@@ -89,14 +103,15 @@ Json schema_of(const Format& format) {
   return Json::object();
 }
 
-}  // namespace
+std::string schema_text(const Json& schema, const std::string& title, const std::string& id) {
+  Json all = {
+      {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
+  for (const JsonMember& key : *schema.as<Json::Object>()) all[key.name] = key.value;
+  return dump_json(all) + "\n";
+}
 
 std::string json_schema(const Format& format, const std::string& title, const std::string& id) {
-  Json schema = {
-      {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
-  const Json rest = schema_of(format);
-  for (const JsonMember& key : *rest.as<Json::Object>()) schema[key.name] = key.value;
-  return dump_json(schema) + "\n";
+  return schema_text(schema_of(format), title, id);
 }
 
 }  // namespace eagerx::gen

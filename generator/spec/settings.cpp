@@ -19,15 +19,15 @@ std::optional<YamlValue> value_at(const YamlValue& yaml, std::string_view key) {
 
 ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& over) {
   if (over.window) base.window = over.window;
-  if (over.delay_s) base.delay_s = over.delay_s;
+  if (over.delay) base.delay = over.delay;
   if (over.max_delay) base.max_delay = over.max_delay;
   if (over.skip) base.skip = over.skip;
   if (over.processor) base.processor = over.processor;
   // A delay that is written replaces one that is drawn, and the other way round.
-  if (over.delay_s) base.random_delay.reset();
+  if (over.delay) base.random_delay.reset();
   if (over.random_delay) {
     base.random_delay = over.random_delay;
-    if (!over.delay_s) base.delay_s.reset();
+    if (!over.delay) base.delay.reset();
   }
   return base;
 }
@@ -38,8 +38,8 @@ std::optional<std::uint32_t> window_of(const ConnectionSettings& settings) {
   return count ? std::optional(static_cast<std::uint32_t>(*count)) : std::nullopt;
 }
 
-Rational delay_of(const ConnectionSettings& settings) {
-  return settings.delay_s ? settings.delay_s->value : Rational();
+std::optional<Rational> delay_of(const ConnectionSettings& settings) {
+  return settings.delay ? Rational::parse(settings.delay->text) : Rational();
 }
 
 bool skips(const ConnectionSettings& settings) {
@@ -93,7 +93,7 @@ ConnectionSettings read_connection_settings(const YamlValue& yaml, Diagnostics& 
   settings.window = value_at(yaml, "window");
   settings.max_delay = value_at(yaml, "max_delay");
   if (const YamlValue* delay = yaml.find("delay"); delay != nullptr && delay->is_scalar()) {
-    settings.delay_s = {Rational::parse(delay->text).value_or(Rational()), delay->span};
+    settings.delay = *delay;
   } else if (delay != nullptr) {
     settings.random_delay = read_random(*delay, diagnostics);
   }

@@ -41,11 +41,11 @@ struct RandomSpec {
 /// Settings of a connection. A manifest's port, the graph's port and the connection may each give
 /// some; `overlay` puts one on top of the other.
 struct ConnectionSettings {
-  std::optional<YamlValue> window;  // a number of messages; in manifests also `$(config NAME)`
-  std::optional<Spanned<Rational>> delay_s;
-  std::optional<RandomSpec> random_delay;  // drawn at every reset, in place of delay_s
-  std::optional<YamlValue> max_delay;      // a reset may change the delay up to these seconds; in
-                                           // manifests also `$(config NAME)`
+  // A number of messages, and seconds; in manifests also `$(…)`.
+  std::optional<YamlValue> window;
+  std::optional<YamlValue> delay;
+  std::optional<RandomSpec> random_delay;  // drawn at every reset, in place of `delay`
+  std::optional<YamlValue> max_delay;      // a reset may change the delay up to these seconds
   std::optional<Spanned<bool>> skip;
   std::optional<ProcessorSpec> processor;
 };
@@ -56,7 +56,8 @@ ConnectionSettings overlay(ConnectionSettings base, const ConnectionSettings& ov
 // What settings mean, with the default of what is not said.
 /// 1 if nothing is said; nullopt if it is a reference.
 std::optional<std::uint32_t> window_of(const ConnectionSettings& settings);
-Rational delay_of(const ConnectionSettings& settings);  // in seconds, 0 if nothing is said
+/// In seconds, 0 if nothing is said; nullopt if it is a reference.
+std::optional<Rational> delay_of(const ConnectionSettings& settings);
 bool skips(const ConnectionSettings& settings);
 
 // Of trees that `check` has accepted.

@@ -15,6 +15,15 @@ struct Channel {
   std::uint64_t size;  // elements of a message
   std::uint64_t rate_num, rate_den;  // [Hz]
   Publisher publisher;
+  const char* port = "";  // as graphs call it: "smooth.filtered", "pendulum.theta", "actions.u"
+  /// The bounds of its space, if it has any: in Graph::kBounds from `first` on, `bounds` of them,
+  /// one for all elements or one for each.
+  std::uint32_t first = 0, bounds = 0;
+};
+
+/// Inclusive, as in a Space. float32 is exact here; an int64 beyond 2^53 is rounded.
+struct Bounds {
+  double low, high;
 };
 
 }  // namespace eagerx

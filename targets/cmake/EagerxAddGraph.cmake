@@ -1,5 +1,7 @@
 # eagerx_add_graph(TARGET <name> GRAPH <file> [ENGINE <name>] [BOARD <target>] [PATHS <folder>...]
-#                  [SPLIT <names>=<board>] [OUTPUT <folder>])
+#                  [SPLIT <names>=<board>] [OUTPUT <folder>] [CHECK_ENTITIES])
+# eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [ENGINE <name>] [BOARD <target>] [PATHS <folder>...]
+#                  [OUTPUT <folder>] [CHECK_ENTITIES])
 #
 # Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
 # weight file changes.
@@ -8,7 +10,11 @@
 #           has, <name> is built in a build tree of its own with the board's toolchain file.
 #   SPLIT   nodes, `agent` or `controller` on that board, as `eagerx-gen --split`: <name> is the program of the rest,
 #           for BOARD, and <name>.board the board's image
+#   CHECK_ENTITIES  also compile the entities as boards do, `eagerx-gen check --compile`: the build fails where one has
+#           a heap, <cmath> or double arithmetic
 #   PATHS   your own folders of entities and targets, searched first
+#   LIBRARY <name> is no program but a library of headers for a main loop of your own, to link with: `#include
+#           "<graph's name>.hpp"`, which says how to use it. BOARD is then the board that the graph's engine needs, if any
 #   OUTPUT  where the generated sources go, <build>/<name>.eagerx without it
 # For boards there is also <name>.size: `eagerx-gen size` of the image, which fails when the `budget:` of the graph is
 # exceeded.
@@ -16,10 +22,13 @@
 include_guard(GLOBAL)
 
 function(eagerx_add_graph)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "TARGET;GRAPH;ENGINE;BOARD;SPLIT;OUTPUT" "PATHS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;ENGINE;BOARD;SPLIT;OUTPUT" "PATHS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
-                        "takes TARGET GRAPH [ENGINE] [BOARD] [SPLIT] [PATHS...] [OUTPUT]")
+                        "takes TARGET GRAPH [LIBRARY] [ENGINE] [BOARD] [SPLIT] [PATHS...] [OUTPUT] [CHECK_ENTITIES]")
+  endif()
+  if(arg_LIBRARY AND arg_SPLIT)
+    message(FATAL_ERROR "eagerx_add_graph: a split graph has no library: leave out LIBRARY or SPLIT")
   endif()
   if(NOT arg_TARGET OR NOT arg_GRAPH)
     message(FATAL_ERROR "eagerx_add_graph: TARGET and GRAPH are needed")
@@ -55,7 +64,11 @@ function(eagerx_add_graph)
     set(sources ${arg_OUTPUT}/host)
   endif()
   _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${arg_ENGINE}" "${arg_SPLIT}"
-                   "${paths}")
+                   "${paths}" ${arg_LIBRARY})
+  if(arg_LIBRARY)
+    _eagerx_library(${arg_TARGET} ${stamp} ${sources} "${paths}")
+    return()
+  endif()
   _eagerx_build(${arg_TARGET} ${stamp} ${sources} ${arg_BOARD} ${board_folder} "${toolchain}" ${arg_GRAPH}
                 "${arg_ENGINE}" "${paths}")
   if(arg_SPLIT)
@@ -76,6 +89,22 @@ function(_eagerx_build target stamp sources board board_folder toolchain graph e
       target_include_directories(${target} PRIVATE ${parent})
     endforeach()
   endif()
+  set_target_properties(${target} PROPERTIES EAGERX_SOURCES ${sources})
+endfunction()
+
+# Headers for programs of the user's own; whoever links with them waits for the generator.
+function(_eagerx_library target stamp sources paths)
+  add_custom_target(${target}.generate DEPENDS ${stamp})
+  add_library(${target} INTERFACE)
+  add_dependencies(${target} ${target}.generate)
+  target_include_directories(${target} INTERFACE ${sources})
+  foreach(path IN LISTS paths)
+    cmake_path(GET path PARENT_PATH parent) # headers are included as <folder/…>
+    target_include_directories(${target} INTERFACE ${parent})
+  endforeach()
+  # Which libraries the entities need is known when the graph has been read: EagerxLibraries.cmake writes these.
+  target_compile_options(${target} INTERFACE @${stamp}.cflags)
+  target_link_libraries(${target} INTERFACE eagerx::runtime -Wl,@${stamp}.libs)
   set_target_properties(${target} PROPERTIES EAGERX_SOURCES ${sources})
 endfunction()
 
@@ -114,9 +143,16 @@ endfunction()
 
 # The rule that runs the generator. Sources are written only when they change; the stamp always is. So the
 # stamp is the output, and whatever is compiled depends on it.
-function(_eagerx_generate stamp_variable target graph output sources board engine split paths)
+function(_eagerx_generate stamp_variable target graph output sources board engine split paths library)
   set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp)
-  set(options --target ${board} --depfile ${stamp}.d)
+  set(options --target ${board})
+  set(products ${sources}/CMakeLists.txt)
+  set(form)
+  if(library)
+    set(form --library)
+  else()
+    list(APPEND products ${sources}/${board}/main.cpp)
+  endif()
   if(engine)
     list(APPEND options --engine ${engine})
   endif()
@@ -126,10 +162,19 @@ function(_eagerx_generate stamp_variable target graph output sources board engin
   foreach(path IN LISTS paths)
     list(APPEND options --path ${path})
   endforeach()
+  set(check)
+  if(arg_CHECK_ENTITIES) # of the caller
+    set(check COMMAND)
+    if(NOT CMAKE_CROSSCOMPILING)
+      list(APPEND check ${CMAKE_COMMAND} -E env CXX=${CMAKE_CXX_COMPILER})
+    endif()
+    list(APPEND check $<TARGET_FILE:eagerx::eagerx-gen> check --compile ${graph} --quiet ${options})
+  endif()
   add_custom_command(
     OUTPUT ${stamp}
-    BYPRODUCTS ${sources}/CMakeLists.txt ${sources}/${board}/main.cpp
-    COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} --quiet ${options}
+    BYPRODUCTS ${products}
+    COMMAND eagerx::eagerx-gen generate ${graph} -o ${output} --quiet ${options} ${form} --depfile ${stamp}.d
+    ${check}
     COMMAND ${CMAKE_COMMAND} -DFOLDER=${sources} -DSTAMP=${stamp} -P ${EAGERX_TARGETS_DIR}/cmake/EagerxLibraries.cmake
     COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
     DEPENDS ${graph} eagerx::eagerx-gen $<TARGET_FILE:eagerx::eagerx-gen>

@@ -22,7 +22,13 @@ class CsvTable {
   using Action = typename Graph::Action;
   using Observation = typename Graph::Observation;
 
-  static void header(Writer& out, const Observation& observation) {
+  struct NoMore {
+    void operator()(Writer& /*out*/) const {}
+  };
+
+  /// `more(out)` writes the names of further columns, each behind a comma; in row(), their values.
+  template <class More = NoMore>
+  static void header(Writer& out, const Observation& observation, const More& more = {}) {
     out.text("episode,step,time_s");
     Graph::for_each_observation(
         observation, [&](const char* name, const auto& window, const auto&... /*space*/) {
@@ -36,12 +42,14 @@ class CsvTable {
     Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&...) {
       column_names(out, name, false, 0, message);
     });
+    more(out);
     out.text("\n");
   }
 
   /// `action` is null for the row of a reset.
+  template <class More = NoMore>
   static void row(Writer& out, std::uint32_t episode, Seq step, const Observation& observation,
-                  const Action* action) {
+                  const Action* action, const More& more = {}) {
     out.number(episode);
     out.text(",");
     out.number(step);
@@ -54,6 +62,7 @@ class CsvTable {
       for (std::size_t i = 0; i < missing * size_of<Message>; ++i) out.text(",");
     });
     action != nullptr ? action_elements(out, *action) : no_action_elements(out);
+    more(out);
     out.text("\n");
   }
 

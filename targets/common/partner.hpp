@@ -6,7 +6,6 @@
 #include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
 #include <new>
-#include <targets/common/guard.hpp>
 #include <targets/common/run.hpp>
 
 namespace eagerx::target {
@@ -39,13 +38,11 @@ typename Graph::Action decide(Agent agent, EpisodeKey key, Seq step,
 /// One episode after its reset. Returns when something else than a step is to be done: true, with
 /// `command`, or false when the session is over.
 template <class Graph, class Program, class Link>
-bool run_steps(Program& program, Link& link, [[maybe_unused]] Guard<Graph>& guard,
-               const link::Episode& episode, std::uint8_t& command) {
-  constexpr bool kGuards = Graph::Link::kBoardDecides && Graph::kSafety.declared;
+bool run_steps(Program& program, Link& link, const link::Episode& episode, std::uint8_t& command) {
   typename Graph::Observation observation = program.reset(Graph::draw(episode.key));
-  if constexpr (kGuards) guard.reset();
   for (Seq step = 0; link.get(command); ++step) {
-    const bool safe = kGuards && command == static_cast<std::uint8_t>(link::Command::safe_step);
+    const bool safe =
+        Graph::kSafety.declared && command == static_cast<std::uint8_t>(link::Command::safe_step);
     if (!safe && command != static_cast<std::uint8_t>(link::Command::step)) return true;
     std::uint8_t late = 0;
     if (!link.get(late)) return false;
@@ -53,23 +50,25 @@ bool run_steps(Program& program, Link& link, [[maybe_unused]] Guard<Graph>& guar
     if constexpr (Graph::Link::kBoardDecides) {
       const auto agent = static_cast<Agent>(episode.agent);
       if (!safe) action = decide<Graph>(agent, episode.key, step, observation, program);
-      if constexpr (kGuards) action = safe ? guard.stop() : guard.check(observation, action, late);
     }
-    observation = program.step(action);
+    if (safe) {
+      observation = step_safely<Graph>(program);
+    } else {
+      action = guarded(program, action, late);
+      observation = apply(program, action);
+    }
   }
   return false;
 }
 
 /// What a session counts on the board: everything that is not 0.
 template <class Graph, class Program, class Link>
-void report(const Program& program, Link& link, [[maybe_unused]] const Guard<Graph>& guard,
-            std::uint32_t stack_bytes) {
+void report(const Program& program, Link& link, std::uint32_t stack_bytes) {
   link::Report{stack_bytes, link.damaged()}.put(link);
   const auto put = [&](const char* name, std::uint64_t count) {
     if (count > 0) link::put_count(link, name, count);
   };
   for_each_fault(program, put);
-  if constexpr (Graph::Link::kBoardDecides && Graph::kSafety.declared) guard.for_each_count(put);
   link::end_counts(link);
 }
 
@@ -84,15 +83,14 @@ void serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
     program.~Program();
     ::new (static_cast<void*>(&program)) Program{};
     program.link = &link;
-    Guard<Graph> guard;
     std::uint8_t command = 0;
     bool goes_on = link.get(command);
     while (goes_on) {
       if (command == static_cast<std::uint8_t>(link::Command::reset)) {
         link::Episode episode;
-        goes_on = episode.get(link) && run_steps<Graph>(program, link, guard, episode, command);
+        goes_on = episode.get(link) && run_steps<Graph>(program, link, episode, command);
       } else if (command == static_cast<std::uint8_t>(link::Command::finish)) {
-        report<Graph>(program, link, guard, stack_bytes());
+        report<Graph>(program, link, stack_bytes());
         goes_on = link.get(command);
       } else {
         break;  // no host of this graph says so

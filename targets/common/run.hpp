@@ -85,12 +85,76 @@ bool is_linked(const Program& program) {
   }
 }
 
-/// Runs `plan`. `agent(key, step, observation)` gives an action. `watch` sees what happens:
+/// What is applied in place of what the agent wants. In a split graph, the program that has the
+/// agent has the guard.
+template <class Program, class Action>
+Action guarded(Program& program, const Action& wanted, std::uint64_t late_in_a_row) {
+  if constexpr (requires { program.guard; }) {
+    return program.guard.check(wanted, late_in_a_row);
+  } else {
+    return static_cast<void>(late_in_a_row), wanted;
+  }
+}
+
+/// A step with an action that the guard has seen, or that is repeated from a log.
+template <class Program, class Action>
+auto apply(Program& program, Action& action) {
+  if constexpr (requires { program.guard; }) {
+    return program.step_unguarded(action);
+  } else {
+    return program.step(action);
+  }
+}
+
+/// The end of a run before its time: the safe action, in the program that has the agent.
+template <class Graph, class Program>
+typename Graph::Observation step_safely(Program& program) {
+  if constexpr (requires { program.guard; }) {
+    return program.step_safely();
+  } else {
+    typename Graph::Action action{};
+    return program.step(action);
+  }
+}
+
+/// Before the first reset: a graph of nodes alone has nothing to start.
+template <class Program>
+void warm_up(Program& program) {
+  if constexpr (requires { program.warm_up(); }) program.warm_up();
+}
+template <class Program>
+void stop(Program& program) {
+  if constexpr (requires { program.stop(); }) program.stop();
+}
+/// Whether the program acts on the world itself.
+template <class Program>
+bool is_real(const Program& program) {
+  if constexpr (requires { program.is_real(); }) {
+    return program.is_real();
+  } else {
+    return false;
+  }
+}
+
+/// What an episode begins with: as the graph draws it, or as the watch wants.
+template <class Graph, class Watch>
+typename Graph::States states_of(Watch& watch, EpisodeKey key) {
+  if constexpr (requires { watch.states(key); }) {
+    return watch.states(key);
+  } else {
+    return Graph::draw(key);
+  }
+}
+
+/// Runs `plan`. `agent(key, step, observation)` gives an action, and the program's guard what is
+/// applied in its place. `watch` sees what happens:
 /// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
 /// `step` from 1, and ends the run before a step or an episode by returning false from
-/// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode. The
-/// run of a program with a link to another one ends when the link does, and `watch` does not see
-/// that step.
+/// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode; if it
+/// has `late_in_a_row()`, that is how many steps up to now were too late; if
+/// it has `states(key)`, that is what an episode begins with; if it has
+/// `is_over()`, an episode ends when that is true. The run of a program with
+/// a link to another one ends when the link does, and `watch` does not see that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
@@ -98,13 +162,19 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
     const EpisodeKey key{plan.seed, plan.environment, episode};
     if constexpr (requires { watch.begin(key); }) watch.begin(key);
     program.trace.episode(episode);
-    typename Graph::Observation observation = program.reset(Graph::draw(key));
+    typename Graph::Observation observation = program.reset(states_of<Graph>(watch, key));
     if (!is_linked(program)) return;
     watch.reset(episode, observation);
     for (std::uint64_t step = 0; step < plan.steps; ++step) {
       if (!watch.go_on()) return;
-      typename Graph::Action action = agent(key, step, observation);
-      observation = program.step(action);
+      if constexpr (requires { watch.is_over(); }) {
+        if (watch.is_over()) break;
+      }
+      const typename Graph::Action wanted = agent(key, step, observation);
+      std::uint64_t late = 0;
+      if constexpr (requires { watch.late_in_a_row(); }) late = watch.late_in_a_row();
+      typename Graph::Action action = guarded(program, wanted, late);
+      observation = apply(program, action);
       if (!is_linked(program)) return;
       watch.step(episode, step + 1, action, observation);
     }
@@ -119,6 +189,7 @@ void for_each_fault(const Program& program, F&& f) {
   if constexpr (requires { program.refused_delays(); })
     f("refused delays", program.refused_delays());
   if constexpr (requires { program.for_each_count(f); }) program.for_each_count(f);
+  if constexpr (requires { program.guard; }) program.guard.for_each_count(f);
 }
 
 /// The program object of a run. All-zero until its first reset, so it lives in .bss.

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <eagerx/float_environment.hpp>
 #include <eagerx/math/rounding_check.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
@@ -10,21 +11,21 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <targets/common/csv.hpp>
-#include <targets/common/guard.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/files.hpp>
+#include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/help.hpp>
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/pacer.hpp>
-#include <targets/linux-sim/progress.hpp>
 #include <targets/linux-sim/split.hpp>
+#include <targets/linux-sim/state_record.hpp>
+#include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <targets/linux-sim/text_file.hpp>
 #include <targets/linux-sim/trace_file.hpp>
+#include <targets/linux-sim/watch.hpp>
 #include <variant>
 
 // Called around the stepping of all episodes, if somebody defines them: tests link a guard that
@@ -35,83 +36,6 @@ extern "C" {
 }
 
 namespace eagerx::linux_sim {
-
-/// What watches a run: rows of the CSV, real time, the progress bar, Ctrl-C. Nothing here
-/// allocates.
-template <class Graph>
-class Watch {
- public:
-  using Action = typename Graph::Action;
-  using Observation = typename Graph::Observation;
-  using Table = target::CsvTable<Graph, TextFile>;
-
-  using Link = typename LinkOf<Graph>::Type;
-
-  Watch(const Options& options, TextFile& csv, TextFile& trace, Link& link)
-      : csv_(csv),
-        trace_(trace),
-        link_(link),
-        agent_(options.agent),
-        pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
-        progress_(options.plan.episodes * options.plan.steps, !options.quiet) {}
-
-  void begin(EpisodeKey key) {
-    if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
-  }
-  bool go_on() const {
-    stop_if_told();
-    return !interrupted() && !csv_.failed() && !trace_.failed();
-  }
-
-  void reset(std::uint32_t episode, const Observation& observation) {
-    pacer_.start();
-    if (episode == 0) {
-      began_ns_ = pacer_.start_ns();
-      progress_.start(began_ns_);
-    }
-    ++episodes_;
-    if (!csv_.is_open()) return;
-    if (episode == 0) Table::header(csv_, observation);
-    Table::row(csv_, episode, 0, observation, nullptr);
-  }
-
-  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
-    ++steps_;
-    if (csv_.is_open()) Table::row(csv_, episode, step, observation, &action);
-    progress_.step(steps_);
-    if (pacer_.paces()) pacer_.wait_for(step);
-  }
-
-  /// Whether there is something that a safe action could stop.
-  bool has_begun() const { return episodes_ > 0; }
-  std::uint64_t late_in_a_row() const { return pacer_.late_in_a_row(); }
-
-  void finish(Summary& summary) {
-    constexpr double kSecondsPerNs = 1e-9;
-    progress_.finish();
-    summary.episodes = episodes_;
-    summary.steps = steps_;
-    summary.simulated_s = static_cast<double>(steps_) * Graph::Rate::period_s;
-    if (episodes_ > 0) {
-      summary.elapsed_s = static_cast<double>(now_ns() - began_ns_) * kSecondsPerNs;
-    }
-    summary.paced = pacer_.paces();
-    summary.overruns = pacer_.overruns();
-    summary.worst_overrun_s = pacer_.worst_s();
-    summary.interrupted = interrupted();
-  }
-
- private:
-  TextFile& csv_;
-  TextFile& trace_;
-  Link& link_;
-  target::Agent agent_;
-  Pacer pacer_;
-  Progress progress_;
-  std::int64_t began_ns_ = 0;
-  std::uint64_t episodes_ = 0;
-  std::uint64_t steps_ = 0;
-};
 
 /// Prints `text` on the standard error and returns `exit_code`.
 inline int fail(const std::string& text, int exit_code) {
@@ -154,32 +78,30 @@ typename Graph::Action action_of(const Options& options, const ActionTable<Graph
 /// One run of a program whose trace is `Program`'s.
 template <class Graph, class Program>
 void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
-                 Watch<Graph>& watch, target::Guard<Graph>& guard) {
+                 Watch<Graph>& watch) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if constexpr (LinkOf<Graph>::kBoardDecides) {
       // The board has agent and guard, and the program gives back what they did.
       program.link->set_late(watch.late_in_a_row());
       return Graph::zero();
     }
-    if (step == 0) guard.reset();
-    const auto action = action_of<Graph>(options, table, key, step, observation, program);
-    return guard.check(observation, action, watch.late_in_a_row());
+    return action_of<Graph>(options, table, key, step, observation, program);
   };
-  program.warm_up();  // a library may need memory for it, and none afterwards
+  target::warm_up(program);  // a library may need memory for it, and none afterwards
   const MadeSafe<Program> made_safe(program);
   if (eagerx_run_begins != nullptr) eagerx_run_begins();
   target::run_episodes<Graph>(options.plan, program, agent, watch);
+  const bool ends_early = interrupted() || watch.left_space();
   if constexpr (requires { program.make_safe(); }) {
     // At once: a last step may wait for its instant, or for a board.
-    if (interrupted() && watch.has_begun() && program.is_real()) program.make_safe();
+    if (ends_early && watch.has_begun() && program.is_real()) program.make_safe();
   }
-  if (Graph::kSafety.declared && interrupted() && watch.has_begun() && target::is_linked(program)) {
-    typename Graph::Action action = guard.stop();
+  if (Graph::kSafety.declared && ends_early && watch.has_begun() && target::is_linked(program)) {
     if constexpr (LinkOf<Graph>::kBoardDecides) program.link->make_safe();
-    program.step(action);
+    target::step_safely<Graph>(program);
   }
   if (eagerx_run_ends != nullptr) eagerx_run_ends();
-  program.stop();
+  target::stop(program);
 }
 
 /// The agent's action, with what the log gives in its place.
@@ -198,17 +120,18 @@ typename Graph::Action replayed_action(const trace_log::Replay& replay, std::uin
 template <class Graph, class Program>
 void replay_episodes(const Options& options, const trace_log::Log& log,
                      const ActionTable<Graph>& table, Program& program, trace_log::Replay& replay) {
-  program.warm_up();
-  target::Guard<Graph> guard;
+  target::warm_up(program);
   for (std::uint32_t episode = 0; episode < log.episodes() && replay.go_on(); ++episode) {
     const EpisodeKey key{log.seed, log.environment, episode};
     program.trace.episode(episode);
-    guard.reset();
-    typename Graph::Observation observation = program.reset(Graph::draw(key));
+    typename Graph::States states = Graph::draw(key);
+    repeat_states<Graph>(log, episode, states);
+    typename Graph::Observation observation = program.reset(states);
     for (Seq step = 0; replay.go_on() && replay.has_step(episode); ++step) {
       const auto wanted = action_of<Graph>(options, table, key, step, observation, program);
-      const auto action = guard.check(observation, wanted, 0);  // the log tells no lateness
-      observation = program.step(replayed_action<Graph>(replay, episode, action));
+      const auto guarded = target::guarded(program, wanted, 0);  // the log tells no lateness
+      const auto action = replayed_action<Graph>(replay, episode, guarded);
+      observation = target::apply(program, action);
     }
     replay.end_episode(episode);
   }
@@ -223,13 +146,13 @@ inline std::string place_of(const Summary& summary) {
 /// Runs with everything checked and read; writes files and summary.
 template <class Graph>
 int run_with(const Options& options, const ActionTable<Graph>& table,
-             typename LinkOf<Graph>::Type& link) {
+             const StateSettings<Graph>& settings, typename LinkOf<Graph>::Type& link) {
   using Recorder = TraceRecorder<Graph>;
   TextFile csv;
   TextFile trace;
   const bool in_real_time =
       options.real_time_factor > 0.0 ||
-      target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>.is_real();
+      target::is_real(target::program_of_run<typename ProgramOf<Graph, Untraced<Graph>>::Type>);
   const Writing writing = in_real_time ? Writing::real_time : Writing::background;
   if (!open_output(csv, options.csv, writing) || !open_output(trace, options.trace, writing))
     return keep_earlier_files(csv, trace), kBadFile;
@@ -239,8 +162,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   }
   const std::string_view agent = target::name_of(options.agent);
 
-  Watch<Graph> watch(options, csv, trace, link);
-  target::Guard<Graph> guard;
+  Watch<Graph> watch(options, settings, csv, trace, link);
   std::uint64_t hash = 0;
   Summary summary;
   summary.graph = Graph::kName;
@@ -252,12 +174,8 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   const auto note = [&](const char* name, std::uint64_t count) {
     summary.faults.emplace_back(name, count);
   };
-  const auto note_faults = [&](const auto& program) {
-    target::for_each_fault(program, note);
-    // Where the board decides, its guard counts.
-    if (!LinkOf<Graph>::kBoardDecides) guard.for_each_count(note);
-  };
-  if (options.hash || trace.is_open()) {
+  const auto note_faults = [&](const auto& program) { target::for_each_fault(program, note); };
+  if (options.hash || trace.is_open() || measures_of_run.reads_messages()) {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Recorder>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
     if (trace.is_open()) {
@@ -265,17 +183,21 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
                            options.trace_time);
       program.trace.write_to(&trace, options.trace_time);
     }
-    run_program(options, table, program, watch, guard);
-    if (target::is_linked(program)) program.trace.write_end();
+    program.trace.measure();
+    run_program(options, table, program, watch);
+    if (target::is_linked(program) && calculates_as_everywhere()) program.trace.write_end();
     hash = program.trace.hash();
     note_faults(program);
   } else {
-    auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced>::Type>;
+    auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced<Graph>>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
-    run_program(options, table, program, watch, guard);
+    run_program(options, table, program, watch);
     note_faults(program);
   }
 
+  spaces_of_run<Graph>.for_each_count([&](const std::string& name, std::uint64_t count) {
+    summary.faults.emplace_back(name, count);
+  });
   watch.finish(summary);
   std::string broken;
   if constexpr (is_split<Graph>) {
@@ -291,13 +213,19 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   if (!watch.has_begun()) keep_earlier_files(csv, trace);
   const bool csv_closed = close_output(csv, options.csv);
   const bool trace_closed = close_output(trace, options.trace);
+  const bool is_right = calculates_as_everywhere();
   std::FILE* const out = options.csv == "-" || options.trace == "-" ? stderr : stdout;
   std::string text = options.quiet ? "" : summary_text(summary);
-  if (options.hash && broken.empty()) text += hash_line(hash);
+  if (options.hash && broken.empty() && is_right) text += hash_line(hash);
   const bool printed = text.empty() || print(out, text);
   if (!broken.empty()) fail(broken + "\n" + place_of(summary), kBadFile);
+  if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
+  if (watch.left_space())
+    fail("error: " + spaces_of_run<Graph>.first() + "\n" + place_of(summary), kLeftSpace);
   end_as_told();
   if (!broken.empty()) return kBadFile;
+  if (!is_right) return kSelfTestFailed;
+  if (watch.left_space()) return kLeftSpace;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
 }
 
@@ -309,7 +237,7 @@ int replay_log(const Options& options, const ActionTable<Graph>& table) {
   if (!log) return fail(problem, kBadFile);
   auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
   trace_log::Replay replay(*log, Graph::kChannels);
-  if (!replay.prepare(options.replay_given, program.is_real(), problem))
+  if (!replay.prepare(options.replay_given, target::is_real(program), problem))
     return fail(problem, kBadFile);
   program.trace.follow(&replay);
   replay_episodes<Graph>(options, *log, table, program, replay);
@@ -328,13 +256,13 @@ int identify(const Options& options) {
   auto& program = target::program_of_run<typename Graph::template Program<TraceRecorder<Graph>>>;
   const trace_log::Replay same(*log, Graph::kChannels);
   if (!same.fits(problem)) return fail(problem, kBadFile);
-  if (program.is_real() || requires { program.reset_timeouts(); }) {
+  if (target::is_real(program) || requires { program.reset_timeouts(); }) {
     return fail(
         "error: parameters are identified in the program of a simulation without reset nodes\n"
         "help: generate the graph for OdeEngine, with `--engine OdeEngine`",
         kBadUsage);
   }
-  program.warm_up();
+  target::warm_up(program);
   const int code = identify_with<Graph>(options, *log, program, problem);
   return problem.empty() ? code : fail(problem, code);
 }
@@ -356,13 +284,23 @@ int self_test() {
     Graph::kHasFastPolicy;
   }
   ? ", but for rounding (profile fast)" : "";
-  return print(stdout, "self-test: " + text + rounding + "\n") ? kDone : kBadFile;
+  return print(stdout, "self-test: " + text + rounding + "; denormal numbers are kept\n")
+             ? kDone
+             : kBadFile;
 }
 
 /// The main function: reads the command line, runs, returns the exit code (see --help).
 template <class Graph>
 int run(int argc, char** argv) {
   open_standard_files();
+  bool was_wrong = false;
+  if (!put_floats_right(was_wrong))
+    return fail("error: this processor does not keep denormal numbers", kSelfTestFailed);
+  if (was_wrong)
+    fail(
+        "note: denormal numbers were taken for zero, or numbers rounded otherwise, before this "
+        "program began; it has put that right. Usually it is linked with `-ffast-math`",
+        kDone);
   Options defaults;
   defaults.agent = target::default_agent<Graph>();
   defaults.action_file = Graph::kAgentCsv;
@@ -391,6 +329,15 @@ int run(int argc, char** argv) {
         "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions",
         kBadUsage);
   }
+  StateSettings<Graph> settings;
+  const std::string problem_of_settings =
+      is_split<Graph> && !options.settings.empty()
+          ? "error: the board draws its states itself\nhelp: leave out `--set`"
+          : settings.read(options.settings);
+  if (!problem_of_settings.empty()) return fail(problem_of_settings, kBadUsage);
+  const std::string problem_of_measures = measures_of_run.prepare(
+      options.until, options.measures, options.summary, readables_of<Graph>());
+  if (!problem_of_measures.empty()) return fail(problem_of_measures, kBadUsage);
   const std::string problem_of_files = problem_with_files(options);
   if (!problem_of_files.empty()) return fail(problem_of_files, kBadUsage);
 
@@ -426,7 +373,7 @@ int run(int argc, char** argv) {
     const std::string problem = connect<Graph>(link, options);
     if (!problem.empty()) return fail(problem, kBadFile);
   }
-  return run_with<Graph>(options, table, link);
+  return run_with<Graph>(options, table, settings, link);
 }
 
 }  // namespace eagerx::linux_sim

@@ -24,10 +24,11 @@ int show_help(const char* program_name, const Options& defaults) {
   auto& program = target::program_of_run<typename ProgramOf<Graph, HelpTrace, link::NoLink>::Type>;
   link::NoLink none;
   if constexpr (is_split<Graph>) program.link = &none;
-  program.trace.is_real = program.is_real();
+  program.trace.is_real = target::is_real(program);
   std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\n" +
-                     (program.is_real() ? "Runs" : "Simulates") + " the graph `" + Graph::kName +
-                     "` on " + Graph::kEngine + " at " + number_text(Graph::Rate::hz) + " Hz.\n\n";
+                     (target::is_real(program) ? "Runs" : "Simulates") + " the graph `" +
+                     Graph::kName + "` on " + Graph::kEngine + " at " +
+                     number_text(Graph::Rate::hz) + " Hz.\n\n";
   text += describe<Graph>(program.reset(Graph::draw(EpisodeKey{defaults.plan.seed, 0, 0})));
   text += "Options (defaults in brackets):\n" + options_help(defaults);
   return print(stdout, text) ? kDone : kBadFile;

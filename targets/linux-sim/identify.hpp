@@ -50,11 +50,12 @@ const std::vector<double>& repeat_log(const trace_log::Log& log, Program& progra
                                       const identification::Trial& trial, bool plain) {
   experiment.begin(plain ? nullptr : &trial);
   const typename Graph::States states = states_of<Graph>(trial);
+  const typename Graph::Action zero = Graph::zero();
   for (std::uint32_t episode = 0; episode < log.episodes(); ++episode) {
     experiment.episode(episode);
     program.reset(states);
     const std::uint64_t steps = experiment.steps(episode);
-    for (std::uint64_t step = 0; step < steps; ++step) program.step(Graph::zero());
+    for (std::uint64_t step = 0; step < steps; ++step) target::apply(program, zero);
   }
   return experiment.residuals();
 }

@@ -2,8 +2,8 @@
 #include <array>
 #include <charconv>
 #include <limits>
-#include <numeric>
 #include <optional>
+#include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <vector>
 
@@ -107,6 +107,27 @@ bool set_link_timeout(Options& options, std::string_view value) {
   constexpr double kLongest = 1e6;
   return parse_number(value, 0.0, options.link_timeout_s) && options.link_timeout_s <= kLongest;
 }
+bool set_csv_states(Options& options, std::string_view) {
+  return options.csv_states = true;
+}
+bool set_until(Options& options, std::string_view value) {
+  options.until = value;
+  return !value.empty();
+}
+bool set_measure(Options& options, std::string_view value) {
+  options.measures.emplace_back(value);
+  return !value.empty();
+}
+bool set_summary(Options& options, std::string_view) {
+  return options.summary = true;
+}
+bool set_state(Options& options, std::string_view value) {
+  options.settings.emplace_back(value);
+  return true;
+}
+bool set_strict_spaces(Options& options, std::string_view) {
+  return options.strict_spaces = true;
+}
 bool set_hash(Options& options, std::string_view) {
   return options.hash = true;
 }
@@ -146,6 +167,8 @@ constexpr std::array kOptions{
            "policy, zero, random or FILE.csv", set_agent},
     Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, one row a step",
            set_csv},
+    Option{"--csv-states", "", "", "add columns with the states that each episode begins with",
+           set_csv_states},
     Option{"--trace", "FILE", "a file name or `-`", "write every message, one line each",
            set_trace},
     Option{"--trace-time", "", "", "add the time of sending to each message of the trace",
@@ -176,6 +199,18 @@ constexpr std::array kOptions{
     Option{"--link-timeout", "S", "a number from 0 to 1000000",
            "end the run after so many seconds without an answer of the board", set_link_timeout,
            true},
+    Option{"--set", "STATE=VALUE", "such as `pendulum.mass=0.1` or `pendulum.mass=uniform:0.1,0.2`",
+           "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; may be "
+           "repeated",
+           set_state},
+    Option{"--until", "CONDITION", "a condition such as `abs(pendulum.theta) > 1`",
+           "end an episode after the first step at which this holds", set_until},
+    Option{"--measure", "NUMBER", "an expression such as `abs(pendulum.theta)`",
+           "tell mean, deviation and worst of this over all steps; may be repeated", set_measure},
+    Option{"--summary", "", "", "tell mean, deviation, least and most over all episodes",
+           set_summary},
+    Option{"--strict-spaces", "", "", "end the run with the first message that is out of its space",
+           set_strict_spaces},
     Option{"--self-test", "", "", "only compare the policy's answers with known ones",
            set_self_test},
     Option{"--quiet", "", "", "no summary and no progress bar", set_quiet},
@@ -184,7 +219,8 @@ constexpr std::array kOptions{
 };
 
 /// The first option does nothing without the second.
-constexpr std::array<std::array<std::string_view, 2>, 6> kNeeds{{
+constexpr std::array<std::array<std::string_view, 2>, 7> kNeeds{{
+    {"--csv-states", "--csv"},
     {"--trace-time", "--trace"},
     {"--replay-given", "--replay"},
     {"--identify-out", "--identify"},
@@ -194,23 +230,9 @@ constexpr std::array<std::array<std::string_view, 2>, 6> kNeeds{{
 }};
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
-constexpr std::array<std::string_view, 6> kNotWithLogs{
-    "--csv", "--trace", "--seed", "--episodes", "--environment", "--real-time-factor"};
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row.back();
-}
+constexpr std::array<std::string_view, 10> kNotWithLogs{
+    "--set",   "--until", "--measure",  "--summary",     "--csv",
+    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor"};
 
 std::string nearest_option(std::string_view name) {
   constexpr std::size_t kLongestTypo = 3;
@@ -324,8 +346,8 @@ Ctrl-C, and every other signal that would end the program but SIGKILL, ends the 
 current slot of a reset that waits for something, with files complete and the summary; a second Ctrl-C more than a second
 later ends it at once. Ctrl-Z makes actuators safe first. Nothing can be done about SIGKILL and SIGSTOP.
 
-Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test or diverged from the log, 2 wrong
-usage, 3 cannot read or write.
+Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test, diverged from the log or out of a
+space that is strict, 2 wrong usage, 3 cannot read or write.
 )";
 }
 

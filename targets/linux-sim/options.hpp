@@ -6,6 +6,7 @@
 #include <string_view>
 #include <targets/common/run.hpp>
 #include <variant>
+#include <vector>
 
 namespace eagerx::linux_sim {
 
@@ -14,6 +15,7 @@ inline constexpr int kDone = 0;
 inline constexpr int kBadActions = 1;
 inline constexpr int kSelfTestFailed = 1;
 inline constexpr int kDiverged = 1;
+inline constexpr int kLeftSpace = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kBadFile = 3;
 
@@ -39,6 +41,12 @@ struct Options {
   std::string link;
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
+  bool strict_spaces = false;
+  bool csv_states = false;
+  std::string until;  // a condition; empty: none
+  std::vector<std::string> measures;
+  bool summary = false;
+  std::vector<std::string> settings;  // of states: NAME=VALUE
   bool hash = false;
   bool quiet = false;
   bool help = false;

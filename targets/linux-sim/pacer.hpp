@@ -29,6 +29,8 @@ class PacerOn {
         max_lateness_ns_(max_lateness_ns) {}
 
   bool paces() const { return period_ns_ > 0.0; }
+  /// Whether a step takes so long that nothing should wait for the next one.
+  bool is_slow() const { return period_ns_ > kNsPerSecond / 4; }
   /// An episode begins: its reset took as long as it took.
   void start() {
     start_ns_ = due_ns_ = Clock::now_ns();

@@ -45,6 +45,7 @@ std::string summary_text(const Summary& summary) {
   for (const auto& [name, count] : summary.faults) {
     if (count > 0) add(text, name, std::to_string(count));
   }
+  for (const auto& [name, value] : summary.states) add(text, "state " + name, value);
   for (const auto& [name, value] : summary.more) add(text, name, value);
   if (summary.interrupted) text += "interrupted\n";
   return text;

@@ -21,6 +21,7 @@ struct Summary {
   std::uint64_t overruns = 0;
   double worst_overrun_s = 0.0;
   std::vector<std::pair<std::string, std::uint64_t>> faults;  // that the program has counted
+  std::vector<std::pair<std::string, std::string>> states;    // that the episodes began with
   std::vector<std::pair<std::string, std::string>> more;      // lines at the end
   bool interrupted = false;
 };

@@ -15,6 +15,11 @@
 #include <utility>
 
 namespace eagerx::linux_sim {
+namespace {
+
+constexpr int kIdleMs = 500;
+
+}  // namespace
 
 TextFile::~TextFile() {
   close();
@@ -148,7 +153,8 @@ bool TextFile::wait_for_room() {
 
 void TextFile::write_in_background() {
   for (std::size_t i = 0;; i = (i + 1) % kBackgroundBuffers) {
-    full_.acquire();
+    while (!full_.try_acquire_for(std::chrono::milliseconds(kIdleMs))) is_due_ = true;
+    is_due_ = false;
     if (buffers_[i].used == 0) return;
     write(buffers_[i]);
     if (failed()) return;

@@ -49,6 +49,11 @@ class TextFile {
   int error() const { return error_.load(std::memory_order_relaxed); }
 
   void text(std::string_view text);
+  /// Behind a complete row: what there is goes into the file `now`, or if nothing did for half a
+  /// second. A program that is killed leaves it there.
+  void hand_on(bool now) {
+    if (used_ > 0 && (now || is_due_.load(std::memory_order_relaxed))) flush();
+  }
 
   /// A number so that it reads back to the same bits: the shortest decimal; "nan" for every NaN.
   template <class T>
@@ -96,6 +101,7 @@ class TextFile {
   Writing writing_ = Writing::direct;
   std::size_t most_at_once_ = 0;
   std::atomic<int> error_ = 0;
+  std::atomic<bool> is_due_ = false;
   std::counting_semaphore<> full_{0};
   std::counting_semaphore<> empty_{0};
   std::thread writer_;

@@ -10,14 +10,22 @@
 #include <runtime/host/trace/replay.hpp>
 #include <string_view>
 #include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
 
-/// No trace, but an end to resets that wait when there was a signal, or a stop.
+/// No trace, but messages out of their spaces are counted, and a reset that waits ends when there
+/// was a signal, or a stop.
+template <class Graph>
 struct Untraced : NoTrace {
   static bool is_interrupted() { return stop_if_told(), interrupted(); }
+  template <class Message>
+  void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+    spaces_of_run<Graph>.see(channel, seq, message);
+  }
 };
 
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
@@ -34,6 +42,8 @@ class TraceRecorder {
     start_ns_ = now_ns();
     timed_ = timed;
   }
+  /// Expressions see the messages.
+  void measure() { measures_ = measures_of_run.reads_messages(); }
   void follow(trace_log::Replay* replay) { replay_ = replay; }
   /// Every run is one of the experiment's from now on.
   void measure(identification::Experiment* experiment) { experiment_ = experiment; }
@@ -52,6 +62,8 @@ class TraceRecorder {
   [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, Message& message) {
     if (experiment_ != nullptr) return experiment_->message(channel, seq, message);
     if (replay_ != nullptr) replay_->message(channel, episode_, seq, message);
+    spaces_of_run<Graph>.see(channel, seq, message);
+    if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
     hash_(channel, seq, message);
     if (file_ != nullptr) write(channel, seq, message);
   }
@@ -83,6 +95,7 @@ class TraceRecorder {
   std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;
   bool timed_ = false;
+  bool measures_ = false;
 };
 
 }  // namespace eagerx::linux_sim

@@ -368,7 +368,7 @@ bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
     return false;
   };
   if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {
-    return fail("with another number of means than of variances");
+    return fail("with different numbers of means and variances");
   }
   for (std::size_t i = 0; i < statistics.mean.size(); ++i) {
     if (!std::isfinite(statistics.mean[i]) || !std::isfinite(statistics.variance[i])) {

@@ -341,11 +341,12 @@ class Layouts {
   std::optional<ActorLayout> only_sequence() {
     if (auto layout = around_memory()) return layout;
     if (sequences_.empty()) {
-      return refuse(problem_, "E0624",
-                    fmt::format("has no actor among its {} tensors", table_.tensors.size()),
-                    "known are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN) and "
-                    "sb3-contrib (ARS, CrossQ, QR-DQN, RecurrentPPO, TQC, TRPO), rsl_rl, rl_games, "
-                    "skrl, CleanRL, and one torch `Sequential` alone");
+      return refuse(
+          problem_, "E0624",
+          fmt::format("has no actor among its {} tensors", table_.tensors.size()),
+          "known actors are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN) and "
+          "sb3-contrib (ARS, CrossQ, QR-DQN, RecurrentPPO, TQC, TRPO), rsl_rl, rl_games, "
+          "skrl, CleanRL, and one torch `Sequential` alone");
     }
     const std::string critic = sequences_.begin()->first;
     std::erase_if(sequences_, [](const auto& item) { return is_critic(item.first); });

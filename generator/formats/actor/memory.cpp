@@ -87,11 +87,12 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
   const std::vector<std::size_t> places = places_of(table, layout, inputs, hidden);
   const auto place = place_of(layout, places);
   if (!place && places.size() > 1) {
-    problem = {"E0625",
-               fmt::format("has a memory `{}` from {} to {} values, which fits before and behind "
-                           "other layers",
-                           printable(base), inputs, hidden),
-               "export the actor to ONNX, which says in which order they are"};
+    problem = {
+        "E0625",
+        fmt::format("has a memory `{}` from {} to {} values, which fits both before and behind "
+                    "other layers",
+                    printable(base), inputs, hidden),
+        "export the actor to ONNX, which says in which order they are"};
     return false;
   }
   if (!place) {
@@ -140,7 +141,7 @@ std::optional<Layer> recurrent_layer(const TensorTable& table, const std::string
   if (rows % outputs != 0 || (gates != 3 && gates != 4) || reverse != nullptr ||
       projection != nullptr) {
     return refuse(problem, "E0628",
-                  fmt::format("has a memory `{}` that is no plain GRU or LSTM", printable(base)),
+                  fmt::format("has a memory `{}` that is not a plain GRU or LSTM", printable(base)),
                   "supported are torch's GRU and LSTM, in one direction and without projection");
   }
   Layer layer;

@@ -111,10 +111,10 @@ bool add_convolution(const ActorParts& parts, const std::string& base, std::uint
 
 bool add_nature_cnn(const ActorParts& parts, const std::string& prefix) {
   if (!parts.facts.image || !is_image_size(*parts.facts.image)) {
-    return parts.fail(
-        "E0628",
-        fmt::format("takes images (`{}cnn`), but does not say of which size", printable(prefix)),
-        "give Stable-Baselines3's zip, or export the actor to ONNX");
+    return parts.fail("E0628",
+                      fmt::format("takes images (`{}cnn`), but does not say how large they are",
+                                  printable(prefix)),
+                      "give Stable-Baselines3's zip, or export the actor to ONNX");
   }
   std::array<std::uint32_t, 3> shape{};
   for (std::size_t i = 0; i < shape.size(); ++i) {
@@ -211,7 +211,7 @@ bool average_quantiles(const ActorParts& parts) {
   Layer& layer = parts.network.layers.back();
   const std::int64_t actions = parts.facts.actions.value_or(0);
   if (actions < 1) {
-    return parts.fail("E0628", "gives quantiles, but does not say of how many actions",
+    return parts.fail("E0628", "gives quantiles, but does not say for how many actions",
                       "give Stable-Baselines3's zip, or export the actor to ONNX");
   }
   if (!layer.is_dense() || layer.norm || layer.outputs % actions != 0) {

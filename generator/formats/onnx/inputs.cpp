@@ -47,7 +47,7 @@ std::optional<Dims> input_shape(const onnx::ValueInfoProto& input, bool has_memo
     const bool batch = i == 0 && rank > 1;
     const bool time = has_memory && rank == 3 && i <= 1;
     if ((batch || time) && dim.has_dim_value() && dim.dim_value() > 1) {
-      return fail(fmt::format("with a batch of {}: one observation at a time is evaluated",
+      return fail(fmt::format("with a batch of {}: only one observation at a time can be evaluated",
                               dim.dim_value()));
     }
     if (!batch && !time && dim.dim_value() < 1) return fail("of unknown size");
@@ -72,7 +72,7 @@ std::optional<OnnxValue> state_value(const onnx::ValueInfoProto& input, PolicyPr
                     size(1) <= 1 && size(2) >= 1 && size(2) <= kMaxValues;
   if (!fits) {
     return refuse(problem, "E0608",
-                  fmt::format("has input `{}`, which is no state: [layers, 1, values]",
+                  fmt::format("has input `{}`, which is not a state: [layers, 1, values]",
                               printable(input.name())),
                   "export the actor with the observation first, then its states");
   }

@@ -141,7 +141,7 @@ class LayerBuilder {
   bool add(const OnnxNorm& norm) {
     if (!(norm.epsilon >= 0.0F)) {
       return fail("E0616",
-                  fmt::format("has a LayerNorm whose epsilon is no number (node `{}`)", node_),
+                  fmt::format("has a LayerNorm whose epsilon is not a number (node `{}`)", node_),
                   "export the actor again");
     }
     LayerNorm result{std::vector<float>(count_, 1.0F), std::vector<float>(count_, 0.0F),

@@ -33,8 +33,8 @@ std::optional<onnx::ModelProto> parse(std::string_view bytes, PolicyProblem& pro
   const bool onnx_like = bytes.front() == kIrVersionTag;
   const bool is_small = is_onnx_of_few_parts(bytes);
   if (!is_small && onnx_like) {
-    return refuse(problem, "E0619", "has more parts than an ONNX network can need",
-                  "use a smaller network, or look where the file is from");
+    return refuse(problem, "E0619", "has more parts than any ONNX network needs",
+                  "use a smaller network, or check where the file comes from");
   }
   onnx::ModelProto model;
   const bool parsed = is_small &&

@@ -134,7 +134,7 @@ class Reader {
     std::string whole = fmt::format("{}.{}", module, name);
     if (!is_known_in_pickles(whole, known_)) {
       problem_ = {"E0622", fmt::format("has a pickle that imports `{}`", printable(whole)),
-                  "nothing of it was run: only tensors, arrays and plain values are read; do not "
+                  "it was not run: only tensors, arrays and plain values are read; do not "
                   "open files from strangers in Python"};
       return false;
     }
@@ -159,7 +159,8 @@ class Reader {
     PickleValue object;
     object.kind = Kind::object;
     if (!pop(object.arguments) || !pop(object.function)) return false;
-    if (value(object.function).kind != Kind::name) return fail("calls what is not a function");
+    if (value(object.function).kind != Kind::name)
+      return fail("calls something that is not a function");
     return push(std::move(object));
   }
   bool build() {

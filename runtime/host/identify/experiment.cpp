@@ -16,6 +16,30 @@ bool is_among(std::string_view name, std::string_view list) {
   return false;
 }
 
+/// The first of the names that is no sensor with messages in the log, and those that are. Empty if
+/// there is none such name.
+std::string wrong_name(const trace_log::Log& log, std::span<const Channel> channels,
+                       std::string_view names) {
+  const auto is_sensor = [&](const Channel& channel) {
+    return channel.publisher == Publisher::engine_node && log.channel(channel.name).has_value();
+  };
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(','));
+    names.remove_prefix(std::min(name.size() + 1, names.size()));
+    std::string known;
+    bool found = false;
+    for (const Channel& channel : channels) {
+      if (!is_sensor(channel)) continue;
+      found = found || name == channel.name;
+      known += (known.empty() ? "" : ", ") + std::string(channel.name);
+    }
+    if (!found)
+      return log.path + ": error: the log has no messages of a sensor `" + std::string(name) +
+             "`\nhelp: its sensors are " + (known.empty() ? "none" : known);
+  }
+  return {};
+}
+
 }  // namespace
 
 bool Experiment::prepare(const trace_log::Log& log, std::span<const Channel> channels,
@@ -45,6 +69,8 @@ bool Experiment::prepare(const trace_log::Log& log, std::span<const Channel> cha
     if (message.seq == 0) rows.clear();  // of the reset routine
     if (message.seq == rows.size()) rows.push_back(row);
   }
+  problem = wrong_name(log, channels, sensors);
+  if (!problem.empty()) return false;
   if (counting == 0) {
     problem = log.path + ": error: the log has no message of a sensor of this program";
     return false;

@@ -158,7 +158,7 @@ std::string Identification::report(const trace_log::Log& log,
             (parameter.is_scalar ? "" : "[" + std::to_string(parameter.element) + "]") + ": ";
     const double half = (parameter.high - parameter.low) / 2;
     if (!parameter.matters) {
-      text += "the sensors do not depend on it\n";
+      text += "the sensors above do not depend on it\n";
       continue;
     }
     text += number(parameter.value) + " +- " + number(parameter.deviation);

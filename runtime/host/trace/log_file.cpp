@@ -197,10 +197,34 @@ class Reader {
   bool read_rows() {
     while (next()) {
       if (text_.starts_with("# end ")) return read_end(text_.substr(6));
+      if (text_.starts_with("# state ")) {
+        if (!read_state(text_.substr(8))) return false;
+        continue;
+      }
+      if (text_.starts_with("# ")) continue;  // what a later version may add
       if (!read_row()) return false;
     }
     if (cut_) ++line_;
     return true;  // ended early
+  }
+
+  /// EPISODE NAME VALUE,…
+  bool read_state(std::string_view fact) {
+    RecordedState state;
+    const std::size_t first = fact.find(' ');
+    const std::size_t last = fact.rfind(' ');
+    if (first == last || !parse(fact.substr(0, first), state.episode))
+      return fail(fact, "a state is `episode name values`, not " + shown(fact));
+    state.name = fact.substr(first + 1, last - first - 1);
+    std::string_view rest = fact.substr(last + 1);
+    std::string_view cell;
+    while (take(rest, cell)) {
+      double value = 0.0;
+      if (!parse(cell, value)) return fail(cell, shown(cell) + " is not a number");
+      state.values.emplace_back(cell);
+    }
+    log_.states.push_back(std::move(state));
+    return true;
   }
 
   bool read_row() {

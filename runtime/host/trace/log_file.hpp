@@ -48,6 +48,13 @@ struct Row {
   std::uint32_t episode = 0;
 };
 
+/// What a state of an episode began with, as written: numbers in decimal.
+struct RecordedState {
+  std::uint32_t episode = 0;
+  std::string name;  // "pendulum/mass"
+  std::vector<std::string> values;
+};
+
 struct Log {
   std::string path, graph, engine, agent;
   std::uint64_t seed = 0;
@@ -55,6 +62,7 @@ struct Log {
   std::vector<RecordedChannel> channels;
   std::vector<Row> rows;  // in the order of the file
   std::vector<std::uint64_t> values;
+  std::vector<RecordedState> states;
   bool timed = false;
   bool complete = false;   // has its last line; otherwise it ended early
   std::uint64_t hash = 0;  // if complete

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/float_environment.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
 #include <string_view>
@@ -14,7 +15,6 @@
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/csv.hpp>
-#include <targets/common/guard.hpp>
 #include <targets/common/pace.hpp>
 #include <targets/common/run.hpp>
 #include <type_traits>
@@ -175,6 +175,7 @@ class Watch {
 
   bool go_on() const { return !too_late(); }
   /// Only slots with deadlines are ever late.
+  std::uint64_t late_in_a_row() const { return trace_.too_late_in_a_row(typename Graph::Rate{}); }
   bool too_late() const { return trace_.timing().late_in_a_row >= late_limit_; }
   void reset(std::uint32_t episode, const Observation& observation) const {
     if (!csv_) return;
@@ -265,6 +266,10 @@ int run(const char* board) {
   const int usage = read_options(options, Graph::kHasPolicy);
   console.send_to(options.output);
   if (usage != kDone) return console.flush(), usage;
+  if (!calculates_as_everywhere()) {
+    console.text("error: this board does not keep denormal numbers, or rounds otherwise\n");
+    return console.flush(), kSelfTestFailed;
+  }
   if (!Graph::self_test()) {
     console.text("error: this board's answers of the policy differ from the generator's\n");
     return console.flush(), kSelfTestFailed;
@@ -281,18 +286,14 @@ int run(const char* board) {
   program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();
   Watch<Graph> watch(options, program.trace);
-  target::Guard<Graph> guard;
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
-    if (step == 0) guard.reset();
-    const auto action = target::act<Graph>(options.agent, key, step, observation, program);
-    return guard.check(observation, action,
-                       program.trace.too_late_in_a_row(typename Graph::Rate{}));
+    return target::act<Graph>(options.agent, key, step, observation, program);
   };
   target::run_episodes<Graph>(options.plan, program, agent, watch);
   const bool too_late = watch.too_late();
-  if (too_late) program.step(guard.stop());
+  if (too_late) target::step_safely<Graph>(program);
   if constexpr (kTraces) program.trace.print_end();
-  program.stop();
+  target::stop(program);
 
   print("graph", Graph::kName);
   print("engine", Graph::kEngine);
@@ -307,7 +308,6 @@ int run(const char* board) {
     if (count > 0) print(name, count);
   };
   target::for_each_fault(program, print_count);
-  if constexpr (Graph::kSafety.declared) guard.for_each_count(print_count);
   if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);
   if (too_late)
     print("error: stopped with the safe action, late slots in a row:", options.late_limit);

@@ -54,8 +54,9 @@ template <std::uint32_t Size>
 
 graphs::GRAPH::Program<eagerx::NoTrace> program;
 
+/// The schedule alone: the guard of an action takes 2 to 3 instructions more.
 [[gnu::noinline]] void step(std::uint32_t drive) {
-  asm volatile("" ::"r"(program.step({drive}).seen.back()));
+  asm volatile("" ::"r"(program.step_unguarded({drive}).seen.back()));
 }
 
 }  // namespace

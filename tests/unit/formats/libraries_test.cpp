@@ -171,7 +171,7 @@ TEST(NatureCnn, NeedsTheSizeOfTheImage) {
   tensors.push_back({"features_extractor.cnn.0.weight", {1, 1, 8, 8}, std::vector<float>(64)});
   const Diagnostic diagnostic = read_bad(safetensors(tensors));
   EXPECT_EQ(diagnostic.code, "E0628");
-  EXPECT_THAT(diagnostic.message, HasSubstr("does not say of which size"));
+  EXPECT_THAT(diagnostic.message, HasSubstr("does not say how large they are"));
 }
 
 /// The problem with the NatureCNN in `tensors` for images of `shape`.
@@ -212,7 +212,7 @@ TEST(Statistics, OfQuantilesOneMustKnowTheActions) {
   add_linear(tensors, "quantile_net.quantile_net.0", 3, 6);
   const Diagnostic diagnostic = read_bad(safetensors(tensors));
   EXPECT_EQ(diagnostic.code, "E0628");
-  EXPECT_THAT(diagnostic.message, HasSubstr("of how many actions"));
+  EXPECT_THAT(diagnostic.message, HasSubstr("for how many actions"));
 }
 
 TEST(Statistics, ComeInPairs) {

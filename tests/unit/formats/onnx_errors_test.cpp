@@ -73,7 +73,7 @@ TEST(OnnxErrors, OtherFormatsAreNamed) {
 
 TEST(OnnxErrors, GarbageIsNotOnnx) {
   expect_named(read_bad("name: pendulum\nrate: 30\n"), "E0603", "is a text file");
-  expect_named(read_bad(std::string(1000, '\xff')), "E0603", "is not an ONNX file");
+  expect_named(read_bad(std::string(1000, '\xff')), "E0603", "in none of the formats");
 }
 
 TEST(OnnxErrors, TruncatedFile) {
@@ -202,7 +202,7 @@ TEST(OnnxErrors, OperatorUsedInAWayThatIsNotALayer) {
   builder = test::two_layers();
   builder.add_node("Add", {"action", "h1"}, "more");
   builder.graph().mutable_output(0)->set_name("more");
-  expect_named(read_bad(builder.bytes()), "E0613", "of a value that is no constant");
+  expect_named(read_bad(builder.bytes()), "E0613", "of a value that is not constant");
   builder = test::two_layers();
   builder.add_tensor("zero", {}, {0});
   builder.add_node("Div", {"action", "zero"}, "more");
@@ -211,7 +211,7 @@ TEST(OnnxErrors, OperatorUsedInAWayThatIsNotALayer) {
   builder = test::two_layers();
   builder.add_node("Erf", {"action"}, "more");
   builder.graph().mutable_output(0)->set_name("more");
-  expect_named(read_bad(builder.bytes()), "E0613", "no part of a LayerNorm or a gelu");
+  expect_named(read_bad(builder.bytes()), "E0613", "not a part of a LayerNorm or a gelu");
 }
 
 TEST(OnnxErrors, DimensionsThatDoNotFitTheData) {

@@ -249,5 +249,78 @@ TEST(Condition, RandomTexts) {
   EXPECT_GT(read, 200U);
 }
 
+KnownReferences references() {
+  return {{"config limit", Rational(5, 2)},
+          {"config rate", std::int64_t{30}},
+          {"config list", std::vector<ConditionNumber>{std::int64_t{4}, Rational(1, 2)}},
+          {"config list 0", std::int64_t{4}},
+          {"config large", 1e300},
+          {"config name", std::string("me")},
+          {"config missing", std::nullopt},
+          {"size list", std::int64_t{2}},
+          {"sensors theta rate", std::int64_t{60}}};
+}
+
+/// The number as text, or what is wrong.
+std::string computed(const std::string& text) {
+  Diagnostics diagnostics;
+  const YamlValue yaml = scalar(text, false);
+  EXPECT_TRUE(is_expression(yaml)) << text;
+  const auto expression = read_expression(yaml, references(), diagnostics);
+  if (!expression) return diagnostics.all().front().message;
+  Facts known;
+  for (const auto& [name, value] : references()) {
+    if (value) known[name] = *value;
+  }
+  const auto value = evaluate(*expression, known);
+  return value ? to_string(*value) : "unknown";
+}
+
+TEST(Expression, ComputesExactly) {
+  for (const auto& [text, expected] : {std::pair{"-$(config limit)", "-2.5"},
+                                       {"$(1 / config rate)", "1/30"},
+                                       {"$(2 * config limit)", "5"},
+                                       {"2 * $(config limit)", "5"},
+                                       {"$(config limit) - $(config rate)", "-27.5"},
+                                       {"-(2 + $(config rate)) / $(size list)", "-16"},
+                                       {"$(0.1 + 0.2)", "0.3"},
+                                       {"$(config list 0 * config limit)", "10"},
+                                       {"$(max(config list) - min(config list))", "3.5"},
+                                       {"$(len(config list))", "2"},
+                                       {"$(sensors theta rate / 4)", "15"},
+                                       {"$(3 * config large)", "3e+300"},
+                                       {"$(9223372036854775807 + 1)", "9.223372036854776e+18"}}) {
+    EXPECT_EQ(computed(text), expected) << text;
+  }
+}
+
+TEST(Expression, SaysWhatIsWrong) {
+  for (const auto& [text, expected] :
+       {std::pair{"$(config limt * 2)", "`config limt` refers to nothing"},
+        {"$(config)", "`config` refers to nothing"},
+        {"limit * $(config limit)", nullptr},
+        {"2 * (config limit + $(1))", nullptr},
+        {"$(config name + 1)", "expected a number, found a text"},
+        {"-$(config list)", "expected a number, found a list"},
+        {"$(config limit > 1)", "expected `)`, found `>`"},
+        {"$(2 *)", "expected a value, found `)`"},
+        {"$(size(list))", "unknown function `size`"},
+        {"$(1 2)", "expected `)`, found `2`"},
+        {"$()", "expected a value, found `)`"},
+        {"-$(config missing)", "unknown"}}) {
+    if (expected == nullptr) {
+      EXPECT_FALSE(is_expression(scalar(text, false))) << text;
+    } else {
+      EXPECT_EQ(computed(text), expected) << text;
+    }
+  }
+}
+
+TEST(Expression, TextsAreNone) {
+  for (const char* text : {"$(config a)/file", "folder/$(config a)", "$(config a", "3", ""})
+    EXPECT_FALSE(is_expression(scalar(text, false))) << text;
+  EXPECT_FALSE(is_expression(scalar("$(config limit)", true)));
+}
+
 }  // namespace
 }  // namespace eagerx::gen

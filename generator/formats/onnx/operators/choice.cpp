@@ -99,7 +99,7 @@ std::optional<OnnxValue> same_order(const OnnxCall& call) {
       continue;
     }
     return in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
-                       "of a value that is no constant");
+                       "of a value that is not constant");
   }
   return std::nullopt;
 }

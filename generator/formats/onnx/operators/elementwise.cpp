@@ -208,7 +208,7 @@ OnnxValue selu(const OnnxCall& call) {
 OnnxValue formula_only(const OnnxCall& call) {
   const auto part = part_of_formula(call);
   return part ? *part
-              : call.misused("that is no part of a LayerNorm or a gelu", call.input(0).shape);
+              : call.misused("that is not a part of a LayerNorm or a gelu", call.input(0).shape);
 }
 
 /// (x - mean) * (scale / sqrt(variance + epsilon)) + offset, of a trained layer.

@@ -89,8 +89,8 @@ class Formula {
 
   /// Should the action depend on a part alone, this is what is wrong with it.
   OnnxValue part(Role role, std::int32_t of, const std::optional<Dims>& shape) const {
-    OnnxValue value = call_.misused("that is no part of a LayerNorm or a gelu", shape);
-    value.problem = {"E0613", "has " + call_.who() + " that is no part of a LayerNorm or a gelu",
+    OnnxValue value = call_.misused("that is not a part of a LayerNorm or a gelu", shape);
+    value.problem = {"E0613", "has " + call_.who() + " that is not a part of a LayerNorm or a gelu",
                      "export the actor alone, layer by layer"};
     value.part = {role, of, false, 0.0F};
     return value;

@@ -123,7 +123,7 @@ OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std
     return part_of_state(x, first, count, std::move(result));
   }
   if (count == dims[axis] && step == 1) return reshaped(call, x, result);
-  if (x.kind != Kind::data) return call.misused("on something that is no layer");
+  if (x.kind != Kind::data) return call.misused("on something that is not a layer");
   if (!call.spend(count_of(shape))) return call.too_much();
   return reordered(call, x, indices(shape, start, strides), std::move(result));
 }
@@ -295,7 +295,7 @@ OnnxValue slice(const OnnxCall& call) {
   };
   const std::int64_t first = place(starts->front());
   const std::int64_t last = place(ends->front());
-  if (last <= first || step > size) return call.misused("that leaves nothing");
+  if (last <= first || step > size) return call.misused("that keeps no values");
   const std::int64_t count = (last - first + step - 1) / step;
   if (from) {
     Integers some;
@@ -313,7 +313,7 @@ OnnxValue slice(const OnnxCall& call) {
 OnnxValue split_part(const OnnxCall& call, int i) {
   const OnnxValue& x = call.input(0);
   if ((x.kind != Kind::data && x.kind != Kind::state) || !x.shape) {
-    return call.misused("on something that is no layer");
+    return call.misused("on something that is not a layer");
   }
   const auto rank = static_cast<std::int64_t>(x.shape->size());
   std::int64_t axis = call.integer("axis", 0);

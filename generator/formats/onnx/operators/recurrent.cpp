@@ -36,7 +36,7 @@ std::string unusual(const OnnxCall& call, bool is_lstm) {
   if (call.integer("layout", 0) != 0) return "with layout 1";
   if (call.integer("input_forget", 0) != 0) return "whose gates are coupled";
   if (!is_lstm && call.integer("linear_before_reset", 0) == 0) {
-    return "with `linear_before_reset` 0, which torch's GRU has not";
+    return "with `linear_before_reset` 0, which torch's GRU does not have";
   }
   if (is_lstm && call.input(7).kind != Kind::absent) return "with peepholes";
   return {};
@@ -76,7 +76,7 @@ class Recurrent {
     if (is_lstm_) {
       if (auto problem = take_state(call_.input(6), work_.c)) return call_.other(*problem);
       if (work_.h.has_value() != work_.c.has_value()) {
-        return call_.misused("that takes a half of its state only");
+        return call_.misused("that takes only half of its state");
       }
     }
     return call_.data_after(x.step, std::move(work_), {1, 1, 1, hidden_});
@@ -164,7 +164,7 @@ OnnxValue later_output(const OnnxCall& call, const OnnxValue& first, int i) {
   if (!is_state || first.kind != Kind::data) return call.misused("whose second output is used");
   OnnxValue value = first;
   value.time = 0;  // the last step's
-  if (i == 2) value = call.misused("whose cell state is used");
+  if (i == 2) value = call.misused("whose cell state is used by another layer");
   value.shape = Dims{1, 1, first.shape->back()};
   value.remembered = {{first.step, i == 2}};
   return value;

@@ -9,19 +9,17 @@
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
-#include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
+#include "pendulum_swing_up/limits.hpp"
 #include "pendulum_swing_up/program.hpp"
 #include "pendulum_swing_up/policy.hpp"
 
 namespace graphs::pendulum_swing_up {
 
-struct Graph {
+struct Graph : Limits {
   template <class Trace>
   using Program = graphs::pendulum_swing_up::Program<Trace>;
-  using Action = graphs::pendulum_swing_up::Action;
-  using Observation = graphs::pendulum_swing_up::Observation;
   using States = graphs::pendulum_swing_up::States;
   using Rate = eagerx::Rate<30>;  // of the environment
 
@@ -33,24 +31,31 @@ struct Graph {
 
   /// The published messages; the index is the channel of the trace.
   static constexpr eagerx::Channel kChannels[] = {
-      {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine},
-      {"environment/voltage", "float32", 1, 30, 1, eagerx::Publisher::environment},
-      {"pendulum/theta/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"pendulum/x/observation", "float32", 2, 30, 1, eagerx::Publisher::engine_node},
-      {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
+      {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine, "engine.tick"},
+      {"environment/voltage", "float32", 1, 30, 1, eagerx::Publisher::environment,
+          "actions.voltage", 0, 1},
+      {"pendulum/theta/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum.theta", 1, 1},
+      {"pendulum/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum.theta_dot", 2, 1},
+      {"pendulum/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum/u.action_applied", 3, 1},
+      {"pendulum/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum/u_applied.action_applied", 4, 1},
+      {"pendulum/x/observation", "float32", 2, 30, 1, eagerx::Publisher::engine_node,
+          "pendulum/x.observation"},
+      {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node, "smooth.filtered", 5, 1},
+  };
+  /// Bounds of the published messages, where they have some.
+  static constexpr eagerx::Bounds kBounds[] = {
+      {-2.0, 2.0},  // environment/voltage
+      {-999.0, 999.0},  // pendulum/theta/observation
+      {-999.0, 999.0},  // pendulum/theta_dot/observation
+      {-2.0, 2.0},  // pendulum/u/action_applied
+      {-2.0, 2.0},  // pendulum/u_applied/action_applied
+      {-2.0, 2.0},  // smooth/filtered
   };
 
-  /// actions.voltage, graph.yaml:29:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.angle, graph.yaml:35:32
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
-      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.theta_dot, graph.yaml:36:36
-  static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
   /// What pendulum.model_state is drawn from, graph.yaml:16:20
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
@@ -80,20 +85,21 @@ struct Graph {
     f("pendulum.model_state", &States::pendulum_model_state, kStatePendulumModelState);
   }
 
+  /// f(name, what its draws are called, member of States, space) for each state.
+  template <class F>
+  static void for_each_state(F&& f) {
+    f("pendulum.model_state", "pendulum/model_state", &States::pendulum_model_state,
+        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+    f("pendulum.mass", "pendulum/mass", &States::pendulum_mass,
+        eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
+    f("pendulum.length", "pendulum/length", &States::pendulum_length,
+        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+    f("pendulum.max_speed", "pendulum/max_speed", &States::pendulum_max_speed,
+        eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
+  }
+
   /// The action that does nothing.
   static Action zero() { return Action{}; }
-
-  /// When the safe action takes the agent's place.
-  static constexpr eagerx::Safety kSafety{.declared = false,
-                                          .late = 1,
-                                          .max_lateness_ns = 33333333,
-                                          .link_timeout_ns = 10000000,
-                                          .missed = 2,
-                                          .recover = 3,
-                                          .clips = true,
-                                          .holds = false};
-  /// The safe action.
-  static Action safe() { return {{{0.0F}}}; }
 
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
@@ -120,18 +126,6 @@ struct Graph {
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 8;
   static bool self_test() { return policy::self_test(); }
-
-  /// f(name, message, space) for each action.
-  template <class F>
-  static void for_each_action(Action& action, F&& f) {
-    f("voltage", action.voltage, kActionVoltage);
-  }
-  /// f(name, window, space) for each observation.
-  template <class F>
-  static void for_each_observation(const Observation& observation, F&& f) {
-    f("angle", observation.angle, kObservationAngle);
-    f("theta_dot", observation.theta_dot, kObservationThetaDot);
-  }
 };
 
 }  // namespace graphs::pendulum_swing_up

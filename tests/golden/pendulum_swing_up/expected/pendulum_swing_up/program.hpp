@@ -10,10 +10,12 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
+#include <eagerx/guard.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
 #include "pendulum_swing_up/io.hpp"
+#include "pendulum_swing_up/limits.hpp"
 
 namespace graphs::pendulum_swing_up {
 
@@ -22,6 +24,8 @@ template <class Trace = eagerx::NoTrace>
 class Program {
  public:
   [[no_unique_address]] Trace trace;
+  /// Between the agent and the actuators; step() asks it.
+  eagerx::Guard<Limits> guard{};
 
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
   /// The first reset does it if nobody has.
@@ -51,6 +55,7 @@ class Program {
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
   Observation reset(const States& states) {
     n30Hz_ = 0;
+    guard.reset();
     if (!started_) {
       warm_up();
       started_ = true;
@@ -75,8 +80,16 @@ class Program {
     return observe();
   }
 
-  /// Applies an action and runs to the next tick of the environment.
-  Observation step(const Action& action) {
+  /// Applies an action, or what the guard puts in its place, and runs to the next tick of the
+  /// environment. `late_in_a_row`: how many steps up to this one were later than
+  /// `Limits::kSafety.max_lateness_ns`.
+  Observation step(const Action& action, std::uint64_t late_in_a_row = 0) {
+    return step_unguarded(guard.check(action, late_in_a_row));
+  }
+  /// The safe action, for the end of a run before its time.
+  Observation step_safely() { return step_unguarded(guard.stop()); }
+  /// Without the guard: whatever `action` is, the actuators get it.
+  Observation step_unguarded(const Action& action) {
     // actions.voltage, graph.yaml:29:3
     action_voltage_[0] = action.voltage;
     trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
@@ -179,6 +192,7 @@ class Program {
   Observation observe() {
     const Observation observation{
         {observation_angle_, n30Hz_}, {pendulum_theta_dot_observation_, n30Hz_}};
+    guard.see(observation);
     if constexpr (eagerx::traces_inputs<Trace>)
       trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
     return observation;

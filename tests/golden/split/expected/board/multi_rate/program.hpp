@@ -11,11 +11,13 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
+#include <eagerx/guard.hpp>
 #include <eagerx/link/host.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
 #include "multi_rate/io.hpp"
+#include "multi_rate/limits.hpp"
 
 namespace graphs::multi_rate {
 
@@ -25,6 +27,8 @@ template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
  public:
   [[no_unique_address]] Trace trace;
+  /// Between the agent and the actuators; step() asks it.
+  eagerx::Guard<Limits> guard{};
   Link* link = nullptr;  // to the other program of this graph; set before the first reset
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
@@ -34,6 +38,7 @@ class Program {
     n20Hz_ = 0;
     n15Hz_ = 0;
     n10Hz_ = 0;
+    guard.reset();
     slot_ = 0;
     fast_.reset({});
     observation_speeds_cursor_.reset(2);
@@ -44,8 +49,16 @@ class Program {
     return observe();
   }
 
-  /// Applies an action and runs to the next tick of the environment.
-  Observation step(const Action& action) {
+  /// Applies an action, or what the guard puts in its place, and runs to the next tick of the
+  /// environment. `late_in_a_row`: how many steps up to this one were later than
+  /// `Limits::kSafety.max_lateness_ns`.
+  Observation step(const Action& action, std::uint64_t late_in_a_row = 0) {
+    return step_unguarded(guard.check(action, late_in_a_row));
+  }
+  /// The safe action, for the end of a run before its time.
+  Observation step_safely() { return step_unguarded(guard.stop()); }
+  /// Without the guard: whatever `action` is, the actuators get it.
+  Observation step_unguarded(const Action& action) {
     // actions.voltage, graph.yaml:46:3
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_voltage = action.voltage;
@@ -177,6 +190,7 @@ class Program {
         {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
         {left_u_applied_action_applied_, n10Hz_ - 1},
         {right_theta_observation_, observation_other_cursor_.take()}};
+    guard.see(observation);
     if constexpr (eagerx::traces_inputs<Trace>)
       trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
     return observation;

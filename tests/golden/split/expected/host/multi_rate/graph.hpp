@@ -9,26 +9,24 @@
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
 #include <eagerx/random.hpp>
-#include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
 
+#include "multi_rate/limits.hpp"
 #include "multi_rate/program.hpp"
 
 namespace graphs::multi_rate {
 
-struct Graph {
+struct Graph : Limits {
   template <class Trace, class Link>
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0xafdc5f69494de059U;  // of the sources of both
+    static constexpr std::uint64_t kGraph = 0x68a60e8b247e7a81U;  // of the sources of both
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
     static constexpr const char* kBoard = "mps2-an386";
   };
-  using Action = graphs::multi_rate::Action;
-  using Observation = graphs::multi_rate::Observation;
   using States = graphs::multi_rate::States;
   using Rate = eagerx::Rate<10>;  // of the environment
 
@@ -40,41 +38,47 @@ struct Graph {
 
   /// The published messages; the index is the channel of the trace.
   static constexpr eagerx::Channel kChannels[] = {
-      {"engine/tick", "int64", 1, 60, 1, eagerx::Publisher::engine},
-      {"environment/push", "float32", 1, 10, 1, eagerx::Publisher::environment},
-      {"environment/voltage", "float32", 1, 10, 1, eagerx::Publisher::environment},
-      {"fast/filtered", "float32", 1, 30, 1, eagerx::Publisher::node},
-      {"left/theta/observation", "float32", 1, 20, 1, eagerx::Publisher::engine_node},
-      {"left/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"left/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"left/u_applied/action_applied", "float32", 1, 10, 1, eagerx::Publisher::engine_node},
-      {"left/x/observation", "float32", 2, 20, 1, eagerx::Publisher::engine_node},
-      {"right/theta/observation", "float32", 1, 15, 1, eagerx::Publisher::engine_node},
-      {"right/u/action_applied", "float32", 1, 20, 1, eagerx::Publisher::engine_node},
-      {"right/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node},
-      {"right/x/observation", "float32", 2, 15, 1, eagerx::Publisher::engine_node},
-      {"slow/filtered", "float32", 1, 20, 1, eagerx::Publisher::node},
+      {"engine/tick", "int64", 1, 60, 1, eagerx::Publisher::engine, "engine.tick"},
+      {"environment/push", "float32", 1, 10, 1, eagerx::Publisher::environment, "actions.push", 0,
+          1},
+      {"environment/voltage", "float32", 1, 10, 1, eagerx::Publisher::environment,
+          "actions.voltage", 1, 1},
+      {"fast/filtered", "float32", 1, 30, 1, eagerx::Publisher::node, "fast.filtered", 2, 1},
+      {"left/theta/observation", "float32", 1, 20, 1, eagerx::Publisher::engine_node, "left.theta",
+          3, 1},
+      {"left/theta_dot/observation", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "left.theta_dot", 4, 1},
+      {"left/u/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "left/u.action_applied", 5, 1},
+      {"left/u_applied/action_applied", "float32", 1, 10, 1, eagerx::Publisher::engine_node,
+          "left.u_applied", 6, 1},
+      {"left/x/observation", "float32", 2, 20, 1, eagerx::Publisher::engine_node,
+          "left/x.observation"},
+      {"right/theta/observation", "float32", 1, 15, 1, eagerx::Publisher::engine_node,
+          "right.theta", 7, 1},
+      {"right/u/action_applied", "float32", 1, 20, 1, eagerx::Publisher::engine_node,
+          "right/u.action_applied", 8, 1},
+      {"right/u_applied/action_applied", "float32", 1, 30, 1, eagerx::Publisher::engine_node,
+          "right/u_applied.action_applied", 9, 1},
+      {"right/x/observation", "float32", 2, 15, 1, eagerx::Publisher::engine_node,
+          "right/x.observation"},
+      {"slow/filtered", "float32", 1, 20, 1, eagerx::Publisher::node, "slow.filtered", 10, 1},
+  };
+  /// Bounds of the published messages, where they have some.
+  static constexpr eagerx::Bounds kBounds[] = {
+      {-1.0, 1.0},  // environment/push
+      {-2.0, 2.0},  // environment/voltage
+      {-1.0, 1.0},  // fast/filtered
+      {-999.0, 999.0},  // left/theta/observation
+      {-999.0, 999.0},  // left/theta_dot/observation
+      {-2.0, 2.0},  // left/u/action_applied
+      {-2.0, 2.0},  // left/u_applied/action_applied
+      {-999.0, 999.0},  // right/theta/observation
+      {-2.0, 2.0},  // right/u/action_applied
+      {-2.0, 2.0},  // right/u_applied/action_applied
+      {-2.0, 2.0},  // slow/filtered
   };
 
-  /// actions.voltage, graph.yaml:46:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// actions.push, graph.yaml:47:3
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
-      .low = {{-1.0F}}, .high = {{1.0F}}};
-  /// observations.angle, graph.yaml:55:28
-  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
-      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.speeds, graph.yaml:56:32
-  static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
-  /// observations.recent, graph.yaml:57:31
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
-      .low = {{-1.0F}}, .high = {{1.0F}}};
-  /// observations.applied, graph.yaml:58:32
-  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
-      .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.other, graph.yaml:59:29
-  static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
   /// What left.model_state is drawn from, graph.yaml:20:21
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateLeftModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
@@ -125,20 +129,25 @@ struct Graph {
     f("right.model_state", &States::right_model_state, kStateRightModelState);
   }
 
+  /// f(name, what its draws are called, member of States, space) for each state.
+  template <class F>
+  static void for_each_state(F&& f) {
+    f("left.model_state", "left/model_state", &States::left_model_state,
+        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+    f("left.mass", "left/mass", &States::left_mass,
+        eagerx::Space<float>{.low = 0.01F, .high = 0.07F});
+    f("left.length", "left/length", &States::left_length,
+        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+    f("right.model_state", "right/model_state", &States::right_model_state,
+        eagerx::Space<eagerx::Array<float, 2>>{.low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}});
+    f("right.max_speed", "right/max_speed", &States::right_max_speed,
+        eagerx::Space<float>{.low = 22.0F, .high = 22.0F});
+    f("right.length", "right/length", &States::right_length,
+        eagerx::Space<float>{.low = 0.04F, .high = 0.2F});
+  }
+
   /// The action that does nothing.
   static Action zero() { return Action{}; }
-
-  /// When the safe action takes the agent's place.
-  static constexpr eagerx::Safety kSafety{.declared = false,
-                                          .late = 1,
-                                          .max_lateness_ns = 100000000,
-                                          .link_timeout_ns = 10000000,
-                                          .missed = 2,
-                                          .recover = 3,
-                                          .clips = true,
-                                          .holds = false};
-  /// The safe action.
-  static Action safe() { return {{{0.0F}}, {{0.0F}}}; }
 
   /// An action drawn uniformly from the spaces of the actions.
   static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
@@ -149,22 +158,6 @@ struct Graph {
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
   static bool self_test() { return true; }
-
-  /// f(name, message, space) for each action.
-  template <class F>
-  static void for_each_action(Action& action, F&& f) {
-    f("voltage", action.voltage, kActionVoltage);
-    f("push", action.push, kActionPush);
-  }
-  /// f(name, window, space) for each observation.
-  template <class F>
-  static void for_each_observation(const Observation& observation, F&& f) {
-    f("angle", observation.angle, kObservationAngle);
-    f("speeds", observation.speeds, kObservationSpeeds);
-    f("recent", observation.recent, kObservationRecent);
-    f("applied", observation.applied, kObservationApplied);
-    f("other", observation.other, kObservationOther);
-  }
 };
 
 }  // namespace graphs::multi_rate

@@ -1,18 +1,18 @@
-// targets/common/guard.hpp: when the safe action takes the agent's place, and when it ends.
+// eagerx/guard.hpp: when the safe action takes the agent's place, and when it ends.
 #include <gtest/gtest.h>
 
+#include <eagerx/guard.hpp>
 #include <limits>
 #include <map>
 #include <string>
-#include <targets/common/guard.hpp>
 
-namespace eagerx::target {
+namespace eagerx {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 template <Safety kDeclared>
-struct FakeGraph {
+struct FakeLimits {
   struct Action {
     float volt;
     std::int32_t gear;
@@ -31,6 +31,11 @@ struct FakeGraph {
   static void for_each_action(Action& action, F&& f) {
     f("volt", action.volt, Space<float>{-2.0F, 2.0F});
     f("gear", action.gear, Space<std::int32_t>{0, 5});
+  }
+  template <class F>
+  static void for_each_applied(Action& action, F&& f) {
+    f(action.volt, Space<float>{-1.9F, 3.0F});  // of an actuator
+    f(action.gear, Space<std::int32_t>{0, 5});
   }
   template <class F>
   static void for_each_observation(const Observation& observation, F&& f) {
@@ -57,12 +62,12 @@ constexpr Safety with(bool declared, std::uint32_t recover, bool clips, bool hol
 
 template <Safety kDeclared>
 struct Guarded {
-  using Graph = FakeGraph<kDeclared>;
-  Guard<Graph> guard;
+  Guard<FakeLimits<kDeclared>> guard;
 
   Guarded() { guard.reset(); }
   float volt(float wanted, float angle = 0.0F, std::uint64_t late = 0) {
-    return guard.check({angle}, {wanted, 2}, late).volt;
+    guard.see({angle});
+    return guard.check({wanted, 2}, late).volt;
   }
   std::map<std::string, std::uint64_t> counts() const {
     std::map<std::string, std::uint64_t> result;
@@ -71,10 +76,27 @@ struct Guarded {
   }
 };
 
-TEST(GuardTest, WithoutSafetyNothingIsTouched) {
+TEST(GuardTest, WithoutSafetyOnlyWhatNoActuatorTakesIsChanged) {
   Guarded<with(false, 2, true, false)> run;
-  EXPECT_EQ(run.volt(7.0F, kNaN, 9), 7.0F);
+  EXPECT_EQ(run.volt(1.5F, kNaN, 9), 1.5F) << "neither NaN before it nor lateness";
   for (const auto& [name, count] : run.counts()) EXPECT_EQ(count, 0U) << name;
+  EXPECT_EQ(run.volt(7.0F), 2.0F);
+  EXPECT_EQ(run.counts()["safe: action out of limits"], 1U);
+  EXPECT_EQ(run.volt(kNaN), 0.5F);
+  EXPECT_EQ(run.volt(-std::numeric_limits<float>::infinity()), 0.5F);
+  EXPECT_EQ(run.counts()["safe: action not finite"], 2U);
+  EXPECT_EQ(run.volt(-1.95F), -1.9F);
+  EXPECT_EQ(run.counts()["safe: action beyond its actuator"], 1U);
+  EXPECT_EQ(run.volt(1.0F), 1.0F);
+}
+
+TEST(GuardTest, WithinAnActuatorsSpaceAfterAProcessor) {
+  Guarded<kUsual> run;
+  const Space<float> space{1.0F, 2.0F};
+  EXPECT_EQ(run.guard.within(space, 1.5F), 1.5F);
+  EXPECT_EQ(run.guard.within(space, 3.0F), 2.0F);
+  EXPECT_EQ(run.guard.within(space, kNaN), 1.0F) << "zero, moved into it";
+  EXPECT_EQ(run.counts()["safe: action beyond its actuator"], 2U);
 }
 
 TEST(GuardTest, LimitsClip) {
@@ -141,4 +163,4 @@ TEST(GuardTest, SafeUntilTheNextEpisode) {
 }
 
 }  // namespace
-}  // namespace eagerx::target
+}  // namespace eagerx

@@ -1,0 +1,77 @@
+#include "generator/cli/topics.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/read/quantity.hpp"
+#include "generator/spec/graph_spec.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// `text` in lines of at most 72 letters, each after `indent` blanks but the first.
+std::string wrapped(std::string_view text, std::size_t indent) {
+  constexpr std::size_t kWidth = 72;
+  std::string result;
+  std::size_t column = indent;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    if (column > indent && column + 1 + word.size() > kWidth) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (column > indent) {
+      result += " ";
+      ++column;
+    }
+    result += word;
+    column += word.size();
+    text.remove_prefix(std::min(word.size() + 1, text.size()));
+  }
+  return result;
+}
+
+/// From the table that checks graphs.
+std::string graph_text() {
+  constexpr std::size_t kIndent = 16;
+  std::string text =
+      "A graph file is YAML with these keys. `eagerx-gen schema` prints all of them for "
+      "editors.\n\n";
+  for (const Field& field : graph_format().fields)
+    text += fmt::format("{:<{}}{}\n", field.name, kIndent,
+                        wrapped(field.about + (field.required ? " (required)" : ""), kIndent));
+  return text;
+}
+
+std::string units_text() {
+  return fmt::format(
+      "Rates and times may have a unit: `rate: 30 Hz`, `delay: 10ms`, `delay: 1/3 s`.\n"
+      "Without a unit, rates are in Hz and times in seconds. Case counts.\n\n"
+      "rates  {}\ntimes  {} (or \u00b5s)\n",
+      fmt::join(units_of(Quantity::rate), ", "), fmt::join(units_of(Quantity::time), ", "));
+}
+
+constexpr const char* kLibrary =
+    "Entities and targets are folders with a manifest.yaml. They are looked for in\n\n"
+    "1. the folders given with --path, in their order\n"
+    "2. the folders of the graph's `library:`, relative to the graph file\n"
+    "3. models and targets of eagerx-gen itself, or of the folder that the environment\n"
+    "   variable EAGERX_HOME names\n\n"
+    "`eagerx-gen info` lists what was found. An id must not be defined twice. Output folders\n"
+    "(those with a file eagerx-gen.files) are never searched.\n";
+
+constexpr const char* kExitCodes =
+    "0  done\n"
+    "1  problems found: the messages say which\n"
+    "2  wrong usage\n"
+    "3  cannot read or write\n"
+    "4  a bug in eagerx-gen\n";
+
+}  // namespace
+
+std::vector<Topic> help_topics() {
+  return {{"graph", "the keys of a graph file", graph_text()},
+          {"units", "units of rates and times", units_text()},
+          {"library", "where entities and targets are found", kLibrary},
+          {"exit-codes", "what exit codes mean", kExitCodes}};
+}
+
+}  // namespace eagerx::gen

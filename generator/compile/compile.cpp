@@ -1,0 +1,303 @@
+#include "generator/compile/compile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "generator/compile/forbidden.hpp"
+#include "generator/compile/tool.hpp"
+#include "generator/program_map/program_map.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As a `#line` names the place of a class in its manifest.
+constexpr std::string_view kProbe = "eagerx-gen-class-";
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class Checker {
+ public:
+  Checker(const Plan& plan, const std::vector<GeneratedFile>& files, const std::string& folder,
+          const CompileOptions& options, SourceMap& sources, Diagnostics& diagnostics)
+      : plan_(plan),
+        files_(files),
+        folder_(folder),
+        options_(options),
+        sources_(sources),
+        diagnostics_(diagnostics),
+        classes_(used_classes(plan)) {}
+
+  void run() {
+    if (!write_files() || !has_compiler()) return;
+    if (!find_classes()) return;  // what else is wrong follows from it
+    if (compile_program()) look_for_calls();
+  }
+
+ private:
+  bool write(const std::string& name, const std::string& text) {
+    const fs::path path = fs::path(folder_) / name;
+    std::error_code error;
+    fs::create_directories(path.parent_path(), error);
+    std::ofstream out(path, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out)
+      diagnostics_.io_error("E0901", {},
+                            fmt::format("cannot write `{}`: {}", path.string(),
+                                        error ? error.message() : std::strerror(errno)));
+    return static_cast<bool>(out);
+  }
+
+  bool write_files() {
+    return std::ranges::all_of(
+        files_, [&](const GeneratedFile& file) { return write(file.path, file.text); });
+  }
+
+  bool has_compiler() {
+    if (run_tool({options_.compiler, "--version"})) return true;
+    diagnostics_.error("E0513", {}, fmt::format("there is no C++ compiler `{}`", options_.compiler))
+        .help = "install one with `apt install g++`, or name another one in the variable CXX";
+    return false;
+  }
+
+  /// What everything is compiled with: runtime/flags.cmake, and what boards add.
+  std::vector<std::string> command() const {
+    std::vector<std::string> words = {options_.compiler,
+                                      "-std=c++20",
+                                      "-O2",
+                                      "-g",
+                                      "-ffunction-sections",
+                                      "-fno-fast-math",
+                                      "-ffp-contract=off",
+                                      "-fno-math-errno",
+                                      "-fno-trapping-math",
+                                      "-Wdouble-promotion",
+                                      "-I" + folder_,
+                                      "-I" + options_.root + "/runtime",
+                                      "-I" + options_.root};
+    for (const std::string& each : options_.include_folders) words.push_back("-I" + each);
+    const bool portable =
+        std::ranges::all_of(classes_, [](const UsedClass& each) { return each.system.empty(); });
+    if (portable) words.insert(words.end(), {"-fno-exceptions", "-fno-rtti"});
+    if (!options_.packages.empty()) {
+      std::vector<std::string> ask = {"pkg-config", "--cflags"};
+      ask.insert(ask.end(), options_.packages.begin(), options_.packages.end());
+      const auto said = run_tool(ask);
+      std::istringstream flags(said && said->exit_code == 0 ? said->output : "");
+      for (std::string flag; flags >> flag;) words.push_back(flag);
+    }
+    return words;
+  }
+
+  /// Compiles a file of the folder; what the compiler said.
+  std::string compile(const std::string& name, const std::vector<std::string>& more) const {
+    std::vector<std::string> words = command();
+    words.insert(words.end(), more.begin(), more.end());
+    words.push_back((fs::path(folder_) / name).string());
+    const auto said = run_tool(words);
+    return said ? said->output : "";
+  }
+
+  /// Whether each header has the class that its manifest names. The compiler is asked for each by
+  /// an alias, which it finds in a file named after the class.
+  bool find_classes() {
+    std::string text;
+    std::set<std::string> headers;
+    for (const UsedClass& each : classes_) {
+      if (!each.header.empty() && headers.insert(each.header).second)
+        text += fmt::format("#include \"{}\"\n", each.header);
+    }
+    for (std::size_t i = 0; i < classes_.size(); ++i)
+      text += fmt::format("#line 1 \"{0}{1}\"\ntemplate <class T> using Probe{1} = {2}<T>;\n",
+                          kProbe, i, classes_[i].name);
+    if (!write("classes.cpp", text)) return false;
+    const auto messages = messages_in(compile("classes.cpp", {"-fsyntax-only"}));
+    std::set<std::size_t> missing;
+    for (const CompilerMessage& message : messages) {
+      if (!message.error) continue;
+      if (!message.file.starts_with(kProbe)) {  // a header
+        report(message);
+        return false;
+      }
+      const std::size_t index = std::stoul(message.file.substr(kProbe.size()));
+      if (missing.insert(index).second) report_missing(classes_[index], message.text);
+    }
+    return missing.empty();
+  }
+
+  void report_missing(const UsedClass& missing, const std::string& said) {
+    auto& problem = diagnostics_.error(
+        "E0510", missing.span,
+        missing.header.empty()
+            ? fmt::format("there is no class template `{}`", missing.name)
+            : fmt::format("`{}` has no class template `{}`",
+                          fs::path(missing.header).filename().string(), missing.name));
+    constexpr std::string_view kMeant = "did you mean '";
+    const std::size_t at = said.find(kMeant);
+    if (at == std::string::npos) {
+      problem.help = "write the name with its namespaces, as the header has it";
+      return;
+    }
+    std::string meant = said.substr(at + kMeant.size());
+    meant.resize(std::min(meant.find('\''), meant.size()));
+    const std::size_t scope = missing.name.rfind("::");
+    if (scope != std::string::npos && meant.find("::") == std::string::npos)
+      meant = missing.name.substr(0, scope + 2) + meant;
+    problem.help = fmt::format("did you mean `{}`?", meant);
+  }
+
+  bool compile_program() {
+    const std::string name = plan_.graph->name;
+    if (!write("program.cpp",
+               fmt::format("#include \"{0}/program.hpp\"\ntemplate class graphs::{0}::Program<>;\n",
+                           name)))
+      return false;
+    const auto messages = messages_in(compile("program.cpp", {"-c", "-o", folder_ + "/program.o"}));
+    const auto error = std::ranges::find_if(messages, &CompilerMessage::error);
+    if (error != messages.end()) {
+      report(*error);  // the first one; the others follow from it
+      return false;
+    }
+    for (const CompilerMessage& message : messages) {
+      if (message.text.find("[-Wdouble-promotion]") == std::string::npos ||
+          plan_.graph->double_precision || !is_of_portable_entity(message.file))
+        continue;
+      broken(span_of(message.file, message.line, message.column),
+             "calculates in double, but the graph in float")
+          .help = "write constants as `Real(0.5)` and use `Io::Real`";
+    }
+    return true;
+  }
+
+  void look_for_calls() {
+    std::set<std::pair<std::string, std::uint32_t>> told;
+    for (const ForbiddenCall& call : forbidden_calls(folder_ + "/program.o")) {
+      const auto place = std::ranges::find_if(
+          call.places, [&](const auto& each) { return is_of_portable_entity(each.file); });
+      if (place == call.places.end() || !told.insert({place->file, place->line}).second) continue;
+      broken(span_of(place->file, place->line, 0), call.what).help = call.mend;
+    }
+  }
+
+  Diagnostic& broken(Span span, const std::string& what) {
+    return diagnostics_.error("E0512", span, fmt::format("this {}", what));
+  }
+
+  /// An error in a header, or in generated code: then it is the code of a node that does not fit.
+  void report(const CompilerMessage& message) {
+    if (is_of_entity(message.file)) {
+      diagnostics_.error("E0511", span_of(message.file, message.line, message.column),
+                         fmt::format("this does not compile: {}", message.text));
+      return;
+    }
+    const std::string node = node_of(message);
+    const auto found = std::ranges::find(plan_.graph->nodes, node, &GraphNode::name);
+    if (found == plan_.graph->nodes.end() || found->entity == nullptr) {
+      diagnostics_.error("E0511", plan_.graph->span,
+                         fmt::format("the program does not compile: {}", message.text));
+      return;
+    }
+    diagnostics_
+        .error("E0511", found->entity->cpp.span,
+               fmt::format("`{}` does not fit what its manifest says: {}", found->entity->cpp.name,
+                           message.text))
+        .notes.push_back({fmt::format("the node `{}`", node), found->span, ""});
+  }
+
+  /// Whose part of program.hpp it is; empty if it is nobody's.
+  std::string node_of(const CompilerMessage& message) {
+    const std::string map_name = plan_.graph->name + "/program.map";
+    const auto file = std::ranges::find(files_, map_name, &GeneratedFile::path);
+    if (file == files_.end() || !message.file.ends_with("program.hpp")) return {};
+    const auto map = parse_program_map(file->text, map_name, diagnostics_);
+    const std::string* node = map ? map->node_of_line(message.line) : nullptr;
+    return node != nullptr ? *node : std::string();
+  }
+
+  /// The class whose header lies in the same folder or above, the nearest one; nullptr if the file
+  /// is no entity's.
+  const UsedClass* class_of(const std::string& file) const {
+    const std::string path = fs::absolute(file).lexically_normal().string();
+    const UsedClass* found = nullptr;
+    std::size_t longest = 0;
+    for (const UsedClass& each : classes_) {
+      const std::string folder =
+          (fs::absolute(each.header).lexically_normal().parent_path() / "").string();
+      if (each.header.empty() || !path.starts_with(folder) || folder.size() <= longest) continue;
+      longest = folder.size();
+      found = &each;
+    }
+    return found;
+  }
+  bool is_of_entity(const std::string& file) const { return class_of(file) != nullptr; }
+  bool is_of_portable_entity(const std::string& file) const {
+    const UsedClass* owner = class_of(file);
+    return owner != nullptr && owner->system.empty();
+  }
+
+  Span span_of(const std::string& file, std::uint32_t line, std::uint32_t column) {
+    const auto [place, added] = spans_.try_emplace(file);
+    if (added) place->second = sources_.add(shown(file), text_of(file));
+    if (column > 0) return {place->second, line, column, 1};
+    const std::string_view text = sources_.line(place->second, line);
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    return {place->second, line, static_cast<std::uint32_t>(begin + 1),
+            static_cast<std::uint32_t>(text.size() - begin)};
+  }
+
+  /// As the manifest beside it is named in messages.
+  std::string shown(const std::string& file) const {
+    const UsedClass& owner = *class_of(file);
+    const fs::path manifest = sources_.name(owner.span.file);
+    const fs::path relative = fs::absolute(file).lexically_normal().lexically_relative(
+        fs::absolute(manifest).lexically_normal().parent_path());
+    return (manifest.parent_path() / relative).lexically_normal().string();
+  }
+
+  const Plan& plan_;
+  const std::vector<GeneratedFile>& files_;
+  const std::string& folder_;
+  const CompileOptions& options_;
+  SourceMap& sources_;
+  Diagnostics& diagnostics_;
+  std::vector<UsedClass> classes_;
+  std::map<std::string, FileId> spans_;
+};
+
+}  // namespace
+
+TemporaryFolder::TemporaryFolder() {
+  std::error_code error;
+  const fs::path parent = fs::temp_directory_path(error);
+  std::string name = ((error ? fs::path("/tmp") : parent) / "eagerx-gen-XXXXXX").string();
+  if (mkdtemp(name.data()) != nullptr) path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+void check_entities(const Plan& plan, const std::vector<GeneratedFile>& files,
+                    const TemporaryFolder& folder, const CompileOptions& options,
+                    SourceMap& sources, Diagnostics& diagnostics) {
+  Checker(plan, files, folder.path(), options, sources, diagnostics).run();
+}
+
+}  // namespace eagerx::gen

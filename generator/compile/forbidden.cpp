@@ -1,0 +1,130 @@
+#include "generator/compile/forbidden.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <set>
+
+#include "generator/compile/tool.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+struct Kind {
+  std::string_view what, mend;
+  std::vector<std::string_view> names;
+};
+
+/// As targets/common/bare-metal/no_heap.cmake forbids them on boards, by their names on this
+/// machine, and the functions whose last bit differs from library to library.
+const std::vector<Kind>& kinds() {
+  static const std::vector<Kind> kKinds = {
+      {"takes memory from a heap",
+       "use eagerx::Array, whose size is known when it is compiled",
+       {"_Znwm", "_Znam", "_ZnwmSt11align_val_t", "_ZnamSt11align_val_t", "_ZnwmRKSt9nothrow_t",
+        "_ZnamRKSt9nothrow_t", "malloc", "calloc", "realloc", "aligned_alloc", "posix_memalign"}},
+      {"throws an exception",
+       "count what went wrong, or give a value that says so",
+       {"__cxa_throw", "__cxa_allocate_exception", "__cxa_rethrow", "_ZSt20__throw_length_errorPKc",
+        "_ZSt20__throw_out_of_rangePKc", "_ZSt24__throw_out_of_range_fmtPKcz",
+        "_ZSt17__throw_bad_allocv", "_ZSt25__throw_bad_function_callv",
+        "_ZSt19__throw_logic_errorPKc"}},
+      {"has a static variable that is made at its first use",
+       "make it a member, or constexpr",
+       {"__cxa_guard_acquire"}},
+      {"uses the console or files",
+       "send a message instead",
+       {"printf", "puts", "putchar", "fprintf", "fputs", "fopen", "fwrite", "_ZSt4cout",
+        "_ZSt4cerr"}}};
+  return kKinds;
+}
+
+bool is_of_cmath(std::string_view name) {
+  static constexpr std::array kNames = {
+      "sin",   "cos",   "tan",   "asin",  "acos",  "atan", "atan2", "sincos", "sinh",  "cosh",
+      "tanh",  "asinh", "acosh", "atanh", "exp",   "exp2", "exp10", "expm1",  "log",   "log2",
+      "log10", "log1p", "pow",   "cbrt",  "hypot", "erf",  "erfc",  "tgamma", "lgamma"};
+  const auto is = [&](std::string_view base) {
+    return std::ranges::find(kNames, base) != kNames.end();
+  };
+  const bool suffix = name.ends_with('f') || name.ends_with('l');
+  return is(name) || (suffix && is(name.substr(0, name.size() - 1)));
+}
+
+/// Why `name` is forbidden; empty if it is not.
+std::pair<std::string, std::string> judge(std::string_view name) {
+  if (is_of_cmath(name))
+    return {
+        fmt::format("calls `{}` of <cmath>, whose last bit differs from machine to machine", name),
+        "use the function of this name in <eagerx/math.hpp>"};
+  for (const Kind& kind : kinds()) {
+    if (std::ranges::find(kind.names, name) != kind.names.end())
+      return {std::string(kind.what), std::string(kind.mend)};
+  }
+  return {};
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> words;
+  while (true) {
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    if (line.empty()) return words;
+    words.push_back(line.substr(0, line.find(' ')));
+    line.remove_prefix(words.back().size());
+  }
+}
+
+/// From the place itself outwards through what was inlined.
+std::vector<ForbiddenCall::Place> places_of(const std::string& object, const std::string& section,
+                                            const std::string& offset) {
+  std::vector<ForbiddenCall::Place> places;
+  const auto said = run_tool({"addr2line", "-i", "-e", object, "-j", section, "0x" + offset});
+  std::string_view text = said ? std::string_view(said->output) : std::string_view();
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    line = line.substr(0, line.find(" (discriminator"));
+    const std::size_t colon = line.rfind(':');
+    if (colon == std::string_view::npos) continue;
+    std::uint32_t number = 0;
+    std::from_chars(line.data() + colon + 1, line.data() + line.size(), number);
+    places.push_back({std::string(line.substr(0, colon)), number});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<ForbiddenCall> forbidden_calls(const std::string& object) {
+  std::vector<ForbiddenCall> calls;
+  const auto said = run_tool({"readelf", "-rW", object});
+  if (!said) return calls;
+  std::string section;
+  std::string_view text = said->output;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    if (line.starts_with("Relocation section '")) {
+      constexpr std::string_view kBefore = "Relocation section '.rela";
+      section.clear();
+      if (line.starts_with(kBefore))
+        section = line.substr(kBefore.size(), line.find('\'', kBefore.size()) - kBefore.size());
+      if (!section.starts_with(".text")) section.clear();
+      continue;
+    }
+    // offset info type value name - addend
+    const auto words = words_of(line);
+    constexpr std::size_t kName = 4;
+    if (section.empty() || words.size() <= kName) continue;
+    const std::string_view name = words[kName].substr(0, words[kName].find('@'));
+    auto [what, mend] = judge(name);
+    if (what.empty()) continue;
+    calls.push_back(
+        {std::move(what), std::move(mend), places_of(object, section, std::string(words[0]))});
+  }
+  return calls;
+}
+
+}  // namespace eagerx::gen

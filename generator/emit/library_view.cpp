@@ -1,0 +1,53 @@
+// What the header of a library is rendered with.
+#include <fmt/format.h>
+
+#include "generator/emit/names.hpp"
+#include "generator/emit/types.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+/// "float32 [2], from -1 to 1"
+std::string described(const Space& space) {
+  const auto one = [](const std::vector<double>& bounds) {
+    return !bounds.empty() && std::ranges::count(bounds, bounds.front()) == std::ssize(bounds);
+  };
+  if (!one(space.low) || !one(space.high)) return space.describe();
+  return fmt::format("{}, from {} to {}", space.describe(), space.low.front(), space.high.front());
+}
+
+View port(const std::string& field, const Space& space) {
+  View view = object();
+  view.set("field", field);
+  view.set("type", message_type(space));
+  view.set("space", described(space));
+  return view;
+}
+
+}  // namespace
+
+View library_view(const Plan& plan, bool has_policy, bool has_memory) {
+  const Graph& graph = *plan.graph;
+  View actions = list(), observations = list();
+  for (const auto& action : graph.environment().outputs)
+    actions.push_back(port(action.name, action.space));
+  for (const auto& input : graph.environment().inputs)
+    observations.push_back(port(input.name, input.space));
+  View view = object();
+  view.set("period", (Rational(1) / graph.environment().rate_hz).to_string());
+  view.set("has_policy", has_policy);
+  view.set("has_memory", has_memory);
+  view.set("an_action", !has_policy  ? "Graph::zero()"
+                        : has_memory ? "Graph::policy(seen, program.policy_memory)"
+                                     : "Graph::policy(seen)");
+  view.set("guards", actions.is_non_empty_list());
+  view.set("safety_place",
+           text_or_false(graph.safety.declared
+                             ? fmt::format("{}:{}", graph.file_name, graph.safety.span.line)
+                             : ""));
+  view["actions"] = has_policy ? list() : std::move(actions);
+  view["observations"] = std::move(observations);
+  return view;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,26 @@
+// Units as manifests write them: `rad/s`, `N*m`, `kg*m^2`.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace eagerx::gen {
+
+/// A product of powers of m, kg, s, A, K, rad, and a scale: 1 deg is 0.0174533 rad.
+struct UnitOfMeasure {
+  static constexpr std::size_t kBases = 6;
+  std::array<std::int8_t, kBases> powers{};
+  double scale = 1.0;
+};
+
+/// nullopt for a text that is empty or not understood: nothing can be said of it then.
+std::optional<UnitOfMeasure> unit_of(std::string_view text);
+
+/// Whether both measure the same thing, in whatever scale.
+bool same_quantity(const UnitOfMeasure& a, const UnitOfMeasure& b);
+/// Whether a number means the same in both.
+bool same_scale(const UnitOfMeasure& a, const UnitOfMeasure& b);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,17 @@
+// JSON schemas (draft-07) from the tables of graphs and manifests.
+#pragma once
+
+#include <string>
+
+#include "generator/json/json.hpp"
+#include "generator/spec/format.hpp"
+
+namespace eagerx::gen {
+
+/// The schema of what `format` accepts.
+Json schema_of(const Format& format);
+
+/// With the head of a file of its own.
+std::string schema_text(const Json& schema, const std::string& title, const std::string& id);
+
+}  // namespace eagerx::gen

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/nearest.hpp>
+#include <targets/linux-sim/state_settings.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+using Kind = StateSetting::Kind;
+
+struct Form {
+  std::string_view prefix;
+  Kind kind;
+};
+constexpr std::array kForms{Form{"uniform:", Kind::uniform},
+                            Form{"log_uniform:", Kind::log_uniform}, Form{"normal:", Kind::normal},
+                            Form{"choice:", Kind::choice}};
+
+bool read_numbers(std::string_view text, std::vector<double>& numbers) {
+  while (true) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + comma, value);
+    if (error != std::errc() || end != text.data() + comma || !std::isfinite(value)) return false;
+    numbers.push_back(value);
+    if (comma == text.size()) return true;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::string about(const StateSetting& setting) {
+  return "error: `" + setting.name + "=" + setting.written + "`: ";
+}
+
+bool is_within(double x, double low, double high) {
+  // What is written as a decimal may be a float's neighbour.
+  return (x >= low && x <= high) || static_cast<float>(x) == static_cast<float>(low) ||
+         static_cast<float>(x) == static_cast<float>(high);
+}
+
+}  // namespace
+
+std::optional<StateSetting> parse_setting(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string_view::npos) return std::nullopt;
+  StateSetting setting;
+  setting.name = text.substr(0, equals);
+  std::string_view value = text.substr(equals + 1);
+  setting.written = value;
+  for (const Form& form : kForms) {
+    if (!value.starts_with(form.prefix)) continue;
+    setting.kind = form.kind;
+    value.remove_prefix(form.prefix.size());
+    break;
+  }
+  if (!read_numbers(value, setting.numbers)) return std::nullopt;
+  return setting;
+}
+
+std::string unknown_state(const std::string& name, const std::vector<std::string>& known) {
+  std::string list;
+  for (const std::string& state : known) list += (list.empty() ? "" : ", ") + state;
+  const std::string near = nearest_name(name, known);
+  return "error: this program has no state `" + name +
+         "`\nhelp: " + (near.empty() ? "" : "did you mean `" + near + "`? ") +
+         (known.empty() ? "it has none" : "it has " + list) +
+         "; others are named under `states:` in the graph. What is under `config:` is compiled "
+         "into "
+         "the program: change it in the graph";
+}
+
+std::string problem_of(const StateSetting& setting, const std::vector<double>& low,
+                       const std::vector<double>& high) {
+  const std::size_t size = low.size();
+  const std::size_t given = setting.numbers.size() / setting.groups();
+  const bool fits = setting.numbers.size() % setting.groups() == 0 && given >= 1 &&
+                    (given == 1 || given == size || setting.kind == Kind::choice);
+  if (!fits) {
+    const std::string two = setting.groups() == 2 ? "2, or 2 for each element: " : "1, or ";
+    return about(setting) + "there are " + std::to_string(setting.numbers.size()) +
+           " numbers\nhelp: it takes " + two + std::to_string(setting.groups() * size) + " of them";
+  }
+  const bool log = setting.kind == Kind::log_uniform;
+  for (std::size_t i = 0; i < std::max(size, setting.numbers.size()); ++i) {
+    const std::size_t at = std::min(i, size - 1);
+    const bool ordered = setting.kind == Kind::uniform || log;
+    if (ordered && i < size && setting.number(0, i) > setting.number(1, i))
+      return about(setting) + "the lower bound is above the upper one";
+    if (log && i < size && setting.number(0, i) <= 0.0)
+      return about(setting) + "the logarithm needs bounds above 0";
+    if (setting.kind == Kind::normal) {
+      if (i < size && setting.number(1, i) < 0.0)
+        return about(setting) + "the deviation is below 0";
+      continue;  // what is drawn is moved into the space
+    }
+    for (std::size_t group = 0; group < setting.groups(); ++group) {
+      const double x = setting.kind == Kind::choice ? setting.numbers[std::min(i, given - 1)]
+                       : i < size                   ? setting.number(group, i)
+                                                    : low[at];
+      if (is_within(x, low[at], high[at])) continue;
+      return about(setting) + number_text(x) + " is out of the space of the state, from " +
+             number_text(static_cast<float>(low[at])) + " to " +
+             number_text(static_cast<float>(high[at])) +
+             "\nhelp: a wider one is written in the graph: `states: {…: {uniform: space, space: "
+             "{low: "
+             "…, high: …}}}`";
+    }
+  }
+  return {};
+}
+
+}  // namespace eagerx::linux_sim

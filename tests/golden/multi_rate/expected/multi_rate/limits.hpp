@@ -1,0 +1,74 @@
+// What the actions and observations of graph `multi_rate` may be, and which action is safe.
+// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <eagerx/safety.hpp>
+#include <eagerx/space.hpp>
+
+#include "multi_rate/messages.hpp"
+
+namespace graphs::multi_rate {
+
+struct Limits {
+  using Action = graphs::multi_rate::Action;
+  using Observation = graphs::multi_rate::Observation;
+
+  /// actions.voltage, graph.yaml:46:3
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
+  /// actions.push, graph.yaml:47:3
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
+      .low = {{-1.0F}}, .high = {{1.0F}}};
+  /// observations.angle, graph.yaml:55:28
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
+      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  /// observations.speeds, graph.yaml:56:32
+  static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
+  /// observations.recent, graph.yaml:57:31
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
+      .low = {{-1.0F}}, .high = {{1.0F}}};
+  /// observations.applied, graph.yaml:58:32
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
+  /// observations.other, graph.yaml:59:29
+  static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
+
+  /// When the safe action takes the agent's place.
+  static constexpr eagerx::Safety kSafety{.declared = false,
+                                          .late = 1,
+                                          .max_lateness_ns = 100000000,
+                                          .link_timeout_ns = 10000000,
+                                          .missed = 2,
+                                          .recover = 3,
+                                          .clips = true,
+                                          .holds = false};
+  /// The safe action.
+  static Action safe() { return {{{0.0F}}, {{0.0F}}}; }
+
+  /// f(name, message, space) for each action.
+  template <class F>
+  static void for_each_action(Action& action, F&& f) {
+    f("voltage", action.voltage, kActionVoltage);
+    f("push", action.push, kActionPush);
+  }
+  /// f(message, space) for each action, with what it and all actuators that get it have in common.
+  template <class F>
+  static void for_each_applied(Action& action, F&& f) {
+    f(action.voltage, kActionVoltage);
+    f(action.push, kActionPush);
+  }
+  /// f(name, window, space) for each observation.
+  template <class F>
+  static void for_each_observation(const Observation& observation, F&& f) {
+    f("angle", observation.angle, kObservationAngle);
+    f("speeds", observation.speeds, kObservationSpeeds);
+    f("recent", observation.recent, kObservationRecent);
+    f("applied", observation.applied, kObservationApplied);
+    f("other", observation.other, kObservationOther);
+  }
+};
+
+}  // namespace graphs::multi_rate

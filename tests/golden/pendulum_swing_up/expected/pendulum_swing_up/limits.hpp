@@ -1,0 +1,58 @@
+// What the actions and observations of graph `pendulum_swing_up` may be, and which action is safe.
+// Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <eagerx/safety.hpp>
+#include <eagerx/space.hpp>
+
+#include "pendulum_swing_up/messages.hpp"
+
+namespace graphs::pendulum_swing_up {
+
+struct Limits {
+  using Action = graphs::pendulum_swing_up::Action;
+  using Observation = graphs::pendulum_swing_up::Observation;
+
+  /// actions.voltage, graph.yaml:29:3
+  static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
+      .low = {{-2.0F}}, .high = {{2.0F}}};
+  /// observations.angle, graph.yaml:35:32
+  static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
+      .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
+  /// observations.theta_dot, graph.yaml:36:36
+  static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
+
+  /// When the safe action takes the agent's place.
+  static constexpr eagerx::Safety kSafety{.declared = false,
+                                          .late = 1,
+                                          .max_lateness_ns = 33333333,
+                                          .link_timeout_ns = 10000000,
+                                          .missed = 2,
+                                          .recover = 3,
+                                          .clips = true,
+                                          .holds = false};
+  /// The safe action.
+  static Action safe() { return {{{0.0F}}}; }
+
+  /// f(name, message, space) for each action.
+  template <class F>
+  static void for_each_action(Action& action, F&& f) {
+    f("voltage", action.voltage, kActionVoltage);
+  }
+  /// f(message, space) for each action, with what it and all actuators that get it have in common.
+  template <class F>
+  static void for_each_applied(Action& action, F&& f) {
+    f(action.voltage, kActionVoltage);
+  }
+  /// f(name, window, space) for each observation.
+  template <class F>
+  static void for_each_observation(const Observation& observation, F&& f) {
+    f("angle", observation.angle, kObservationAngle);
+    f("theta_dot", observation.theta_dot, kObservationThetaDot);
+  }
+};
+
+}  // namespace graphs::pendulum_swing_up
