@@ -303,24 +303,33 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
   return false;
 }
 
-YamlValue in_base_units(YamlValue yaml, const Format& format) {
+namespace {
+
+void put_in_base_units(YamlValue& yaml, const Format& format) {
   if (format.kind == Format::Kind::one_of) {
     const auto option = std::ranges::find_if(
         format.options, [&](const FormatPtr& each) { return takes(yaml, *each); });
-    return option == format.options.end() ? yaml : in_base_units(std::move(yaml), **option);
+    if (option != format.options.end()) put_in_base_units(yaml, **option);
+    return;
   }
   if (format.quantity != Quantity::none && yaml.is_scalar()) {
     const Unit& base = *find_unit(format.quantity == Quantity::rate ? "Hz" : "s");
     yaml.text = number_in(yaml.text, base).value_or(yaml.text);
   }
   for (auto& item : yaml.items) {
-    if (format.item) item = in_base_units(std::move(item), *format.item);
+    if (format.item) put_in_base_units(item, *format.item);
   }
   for (auto& [key, span, value] : yaml.entries) {
     const Field* field = find_named(format.fields, key);
     const Format* inner = field != nullptr ? field->format.get() : format.item.get();
-    if (inner != nullptr) value = in_base_units(std::move(value), *inner);
+    if (inner != nullptr) put_in_base_units(value, *inner);
   }
+}
+
+}  // namespace
+
+YamlValue in_base_units(YamlValue yaml, const Format& format) {
+  put_in_base_units(yaml, format);
   return yaml;
 }
 

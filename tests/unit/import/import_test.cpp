@@ -10,11 +10,15 @@ namespace {
 
 /// A text of EAGERx, imported with the oracle's entities.
 struct Import {
-  explicit Import(const std::string& text, const ImportOptions& options = {}) {
+  /// `sensor_delay`: what our manifest says of the object's sensor.
+  explicit Import(const std::string& text, const ImportOptions& options = {},
+                  const std::string& sensor_delay = {}) {
     const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics, Tags::accept);
     if (diagnostics.has_errors()) return;
     saved = is_saved_graph(tree);
     library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
+    if (!sensor_delay.empty())
+      library.entities.at("OObject").sensors.front().settings.delay = made_scalar(sensor_delay, {});
     graph = import_graph(tree, "state.yaml", library, options, diagnostics);
   }
 
@@ -207,6 +211,22 @@ TEST(ImportGraph, ObjectsOfAFlattenedFileArePutBack) {
         "st0:", "{from: actions.act, to: obj.a0, window: 3, delay: 0.02}",
         "{from: obj.s3, to: observations.obs}"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
+/// EAGERx's sensors have no delay of their own: what is saved of a connection is all of it.
+TEST(ImportGraph, ADelayOfOurSensorIsTakenBackWhereTheFileHasAnother) {
+  const auto connection = [](const std::string& saved, const std::string& ours) {
+    std::string text = file(environment("10") + object());
+    const std::string key = "window: 1}}\n    outputs";
+    text.replace(text.find(key), key.size(), "window: 1, delay: " + saved + "}}\n    outputs");
+    const std::string graph = Import(text, {}, ours).text();
+    const std::size_t begin = graph.find("{from: obj.s0");
+    return graph.substr(begin, graph.find('\n', begin) - begin);
+  };
+  EXPECT_EQ(connection("0.0", ""), "{from: obj.s0, to: observations.obs}");
+  EXPECT_EQ(connection("0.0", "0.25"), "{from: obj.s0, to: observations.obs, delay: 0}");
+  EXPECT_EQ(connection("0.25", "0.25"), "{from: obj.s0, to: observations.obs}");
+  EXPECT_EQ(connection("0.0", "$(config late)"), "{from: obj.s0, to: observations.obs, delay: 0}");
 }
 
 TEST(ImportGraph, DifferencesWithinAnObjectAreWarnings) {
