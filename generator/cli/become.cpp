@@ -24,7 +24,7 @@ int become(const std::string& program, const std::vector<std::string>& arguments
   for (const auto& argument : arguments) add(argument);
   words.push_back(nullptr);
   execvp(words[0], words.data());
-  fmt::print(stderr, "error: cannot start `{}`: {}\n", path, std::strerror(errno));
+  complain("error: cannot start `{}`: {}\n", path, std::strerror(errno));
   return kInputOutput;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/command_line/command_line.hpp"
+#include "generator/command_line/output.hpp"
 #include "generator/read/rational.hpp"
 
 namespace eagerx::gen {

@@ -43,12 +43,12 @@ std::optional<std::string> code_of(std::string_view word) {
 void list_all() {
   const auto pages = code_pages();
   for (const Group& group : kGroups) {
-    fmt::print("{}xx {}\n", group.prefix, group.about);
+    say("{}xx {}\n", group.prefix, group.about);
     for (const CodePage& page : pages) {
-      if (page.code.starts_with(group.prefix)) fmt::print("  {}  {}\n", page.code, page.title());
+      if (page.code.starts_with(group.prefix)) say("  {}  {}\n", page.code, page.title());
     }
   }
-  fmt::print("\n`eagerx-gen explain CODE` says more about one of them\n");
+  say("\n`eagerx-gen explain CODE` says more about one of them\n");
 }
 
 /// The codes before and after one that does not exist.
@@ -74,19 +74,18 @@ int explain_command(const Options& options) {
   }
   const auto code = code_of(options.code);
   if (!code) {
-    fmt::print(stderr,
-               "error: `{}` is not a code\nhelp: codes are such as E0307; `eagerx-gen explain` "
-               "lists them\n",
-               options.code);
+    complain(
+        "error: `{}` is not a code\nhelp: codes are such as E0307; `eagerx-gen explain` "
+        "lists them\n",
+        options.code);
     return kWrongUsage;
   }
   for (const CodePage& page : code_pages()) {
     if (page.code != *code) continue;
-    fmt::print("{}", page.text);
+    say_text(page.text);
     return kDone;
   }
-  fmt::print(
-      stderr,
+  complain(
       "error: there is no code `{}`\nhelp: next to it are {}; `eagerx-gen explain` lists all\n",
       *code, neighbours(*code));
   return kWrongUsage;

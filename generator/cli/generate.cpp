@@ -2,10 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
 #include "generator/cli/next_steps.hpp"
@@ -15,6 +12,7 @@
 #include "generator/compile/compile.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/plausibility/plausibility.hpp"
+#include "generator/quote/quote.hpp"
 #include "generator/report/report.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -70,16 +68,22 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
   return result;
 }
 
+/// Refuses what CMake, or the ninja that it writes rules for, cannot have in the path of a project.
+void check_output_path(Run& run, const std::string& path) {
+  for (const std::string_view part : {";", "\"", "\\", "|", "${", "$<", "\n", "\r"}) {
+    if (path.find(part) == std::string::npos) continue;
+    run.diagnostics
+        .io_error("E0905", {},
+                  fmt::format("CMake cannot build in `{}`: the path has `{}`", path, part))
+        .help = "choose another folder with `--output`";
+    return;
+  }
+}
+
 /// Everything that the output was made from, in the form that make and ninja read.
 std::string depfile_text(const Run& run, const Options& options) {
   const auto escaped = [](const std::string& path) {
-    std::string result;
-    for (const char c : fs::absolute(path).lexically_normal().string()) {
-      if (c == ' ' || c == '#') result += '\\';
-      if (c == '$') result += '$';
-      result += c;
-    }
-    return result;
+    return make_path(fs::absolute(path).lexically_normal().string());
   };
   const std::string target = options.depfile.ends_with(".d")
                                  ? options.depfile.substr(0, options.depfile.size() - 2)
@@ -105,24 +109,16 @@ std::string depfile_text(const Run& run, const Options& options) {
   }
   std::sort(inputs.begin() + 1, inputs.end());
   std::string text = escaped(target) + ":";
-  for (const auto& input : inputs) text += " \\\n  " + escaped(input);
+  for (const auto& input : inputs) {
+    if (is_make_path(input)) text += " \\\n  " + escaped(input);
+  }
   return text + "\n";
 }
 
 /// Before the output: if it cannot be written, the output stays as it was.
 bool write_depfile(Run& run, const Options& options) {
-  if (options.depfile.empty()) return true;
-  std::error_code ignored;  // fopen() says what is wrong
-  fs::create_directories(fs::absolute(options.depfile).parent_path(), ignored);
-  std::FILE* file = std::fopen(options.depfile.c_str(), "wb");
-  const std::string text = depfile_text(run, options);
-  const bool written =
-      file != nullptr && std::fwrite(text.data(), 1, text.size(), file) == text.size();
-  const bool closed = file != nullptr && std::fclose(file) == 0;
-  if (!written || !closed)
-    run.diagnostics.io_error(
-        "E0901", {}, fmt::format("cannot write `{}`: {}", options.depfile, std::strerror(errno)));
-  return written && closed;
+  return options.depfile.empty() ||
+         write_file(options.depfile, depfile_text(run, options), run.diagnostics);
 }
 
 /// The program, or one of the two of a split graph.
@@ -176,7 +172,8 @@ bool is_as_written(const Options& options) {
 /// Everything besides the graph itself; true if the program can be written.
 bool judge(Run& run, const std::vector<const Target*>& targets, const Options& options) {
   check_budget(run);
-  check_headers(*run.plan, run.diagnostics);
+  // The compiler gets whole paths, an output is beside the library.
+  check_headers(*run.plan, options.compile ? "/" : "", run.diagnostics);
   // Errors first: they may be why something looks odd.
   if (!run.diagnostics.has_errors())
     check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
@@ -195,6 +192,9 @@ int generate_command(const Options& options) {
   if (!judge(run, targets, options)) return finish(run, options);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
+  check_output_path(run, fs::absolute(folder).lexically_normal().string());
+  check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
+  if (run.diagnostics.has_errors()) return finish(run, options);
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
   if (!options.library) emit_options.targets = targets;
@@ -226,8 +226,8 @@ int generate_command(const Options& options) {
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return finish(run, options);
   if (!options.quiet) {
-    fmt::print("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
-    fmt::print("{}", next_steps(run, options, emit_options.targets, folder));
+    say("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
+    say("{}", next_steps(run, options, emit_options.targets, folder));
   }
   return finish(run, options);
 }
@@ -272,10 +272,10 @@ int check_command(const Options& options) {
     const auto warnings = static_cast<std::uint64_t>(
         std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity));
     for (const auto& ring : run.plan->rings) messages += ring.capacity;
-    fmt::print("{}: {}, {}, {} with room for {}; {}\n", options.graph,
-               counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
-               counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
-               warnings == 0 ? "no problems" : counted(warnings, "warning"));
+    say("{}: {}, {}, {} with room for {}; {}\n", options.graph,
+        counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
+        counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
+        warnings == 0 ? "no problems" : counted(warnings, "warning"));
   }
   return code;
 }

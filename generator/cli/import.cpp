@@ -48,15 +48,14 @@ int import_command(const Options& options) {
   imported->spec.library = library_of(options);
   const std::string text = write_graph(*imported);
   if (options.output.empty()) {
-    std::fputs(text.c_str(), stdout);
+    say_text(text);
   } else if (is_same_file(options.graph, options.output)) {
     run.diagnostics
         .io_error("E0901", {}, fmt::format("`{}` is the file that is read", options.output))
         .help = "give another name with `-o`";
   } else if (write_file(options.output, text, run.diagnostics) && !options.quiet) {
-    fmt::print("{}: {} objects, {} nodes, {} connections\n", options.output,
-               imported->spec.objects.size(), imported->spec.nodes.size(),
-               imported->spec.connections.size());
+    say("{}: {} objects, {} nodes, {} connections\n", options.output, imported->spec.objects.size(),
+        imported->spec.nodes.size(), imported->spec.connections.size());
   }
   return finish(run, options);
 }

@@ -30,7 +30,7 @@ std::string space_of(const SpaceSpec& space) {
 
 void print_ports(const char* title, const std::vector<PortManifest>& ports) {
   if (ports.empty()) return;
-  fmt::print("\n{}\n", title);
+  say("\n{}\n", title);
   for (const auto& port : ports) {
     std::string more;
     if (!port.unit.empty()) more += " " + port.unit;
@@ -42,8 +42,8 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (port.settings.max_delay)
       more += fmt::format("{} up to {} s", port.rate ? ", longest delay" : ", sets its delay",
                           text_of(*port.settings.max_delay));
-    fmt::print("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
-    if (!port.about.empty()) fmt::print("  {:<20}   {}\n", "", port.about);
+    say("  {:<20} {}{}\n", port.name.value, space_of(port.space), more);
+    if (!port.about.empty()) say("  {:<20}   {}\n", "", port.about);
   }
 }
 
@@ -52,10 +52,10 @@ void print_eagerx_ids(const Entity& entity) {
     std::string when;
     for (const auto& [name, span, value] : eagerx.when)
       when += fmt::format("{}{} = {}", when.empty() ? " if " : ", ", name, text_of(value));
-    fmt::print("{}{}{}", &eagerx == &entity.eagerx_ids.front() ? "\nin EAGERx: " : ", ",
-               eagerx.id.value, when);
+    say("{}{}{}", &eagerx == &entity.eagerx_ids.front() ? "\nin EAGERx: " : ", ", eagerx.id.value,
+        when);
   }
-  if (!entity.eagerx_ids.empty()) fmt::print("\n");
+  if (!entity.eagerx_ids.empty()) say("\n");
 }
 
 std::string_view type_of(const Parameter& parameter) {
@@ -80,7 +80,7 @@ std::string_view type_of(const Parameter& parameter) {
 
 void print_parameters(const std::vector<Parameter>& parameters) {
   if (parameters.empty()) return;
-  fmt::print("\nconfig\n");
+  say("\nconfig\n");
   for (const auto& parameter : parameters) {
     std::string more = std::string(type_of(parameter));
     if (!parameter.options.empty()) more = fmt::format("{}", fmt::join(parameter.options, " | "));
@@ -91,15 +91,15 @@ void print_parameters(const std::vector<Parameter>& parameters) {
       more += fmt::format(", in EAGERx {}", parameter.eagerx);
     more += parameter.fallback ? fmt::format(" (default {})", text_of(*parameter.fallback))
                                : " (required)";
-    fmt::print("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
+    say("  {:<20} {}\n  {:<20}   {}\n", parameter.name.value, more, "", parameter.about);
   }
 }
 
 void print_requirements(const std::vector<Requirement>& requirements) {
   if (requirements.empty()) return;
-  fmt::print("\nrequires\n");
+  say("\nrequires\n");
   for (const auto& requirement : requirements)
-    fmt::print("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
+    say("  {}\n  {:<20}   {}\n", requirement.text, "", requirement.because);
 }
 
 /// A node with targets is a reset node, whatever it is otherwise.
@@ -108,20 +108,20 @@ std::string_view kind_of(const Entity& entity) {
 }
 
 void print_entity(const Entity& entity) {
-  fmt::print("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
-  if (!entity.description.empty()) fmt::print("\n{}", entity.description);
+  say("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
+  if (!entity.description.empty()) say("\n{}", entity.description);
   print_eagerx_ids(entity);
-  if (!entity.engines.empty()) fmt::print("\nworks on: {}\n", fmt::join(entity.engines, ", "));
+  if (!entity.engines.empty()) say("\nworks on: {}\n", fmt::join(entity.engines, ", "));
   if (!entity.runs.empty())
-    fmt::print("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
+    say("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));
   std::vector<std::string> engines;
   for (const auto& implementation : entity.object_engines)
     engines.push_back(implementation.engine.value);
-  if (!engines.empty()) fmt::print("\nimplemented for: {}\n", fmt::join(engines, ", "));
+  if (!engines.empty()) say("\nimplemented for: {}\n", fmt::join(engines, ", "));
   for (const auto& implementation : entity.object_engines) {
     if (!implementation.summary.empty())
-      fmt::print("  {}: {}\n", implementation.engine.value, implementation.summary);
-    if (!implementation.description.empty()) fmt::print("{}\n", implementation.description);
+      say("  {}: {}\n", implementation.engine.value, implementation.summary);
+    if (!implementation.description.empty()) say("{}\n", implementation.description);
   }
   print_parameters(entity.config);
   print_ports("sensors", entity.sensors);
@@ -131,20 +131,18 @@ void print_entity(const Entity& entity) {
   print_ports(entity.kind == EntityKind::engine_state ? "state" : "states", entity.states);
   print_ports("targets", entity.reset_targets);
   print_requirements(entity.requirements);
-  if (!entity.cpp.include.empty())
-    fmt::print("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
+  if (!entity.cpp.include.empty()) say("\nC++: {} in {}\n", entity.cpp.name, entity.cpp.include);
 }
 
 void print_all(const Library& library) {
   for (const EntityKind kind :
        {EntityKind::object, EntityKind::node, EntityKind::processor, EntityKind::engine,
         EntityKind::engine_node, EntityKind::engine_state}) {
-    fmt::print("{}s\n", to_string(kind));
-    for (const auto& id : library.ids(kind))
-      fmt::print("  {:<22} {}\n", id, library.find(id)->summary);
+    say("{}s\n", to_string(kind));
+    for (const auto& id : library.ids(kind)) say("  {:<22} {}\n", id, library.find(id)->summary);
   }
-  fmt::print("targets\n");
-  for (const auto& [id, target] : library.targets) fmt::print("  {:<22} {}\n", id, target.summary);
+  say("targets\n");
+  for (const auto& [id, target] : library.targets) say("  {:<22} {}\n", id, target.summary);
 }
 
 /// A family is no entity, only a name that manifests use. False if `name` is none.
@@ -158,8 +156,7 @@ bool print_family(const Library& library, const std::string& name) {
                               [&](const auto& each) { return each.engine.value == name; }))
         objects.push_back(id);
     }
-    fmt::print(
-        "{0} (family of engines)\nA name, not an engine: an object that is implemented for {0} "
+    say("{0} (family of engines)\nA name, not an engine: an object that is implemented for {0} "
         "runs "
         "on each engine of the family.\n\nengines that run it: {1}\nobjects implemented for it: "
         "{2}\n",
@@ -175,8 +172,7 @@ bool print_family(const Library& library, const std::string& name) {
     if (entity.family && entity.family->value == name) entities.push_back(id);
   }
   if (boards.empty() && entities.empty()) return false;
-  fmt::print(
-      "{} (family of boards)\nA name for boards with the same peripherals. Entities that need "
+  say("{} (family of boards)\nA name for boards with the same peripherals. Entities that need "
       "these "
       "name the family.\n\nboards: {}\nentities that need one of them: {}\n",
       name, boards.empty() ? "none" : fmt::format("{}", fmt::join(boards, ", ")),
@@ -210,9 +206,9 @@ int graph_info(Options options) {
   if (!make(run, options)) return finish(run, options);
   const PlanReport report = report_of(*run.plan);
   if (options.json_output)
-    fmt::print("{}\n", dump_json(report_json(report)));
+    say("{}\n", dump_json(report_json(report)));
   else
-    fmt::print("{}{}{}", plan_text(report), timing_text(report), profile_text(*run.spec));
+    say("{}{}{}", plan_text(report), timing_text(report), profile_text(*run.spec));
   return finish(run, options);
 }
 
@@ -221,7 +217,7 @@ int graph_info(Options options) {
 int info_command(const Options& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
   if (options.json_output) {
-    fmt::print(stderr, "error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
+    complain("error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
     return kWrongUsage;
   }
   Run run;
@@ -237,10 +233,9 @@ int info_command(const Options& options) {
   }
   if (const auto target = run.library.targets.find(options.entity);
       target != run.library.targets.end()) {
-    fmt::print("{} (target)\n{}\n\n{}", target->first, target->second.summary,
-               target->second.description);
-    if (!target->second.facts.empty()) fmt::print("\n");
-    for (const auto& [name, value] : target->second.facts) fmt::print("{}: {}\n", name, value);
+    say("{} (target)\n{}\n\n{}", target->first, target->second.summary, target->second.description);
+    if (!target->second.facts.empty()) say("\n");
+    for (const auto& [name, value] : target->second.facts) say("{}: {}\n", name, value);
     return finish(run, options);
   }
   if (print_family(run.library, options.entity)) return finish(run, options);
@@ -258,20 +253,19 @@ int info_command(const Options& options) {
 int schema_command(const Options& options) {
   const bool of_library = options.graph_schema || !options.paths.empty();
   if (options.manifest_schema) {
-    fmt::print("{}", schema_text(manifest_schema(), "eagerx-gen manifest",
-                                 "eagerx-gen/manifest.schema.json"));
+    say("{}",
+        schema_text(manifest_schema(), "eagerx-gen manifest", "eagerx-gen/manifest.schema.json"));
     return kDone;
   }
   if (!of_library) {
-    fmt::print("{}",
-               json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+    say("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
     return kDone;
   }
   Run run;
   load(run, options);
   if (!run.diagnostics.has_errors())
-    fmt::print("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
-                                 "eagerx-gen/library.schema.json"));
+    say("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
+                          "eagerx-gen/library.schema.json"));
   return finish(run, options);
 }
 

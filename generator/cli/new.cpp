@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -48,14 +49,6 @@ std::vector<std::pair<std::string, std::string>> filled_files(const fs::path& fo
   return result;
 }
 
-bool write(const fs::path& path, const std::string& text, Diagnostics& diagnostics) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`", path.string()));
-  return static_cast<bool>(out);
-}
-
 void make_board(const fs::path& folder, const std::string& name, Run& run) {
   const auto files = filled_files(fs::path(run.root) / "targets" / "common" / "new-board", name);
   if (files.empty()) {
@@ -69,14 +62,17 @@ void make_board(const fs::path& folder, const std::string& name, Run& run) {
         .help = "choose another name, or another folder with --output";
     return;
   }
-  if (!fs::create_directories(folder, error)) {
+  // Beside its place: a board without some of its files would not be taken for a broken one.
+  const fs::path begun = folder.parent_path() / fmt::format(".{}.eagerx-gen.new", name);
+  fs::remove_all(begun, error);  // of a run that was killed
+  bool good = true;
+  for (const auto& [file, text] : files)
+    good = good && write_file((begun / file).string(), text, run.diagnostics);
+  if (good) fs::rename(begun, folder, error);
+  if (good && error)
     run.diagnostics.io_error("E0901", {},
                              fmt::format("cannot make `{}`: {}", folder.string(), error.message()));
-    return;
-  }
-  for (const auto& [file, text] : files) {
-    if (!write(folder / file, text, run.diagnostics)) return;
-  }
+  fs::remove_all(begun, error);
 }
 
 }  // namespace
@@ -97,8 +93,7 @@ int new_board_command(const Options& options) {
   const fs::path folder = parent / options.entity;
   make_board(folder, options.entity, run);
   if (!run.diagnostics.has_errors() && !options.quiet) {
-    fmt::print(
-        "{0}: replace every FILL_IN, write the functions of board.cpp that are missing, then\n"
+    say("{0}: replace every FILL_IN, write the functions of board.cpp that are missing, then\n"
         "  eagerx-gen GRAPH.yaml --path {1} --target {2}\n"
         "or eagerx_add_graph(… BOARD {2} PATHS {1}). {3}/targets/README.md explains the rest.\n",
         folder.string(), parent.string(), options.entity, run.root);

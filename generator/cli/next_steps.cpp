@@ -2,25 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
+
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// As a shell takes it for one word.
-std::string quoted(const std::string& word) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c >= 0x80U ||
-           std::string_view("_-./=+:,@%").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, plain)) return word;
-  std::string result = "'";
-  for (const char c : word) result += c == '\'' ? "'\\''" : std::string(1, c);
-  return result + "'";
-}
 
 class Steps {
  public:
@@ -29,13 +18,14 @@ class Steps {
   /// Configures, builds and starts one program. `several`: others lie in the same folder.
   std::string build(const Target& target, const std::string& folder, bool several) const {
     const std::string tree = folder + (several ? "/build-" + target.id.value : "/build");
-    std::string line = fmt::format("  cmake -S {} -B {}", quoted(folder), quoted(tree));
-    if (several) line += " -D EAGERX_TARGET=" + target.id.value;
-    if (!target.toolchain.empty()) line += " --toolchain " + quoted(toolchain(target, folder));
+    std::string line = fmt::format("  cmake -S {} -B {}", shell_word(folder), shell_word(tree));
+    if (several) line += " -D EAGERX_TARGET=" + shell_word(target.id.value);
+    if (!target.toolchain.empty()) line += " --toolchain " + shell_word(toolchain(target, folder));
     if (is_own(target) && !standalone())
       line += " -D EAGERX_TARGETS_PATH=" +
-              quoted(fs::absolute(folder_of(target)).lexically_normal().parent_path().string());
-    return line + fmt::format(" && cmake --build {}", quoted(tree)) + start(target, tree) + "\n";
+              shell_word(fs::absolute(folder_of(target)).lexically_normal().parent_path().string());
+    return line + fmt::format(" && cmake --build {}", shell_word(tree)) + start(target, tree) +
+           "\n";
   }
 
  private:
@@ -64,12 +54,13 @@ class Steps {
   /// Nothing where the manifest does not say how.
   [[nodiscard]] std::string start(const Target& target, const std::string& tree) const {
     const std::string image = tree + "/" + run_.graph->name;
-    if (target.toolchain.empty()) return " && " + quoted(image) + " --help";
+    if (target.toolchain.empty()) return " && " + shell_word(image) + " --help";
     if (target.run.empty()) return {};
     const std::string name = is_own(target) ? folder_of(target).string() : target.id.value;
-    return fmt::format(" && {} {} {}", quoted((fs::path(run_.root) / "targets" / "run").string()),
-                       quoted(name),
-                       target.system.empty() ? quoted(image + ".elf") : quoted(image) + " --help");
+    return fmt::format(
+        " && {} {} {}", shell_word((fs::path(run_.root) / "targets" / "run").string()),
+        shell_word(name),
+        target.system.empty() ? shell_word(image + ".elf") : shell_word(image) + " --help");
   }
 
   const Run& run_;

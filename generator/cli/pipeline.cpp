@@ -116,6 +116,7 @@ bool make(Run& run, const Options& options) {
 }
 
 int finish(Run& run, const Options& options) {
+  if (const auto why = flush_output()) report_output(*why, run.diagnostics);
   run.diagnostics.sort_by_place();
   if (options.quiet) run.diagnostics.drop_notes();
   if (options.json) {

@@ -32,7 +32,7 @@ void print_layers(const Network& network) {
   LayerCost sum;
   std::size_t remembered = 0;
   std::size_t int8 = 0;
-  fmt::print("layers\n");
+  say("layers\n");
   for (const Layer& layer : network.layers) {
     const LayerCost cost = cost_of(layer);
     sum.parameters += cost.parameters;
@@ -41,12 +41,12 @@ void print_layers(const Network& network) {
     remembered += layer.remembers();
     int8 += int8_bytes(layer);
     const bool plain = layer.is_dense() && layer.activation == Activation::identity && !layer.norm;
-    fmt::print("  {} -> {}{}\n", layer.inputs, layer.outputs, plain ? "" : note_of(layer));
+    say("  {} -> {}{}\n", layer.inputs, layer.outputs, plain ? "" : note_of(layer));
   }
-  fmt::print("parameters     {}\n", sum.parameters);
-  fmt::print("flash          {} bytes, {} with `weights: int8`\n", sum.bytes, int8);
-  fmt::print("multiply-adds  {}\n", sum.multiply_adds);
-  if (remembered > 0) fmt::print("memory         {} bytes\n", remembered * sizeof(float));
+  say("parameters     {}\n", sum.parameters);
+  say("flash          {} bytes, {} with `weights: int8`\n", sum.bytes, int8);
+  say("multiply-adds  {}\n", sum.multiply_adds);
+  if (remembered > 0) say("memory         {} bytes\n", remembered * sizeof(float));
 }
 
 std::string list_of(const std::vector<double>& values) {
@@ -55,27 +55,25 @@ std::string list_of(const std::vector<double>& values) {
 
 void print_contract(const Network& network) {
   const PolicyContract& contract = network.contract;
-  fmt::print("contract\n");
-  if (!contract.algorithm.empty()) fmt::print("  trained by     {}\n", contract.algorithm);
+  say("contract\n");
+  if (!contract.algorithm.empty()) say("  trained by     {}\n", contract.algorithm);
   std::vector<std::string> parts;
   for (const auto& part : contract.observations) {
     parts.push_back(part.size == 1 ? part.name : fmt::format("{} ({})", part.name, part.size));
   }
-  fmt::print(
-      "  observations   {}{}\n", network.inputs(),
+  say("  observations   {}{}\n", network.inputs(),
       parts.empty() ? ", names not in the file" : fmt::format(": {}", fmt::join(parts, ", ")));
   if (const auto& statistics = network.normalization) {
     const bool clips = statistics->clip < std::numeric_limits<double>::max();
     const std::string value = fmt::format("(x - mean) / sqrt(var + {:g})", statistics->epsilon);
-    fmt::print("  normalised     {}, from {}\n",
-               clips
-                   ? fmt::format("clip({}, -{:g}, {:g})", value, statistics->clip, statistics->clip)
-                   : value,
-               statistics->source);
-    fmt::print("                 mean {}, var {}\n", list_of(statistics->mean),
-               list_of(statistics->variance));
+    say("  normalised     {}, from {}\n",
+        clips ? fmt::format("clip({}, -{:g}, {:g})", value, statistics->clip, statistics->clip)
+              : value,
+        statistics->source);
+    say("                 mean {}, var {}\n", list_of(statistics->mean),
+        list_of(statistics->variance));
   } else {
-    fmt::print("  normalised     no (give statistics with --normalize)\n");
+    say("  normalised     no (give statistics with --normalize)\n");
   }
   const ActionKind kind = network.action_kind();
   const std::string bounds =
@@ -84,18 +82,18 @@ void print_contract(const Network& network) {
           : fmt::format("{} … {}", list_of(contract.action_low), list_of(contract.action_high));
   switch (kind) {
     case ActionKind::squashed:
-      fmt::print("  action         {}, from -1…1 to {}\n", network.outputs(), bounds);
+      say("  action         {}, from -1…1 to {}\n", network.outputs(), bounds);
       break;
     case ActionKind::raw:
-      fmt::print("  action         {}, clipped to {}\n", network.outputs(), bounds);
+      say("  action         {}, clipped to {}\n", network.outputs(), bounds);
       break;
     case ActionKind::argmax:
-      fmt::print("  action         the index of the largest of {} outputs, from {} on\n",
-                 network.outputs(), contract.first_choice.value_or(0));
+      say("  action         the index of the largest of {} outputs, from {} on\n",
+          network.outputs(), contract.first_choice.value_or(0));
       break;
   }
-  fmt::print("  rate           {}\n",
-             contract.rate_hz ? fmt::format("{:g} Hz", *contract.rate_hz) : "not in the file");
+  say("  rate           {}\n",
+      contract.rate_hz ? fmt::format("{:g} Hz", *contract.rate_hz) : "not in the file");
 }
 
 int test(Run& run, const Options& options, const Network& network) {
@@ -103,19 +101,19 @@ int test(Run& run, const Options& options, const Network& network) {
   const auto result =
       rows ? compare(network, *rows, options.golden, {}, run.diagnostics) : std::nullopt;
   if (!result) return finish(run, options);
-  fmt::print("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
+  say("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
   if (!network.normalization && !rows->normalized.empty()) {
-    fmt::print("normalised     taken from the rows, because there is no `--normalize`\n");
+    say("normalised     taken from the rows, because there is no `--normalize`\n");
   }
-  fmt::print("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
-  fmt::print("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);
-  fmt::print("with int8      off by {}\n",
-             to_string(rounding_error(network, with_int8_weights(network), &*rows)));
+  say("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
+  say("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);
+  say("with int8      off by {}\n",
+      to_string(rounding_error(network, with_int8_weights(network), &*rows)));
   if (result->action) {
-    fmt::print("actions        {:.3g} off; at most {:.3g} is allowed\n", *result->action,
-               result->action_limit);
+    say("actions        {:.3g} off; at most {:.3g} is allowed\n", *result->action,
+        result->action_limit);
   } else if (!rows->actions.empty()) {
-    fmt::print("actions        not compared: the file does not say their bounds\n");
+    say("actions        not compared: the file does not say their bounds\n");
   }
   return finish(run, options);
 }
@@ -127,14 +125,14 @@ int policy_command(const Options& options) {
   const auto network = read(run, options);
   if (!network) return finish(run, options);
   if (!options.golden.empty()) return test(run, options, *network);
-  fmt::print("{}: {}\n", options.policy, network->format);
+  say("{}: {}\n", options.policy, network->format);
   print_layers(*network);
-  fmt::print("with int8      off by {}\n",
-             to_string(rounding_error(*network, with_int8_weights(*network), nullptr)));
+  say("with int8      off by {}\n",
+      to_string(rounding_error(*network, with_int8_weights(*network), nullptr)));
   print_contract(*network);
-  for (const std::string& part : network->assumed) fmt::print("assumed        {}\n", part);
-  if (!network->ignored.empty()) fmt::print("not used\n");
-  for (const std::string& part : network->ignored) fmt::print("  {}\n", part);
+  for (const std::string& part : network->assumed) say("assumed        {}\n", part);
+  if (!network->ignored.empty()) say("not used\n");
+  for (const std::string& part : network->ignored) say("  {}\n", part);
   return finish(run, options);
 }
 

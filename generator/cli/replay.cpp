@@ -12,9 +12,11 @@ namespace eagerx::gen {
 int replay_command(const Options& options) {
   if (!options.second_log.empty()) {
     const Comparison comparison = compare_logs(options.log, options.second_log);
-    std::FILE* const out = comparison.readable ? stdout : stderr;
-    fmt::print(out, "{}", comparison.text);
-    if (!comparison.readable) return kInputOutput;
+    if (!comparison.readable) {
+      complain("{}", comparison.text);
+      return kInputOutput;
+    }
+    say_text(comparison.text);
     return comparison.equal ? kDone : kProblems;
   }
   std::vector<std::string> arguments = {"--replay", options.log};

@@ -164,9 +164,9 @@ std::optional<Json> read_baseline(Run& run, const Options& options) {
   return json;
 }
 
-void print(const SizeReport& report, const std::optional<PlanReport>& plan, bool as_json) {
+void print_report(const SizeReport& report, const std::optional<PlanReport>& plan, bool as_json) {
   if (!as_json) {
-    fmt::print("{}{}", size_text(report), plan ? timing_text(*plan) : "");
+    say("{}{}", size_text(report), plan ? timing_text(*plan) : "");
     return;
   }
   Json json = size_json(report);
@@ -175,7 +175,7 @@ void print(const SizeReport& report, const std::optional<PlanReport>& plan, bool
     json["ages"] = std::move(timing["ages"]);
     json["link"] = std::move(timing["link"]);
   }
-  fmt::print("{}\n", dump_json(json));
+  say("{}\n", dump_json(json));
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ int size_command(const Options& options) {
       run.diagnostics.io_error(
           "E0911", {}, fmt::format("cannot run `{}` on `{}`", options.image, options.run_on));
   }
-  if (!options.quiet) print(*report, plan, options.json_output);
+  if (!options.quiet) print_report(*report, plan, options.json_output);
   if (plan && run.spec->budget) {
     BudgetCheck(*report, baseline, run.diagnostics).run(*run.spec->budget);
     check_plan_budget(*plan, *run.spec->budget, run.diagnostics);

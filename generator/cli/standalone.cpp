@@ -31,7 +31,7 @@ std::optional<Included> included(std::string_view line) {
   if (at == line.npos || !line.substr(at).starts_with(kInclude)) return std::nullopt;
   at = line.find_first_not_of(kSpace, at + kInclude.size());
   if (at == line.npos || (line[at] != '"' && line[at] != '<')) return std::nullopt;
-  const std::size_t to = line.find_first_of("\">", at + 1);
+  const std::size_t to = line.find(line[at] == '"' ? '"' : '>', at + 1);
   if (to == line.npos || to == at + 1) return std::nullopt;
   return Included{at + 1, to, line[at] == '"'};
 }

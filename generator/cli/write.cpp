@@ -1,15 +1,15 @@
 #include "generator/cli/write.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
+#include <sys/stat.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
+
+#include "generator/cli/folder.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -17,78 +17,60 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kList = "eagerx-gen.files";
+// What is about to be put into its place, and `journal`, which says where. With that file the new
+// output is complete; without it the old one stays.
+constexpr const char* kStage = ".eagerx-gen.new";
+constexpr const char* kJournal = ".eagerx-gen.new/journal";
+constexpr const char* kJournalBegun = ".eagerx-gen.new/journal.begun";
 
-std::optional<std::string> read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-/// Paths of an earlier run; anything that points out of the folder is not ours.
-std::vector<std::string> earlier_files(const fs::path& folder) {
+std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> result;
-  std::istringstream lines(read(folder / kList).value_or(""));
-  for (std::string line; std::getline(lines, line);) {
-    const fs::path path = fs::path(line).lexically_normal();
-    if (!line.empty() && path.is_relative() && *path.begin() != "..") result.push_back(line);
-  }
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) result.push_back(line);
   return result;
 }
 
-GeneratedFile list_of(std::set<std::string> names) {
-  names.erase(kList);
+GeneratedFile list_of(const std::vector<GeneratedFile>& files) {
   std::string text = std::string(kList) + "\n";
-  for (const auto& name : names) text += name + "\n";
+  for (const auto& file : files) text += file.path + "\n";
   return {kList, text};
 }
 
+/// One file of the output: written from its place in the stage, or removed.
+struct Change {
+  std::string staged;  // empty: removed
+  std::string path;
+};
+
 class Writer {
  public:
-  Writer(const fs::path& folder, Diagnostics& diagnostics)
-      : folder_(folder), diagnostics_(diagnostics) {}
-  ~Writer() {
-    std::error_code ignored;
-    for (const auto& [temporary, path] : pending_) fs::remove(temporary, ignored);
-  }
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  Writer(std::string name, Folder folder, Diagnostics& diagnostics)
+      : name_(std::move(name)), folder_(std::move(folder)), diagnostics_(diagnostics) {}
 
-  std::optional<WriteResult> run(const std::vector<GeneratedFile>& files) {
-    const std::vector<std::string> earlier = earlier_files(folder_);
+  std::optional<WriteResult> run(std::vector<GeneratedFile> files) {
+    if (!folder_.lock()) return fail("", "another run of eagerx-gen writes there");
+    if (!finish_earlier_run()) return std::nullopt;
+    const std::vector<std::string> earlier = earlier_files();
     if (!spares_others(earlier, files)) return std::nullopt;
-    std::set<std::string> made;
-    for (const auto& file : files) made.insert(file.path);
-    std::set<std::string> both = made;
-    both.insert(earlier.begin(), earlier.end());
-    const bool same = read(folder_ / kList) == list_of(made).text;
-    // At every moment the list names all that is ours: a run after one that was interrupted finds
-    // no file of somebody else's.
-    std::vector<GeneratedFile> all = {list_of(both)};
-    all.insert(all.end(), files.begin(), files.end());
-    if (!write(all)) return std::nullopt;
-    remove_stale(earlier, made);
-    if (!write({list_of(made)})) return std::nullopt;
-    ++(same ? result_.unchanged : result_.written);
+    files.push_back(list_of(files));
+    std::vector<Change> changes;
+    if (!stage(files, changes)) {
+      clear_stage();
+      return std::nullopt;
+    }
+    add_stale(earlier, files, changes);
+    if (!changes.empty() && (!commit(changes) || !apply(changes))) return std::nullopt;
     return result_;
   }
 
-  bool write(const std::vector<GeneratedFile>& files) {
-    for (const auto& file : files) {
-      if (!prepare(file)) return false;
-    }
-    for (const auto& [temporary, path] : pending_) {
-      std::error_code error;
-      fs::rename(temporary, path, error);
-      if (error) return fail(path, error.message()).has_value();
-      result_.written += path.filename() == kList ? 0U : 1U;
-    }
-    pending_.clear();
-    return true;
+ private:
+  /// Paths of an earlier run; anything that points out of the folder is not ours.
+  [[nodiscard]] std::vector<std::string> earlier_files() const {
+    std::vector<std::string> result = lines_of(folder_.read(kList).value_or(""));
+    std::erase_if(result, [](const std::string& path) { return !is_below(path); });
+    return result;
   }
 
- private:
   /// A file that no earlier run wrote is somebody's: `-o .` in a project must not cost its
   /// CMakeLists.txt.
   bool spares_others(const std::vector<std::string>& earlier,
@@ -96,70 +78,181 @@ class Writer {
     const std::set<std::string> ours(earlier.begin(), earlier.end());
     bool good = true;
     for (const auto& file : files) {
-      std::error_code ignored;
-      if (ours.contains(file.path) || !fs::is_regular_file(folder_ / file.path, ignored)) continue;
-      const auto text = read(folder_ / file.path);
-      if (text == file.text) continue;
+      if (ours.contains(file.path) || !is_below(file.path)) continue;
+      const Folder::Kind kind = folder_.kind(file.path);
+      const bool may_be = kind == Folder::Kind::file || kind == Folder::Kind::other;
+      if (!may_be || !folder_.takes(file.path) || folder_.read(file.path) == file.text) continue;
       diagnostics_
-          .io_error(
-              "E0903", {},
-              fmt::format("`{}` was not written by eagerx-gen", (folder_ / file.path).string()))
+          .io_error("E0903", {},
+                    fmt::format("`{}` was not written by eagerx-gen", place(file.path)))
           .help = "choose another folder with `--output`, or move the file away";
       good = false;
     }
     return good;
   }
 
-  bool prepare(const GeneratedFile& file) {
-    const fs::path path = folder_ / file.path;
-    if (read(path) == file.text) {
-      result_.unchanged += file.path == kList ? 0U : 1U;
+  /// Writes what changes beside its place.
+  bool stage(const std::vector<GeneratedFile>& files, std::vector<Change>& changes) {
+    std::set<std::string> paths;
+    for (const auto& file : files) {
+      if (!is_below(file.path)) return refuse(file.path, "its name leaves the output folder");
+      if (!paths.insert(file.path).second) return refuse(file.path, "two files have this name");
+      if (folder_.read(file.path) == file.text) {
+        ++result_.unchanged;
+        continue;
+      }
+      if (!folder_.takes(file.path)) return refuse(file.path, reason(file.path));
+      if (folder_.kind(file.path) == Folder::Kind::folder)
+        return refuse(file.path, "it is a folder");
+      changes.push_back({fmt::format("{}/{}", kStage, changes.size()), file.path});
+      if (!folder_.write_new(changes.back().staged, file.text))
+        return refuse(file.path, reason(kJournal));
+    }
+    return true;
+  }
+
+  void add_stale(const std::vector<std::string>& earlier, const std::vector<GeneratedFile>& files,
+                 std::vector<Change>& changes) const {
+    std::set<std::string> made;
+    for (const auto& file : files) made.insert(file.path);
+    for (const auto& path : earlier) {
+      const Folder::Kind kind = folder_.kind(path);
+      if (!made.contains(path) && (kind == Folder::Kind::file || kind == Folder::Kind::other))
+        changes.push_back({"", path});
+    }
+  }
+
+  /// From here on the new output is the valid one: whoever comes next completes it.
+  bool commit(const std::vector<Change>& changes) {
+    std::string text;
+    for (const auto& change : changes) text += change.staged + ":" + change.path + "\n";
+    if (folder_.write_new(kJournalBegun, text) && folder_.rename(kJournalBegun, kJournal))
+      return true;
+    static_cast<void>(refuse(kJournal, reason(kJournal)));
+    clear_stage();
+    return false;
+  }
+
+  bool apply(const std::vector<Change>& changes) {
+    for (const auto& [staged, path] : changes) {
+      if (staged.empty()) {
+        result_.removed += folder_.remove(path) ? 1U : 0U;  // or it went before
+        continue;
+      }
+      // What is not in the stage any more is in its place already.
+      if (folder_.kind(staged) == Folder::Kind::nothing) continue;
+      if (!folder_.rename(staged, path)) return refuse(path, reason(path));
+      ++result_.written;
+    }
+    static_cast<void>(folder_.remove(kJournal));  // or the next run does
+    clear_stage();
+    return true;
+  }
+
+  /// Completes or undoes what an earlier run left behind when it was killed.
+  bool finish_earlier_run() {
+    if (folder_.kind(kStage) != Folder::Kind::folder) return true;
+    const auto journal = folder_.read(kJournal);
+    if (!journal) {
+      clear_stage();
       return true;
     }
-    std::error_code error;
-    if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-    if (error) return fail(path.parent_path(), error.message()).has_value();
-    if (fs::is_directory(path, error)) return fail(path, "it is a folder").has_value();
-    const fs::path temporary =
-        path.parent_path() / fmt::format(".{}.{}", path.filename().string(), getpid());
-    pending_.emplace_back(temporary, path);
-    std::ofstream out(temporary, std::ios::binary | std::ios::trunc);
-    out << file.text;
-    out.close();
-    return out ? true : fail(path, std::strerror(errno)).has_value();
-  }
-
-  void remove_stale(const std::vector<std::string>& earlier, const std::set<std::string>& made) {
-    for (const auto& path : earlier) {
-      std::error_code ignored;
-      if (path != kList && !made.contains(path) && fs::remove(folder_ / path, ignored))
-        ++result_.removed;
+    std::vector<Change> changes;
+    for (const auto& line : lines_of(*journal)) {
+      const std::size_t colon = std::min(line.find(':'), line.size());
+      Change change{line.substr(0, colon), line.substr(std::min(colon + 1, line.size()))};
+      const bool ours =
+          change.staged.empty() || (change.staged.starts_with(kStage) && is_below(change.staged));
+      if (!ours || !is_below(change.path)) return refuse(kJournal, "it is damaged: remove it");
+      changes.push_back(std::move(change));
     }
+    const bool complete = apply(changes);
+    result_ = {};
+    return complete;
   }
 
-  std::optional<WriteResult> fail(const fs::path& path, const std::string& why) {
-    diagnostics_.io_error("E0901", {}, fmt::format("cannot write `{}`: {}", path.string(), why));
+  void clear_stage() const {
+    for (const auto& name : folder_.names(kStage))
+      static_cast<void>(folder_.remove(fmt::format("{}/{}", kStage, name)));
+    folder_.remove_empty(kStage);
+  }
+
+  /// Of what went wrong last; of links their own.
+  [[nodiscard]] std::string reason(const std::string& path) const {
+    const int error = errno;
+    for (std::size_t slash = path.find('/'); slash != std::string::npos;
+         slash = path.find('/', slash + 1)) {
+      const std::string folder = path.substr(0, slash);
+      if (folder_.kind(folder) == Folder::Kind::other)
+        return fmt::format("`{}` is a link, and could lead out of the output folder",
+                           place(folder));
+    }
+    return std::strerror(error);
+  }
+
+  [[nodiscard]] std::string place(const std::string& path) const {
+    return (fs::path(name_) / path).string();
+  }
+
+  std::optional<WriteResult> fail(const std::string& path, const std::string& why) {
+    diagnostics_.io_error(
+        "E0901", {}, fmt::format("cannot write `{}`: {}", path.empty() ? name_ : place(path), why));
     return std::nullopt;
   }
+  bool refuse(const std::string& path, const std::string& why) {
+    return fail(path, why).has_value();
+  }
 
-  fs::path folder_;
+  std::string name_;
+  Folder folder_;
   Diagnostics& diagnostics_;
-  std::vector<std::pair<fs::path, fs::path>> pending_;
   WriteResult result_;
 };
+
+/// `what` is to be written there.
+std::optional<Folder> open_folder(const std::string& name, const std::string& what,
+                                  Diagnostics& diagnostics) {
+  auto folder = Folder::open(name);
+  if (!folder)
+    diagnostics.io_error("E0901", {},
+                         fmt::format("cannot write `{}`: {}", what, std::strerror(errno)));
+  return folder;
+}
 
 }  // namespace
 
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics) {
   std::ranges::sort(files, {}, &GeneratedFile::path);
-  return Writer(folder, diagnostics).run(files);
+  auto open = open_folder(folder, folder, diagnostics);
+  if (!open) return std::nullopt;
+  return Writer(folder, std::move(*open), diagnostics).run(std::move(files));
 }
 
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
-  const fs::path folder = fs::path(path).parent_path();
-  return Writer(folder.empty() ? "." : folder, diagnostics)
-      .write({{fs::path(path).filename().string(), text}});
+  const std::string parent = fs::path(path).parent_path().string();
+  const auto folder = open_folder(parent.empty() ? "." : parent, path, diagnostics);
+  if (!folder) return false;
+  const std::string name = fs::path(path).filename().string();
+  const auto fail = [&](const std::string& why) {
+    diagnostics.io_error("E0901", {}, fmt::format("cannot write `{}`: {}", path, why));
+    return false;
+  };
+  if (!is_below(name)) return fail("it is no name of a file");
+  // A way to say "nowhere", which is left where it is.
+  if (fs::path(path).lexically_normal() == "/dev/null") return true;
+  struct stat found = {};
+  if (stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
+    return fail(S_ISDIR(found.st_mode) ? "it is a folder" : "it is no file");
+  if (!folder->lock()) return fail("another run of eagerx-gen writes there");
+  if (folder->read(name) == text) return true;
+  // Of this name there is at most one, left by a run that was killed: nobody else has the lock.
+  const std::string temporary = fmt::format(".{}.eagerx-gen.new", name);
+  static_cast<void>(folder->remove(temporary));
+  if (folder->write_new(temporary, text) && folder->rename(temporary, name)) return true;
+  const std::string why = std::strerror(errno);
+  static_cast<void>(folder->remove(temporary));
+  return fail(why);
 }
 
 }  // namespace eagerx::gen

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 #include <utility>
 
+#include "generator/command_line/output.hpp"
 #include "generator/command_line/usage.hpp"
 
 namespace eagerx::gen {
@@ -73,6 +75,16 @@ const Command& given(const CLI::App& app, const Command& command) {
   return command;
 }
 
+/// The exit code of a command, once all that it printed has been taken.
+int told(int code) {
+  const auto why = flush_output();
+  if (!why) return code;
+  Diagnostics diagnostics;
+  report_output(*why, diagnostics);
+  std::fputs(render_text(diagnostics, {}, false).c_str(), stderr);
+  return kInputOutput;
+}
+
 const Command* find_command(const Command& top, const std::string& name) {
   const auto found = std::ranges::find(top.commands, name, &Command::name);
   return found == top.commands.end() ? nullptr : &*found;
@@ -138,19 +150,18 @@ int print_help(const CommandLine& line, const CLI::App& app,
     }
     const auto topic = std::ranges::find(line.topics, word, &Topic::name);
     if (found == &app && words.size() == 1 && topic != line.topics.end()) {
-      std::fputs(topic->text.c_str(), stdout);
+      say_text(topic->text);
       return kDone;
     }
-    std::fputs(no_help(*found, line.topics, word).c_str(), stderr);
+    complain_text(no_help(*found, line.topics, word));
     return kWrongUsage;
   }
   std::string parents = line.top.name;
   for (std::size_t i = 0; i + 1 < words.size(); ++i) parents += " " + words[i];
-  std::fputs(found->help(words.empty() ? "" : parents).c_str(), stdout);
+  say_text(found->help(words.empty() ? "" : parents));
   if (!words.empty() || line.topics.empty()) return kDone;
-  std::fputs("\nTopics of `help`:\n", stdout);
-  for (const Topic& topic : line.topics)
-    std::printf("  %-27s %s\n", topic.name.c_str(), topic.about.c_str());
+  say("\nTopics of `help`:\n");
+  for (const Topic& topic : line.topics) say("  {:<27} {}\n", topic.name, topic.about);
   return kDone;
 }
 
@@ -211,6 +222,7 @@ Argument required(Argument argument) {
 }
 
 int run_command_line(const CommandLine& line, std::vector<std::string> arguments) {
+  open_standard_descriptors();
   CLI::App app(line.top.about, line.top.name);
   if (!line.version.empty()) app.set_version_flag("--version", line.version);
   app.failure_message([](const CLI::App* failed, const CLI::Error& problem) {
@@ -222,18 +234,22 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   if (!line.top.commands.empty()) add(*app.add_subcommand(help.name, help.about), help);
   if (!line.top.commands.empty() && !arguments.empty() && arguments.front() == help.name &&
       std::ranges::find(arguments, "--help") == arguments.end())
-    return print_help(line, app, {arguments.begin() + 1, arguments.end()});
+    return told(print_help(line, app, {arguments.begin() + 1, arguments.end()}));
   if (const std::string problem = put_command_first(app, line, arguments); !problem.empty()) {
-    std::fputs(problem.c_str(), stderr);
+    complain_text(problem);
     return kWrongUsage;
   }
   std::ranges::reverse(arguments);  // as CLI11 takes them
   try {
     app.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kDone : kWrongUsage;
+    std::ostringstream shown, problem;
+    const int code = app.exit(error, shown, problem);
+    say_text(shown.str());
+    complain_text(problem.str());
+    return told(code == 0 ? kDone : kWrongUsage);
   }
-  return given(app, line.top).run();
+  return told(given(app, line.top).run());
 }
 
 }  // namespace eagerx::gen

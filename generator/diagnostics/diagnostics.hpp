@@ -94,7 +94,8 @@ class Diagnostics {
   std::size_t io_errors_ = 0;
 };
 
-/// As rustc prints them; `color` adds terminal colours. Ends with a line that counts the errors.
+/// As rustc prints them; `color` adds terminal colours. Ends with a line that counts the errors. Of
+/// each severity the first hundred are shown.
 std::string render_text(const Diagnostics& diagnostics, const SourceMap& sources, bool color);
 /// One JSON array, one object a diagnostic.
 std::string render_json(const Diagnostics& diagnostics, const SourceMap& sources);

@@ -43,10 +43,18 @@ std::string indent_lines(std::string_view text, std::size_t indent) {
   }
 }
 
+// Errors, and as many warnings and notes: nobody reads more, and a file that is no graph may have
+// hundreds of thousands.
+constexpr std::size_t kMostShown = 100;
+
 class TextRenderer {
  public:
   TextRenderer(const SourceMap& sources, bool color)
       : sources_(sources), palette_(color ? kColored : kPlain) {}
+
+  void leave_out(std::size_t count) {
+    if (count > 0) text_ += fmt::format("and {} more\n\n", count);
+  }
 
   void add(const Diagnostic& diagnostic) {
     const auto [word, color] = heading(diagnostic.severity);
@@ -134,7 +142,15 @@ class TextRenderer {
 
 std::string render_text(const Diagnostics& diagnostics, const SourceMap& sources, bool color) {
   TextRenderer renderer(sources, color);
-  for (const Diagnostic& diagnostic : diagnostics.all()) renderer.add(diagnostic);
+  std::size_t left_out = 0;
+  std::size_t shown[3] = {};  // of each severity: warnings must not hide an error
+  for (const Diagnostic& diagnostic : diagnostics.all()) {
+    if (shown[static_cast<std::size_t>(diagnostic.severity)]++ < kMostShown)
+      renderer.add(diagnostic);
+    else
+      ++left_out;
+  }
+  renderer.leave_out(left_out);
   const std::size_t errors = diagnostics.error_count();
   const auto warnings =
       std::count_if(diagnostics.all().begin(), diagnostics.all().end(),

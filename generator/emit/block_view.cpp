@@ -5,6 +5,7 @@
 #include "generator/emit/arrival_view.hpp"
 #include "generator/emit/reset_view.hpp"
 #include "generator/emit/types.hpp"
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -27,7 +28,7 @@ class BlockView {
     view_.set("is_engine", is_engine);
     view_.set("is_remote", !names_.runs(n_));
     view_.set("node", node_.name);
-    view_.set("label", string_literal(node_.name));
+    view_.set("label", cpp_string(node_.name));
     view_.set("entity", node_.entity->id.value);
     view_.set("place", names_.place(node_.span));
     view_.set("member", names_.node_member[n_]);
@@ -93,7 +94,7 @@ class BlockView {
     View simulated = list();
     for (std::size_t i = 0; i < graph_.objects.size(); ++i) {
       View item = object();
-      item.set("object", string_literal(graph_.objects[i].name));
+      item.set("object", cpp_string(graph_.objects[i].name));
       item.set("simulator", names_.simulator_member[i]);
       simulated.push_back(item);
     }

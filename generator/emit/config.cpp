@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "generator/emit/literals.hpp"
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -16,7 +17,7 @@ struct ConfigWriter {
   CppValue operator()(const std::string& value) const {
     if (parameter.type == Parameter::Type::keyword)
       return {"auto", parameter.cpp_class + "::" + value};
-    return {"const char*", string_literal(value)};
+    return {"const char*", cpp_string(value)};
   }
   CppValue operator()(const std::vector<std::int64_t>& values) const {
     std::string type = "int";

@@ -95,7 +95,7 @@ class Emitter {
   }
 
   void add_rendered(const std::string& path, const std::string& template_path, View view) {
-    auto text = render_file(template_path, with_common(std::move(view)), diagnostics_);
+    auto text = render_file(template_path, path, with_common(std::move(view)), diagnostics_);
     failed_ = failed_ || !text;
     if (!text) return;
     const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h");
@@ -137,8 +137,14 @@ class Emitter {
     view.set("first", options_.targets.empty() ? "" : options_.targets.front()->id.value);
     view.set("standalone", !options_.header_folder.empty());
     const auto packages = packages_of(*plan_.graph, options_.part);
-    view.set("packages",
-             packages.empty() ? View(false) : View(fmt::format("{}", fmt::join(packages, " "))));
+    view.set("packages", View(!packages.empty()));
+    View libraries(View::type::list);
+    for (const auto& package : packages) {
+      View item(View::type::object);
+      item.set("library", package);
+      libraries.push_back(item);
+    }
+    view["libraries"] = std::move(libraries);
     return view;
   }
 

@@ -43,8 +43,9 @@ struct UsedClass {
 /// Each once, in the order of the plan; without those that are generated along with the program.
 std::vector<UsedClass> used_classes(const Plan& plan);
 
-/// Problems: E0301 a header that a manifest names and that is not there.
-void check_headers(const Plan& plan, Diagnostics& diagnostics);
+/// `here`: the folder that will include them, if it is known. Problems: E0301 a header that a
+/// manifest names and that is not there, or whose path C++ cannot write.
+void check_headers(const Plan& plan, const std::string& here, Diagnostics& diagnostics);
 
 /// Makes all files of a program. `network` is there when the agent is a policy. Problems: E0501 a
 /// template that cannot be read or is wrong.

@@ -6,6 +6,7 @@
 
 #include "generator/emit/names.hpp"
 #include "generator/emit/policy_answers.hpp"
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -29,7 +30,7 @@ class GraphView {
     view_.set("rate_type", rate_type(graph_.environment().rate_hz));
     view_.set("agent", agent_name());
     view_.set("agent_csv",
-              string_literal(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
+              cpp_string(graph_.agent.kind == AgentSpec::Kind::csv ? graph_.agent.file : ""));
     add_channels();
     add_draws();
     add_states();

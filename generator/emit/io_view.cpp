@@ -20,8 +20,7 @@ View config_view(const Config& config) {
     parameter.set("key", item.parameter->name.value);
     parameter.set("type", cpp.type);
     parameter.set("value", cpp.value);
-    parameter.set("comment",
-                  item.parameter->unit.empty() ? "" : fmt::format("  // {}", item.parameter->unit));
+    parameter.set("comment", text_or_false(item.parameter->unit));
     parameters.push_back(parameter);
   }
   View view = object();
@@ -45,7 +44,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     View port = object();
     port.set("type", window_type(plan, n, i));
     port.set("field", input.name);
-    port.set("comment", fmt::format("  // {}", input.space.describe()));
+    port.set("comment", text_or_false(input.space.describe()));
     port.set("longest", input.max_delay_s
                             ? fmt::format("at most {}", input.max_delay_s->to_string())
                             : "not used: the graph simulates no delays");
@@ -56,7 +55,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
     View port = object();
     port.set("type", message_type(target.space));
     port.set("field", target.name);
-    port.set("comment", fmt::format("  // {}", target.space.describe()));
+    port.set("comment", text_or_false(target.space.describe()));
     targets.push_back(port);
   }
   view.set("has_inputs", inputs.is_non_empty_list());

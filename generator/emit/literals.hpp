@@ -23,8 +23,6 @@ std::string bool_literal(bool value);
 std::string message_literal(const std::vector<double>& values, const Space& space);
 /// "eagerx::Space<M>{.low = …, .high = …}" without the type; missing bounds are the dtype's.
 std::string space_literal(const Space& space);
-/// A string literal with its quotes.
-std::string string_literal(std::string_view text);
 
 /// "a, b, c"
 std::string joined(const std::vector<std::string>& items);

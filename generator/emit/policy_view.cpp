@@ -96,17 +96,7 @@ std::string weight_table(const Layer& layer) {
   return table.text();
 }
 
-namespace {
-
-/// Names out of a file must not end a comment's line; `read_policy` cleans those from inside of it.
-std::string comment_text(std::string_view text) {
-  std::string line(text);
-  std::replace_if(
-      line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r' || c == '\\'; }, '?');
-  return line;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 std::string slope_argument(const Layer& layer) {
   return layer.slope == 0.0F ? std::string() : ", " + float_literal(layer.slope);
@@ -162,7 +152,7 @@ void add_statistics(const Network& network, data& view) {
   for (const double variance : statistics.variance) {
     deviation.push_back(std::sqrt(variance + statistics.epsilon));
   }
-  view.set("source", comment_text(statistics.source));
+  view.set("source", statistics.source);
   view.set("mean", list_of(statistics.mean));
   view.set("deviation", list_of(deviation));
   view.set("clip", double_literal(statistics.clip));
@@ -198,8 +188,8 @@ data policy_view(const Network& network) {
     layers.push_back(layer_view(network, i));
   }
   data view{data::type::object};
-  view.set("file", comment_text(network.file));
-  view.set("format", comment_text(network.format));
+  view.set("file", network.file);
+  view.set("format", network.format);
   view.set("inputs", std::to_string(network.inputs()));
   view.set("outputs", std::to_string(network.outputs()));
   view.set("parameters", std::to_string(parameters));

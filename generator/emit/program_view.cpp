@@ -161,8 +161,9 @@ class ProgramView {
       item.set("type", message_type(ring.space));
       item.set("member", names_.ring_member[r]);
       item.set("capacity", fmt::format("{}", ring.capacity));
-      item.set("comment",
-               ring.needed > 1 ? fmt::format("  // {} needs {}", ring.why, ring.needed) : "");
+      item.set(
+          "comment",
+          text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
       rings.push_back(item);
     }
     const auto add = [&](const std::string& type, const std::string& member) {

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
+
+#include "generator/quote/language.hpp"
+#include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -67,10 +71,39 @@ class TemplateReader {
   std::size_t depth_ = 0;
 };
 
-/// Text that is already C++ is written as it is; nothing here is HTML.
-std::string as_is(const std::string& text) {
-  return text;
-}
+// Around the number of a value, until it is known where it stands. No template has these.
+constexpr char kValue = '\x04';
+constexpr char kValueEnd = '\x05';
+
+/// Values on their way through mustache, which knows no place.
+class Values {
+ public:
+  std::string keep(const std::string& value) {
+    values_.push_back(value);
+    return kValue + std::to_string(values_.size() - 1) + kValueEnd;
+  }
+
+  /// The text with the values in it. `refused`: the first that cannot stand where it is.
+  std::string place(std::string_view text, Language language,
+                    std::optional<std::string>& refused) const {
+    Quoter quoter(language);
+    while (!text.empty()) {
+      const std::size_t begin = std::min(text.find(kValue), text.size());
+      quoter.add(text.substr(0, begin));
+      text.remove_prefix(begin);
+      if (text.empty()) break;
+      const std::size_t end = text.find(kValueEnd);
+      std::size_t number = 0;
+      std::from_chars(text.data() + 1, text.data() + end, number);
+      if (!quoter.add_value(values_.at(number)) && !refused) refused = values_[number];
+      text.remove_prefix(end + 1);
+    }
+    return quoter.take();
+  }
+
+ private:
+  std::vector<std::string> values_;
+};
 
 class CheckingContext : public kainjow::mustache::context<std::string> {
  public:
@@ -99,8 +132,8 @@ View indented() {
   }));
 }
 
-std::optional<std::string> render_file(const std::string& path, const View& view,
-                                       Diagnostics& diagnostics) {
+std::optional<std::string> render_file(const std::string& path, const std::string& output,
+                                       const View& view, Diagnostics& diagnostics) {
   const auto text = TemplateReader(diagnostics).read(path);
   if (!text) return std::nullopt;
   kainjow::mustache::mustache parsed(*text);
@@ -109,14 +142,25 @@ std::optional<std::string> render_file(const std::string& path, const View& view
                       fmt::format("the template `{}` is wrong: {}", path, parsed.error_message()));
     return std::nullopt;
   }
-  parsed.set_custom_escape(as_is);
+  Values values;
+  parsed.set_custom_escape([&values](const std::string& value) { return values.keep(value); });
   CheckingContext context(&view);
-  std::string result = parsed.render(context);
-  std::erase(result, kEmptyLine);
+  std::string rendered = parsed.render(context);
+  std::erase(rendered, kEmptyLine);
   if (!context.missing().empty()) {
     diagnostics.error("E0501", {},
                       fmt::format("the template `{}` names `{}`, which there is not", path,
                                   *context.missing().begin()));
+    return std::nullopt;
+  }
+  std::optional<std::string> refused;
+  std::string result = values.place(rendered, language_of(output), refused);
+  if (refused) {
+    diagnostics
+        .error("E0501", {},
+               fmt::format("the template `{}` has `{}` where only a name can stand", path,
+                           shortened(*refused)))
+        .help = "put quotes around the tag";
     return std::nullopt;
   }
   return result;

@@ -25,10 +25,12 @@ inline View text_or_false(const std::string& text) {
 /// A section whose lines are indented by two more columns.
 View indented();
 
-/// Renders the template file; `{{>NAME}}` includes NAME.mustache beside it. A template that cannot
-/// be read, does not parse, or names a key that the view does not have is an error (E0501) instead
-/// of an empty place in the output.
-std::optional<std::string> render_file(const std::string& path, const View& view,
-                                       Diagnostics& diagnostics);
+/// Renders the template file for the file `output`; `{{>NAME}}` includes NAME.mustache beside it.
+/// `{{NAME}}` is escaped as the language of `output` wants it at that place (quote/language.hpp);
+/// `{{{NAME}}}` is written as it is, for lines and tables that the generator itself made. A
+/// template that cannot be read, does not parse, names a key that the view does not have, or has a
+/// value where it cannot stand is an error (E0501).
+std::optional<std::string> render_file(const std::string& path, const std::string& output,
+                                       const View& view, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -11,6 +11,29 @@ bool is_saved_graph(const YamlValue& root) {
   return has("backup") || (has("nodes") && has("connects") && has("gui_state"));
 }
 
+namespace {
+
+/// EAGERx takes any text for the name of a port or a state.
+void check_names(const GraphSpec& spec, Diagnostics& diagnostics) {
+  const auto check = [&](const auto& named) {
+    for (const auto& item : named) check_name(item.name.value, item.name.span, diagnostics);
+  };
+  const auto check_entity = [&](const EntitySpec& entity) {
+    check(entity.states);
+    for (const Selection* ports :
+         {&entity.sensors, &entity.actuators, &entity.inputs, &entity.outputs}) {
+      if (*ports) check(**ports);
+    }
+  };
+  check_entity(spec.engine);
+  for (const auto& object : spec.objects) check_entity(object);
+  for (const auto& node : spec.nodes) check_entity(node);
+  check(spec.actions);
+  check(spec.observations);
+}
+
+}  // namespace
+
 std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::string& path,
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics) {
@@ -31,6 +54,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   if (failed()) return std::nullopt;
   choose_rate(t);
   translate_environment(t);
+  check_names(t.result.spec, diagnostics);
   if (failed()) return std::nullopt;
   return std::move(t.result);
 }

@@ -2,44 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 #include "generator/import/import.hpp"
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kWidth = 110;
-
-/// Whether the text can stand without quotes wherever values stand.
-bool is_plain(const std::string& text) {
-  const auto letter = [](unsigned char c) { return std::isalnum(c) != 0; };
-  return std::ranges::any_of(text, letter) && std::ranges::all_of(text, [&](char c) {
-           return letter(static_cast<unsigned char>(c)) ||
-                  std::string_view("_./+-").find(c) != std::string_view::npos;
-         });
-}
-
-std::string quoted(const std::string& text) {
-  const bool simple =
-      std::ranges::all_of(text, [](unsigned char c) { return c >= 0x20 && c < 0x7f; });
-  std::string result;
-  if (simple) {
-    for (const char c : text) result += c == '\'' ? "''" : std::string(1, c);
-    return "'" + result + "'";
-  }
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') result += '\\';
-    if (byte < 0x20 || byte == 0x7f) {
-      result += fmt::format("\\x{:02x}", byte);
-    } else {
-      result += c;
-    }
-  }
-  return "\"" + result + "\"";
-}
 
 std::string joined(const std::vector<std::string>& items) {
   return fmt::format("{{{}}}", fmt::join(items, ", "));
@@ -51,14 +22,13 @@ std::string text_of(const YamlValue& yaml) {
     case YamlKind::null:
       return "null";
     case YamlKind::scalar:
-      return !yaml.quoted && is_plain(yaml.text) ? yaml.text : quoted(yaml.text);
+      return yaml.quoted ? yaml_string(yaml.text) : yaml_scalar(yaml.text);
     case YamlKind::sequence:
       for (const auto& item : yaml.items) items.push_back(text_of(item));
       return fmt::format("[{}]", fmt::join(items, ", "));
     case YamlKind::map:
       for (const auto& entry : yaml.entries) {
-        items.push_back(fmt::format("{}: {}", is_plain(entry.key) ? entry.key : quoted(entry.key),
-                                    text_of(entry.value)));
+        items.push_back(fmt::format("{}: {}", yaml_scalar(entry.key), text_of(entry.value)));
       }
       return joined(items);
   }
@@ -69,13 +39,13 @@ std::string config_text(const std::vector<Setting>& config) {
   std::vector<std::string> items;
   items.reserve(config.size());
   for (const auto& setting : config)
-    items.push_back(fmt::format("{}: {}", setting.name, text_of(setting.value)));
+    items.push_back(fmt::format("{}: {}", yaml_scalar(setting.name), text_of(setting.value)));
   return joined(items);
 }
 
 std::string space_text(const SpaceSpec& space) {
   std::vector<std::string> items;
-  if (space.dtype) items.push_back("dtype: " + space.dtype->value);
+  if (space.dtype) items.push_back("dtype: " + yaml_scalar(space.dtype->value));
   if (space.shape) items.push_back("shape: " + text_of(*space.shape));
   if (space.low) items.push_back("low: " + text_of(*space.low));
   if (space.high) items.push_back("high: " + text_of(*space.high));
@@ -83,21 +53,22 @@ std::string space_text(const SpaceSpec& space) {
 }
 
 std::string processor_text(const ProcessorSpec& processor) {
-  if (processor.config.empty()) return processor.type.value;
-  return fmt::format("{{type: {}, config: {}}}", processor.type.value,
+  if (processor.config.empty()) return yaml_scalar(processor.type.value);
+  return fmt::format("{{type: {}, config: {}}}", yaml_scalar(processor.type.value),
                      config_text(processor.config));
 }
 
 /// What EAGERx can say of a connection: it has no `max_delay` and draws no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
-  if (settings.window) items.push_back("window: " + settings.window->text);
-  if (settings.delay) items.push_back("delay: " + settings.delay->text);
+  if (settings.window) items.push_back("window: " + text_of(*settings.window));
+  if (settings.delay) items.push_back("delay: " + text_of(*settings.delay));
   if (settings.skip) items.push_back(fmt::format("skip: {}", settings.skip->value));
   if (settings.processor) items.push_back("processor: " + processor_text(*settings.processor));
 }
 
 std::string connection_text(const ConnectionSpec& connection) {
-  std::vector<std::string> items = {"from: " + connection.from.value, "to: " + connection.to.value};
+  std::vector<std::string> items = {"from: " + yaml_scalar(connection.from.value),
+                                    "to: " + yaml_scalar(connection.to.value)};
   add_settings(connection.settings, items);
   return joined(items);
 }
@@ -116,7 +87,7 @@ class GraphWriter {
 
   std::string write() {
     add_heading();
-    line(0, fmt::format("name: {}", spec_.name.value), "name");
+    line(0, fmt::format("name: {}", yaml_scalar(spec_.name.value)), "name");
     line(0, fmt::format("rate: {}", spec_.rate.value.to_string()), "rate");
     if (!spec_.library.empty()) add_library();
     add_engine();
@@ -133,30 +104,26 @@ class GraphWriter {
   void line(std::size_t indent, const std::string& content, const std::string& remark = "") {
     text_ += std::string(indent, ' ') + content;
     const auto found = graph_.remarks.find(remark);
-    if (found != graph_.remarks.end()) text_ += " # " + found->second;
+    if (found != graph_.remarks.end()) text_ += " # " + in_comment(found->second);
     text_ += '\n';
   }
 
   void add_heading() {
-    std::string file = std::filesystem::path(spec_.path).filename().string();
-    for (char& c : file) {
-      if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-    }
-    line(0, fmt::format("# Written by `eagerx-gen import` from {}.", file));
+    const std::string file = std::filesystem::path(spec_.path).filename().string();
+    line(0, fmt::format("# Written by `eagerx-gen import` from {}.", in_comment(file)));
   }
 
   void add_library() {
     std::vector<std::string> folders;
-    for (const auto& folder : spec_.library)
-      folders.push_back(is_plain(folder.value) ? folder.value : quoted(folder.value));
+    for (const auto& folder : spec_.library) folders.push_back(yaml_scalar(folder.value));
     line(0, fmt::format("library: [{}]", fmt::join(folders, ", ")));
   }
 
   void add_engine() {
     text_ += '\n';
     line(0, "engine:");
-    line(2, "type: " + spec_.engine.type.value, "engine");
-    line(2, "rate: " + spec_.engine.rate->value.text, "engine.rate");
+    line(2, "type: " + yaml_scalar(spec_.engine.type.value), "engine");
+    line(2, "rate: " + text_of(spec_.engine.rate->value), "engine.rate");
     if (!spec_.engine.config.empty()) line(2, "config: " + config_text(spec_.engine.config));
     add_states(2, spec_.engine.states);
   }
@@ -166,9 +133,9 @@ class GraphWriter {
     text_ += '\n';
     line(0, fmt::format("{}:", section));
     for (const auto& entity : entities) {
-      line(2, entity.name.value + ":");
-      line(4, "type: " + entity.type.value);
-      if (entity.rate) line(4, "rate: " + entity.rate->value.text);
+      line(2, yaml_scalar(entity.name.value) + ":");
+      line(4, "type: " + yaml_scalar(entity.type.value));
+      if (entity.rate) line(4, "rate: " + text_of(entity.rate->value));
       if (!entity.config.empty()) line(4, "config: " + config_text(entity.config));
       if (entity.sensors) add_selection(4, "sensors", *entity.sensors);
       if (entity.actuators) add_selection(4, "actuators", *entity.actuators);
@@ -185,8 +152,8 @@ class GraphWriter {
       const std::string settings =
           state.processor ? fmt::format(" {{processor: {}}}", processor_text(*state.processor))
                           : "";
-      line(indent + 2,
-           state.name.value + ":" + settings + " # set through the program's interface");
+      line(indent + 2, yaml_scalar(state.name.value) + ":" + settings +
+                           " # set through the program's interface");
     }
   }
 
@@ -195,7 +162,7 @@ class GraphWriter {
     std::vector<std::string> names;
     bool settings = false;
     for (const auto& component : components) {
-      names.push_back(component.name.value);
+      names.push_back(yaml_scalar(component.name.value));
       settings = settings || !component_text(component).empty();
     }
     const std::string list = fmt::format("{}: [{}]", key, fmt::join(names, ", "));
@@ -205,7 +172,8 @@ class GraphWriter {
     }
     line(indent, fmt::format("{}:", key));
     for (const auto& component : components)
-      line(indent + 2, fmt::format("{}:{}", component.name.value, component_text(component)));
+      line(indent + 2,
+           fmt::format("{}:{}", yaml_scalar(component.name.value), component_text(component)));
   }
 
   void add_connections() {

@@ -167,9 +167,49 @@ void Json::push_back(Json item) {
   std::get<List>(value).push_back(std::move(item));
 }
 
+namespace {
+
+/// JSON allows DEL, U+0080 to U+009F and the marks that turn the direction of writing; a terminal
+/// that shows it should not get them.
+std::string without_controls(std::string text) {
+  std::string result;
+  const auto byte = [&](std::size_t at) {
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+  };
+  constexpr const char* kDigits = "0123456789abcdef";
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    unsigned code = 0;  // below U+10000, of up to three bytes
+    std::size_t size = 1;
+    if (byte(at) == 0x7fU) {
+      code = 0x7fU;
+    } else if (byte(at) == 0xc2U && byte(at + 1) < 0xa0U) {
+      code = byte(at + 1);
+      size = 2;
+    } else if (byte(at) == 0xe2U && (byte(at + 1) == 0x80U || byte(at + 1) == 0x81U)) {
+      const unsigned third = 0x2000U + ((byte(at + 1) & 1U) << 6U) + (byte(at + 2) & 0x3fU);
+      const bool turns = third == 0x200eU || third == 0x200fU ||
+                         (third >= 0x2028U && third <= 0x202eU) ||
+                         (third >= 0x2066U && third <= 0x2069U);
+      code = turns ? third : 0U;
+      size = 3;
+    }
+    if (code == 0) {
+      result += text[at];
+      continue;
+    }
+    result += "\\u";
+    for (const unsigned shift : {12U, 8U, 4U, 0U}) result += kDigits[(code >> shift) & 0xfU];
+    at += size - 1;
+  }
+  return result;
+}
+
+}  // namespace
+
 std::string dump_json(const Json& json) {
   constexpr int kIndent = 2;
-  return to_write(json).dump(kIndent, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return without_controls(
+      to_write(json).dump(kIndent, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
 std::optional<Json> parse_json(std::string_view text) {

@@ -63,7 +63,7 @@ void check_class(const YamlValue& name, Diagnostics& diagnostics) {
     good = is_cpp_name(rest.substr(0, end));
     if (more) rest.remove_prefix(end + 2);
   }
-  if (good) return;
+  if (good && name.text.size() <= kLongestPath) return;
   diagnostics
       .error("E0205", name.span, fmt::format("{} is not the name of a C++ class", describe(name)))
       .help = "write it with its namespaces: `mine::Gain`";

@@ -87,6 +87,18 @@ Fields about(const std::string& kind, FormatPtr id) {
           {"description", format::text("a text"), false, "equations, units, sources"}};
 }
 
+/// A file beside the manifest.
+FormatPtr header_format() {
+  return format::path("a header", true);
+}
+
+FormatPtr templates_format() {
+  Format result = *format::file_map("a mapping from template files to the files they become");
+  result.key = format::path("a template file", true);
+  result.item = format::path("a file of the output", false);
+  return std::make_shared<const Format>(std::move(result));
+}
+
 Fields common(const std::string& kind) {
   return about(kind, format::name("an id")) +
          Fields{{"eagerx", eagerx_format(), false, "ids of EAGERx that it stands for"}};
@@ -97,13 +109,14 @@ FormatPtr system_format() {
 }
 
 Fields cpp() {
-  return {
-      {"header", format::text("a header beside the manifest"), true, "header beside the manifest"},
-      {"class", format::text("a C++ class template"), true, "C++ class template over its Io"},
-      {"pkg_config", texts(), false, "pkg-config's names of the libraries that it needs"},
-      {"system", system_format(), false, "the operating system it needs (default: none)"},
-      {"family", format::name("a family of boards"), false,
-       "the family of boards it needs (default: none)"}};
+  return {{"header", header_format(), true, "header beside the manifest"},
+          {"class", format::text("a C++ class template"), true, "C++ class template over its Io"},
+          {"pkg_config",
+           format::list("a list of names of libraries", format::file_name("the name of a library")),
+           false, "pkg-config's names of the libraries that it needs"},
+          {"system", system_format(), false, "the operating system it needs (default: none)"},
+          {"family", format::name("a family of boards"), false,
+           "the family of boards it needs (default: none)"}};
 }
 
 Fields config() {
@@ -139,16 +152,16 @@ Fields implementation() {
                       {"config", config_format(), false, "its parameters"},
                       {"node", format::port("`NODE.STATE`"), false,
                        "the state of an engine node that it stands for"}});
-  return {{"model",
-           format::record("a model",
-                          {{"header", format::text("a header"), true, "header beside the manifest"},
-                           {"class", format::text("a C++ class template"), true,
-                            "what the engine simulates"}}),
-           true, "what the engine simulates"},
-          {"nodes", engine_nodes_format(), false, "engine nodes"},
-          {"connections", connections_format(), false,
-           "connections between them, `sensors` and `actuators`"},
-          {"states", format::map("states", engine_state), false, "engine states"}};
+  return {
+      {"model",
+       format::record("a model", {{"header", header_format(), true, "header beside the manifest"},
+                                  {"class", format::text("a C++ class template"), true,
+                                   "what the engine simulates"}}),
+       true, "what the engine simulates"},
+      {"nodes", engine_nodes_format(), false, "engine nodes"},
+      {"connections", connections_format(), false,
+       "connections between them, `sensors` and `actuators`"},
+      {"states", format::map("states", engine_state), false, "engine states"}};
 }
 
 FormatPtr object_engine_format() {
@@ -190,16 +203,13 @@ FormatPtr target_format() {
   return format::record(
       "a target",
       // Boards have names such as mps2-an386.
-      about("target", format::text("an id")) +
-          Fields{{"templates",
-                  format::file_map("a mapping from template files to the files they become"), false,
-                  "files made for each graph"},
-                 {"partner",
-                  format::file_map("a mapping from template files to the files they become"), false,
+      about("target", format::file_name("the id of a target")) +
+          Fields{{"templates", templates_format(), false, "files made for each graph"},
+                 {"partner", templates_format(), false,
                   "files made for the board's half of a split graph"},
-                 {"cmake", format::text("a CMake file"), true,
+                 {"cmake", format::path("a CMake file", true), true,
                   "the CMake file that defines eagerx_configure_target"},
-                 {"toolchain", format::text("a toolchain file"), false, "in toolchains/"},
+                 {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
                  // For people and for CMake; a board in the making has blanks here.
                  {"cpu", format::text("a processor core"), false, "the processor core"},
                  {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
@@ -236,7 +246,7 @@ const Format* manifest_format(std::string_view kind) {
                                   format::record("a simulator",
                                                  {{"class", format::text("a C++ class template"),
                                                    true, "class template over a model"},
-                                                  {"header", format::text("a header"), false,
+                                                  {"header", header_format(), false,
                                                    "header beside the manifest"}}),
                                   true, "what holds an object's state"}})},
       {"engine_node", format::record("an engine node", common("engine_node") + cpp() + engines() +

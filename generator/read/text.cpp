@@ -53,6 +53,11 @@ LoadedFile load_file(const std::string& path, std::size_t max_bytes) {
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (!error && size > max_bytes) return {LoadedFile::Status::too_large, {}, {}};
   }
+  // A pipe in a folder would be waited for without end, and a device may have none. What a shell
+  // passes on as `<(…)` is meant.
+  const bool passed_on =
+      path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/") || path == "/dev/stdin";
+  if (!std::filesystem::is_regular_file(status) && !passed_on) return unreadable("it is no file");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return unreadable(in_words({errno, std::generic_category()}));

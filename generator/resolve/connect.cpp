@@ -220,6 +220,9 @@ class Connector {
     }
     auto& problem = diagnostics().error(
         "E0309", text.span, fmt::format("there is nothing called `{}` in this graph", port.owner));
+    // With thousands of such connections nobody reads the others, and each is compared with all.
+    constexpr std::size_t kMostHelped = 100;
+    if (++unknown_owners_ > kMostHelped) return {};
     std::string near = nearest(port.owner, known);
     problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
                                 : fmt::format("did you mean `{}.{}`?", near, port.name);
@@ -228,10 +231,11 @@ class Connector {
 
   /// A connection to `owner` is wrong, so its open ports on that side are not a second mistake.
   void excuse(const std::string& owner, Side side) {
+    const auto owning = find_node(draft_, owner, side);
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
       const DraftNode& node = draft_.nodes[n];
       const bool object = node.node.object && draft_.objects[*node.node.object].name == owner;
-      if (!object && find_node(draft_, owner, side) != n) continue;
+      if (!object && owning != n) continue;
       const std::size_t count = side == Side::from ? node.outputs.size() : node.inputs.size();
       for (std::size_t i = 0; i < count; ++i) excused_.insert({side, n, i});
     }
@@ -308,6 +312,7 @@ class Connector {
 
   Draft& draft_;
   std::set<End> excused_;  // not open: in use, or the subject of another message
+  std::size_t unknown_owners_ = 0;
 };
 
 }  // namespace

@@ -93,6 +93,18 @@ FormatPtr file_map(std::string what) {
   return share(std::move(result));
 }
 
+FormatPtr path(std::string what, bool leaves) {
+  Format result = make(Format::Kind::path, std::move(what));
+  result.leaves = leaves;
+  return share(std::move(result));
+}
+
+FormatPtr file_name(std::string what) {
+  Format result = make(Format::Kind::path, std::move(what));
+  result.one_name = true;
+  return share(std::move(result));
+}
+
 FormatPtr record(std::string what, std::vector<Field> fields) {
   Format result = make(Format::Kind::record, std::move(what));
   result.fields = std::move(fields);

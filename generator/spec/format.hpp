@@ -33,6 +33,7 @@ struct Format {
     text,  // any scalar
     name,  // an identifier that is also one in C++
     port,  // names joined by dots
+    path,  // names of files and folders, made of letters, digits and `_.+-`
     integer,
     decimal,  // kept exact; fractions such as 1/3 too
     number,
@@ -55,7 +56,10 @@ struct Format {
   bool low_exclusive = false;
   Quantity quantity = Quantity::none;  // decimal, number: may have a unit of it
   std::size_t min_items = 0;           // list
-  bool file_names = false;             // map: keys are file names instead of identifiers
+  bool file_names = false;             // map: keys are no identifiers
+  FormatPtr key;                       // map: what they are then; without it anything
+  bool one_name = false;               // path: no folders
+  bool leaves = false;                 // path: `..` is allowed
 };
 
 namespace format {
@@ -74,6 +78,10 @@ FormatPtr keyword(std::vector<std::string> words);
 FormatPtr list(std::string what, FormatPtr item, std::size_t min_items = 0);
 FormatPtr map(std::string what, FormatPtr item);
 FormatPtr file_map(std::string what);
+/// The name of a file or folder.
+FormatPtr file_name(std::string what);
+/// A path of such names; `leaves`: also out of the folder that it begins in.
+FormatPtr path(std::string what, bool leaves);
 FormatPtr record(std::string what, std::vector<Field> fields);
 FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 }  // namespace format
@@ -95,10 +103,14 @@ std::string describe(const YamlValue& yaml);
 /// The beginning of a text for a message; whole if it is short.
 std::string shortened(std::string_view text);
 
+/// Longest path in a manifest, in bytes.
+inline constexpr std::size_t kLongestPath = 255;
 /// Longest name in a graph or manifest, in letters.
 inline constexpr std::size_t kLongestName = 100;
 /// True if `text` is an identifier and no C++ keyword.
 bool is_identifier(std::string_view text);
+/// Reports what is not an identifier (E0205). True if it is one.
+bool check_name(std::string_view text, Span span, Diagnostics& diagnostics);
 /// True if `text` would be an identifier, were it not taken by C++ or by generated code.
 bool is_reserved_name(std::string_view text);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/quote/quote.hpp"
 #include "generator/read/rational.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/format.hpp"
@@ -56,11 +57,9 @@ bool in_range(const YamlValue& yaml, const Format& format, double value, Diagnos
   return false;
 }
 
-bool check_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+bool check_scalar_name(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
-  if (is_identifier(yaml.text)) return true;
-  report_bad_name(yaml.text, yaml.span, diagnostics);
-  return false;
+  return check_name(yaml.text, yaml.span, diagnostics);
 }
 
 bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
@@ -80,6 +79,22 @@ bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagno
   if (good && parts >= 2 && parts <= 3) return true;
   diagnostics.error("E0205", yaml.span, fmt::format("{} is not a port", describe(yaml))).help =
       fmt::format("write {}", format.what);
+  return false;
+}
+
+/// Names of files and ids of targets go into paths, into CMake and into C++.
+bool check_path(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_scalar()) return wrong_type(yaml, format, diagnostics);
+  std::string_view rest = yaml.text;
+  while (format.leaves && rest.starts_with("../")) rest.remove_prefix(3);
+  const bool good = (format.one_name ? is_plain_file_name(rest) : is_plain_path(rest)) &&
+                    rest.size() <= kLongestPath;
+  if (good) return true;
+  auto& problem = diagnostics.error("E0205", yaml.span,
+                                    fmt::format("{} cannot be {}", describe(yaml), format.what));
+  problem.help = format.one_name ? "use letters, digits, `-`, `_`, `+` and `.`, no `-` first"
+                                 : "use names of letters, digits, `-`, `_`, `+` and `.`, no `-` "
+                                   "first, with `/` between them";
   return false;
 }
 
@@ -148,6 +163,8 @@ bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnos
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
   for (const auto& entry : yaml.entries) {
+    if (format.key)
+      good = check(made_scalar(entry.key, entry.key_span), *format.key, diagnostics) && good;
     if (!format.file_names && !is_identifier(entry.key)) {
       report_bad_name(entry.key, entry.key_span, diagnostics);
       good = false;
@@ -241,6 +258,12 @@ bool takes(const YamlValue& yaml, const Format& format) {
 
 }  // namespace
 
+bool check_name(std::string_view text, Span span, Diagnostics& diagnostics) {
+  if (is_identifier(text)) return true;
+  report_bad_name(text, span, diagnostics);
+  return false;
+}
+
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   switch (format.kind) {
     case Format::Kind::any:
@@ -248,9 +271,11 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
     case Format::Kind::text:
       return yaml.is_scalar() || wrong_type(yaml, format, diagnostics);
     case Format::Kind::name:
-      return check_name(yaml, format, diagnostics);
+      return check_scalar_name(yaml, format, diagnostics);
     case Format::Kind::port:
       return check_port(yaml, format, diagnostics);
+    case Format::Kind::path:
+      return check_path(yaml, format, diagnostics);
     case Format::Kind::keyword:
       return check_keyword(yaml, format, "", diagnostics);
     case Format::Kind::boolean:

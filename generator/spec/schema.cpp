@@ -67,6 +67,8 @@ Json schema_of(const Format& format) {
     case Format::Kind::port:
       return {{"type", "string"},
               {"pattern", "^[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*){1,2}$"}};
+    case Format::Kind::path:
+      return {{"type", "string"}, {"pattern", "^[A-Za-z0-9_./+-]+$"}};
     case Format::Kind::boolean:
       return {{"type", "boolean"}};
     case Format::Kind::keyword:

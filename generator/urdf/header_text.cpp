@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "generator/emit/literals.hpp"
+#include "generator/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {
@@ -28,7 +29,7 @@ class Item {
     text_ += fmt::format("{}.{} = {}", text_.empty() ? "{" : ",\n       ", name, value);
   }
   void name(const char* member, const std::string& value) {
-    if (!value.empty()) this->member(member, fmt::format("\"{}\"", value));
+    if (!value.empty()) this->member(member, gen::cpp_string(value));
   }
   void limit(const char* member, double value) {
     if (std::isfinite(value)) this->member(member, literal(value));
@@ -133,7 +134,7 @@ struct {2} {{
   static constexpr bool kTouchesItself = Io::Config::touches_itself;
 
 )",
-      robot.file, robot.base, robot.id);
+      gen::in_comment(robot.file), robot.base, robot.id);
   text += list("RigidBody", "kBodies", robot.bodies);
   text += list("RigidJoint", "kJoints", robot.joints);
   text += list("RigidGeometry", "kGeometries", robot.shapes, robot.ground ? kGround : "");

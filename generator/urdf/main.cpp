@@ -9,6 +9,7 @@
 
 #include "generator/cli/write.hpp"
 #include "generator/command_line/command_line.hpp"
+#include "generator/command_line/output.hpp"
 #include "generator/diagnostics/pages.hpp"
 #include "generator/urdf/robot.hpp"
 
@@ -35,22 +36,13 @@ void write(const Options& options, const eagerx::urdf::Robot& robot,
            eagerx::gen::Diagnostics& diagnostics) {
   const fs::path folder =
       options.output.empty() ? fs::path("entities") / robot.name : fs::path(options.output);
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    diagnostics.io_error("E0901", {},
-                         fmt::format("cannot make `{}`: {}", folder.string(), error.message()));
-    return;
-  }
-  if (!eagerx::gen::write_file((folder / "manifest.yaml").string(), manifest_text(robot),
-                               diagnostics) ||
-      !eagerx::gen::write_file((folder / (robot.name + ".hpp")).string(), header_text(robot),
-                               diagnostics) ||
-      options.quiet)
-    return;
-  std::printf("%s: %zu bodies, %zu joints, %zu shapes; written to %s\n", robot.id.c_str(),
-              robot.bodies.size(), robot.joints.size(), robot.shapes.size(),
-              folder.string().c_str());
+  const auto written = eagerx::gen::write_files(
+      folder.string(),
+      {{"manifest.yaml", manifest_text(robot)}, {robot.name + ".hpp", header_text(robot)}},
+      diagnostics);
+  if (!written || options.quiet) return;
+  eagerx::gen::say("{}: {} bodies, {} joints, {} shapes; written to {}\n", robot.id,
+                   robot.bodies.size(), robot.joints.size(), robot.shapes.size(), folder.string());
 }
 
 int convert(const Options& options) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "generator/emit/literals.hpp"
+#include "generator/quote/quote.hpp"
 #include "generator/urdf/robot.hpp"
 
 namespace eagerx::urdf {
@@ -63,20 +64,27 @@ class Manifest {
     return result;
   }
 
+  /// A list in one text. With a blank in it, it is one without quotes, too.
+  std::string yaml_names() const {
+    return robot_.joints.size() == 1 ? gen::yaml_text(names()) : names();
+  }
+
   std::string head() const {
     return fmt::format(
-        R"(# Made by eagerx-urdf from {0}. Do not edit: change the description and convert it again.
+        R"(# Made by eagerx-urdf from {5}. Do not edit: change the description and convert it again.
 kind: object
 id: {1}
-summary: A robot with {2} and {3}, from the description {0}.
+summary: "A robot with {2} and {3}, from the description {0}."
 description: |
   Joints of `position`, `velocity`, `torque` in this order: {4}.
   Links that fixed joints hold together are one body, called by the first of them. Poses are those of the centre of
   mass, turned as seen from the position in which all joints are at 0. An actuator that no connection names does
   nothing; name one of them.
 )",
-        robot_.file, robot_.id, counted(robot_.bodies.size(), "body", "bodies"),
-        counted(robot_.joints.size(), "joint", "joints"), robot_.joints.empty() ? "none" : names());
+        gen::in_json_string(robot_.file), robot_.id,
+        counted(robot_.bodies.size(), "body", "bodies"),
+        counted(robot_.joints.size(), "joint", "joints"), robot_.joints.empty() ? "none" : names(),
+        gen::in_comment(robot_.file));
   }
 
   static std::string counted(std::size_t count, const char* one, const char* many) {
@@ -128,7 +136,8 @@ description: |
 
   void add_joints() {
     const std::string anything = joint_space("-999.0", "999.0");
-    const std::string config = fmt::format("joints: {}, size: {}", names(), robot_.joints.size());
+    const std::string config =
+        fmt::format("joints: {}, size: {}", yaml_names(), robot_.joints.size());
     sensor("position", anything, "of all joints, in rad and m; not wrapped", "JointPositionSensor");
     configured(config);
     sensor("velocity", anything, "of all joints, in rad/s and m/s", "JointVelocitySensor");
@@ -162,7 +171,7 @@ description: |
                       numbers(robot_.joints, slow_back), numbers(robot_.joints, high),
                       numbers(robot_.joints, slow)),
           "positions of all joints in rad and m, then their velocities",
-          fmt::format("JointState, config: {{joints: {}}}", names()));
+          fmt::format("JointState, config: {{joints: {}}}", yaml_names()));
   }
 
   void actuator(const char* name, const char* type, const char* config, const std::string& space,
@@ -172,12 +181,13 @@ description: |
     nodes_ += fmt::format(
         "      {0}_actuator: {{type: {1}, rate: $(actuators {0} rate), config: {{joints: {2}, "
         "default_action: [{3}]{4}}}}}\n",
-        name, type, names(), numbers(robot_.joints, [](const BodyJoint&) { return 0.0; }), config);
+        name, type, yaml_names(), numbers(robot_.joints, [](const BodyJoint&) { return 0.0; }),
+        config);
     connections_ += fmt::format("      - {{from: actuators.{0}, to: {0}_actuator.action}}\n", name);
   }
 
   void add_body(const Body& body) {
-    const std::string config = "body: " + body.name;
+    const std::string config = "body: " + gen::yaml_text(body.name);
     sensor(body.name + "_pose", "{dtype: float32, shape: [7], low: -999.0, high: 999.0}",
            "[x, y, z] in m and quaternion [qw, qx, qy, qz]", "BodyPoseSensor");
     configured(config);
@@ -204,7 +214,7 @@ description: |
   void add_contact(const std::string& shape) {
     sensor(shape + "_contact", "{dtype: float32, shape: [3], low: -99999.0, high: 99999.0}",
            "force of all that touches it, in N", "ContactForceSensor");
-    configured("geometry: " + shape);
+    configured("geometry: " + gen::yaml_text(shape));
   }
 
   std::string engine() const {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "generator/emit/namer.hpp"
+#include "generator/spec/format.hpp"
 #include "generator/urdf/inertia.hpp"
 
 namespace eagerx::urdf {
@@ -14,14 +15,21 @@ namespace {
 
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
-/// Only letters, digits and `_`, a letter or `_` in front.
+/// Only letters, digits and single `_`, a letter in front: a name in graphs and in C++. Empty for
+/// an empty one.
 std::string identifier(std::string_view name) {
-  std::string result(name);
-  for (char& c : result) {
+  // With what is put behind it, such as `_contact`, it is not too long.
+  constexpr std::size_t kLongest = gen::kLongestName - 20;
+  std::string result;
+  for (const char c : name.substr(0, kLongest)) {
     const bool kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (!kept) c = '_';
+    if (kept)
+      result += c;
+    else if (!result.empty() && result.back() != '_')
+      result += '_';
   }
-  if (!result.empty() && result[0] >= '0' && result[0] <= '9') result.insert(0, 1, '_');
+  if (result.ends_with('_')) result.pop_back();
+  if (!name.empty() && !gen::is_identifier(result)) result.insert(0, result.empty() ? "n" : "n_");
   return result;
 }
 

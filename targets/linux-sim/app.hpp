@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <eagerx/float_environment.hpp>
+#include <eagerx/math/rounding_check.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
 #include <iterator>
@@ -314,6 +315,12 @@ int run(int argc, char** argv) {
     const std::string text = std::string(Graph::kName) + " on " + Graph::kEngine + ", eagerx-gen " +
                              std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor);
     return print(stdout, text + "\n") ? kDone : kBadFile;
+  }
+  if (!rounds_each_operation()) {
+    return fail(
+        "error: this program was compiled with flags that change the bits of its numbers\n"
+        "help: leave out -ffast-math and its parts, and set -ffp-contract=off behind all others",
+        kSelfTestFailed);
   }
   if (options.self_test) return self_test<Graph>();
   if (options.agent == target::Agent::policy && !Graph::kHasPolicy) {

@@ -1,6 +1,7 @@
 #include "generator/cli/write.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -31,8 +32,9 @@ class WriteFiles : public testing::Test {
     return write_files((folder_ / "out").string(), files, diagnostics_);
   }
 
-  std::string text(const std::string& path) const {
-    std::ifstream file(folder_ / "out" / path);
+  std::string text(const std::string& path) const { return text_of(fs::path("out") / path); }
+  std::string text_of(const fs::path& path) const {
+    std::ifstream file(folder_ / path);
     std::stringstream text;
     text << file.rdbuf();
     return text.str();
@@ -144,16 +146,106 @@ TEST_F(WriteFiles, TakesAFileOfTheSameTextForItsOwn) {
   EXPECT_EQ(text("a.txt"), "changed");
 }
 
-TEST_F(WriteFiles, GoesOnAfterARunThatWasInterrupted) {
-  write({{"a.txt", "old"}, {"gone.txt", "old"}, {"z.txt", "old"}});
-  std::vector<GeneratedFile> files = {{"a.txt", "new"}, {"b.txt", "new"}, {"z.txt", "new"}};
-  files.push_back({"b.txt", "new"});  // its temporary is renamed away by the first of the two
-  EXPECT_FALSE(write(files));
+TEST_F(WriteFiles, TwoFilesOfOneNameAreAnErrorThatChangesNothing) {
+  write({{"a.txt", "old"}});
+  EXPECT_FALSE(write({{"a.txt", "new"}, {"b.txt", "one"}, {"b.txt", "two"}}));
+  EXPECT_TRUE(diagnostics_.has_io_errors());
+  EXPECT_EQ(text("a.txt"), "old");
+  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "eagerx-gen.files"}));
+}
+
+TEST_F(WriteFiles, WhatARunLeftThatWasKilledBeforeItsEndIsRemoved) {
+  write({{"a.txt", "old"}});
+  put("out/.eagerx-gen.new/0", "new");
+  put("out/.eagerx-gen.new/journal.begun", ".eagerx-gen.new/0:a");
+  ASSERT_TRUE(write({{"a.txt", "old"}}));
+  EXPECT_EQ(text("a.txt"), "old");
+  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "eagerx-gen.files"}));
+  EXPECT_FALSE(fs::exists(folder_ / "out/.eagerx-gen.new"));
+}
+
+TEST_F(WriteFiles, WhatARunBeganToRenameIsCompleted) {
+  write({{"a.txt", "old"}, {"b.txt", "old"}, {"sub/gone.txt", "old"}});
+  // Killed when a.txt had its place, and the other two had not.
+  put("out/a.txt", "new");
+  put("out/.eagerx-gen.new/1", "new");
+  put("out/.eagerx-gen.new/2", "eagerx-gen.files\na.txt\nb.txt\n");
+  put("out/.eagerx-gen.new/journal",
+      ".eagerx-gen.new/0:a.txt\n.eagerx-gen.new/1:b.txt\n.eagerx-gen.new/2:eagerx-gen.files\n"
+      ":sub/gone.txt\n");
+  const auto result = write({{"a.txt", "new"}, {"b.txt", "new"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->unchanged, 3U);
   EXPECT_EQ(text("b.txt"), "new");
-  files.pop_back();
-  ASSERT_TRUE(write(files)) << diagnostics_.all().front().message;
-  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "b.txt", "eagerx-gen.files", "z.txt"}));
-  EXPECT_EQ(text("eagerx-gen.files"), "eagerx-gen.files\na.txt\nb.txt\nz.txt\n");
+  EXPECT_EQ(listing(), (std::vector<std::string>{"a.txt", "b.txt", "eagerx-gen.files"}));
+  EXPECT_FALSE(fs::exists(folder_ / "out/sub"));
+}
+
+TEST_F(WriteFiles, AJournalOfSomebodyElseLeavesTheFolderAlone) {
+  put("victim.txt", "precious");
+  for (const char* line : {":../victim.txt", "../victim.txt:a.txt", "a.txt:b.txt",
+                           ".eagerx-gen.new/../../victim.txt:a.txt"}) {
+    put("out/.eagerx-gen.new/journal", line);
+    EXPECT_FALSE(write({{"one.txt", "one"}})) << line;
+    EXPECT_TRUE(fs::exists(folder_ / "victim.txt"));
+  }
+}
+
+TEST_F(WriteFiles, NothingIsWrittenOrRemovedThroughALink) {
+  put("elsewhere/victim.txt", "precious");
+  put("out/eagerx-gen.files", "linked/victim.txt\nlinked/other.txt\n");
+  fs::create_directory_symlink(folder_ / "elsewhere", folder_ / "out/linked");
+  EXPECT_FALSE(write({{"linked/other.txt", "new"}, {"a.txt", "new"}}));
+  EXPECT_NE(diagnostics_.all().front().message.find("is a link"), std::string::npos);
+  EXPECT_EQ(listing(), (std::vector<std::string>{"eagerx-gen.files"}));
+  ASSERT_TRUE(write({{"a.txt", "new"}}));
+  EXPECT_TRUE(fs::exists(folder_ / "elsewhere/victim.txt"));
+  EXPECT_FALSE(fs::exists(folder_ / "elsewhere/other.txt"));
+}
+
+TEST_F(WriteFiles, ALinkInThePlaceOfAFileIsReplacedAndNotFollowed) {
+  put("victim.txt", "precious");
+  put("out/eagerx-gen.files", "a.txt\n");
+  fs::create_symlink(folder_ / "victim.txt", folder_ / "out/a.txt");
+  ASSERT_TRUE(write({{"a.txt", "new"}}));
+  EXPECT_EQ(text("a.txt"), "new");
+  EXPECT_FALSE(fs::is_symlink(folder_ / "out/a.txt"));
+  EXPECT_EQ(text_of("victim.txt"), "precious");
+}
+
+TEST_F(WriteFiles, TheStageIsNoLink) {
+  put("elsewhere/kept.txt", "kept");
+  fs::create_directories(folder_ / "out");
+  fs::create_directory_symlink(folder_ / "elsewhere", folder_ / "out/.eagerx-gen.new");
+  EXPECT_FALSE(write({{"a.txt", "new"}}));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "elsewhere"), {}), 1);
+}
+
+TEST_F(WriteFiles, NamesThatLeaveTheFolderAreRefused) {
+  for (const char* path : {"../victim.txt", "/victim.txt", "a/../../victim.txt", "a\nb", ""}) {
+    EXPECT_FALSE(write({{path, "new"}})) << path;
+    EXPECT_FALSE(fs::exists(folder_ / "victim.txt"));
+  }
+}
+
+TEST_F(WriteFiles, DevicesPipesAndFoldersAreNoOutputs) {
+  const std::string pipe = (folder_ / "pipe").string();
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path : {pipe, folder_.string(), std::string("/dev/zero")}) {
+    EXPECT_FALSE(write_file(path, "text", diagnostics_)) << path;
+  }
+  EXPECT_TRUE(write_file("/dev/null", "text", diagnostics_));
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(WriteFiles, OneFileTakesThePlaceOfALeftover) {
+  put("elsewhere.txt", "precious");
+  fs::create_symlink(folder_ / "elsewhere.txt", folder_ / ".graph.yaml.eagerx-gen.new");
+  EXPECT_TRUE(write_file((folder_ / "graph.yaml").string(), "name: new\n", diagnostics_));
+  EXPECT_EQ(text_of("elsewhere.txt"), "precious");
+  EXPECT_EQ(text_of("graph.yaml"), "name: new\n");
+  EXPECT_FALSE(fs::is_symlink(folder_ / ".graph.yaml.eagerx-gen.new"));
 }
 
 TEST_F(WriteFiles, AFileWhereAFolderBelongsIsAnError) {
@@ -169,12 +261,6 @@ TEST_F(WriteFiles, AFileWhereAFolderShouldBeIsAnErrorThatChangesNothing) {
   EXPECT_FALSE(write({{"a.txt", "new"}, {"sub/b.txt", "x"}}));
   EXPECT_TRUE(diagnostics_.has_io_errors());
   EXPECT_EQ(text("a.txt"), "old");
-}
-
-TEST_F(WriteFiles, FollowsNoTemporaryFileOfAnotherRun) {
-  put("out/.a.txt.1", "of a run that was killed");
-  ASSERT_TRUE(write({{"a.txt", "new"}}));
-  EXPECT_EQ(text("a.txt"), "new");
 }
 
 TEST_F(WriteFiles, AFileWithoutAFolderGoesWhereThePersonIs) {

@@ -35,6 +35,21 @@ TEST(RenderText, LooksLikeTheSampleOfTheDesign) {
             "1 error\n");
 }
 
+TEST(RenderText, ShowsTheFirstHundredOfEachSeverity) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 300'000; ++i) diagnostics.warning("W0001", {}, "odd");
+  for (int i = 0; i < 101; ++i) diagnostics.error("E0001", {}, "wrong");
+  const std::string text = render_text(diagnostics, {}, false);
+  const auto count = [&](const std::string& word) {
+    int found = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+    return found;
+  };
+  EXPECT_EQ(count("warning[W0001]"), 100);
+  EXPECT_EQ(count("error[E0001]"), 100);
+  EXPECT_TRUE(text.ends_with("and 299901 more\n\n101 errors, 300000 warnings\n")) << text;
+}
+
 TEST(RenderText, NoteWithLabelShowsItsLineAndSharesTheGutter) {
   SourceMap sources;
   const FileId file = sources.add("a.yaml", "first: 1\n" + at_line(119, "second: 2"));

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "generator/emit/namer.hpp"
+#include "generator/quote/quote.hpp"
 #include "generator/spec/format.hpp"
 
 namespace eagerx::gen {
@@ -77,10 +78,10 @@ TEST(Literals, OfMessages) {
 }
 
 TEST(Literals, OfTextsCannotEndTheLiteral) {
-  EXPECT_EQ(string_literal("plain"), "\"plain\"");
-  EXPECT_EQ(string_literal("a\"b\\"), "\"a\\\"b\\\\\"");
-  EXPECT_EQ(string_literal("line\nend\t"), "\"line\\012end\\011\"");
-  EXPECT_EQ(string_literal("θ"), "\"θ\"");
+  EXPECT_EQ(cpp_string("plain"), "\"plain\"");
+  EXPECT_EQ(cpp_string("a\"b\\"), "\"a\\\"b\\\\\"");
+  EXPECT_EQ(cpp_string("line\nend\t"), "\"line\\012end\\011\"");
+  EXPECT_EQ(cpp_string("θ"), "\"θ\"");
 }
 
 }  // namespace

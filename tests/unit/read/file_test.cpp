@@ -1,5 +1,6 @@
 // Files that cannot be read, and real ones that can.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -87,10 +88,16 @@ TEST_F(File, HugeFileIsRefusedUnread) {
   EXPECT_EQ(diagnostics_.all()[0].message, "the file is larger than 16777216 bytes");
 }
 
-TEST_F(File, EndlessFileIsRefused) {
-  EXPECT_TRUE(read("/dev/zero").is_null());
-  ASSERT_EQ(diagnostics_.error_count(), 1U);
-  EXPECT_EQ(diagnostics_.all()[0].code, "E0102");
+TEST_F(File, DevicesAndPipesAreRefused) {
+  const std::string pipe = write("pipe.yaml", "");
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);  // nobody will ever write into it
+  for (const std::string& path : {std::string("/dev/zero"), pipe}) {
+    diagnostics_ = {};
+    EXPECT_TRUE(read(path).is_null());
+    ASSERT_EQ(diagnostics_.error_count(), 1U);
+    EXPECT_EQ(diagnostics_.all()[0].code, "E0101");
+  }
 }
 
 TEST_F(File, Good) {

@@ -2,6 +2,7 @@
 // reason and never as a number.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -32,11 +33,16 @@ class Wire {
  public:
   Faults faults;
   std::mt19937 random{1};
+  std::size_t hostile = 0;  // frames of somebody else before each
+  bool to_board = false;
+  std::size_t hostile_frames = 0;  // so far
 
   void put(std::uint8_t byte) { frame_.push_back(byte); }
   void flush() {
     Bytes frame;
     frame.swap(frame_);
+    for (std::size_t i = 0; i < hostile; ++i) add_hostile();
+    if (hostile > 0) earlier_.push_back(frame);
     if (hit(faults.drop)) return;
     if (hit(faults.corrupt)) {
       frame[random() % frame.size()] ^= static_cast<std::uint8_t>(1U << random() % 8);
@@ -66,6 +72,48 @@ class Wire {
 
  private:
   bool hit(unsigned percent) { return random() % 100 < percent; }
+
+  void add(const Bytes& bytes) { line_.insert(line_.end(), bytes.begin(), bytes.end()); }
+
+  /// What somebody may send who does not know the session: noise, frames of every kind and size
+  /// with a check of their own, frames that were sent before, greetings that are none.
+  void add_hostile() {
+    ++hostile_frames;
+    Bytes noise(random() % 300);
+    for (auto& byte : noise) byte = static_cast<std::uint8_t>(random());
+    switch (random() % 6) {
+      case 0:
+        noise.push_back(0);
+        add(noise);
+        return;
+      case 1:
+        add(Bytes(random() % 20, 0));
+        return;
+      case 2:  // without an end: the next frame begins with one
+        for (auto& byte : noise) byte |= 1U;
+        add(noise);
+        return;
+      case 3:
+        if (!earlier_.empty()) add(earlier_[random() % earlier_.size()]);
+        return;
+      default:
+        add_sealed(noise);
+    }
+  }
+
+  void add_sealed(const Bytes& payload) {
+    auto frame = std::make_unique<OutFrame<300>>();
+    frame->append(payload.data(), payload.size());
+    const auto kind = static_cast<Kind>(random() % 8);
+    // A greeting of the right size is one of a new host: that begins a session (ANewHostStarts…).
+    const bool greeting = to_board && kind == Kind::hello && payload.size() == Greeting::kBytes;
+    const bool of_no_session = random() % 2 == 0 && !greeting;
+    const auto any = [this] { return static_cast<std::uint32_t>(random()); };
+    frame->seal(kind, any() % 4 == 0 ? any() : any() % 1000, of_no_session ? 0 : any());
+    frame->send([this](std::uint8_t byte) { line_.push_back(byte); });
+  }
+
+  std::vector<Bytes> earlier_;
   Bytes frame_;
   std::deque<std::uint8_t> line_;
   std::deque<Bytes> late_;
@@ -264,6 +312,26 @@ TEST_F(Line, RepeatsUntilItIsRight) {
   EXPECT_EQ(sessions_, 20);
   EXPECT_GT(host_->statistics().repeated, 1000U);
   EXPECT_GT(host_->statistics().ignored, 1000U);
+}
+
+TEST_F(Line, TenThousandHostileFramesEachWayChangeNothing) {
+  start();
+  to_board_.to_board = true;
+  to_host_.random.seed(2);
+  ASSERT_TRUE(host_->open(kIdentity, 1));
+  to_board_.hostile = to_host_.hostile = 20;
+  int steps = 0;
+  while (steps < 5000 && std::min(to_board_.hostile_frames, to_host_.hostile_frames) < 10'000) {
+    ASSERT_EQ(run_host(10), 10) << steps;  // and all that came was right
+    steps += 10;
+  }
+  EXPECT_GE(to_board_.hostile_frames, 10'000U);
+  EXPECT_GE(to_host_.hostile_frames, 10'000U);
+  EXPECT_EQ(sessions_, 1);
+  EXPECT_GT(board_->damaged(), 1000U);
+  to_board_.hostile = to_host_.hostile = 0;
+  Report report;
+  EXPECT_TRUE(host_->finish(report, [](const char*, std::uint64_t) {}));
 }
 
 TEST_F(Line, GivesUpWhenNothingComes) {

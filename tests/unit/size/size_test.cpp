@@ -211,6 +211,15 @@ TEST(Size, ToolsThatSayNonsenseDoNoHarm) {
   }
 }
 
+TEST(Size, NamesOfSymbolsNeedNotBeUtf8) {
+  SizeReport report;
+  report.others["\xff\xfe"] = {1, 2};
+  report.stack.unbounded = {"\xc3("};
+  report.stack.path = {"\x80"};
+  EXPECT_NE(size_text(report).find("calls of \xc3("), std::string::npos);
+  EXPECT_TRUE(parse_json(dump_json(size_json(report))));
+}
+
 TEST(Size, MembersThatAreNoNumbers) {
   Tools tools;
   describe(tools);

@@ -1,0 +1,69 @@
+#include "generator/command_line/output.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "generator/command_line/command_line.hpp"
+#include "generator/diagnostics/utf8.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+int first_problem = 0;  // errno; 0: none, or told of
+bool broken = false;    // what comes later has no place either
+
+void note_problem() {
+  if (!broken) first_problem = errno;
+  broken = true;
+}
+
+/// Line by line: their ends are meant.
+std::string drawable(std::string_view text) {
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    result += escape_unprintable(text.substr(begin, end - begin));
+    if (end < text.size()) result += '\n';
+    begin = end + 1;
+  }
+  return result;
+}
+
+}  // namespace
+
+void say_text(std::string_view text) {
+  if (broken) return;
+  const std::string bytes = drawable(text);
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) note_problem();
+}
+
+void complain_text(std::string_view text) {
+  const std::string bytes = drawable(text);
+  static_cast<void>(std::fwrite(bytes.data(), 1, bytes.size(), stderr));  // nowhere to tell it
+}
+
+std::optional<std::string> flush_output() {
+  if (!broken && std::fflush(stdout) != 0) note_problem();
+  if (first_problem == 0) return std::nullopt;
+  return std::strerror(std::exchange(first_problem, 0));
+}
+
+void report_output(const std::string& why, Diagnostics& diagnostics) {
+  diagnostics.io_error("E0901", {}, fmt::format("cannot write the standard output: {}", why));
+}
+
+void open_standard_descriptors() {
+  // open() gives the lowest number that is free. What is printed to a closed output fails.
+  for (int number = STDIN_FILENO; number <= STDERR_FILENO; ++number) {
+    if (fcntl(number, F_GETFD) == -1 && errno == EBADF && open("/dev/null", O_RDONLY) != number)
+      std::_Exit(kInputOutput);
+  }
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,54 @@
+// Values in texts of templates: what a value becomes depends on where in the language it stands.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace eagerx::gen {
+
+enum class Language { cpp, cmake, yaml, json, shell, linker_script, other };
+
+/// By the name of the file that is written.
+Language language_of(std::string_view path);
+
+/// Walks through a text and puts values into it.
+///
+/// In a comment or a string a value is text, and is escaped for it. Elsewhere it is a part of the
+/// program that is written, and must be one: code of C++ that closes what it opens and begins no
+/// comment, one argument of CMake, one word of a shell, a plain word in other languages.
+class Quoter {
+ public:
+  explicit Quoter(Language language) : language_(language) {}
+
+  /// What the template has.
+  void add(std::string_view text);
+  /// False if the value cannot stand there.
+  bool add_value(std::string_view value);
+  [[nodiscard]] std::string take() { return std::move(result_); }
+
+ private:
+  enum class Where {
+    code,
+    line_comment,
+    block_comment,
+    string,     // between double quotes
+    character,  // between single quotes
+    raw,        // CMake's [[ ]], C++'s R"( )": nothing can be escaped
+  };
+
+  void step(char c);
+  void step_code(char c);
+  [[nodiscard]] bool has_line_comments_with(char c, char before) const;
+  [[nodiscard]] std::optional<std::string> text_for(std::string_view value) const;
+  [[nodiscard]] std::optional<std::string> code_for(std::string_view value) const;
+
+  Language language_;
+  Where where_ = Where::code;
+  bool escaped_ = false;   // the character before was a backslash that means the next one
+  std::string raw_end_;    // what ends a raw text
+  std::string raw_begin_;  // of C++, until its parenthesis
+  std::string result_;
+};
+
+}  // namespace eagerx::gen

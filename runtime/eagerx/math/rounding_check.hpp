@@ -1,0 +1,31 @@
+// Whether the compiler was told to change results. Its macros say so for -ffast-math, and g++'s for
+// most parts of it (vocabulary.hpp refuses these); clang has none for the others.
+#pragma once
+
+namespace eagerx {
+
+/// False if this translation unit is compiled so that a product and a sum become one rounding
+/// (-ffp-contract=fast where there are such instructions), sums are put in another order
+/// (-fassociative-math) or quotients become products (-freciprocal-math). Each translation unit has
+/// its own, because each has its own flags.
+[[nodiscard, maybe_unused]] static bool rounds_each_operation() {
+  // Read at run time, or the compiler would know the answer without its flags.
+  volatile float factor = 1.000244140625F;  // 1 + 2^-12, its square rounds to 1 + 2^-11
+  volatile float square = 1.00048828125F;
+  volatile float large = 16777216.0F;  // 2^24, to which 1 adds nothing
+  volatile float small = 1.0F;
+  volatile float five = 5.0F;
+  const float x = factor;
+  const float a = large;
+  const float b = small;
+  const float sum = a + b;
+  const float product = x * x;
+  const float y = factor;
+  // In two statements (fast), and in one (on).
+  const bool contracts = product - square != 0.0F || y * y - square != 0.0F;
+  const bool reorders = sum - a != 0.0F;
+  const bool multiplies = five / 3.0F != 1.66666663F;  // times 0.333333343 it is 1.66666675
+  return !contracts && !reorders && !multiplies;
+}
+
+}  // namespace eagerx
