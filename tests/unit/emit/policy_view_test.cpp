@@ -36,8 +36,8 @@ std::string render(const Network& network) {
   view.set("node", false);
   view.set("policy", "policy");
   Diagnostics diagnostics;
-  const auto text =
-      render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache", view, diagnostics);
+  const auto text = render_file(EAGERX_SOURCE_DIR "/templates/cpp/policy.hpp.mustache",
+                                "policy.hpp", view, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
   return text.value_or("");
 }

@@ -18,7 +18,7 @@ class Render : public testing::Test {
 
   std::optional<std::string> render(const std::string& text, const View& view) {
     std::ofstream(path_) << text;
-    return render_file(path_, view, diagnostics_);
+    return render_file(path_, "text.hpp", view, diagnostics_);
   }
 
   void expect_problem(const char* part) {
@@ -40,7 +40,7 @@ TEST_F(Render, PutsValuesIn) {
 }
 
 TEST_F(Render, ATemplateThatIsNotThere) {
-  EXPECT_FALSE(render_file(path_ + "/none", object(), diagnostics_));
+  EXPECT_FALSE(render_file(path_ + "/none", "text.hpp", object(), diagnostics_));
   expect_problem("cannot read the template");
   EXPECT_TRUE(diagnostics_.has_io_errors());
 }

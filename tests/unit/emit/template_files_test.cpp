@@ -27,7 +27,8 @@ class Templates {
   /// What becomes of a template, or its one problem.
   std::string rendered(const std::string& name, const View& view) const {
     Diagnostics diagnostics;
-    const auto text = render_file((folder_ / (name + ".mustache")).string(), view, diagnostics);
+    const auto text =
+        render_file((folder_ / (name + ".mustache")).string(), "text.txt", view, diagnostics);
     EXPECT_EQ(diagnostics.error_count(), text ? 0U : 1U);
     if (text) return *text;
     EXPECT_EQ(diagnostics.all().front().code, "E0501");
