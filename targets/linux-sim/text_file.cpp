@@ -9,6 +9,7 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -17,9 +18,20 @@
 namespace eagerx::linux_sim {
 namespace {
 
-constexpr int kIdleMs = 500;
+constexpr long kIdleMs = 500;
 
 }  // namespace
+
+bool Signal::acquire_within(long wait_ms) {
+  constexpr long kNsPerMs = 1'000'000;
+  constexpr long kNsPerSecond = 1'000'000'000;
+  timespec until{};
+  clock_gettime(CLOCK_REALTIME, &until);
+  until.tv_nsec += wait_ms * kNsPerMs;
+  until.tv_sec += until.tv_nsec / kNsPerSecond;
+  until.tv_nsec %= kNsPerSecond;
+  return sem_timedwait(&semaphore_, &until) == 0;
+}
 
 TextFile::~TextFile() {
   close();
@@ -153,7 +165,7 @@ bool TextFile::wait_for_room() {
 
 void TextFile::write_in_background() {
   for (std::size_t i = 0;; i = (i + 1) % kBackgroundBuffers) {
-    while (!full_.try_acquire_for(std::chrono::milliseconds(kIdleMs))) is_due_ = true;
+    while (!full_.acquire_within(kIdleMs)) is_due_ = true;
     is_due_ = false;
     if (buffers_[i].used == 0) return;
     write(buffers_[i]);

@@ -1,6 +1,8 @@
 // Text output that allocates once, when it is opened, and knows no locale.
 #pragma once
 
+#include <semaphore.h>
+
 #include <atomic>
 #include <charconv>
 #include <cstddef>
@@ -19,6 +21,23 @@ namespace eagerx::linux_sim {
 /// caller then waits only when all of kBackgroundBuffers are full.
 /// In real time nobody waits for long: a reader that is too slow is an error.
 enum class Writing : std::uint8_t { direct, background, real_time };
+
+/// A count that a thread waits for. Its waits look at the clock of the day, so they do not touch
+/// the one that a run is paced by, which may be emulated.
+class Signal {
+ public:
+  Signal() { sem_init(&semaphore_, 0, 0); }
+  ~Signal() { sem_destroy(&semaphore_); }
+  Signal(const Signal&) = delete;
+  Signal& operator=(const Signal&) = delete;
+
+  void release() { sem_post(&semaphore_); }
+  /// False if nothing was released for `wait_ms`, below 1000, or on a signal.
+  bool acquire_within(long wait_ms);
+
+ private:
+  sem_t semaphore_;
+};
 
 /// A file written through fixed buffers. The first failed write is remembered and everything after
 /// it is dropped, so that a full disk ends a run with one message.
@@ -102,7 +121,7 @@ class TextFile {
   std::size_t most_at_once_ = 0;
   std::atomic<int> error_ = 0;
   std::atomic<bool> is_due_ = false;
-  std::counting_semaphore<> full_{0};
+  Signal full_;
   std::counting_semaphore<> empty_{0};
   std::thread writer_;
 };

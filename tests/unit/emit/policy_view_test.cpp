@@ -140,7 +140,7 @@ TEST(PolicyView, LiteralsAreTheWeightsToTheBit) {
 TEST(PolicyView, FileNamesCannotLeaveTheComment) {
   Network network = small_network();
   network.file = "a\nint evil;\\";
-  EXPECT_THAT(render(network), HasSubstr("a?int evil;? ("));
+  EXPECT_THAT(render(network), HasSubstr("a\\x0aint evil;\\x5c ("));
   EXPECT_THAT(render(network), Not(HasSubstr("\nint evil")));
 }
 
