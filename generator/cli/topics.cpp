@@ -55,8 +55,8 @@ constexpr const char* kLibrary =
     "2. the folders of the graph's `library:`, relative to the graph file\n"
     "3. models and targets of eagerx-gen itself, or of the folder that the environment\n"
     "   variable EAGERX_HOME names\n\n"
-    "`eagerx-gen info` lists what was found. An id must not be defined twice. Output folders\n"
-    "(those with a file eagerx-gen.files) are never searched.\n";
+    "`eagerx-gen info` lists what was found. An id must not be defined twice. Copies of\n"
+    "them in an output folder are not looked at.\n";
 
 constexpr const char* kExitCodes =
     "0  done\n"

@@ -15,12 +15,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Files of an output of eagerx-gen in `folder`, as its list names them: a standalone tree has
-/// copies of manifests, and these are no entities.
+/// Copies in an output of eagerx-gen in `folder`, as its list names them: what a standalone tree
+/// has of the installed package is no entity. (What eagerx-urdf writes is one, and has a list,
+/// too.)
 void add_generated(const fs::path& folder, std::set<fs::path>& generated) {
   std::ifstream list(folder / "eagerx-gen.files");
-  for (std::string line; std::getline(list, line);)
-    generated.insert((folder / line).lexically_normal());
+  for (std::string line; std::getline(list, line);) {
+    if (line.starts_with("eagerx-gen/")) generated.insert((folder / line).lexically_normal());
+  }
 }
 
 /// Manifests below `folder`, sorted, so that the order of a directory listing never matters.
