@@ -127,9 +127,10 @@ TEST(Tcp, WithoutAHostItIsForThisMachineOnly) {
 
 TEST(SerialLine, IsOpenedExclusively) {
   const int master = posix_openpt(O_RDWR | O_NOCTTY);
-  ASSERT_GE(master, 0);
-  ASSERT_EQ(grantpt(master) + unlockpt(master), 0);
-  const std::string name = ptsname(master);
+  const char* terminal = master >= 0 && unlockpt(master) == 0 ? ptsname(master) : nullptr;
+  if (terminal == nullptr || access(terminal, R_OK | W_OK) != 0)
+    GTEST_SKIP() << "this system has no pseudo-terminals";
+  const std::string name = terminal;
   {
     LinkPort first, second;
     ASSERT_TRUE(first.open(name, 115200)) << first.error();
