@@ -21,13 +21,23 @@ struct Array {
   constexpr T* end() { return data + kSize; }
   constexpr const T* begin() const { return data; }
   constexpr const T* end() const { return data + kSize; }
-  friend constexpr bool operator==(const Array&, const Array&) = default;
+  friend constexpr bool operator==(const Array& a,
+                                   const Array& b) requires std::is_arithmetic_v<T> {
+    for (std::size_t i = 0; i < kSize; ++i) {
+      if (a.data[i] != b.data[i]) return false;
+    }
+    return true;
+  }
 };
+
+/// What messages consist of: plain numbers, and packs of them (eagerx/pack.hpp).
+template <class T>
+inline constexpr bool is_number = std::is_arithmetic_v<T>;
 
 /// Scalar type and number of elements of a message type, scalar or Array.
 template <class Message>
 struct MessageTraits {
-  static_assert(std::is_arithmetic_v<Message>, "a message is a number or an eagerx::Array");
+  static_assert(is_number<Message>, "a message is a number or an eagerx::Array");
   using Scalar = Message;
   static constexpr std::size_t size = 1;
 };
@@ -48,7 +58,7 @@ inline constexpr std::size_t size_of = MessageTraits<Message>::size;
 /// Element `i` of a message in row-major order; `i` must be 0 for a scalar.
 template <class Message>
 constexpr ScalarOf<Message>& element(Message& message, std::size_t i) {
-  if constexpr (std::is_arithmetic_v<Message>) {
+  if constexpr (is_number<std::remove_const_t<Message>>) {
     return static_cast<void>(i), message;
   } else {
     return message[i];
@@ -56,7 +66,7 @@ constexpr ScalarOf<Message>& element(Message& message, std::size_t i) {
 }
 template <class Message>
 constexpr const ScalarOf<Message>& element(const Message& message, std::size_t i) {
-  if constexpr (std::is_arithmetic_v<Message>) {
+  if constexpr (is_number<std::remove_const_t<Message>>) {
     return static_cast<void>(i), message;
   } else {
     return message[i];

@@ -61,6 +61,9 @@ class Window {
   constexpr const Message& front() const { return (*this)[0]; }
   constexpr const Message& back() const { return ring_[ring_position<Capacity>(end_ - 1)]; }
 
+  /// The newest message, or `otherwise` while there is none.
+  constexpr Message back_or(const Message& otherwise) const { return empty() ? otherwise : back(); }
+
   /// Sequence number of message `i` in its channel.
   constexpr Seq seq(std::uint32_t i) const { return end_ - size() + i; }
   /// Time at which message `i` was sent, in seconds since the reset (a delay is not added).

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 static_assert(FLT_EVAL_METHOD == 0,
               "eagerx needs float and double to be evaluated in their own precision; on 32-bit x86 "
@@ -44,6 +45,10 @@ using BitsOf = typename LaneTraits<R>::Bits;
 template <class R>
 inline constexpr int lanes = LaneTraits<R>::kLanes;
 
+/// Counts that entities keep: as wide as R, so that one environment is every Nth word of a pack.
+template <class R>
+using CountOf = BitsOf<R>;
+
 /// A number, or a pack of numbers, that the functions of eagerx/math.hpp take.
 template <class R>
 concept Floating = std::is_floating_point_v<typename LaneTraits<R>::Lane>;
@@ -53,6 +58,14 @@ template <class T>
 requires std::is_arithmetic_v<T>
 constexpr T select(bool mask, T when_true, std::type_identity_t<T> when_false) {
   return mask ? when_true : when_false;
+}
+/// The truth values of comparisons of R: bool, or a mask.
+template <class R>
+using TruthOf = decltype(std::declval<R>() < std::declval<R>());
+/// 1 where the mask holds, 0 elsewhere.
+template <class R>
+constexpr CountOf<R> one_if(TruthOf<R> mask) {
+  return select(mask, CountOf<R>(1U), CountOf<R>(0U));
 }
 /// True if the mask holds in any lane.
 constexpr bool any(bool mask) {

@@ -1,0 +1,180 @@
+// Packs against plain numbers: every operation and every function of eagerx/math.hpp gives the same
+// bits in each lane. extra.cmake compiles this for the instruction set of this machine, too.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <eagerx/math.hpp>
+#include <eagerx/pack.hpp>
+#include <eagerx/random.hpp>
+#include <limits>
+#include <vector>
+
+namespace {
+
+using eagerx::Pack;
+
+template <class T>
+using Word = eagerx::BitsOf<T>;
+
+/// Numbers where functions change their ways, and random ones of all sizes.
+template <class T>
+std::vector<T> arguments() {
+  using Format = eagerx::FloatFormat<T>;
+  std::vector<T> all{T(0),
+                     T(-0.0),
+                     T(1),
+                     T(-1),
+                     T(0.5),
+                     T(-2.5),
+                     T(3.75),
+                     T(1e-30),
+                     T(88.9),
+                     T(-104),
+                     T(12799),
+                     T(12801),
+                     T(1e30),
+                     T(-1e30),
+                     Format::infinity,
+                     -Format::infinity,
+                     Format::nan,
+                     Format::smallest_normal,
+                     Format::smallest_normal / T(8)};
+  eagerx::Random random({7, 0, 0}, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const T exponent = random.uniform(T(-40), T(40));
+    all.push_back(random.uniform(T(-1), T(1)) * eagerx::exp(exponent));
+  }
+  return all;
+}
+
+template <class T>
+bool same(T a, T b) {
+  return std::bit_cast<Word<T>>(a) == std::bit_cast<Word<T>>(b) || (a != a && b != b);
+}
+
+/// f over a pack and over its lanes, for all pairs of neighbours and of distant arguments.
+template <class T, std::size_t N, class F>
+void expect_equal(const char* what, F&& f) {
+  const std::vector<T> all = arguments<T>();
+  int different = 0;
+  for (std::size_t start = 0; start < all.size(); ++start) {
+    std::array<T, N> a;
+    std::array<T, N> b;
+    for (std::size_t i = 0; i < N; ++i) {
+      a[i] = all[(start + i) % all.size()];
+      b[i] = all[(start * 7 + i * 3 + 1) % all.size()];
+    }
+    const auto packed = f(Pack<T, N>::load(a.data()), Pack<T, N>::load(b.data()));
+    for (std::size_t i = 0; i < N; ++i) {
+      const auto alone = f(a[i], b[i]);
+      if constexpr (std::is_same_v<std::remove_const_t<decltype(alone)>, bool>) {
+        different += eagerx::lane(packed, static_cast<int>(i)) != alone;
+      } else {
+        different += !same<T>(eagerx::lane(packed, static_cast<int>(i)), alone);
+      }
+    }
+  }
+  EXPECT_EQ(different, 0) << what;
+}
+
+template <class T, std::size_t N>
+void expect_arithmetic() {
+  expect_equal<T, N>("+", [](auto a, auto b) { return a + b; });
+  expect_equal<T, N>("-", [](auto a, auto b) { return a - b; });
+  expect_equal<T, N>("*", [](auto a, auto b) { return a * b; });
+  expect_equal<T, N>("/", [](auto a, auto b) { return a / b; });
+  expect_equal<T, N>("negative", [](auto a, auto) { return -a; });
+  expect_equal<T, N>("<", [](auto a, auto b) { return a < b; });
+  expect_equal<T, N>("<=", [](auto a, auto b) { return a <= b; });
+  expect_equal<T, N>(">", [](auto a, auto b) { return a > b; });
+  expect_equal<T, N>(">=", [](auto a, auto b) { return a >= b; });
+  expect_equal<T, N>("==", [](auto a, auto b) { return a == b; });
+  expect_equal<T, N>("!=", [](auto a, auto b) { return a != b; });
+  expect_equal<T, N>("and, or, not",
+                     [](auto a, auto b) { return !(a < b) && (a == b || a > decltype(a)(T(0))); });
+  expect_equal<T, N>("select", [](auto a, auto b) { return eagerx::select(a < b, a, b * b); });
+  expect_equal<T, N>("sqrt", [](auto a, auto) { return eagerx::sqrt(a); });
+}
+
+template <class T, std::size_t N>
+void expect_functions() {
+  expect_equal<T, N>("abs", [](auto a, auto) { return eagerx::abs(a); });
+  expect_equal<T, N>("copysign", [](auto a, auto b) { return eagerx::copysign(a, b); });
+  expect_equal<T, N>("min", [](auto a, auto b) { return eagerx::min(a, b); });
+  expect_equal<T, N>("max", [](auto a, auto b) { return eagerx::max(a, b); });
+  expect_equal<T, N>("isfinite", [](auto a, auto) { return eagerx::isfinite(a); });
+  expect_equal<T, N>("trunc", [](auto a, auto) { return eagerx::trunc(a); });
+  expect_equal<T, N>("floor", [](auto a, auto) { return eagerx::floor(a); });
+  expect_equal<T, N>("ceil", [](auto a, auto) { return eagerx::ceil(a); });
+  expect_equal<T, N>("round", [](auto a, auto) { return eagerx::round(a); });
+  expect_equal<T, N>("fmod", [](auto a, auto b) { return eagerx::fmod(a, b); });
+  expect_equal<T, N>("sin", [](auto a, auto) { return eagerx::sin(a); });
+  expect_equal<T, N>("cos", [](auto a, auto) { return eagerx::cos(a); });
+  expect_equal<T, N>("tan", [](auto a, auto) { return eagerx::tan(a); });
+  expect_equal<T, N>("asin", [](auto a, auto) { return eagerx::asin(a); });
+  expect_equal<T, N>("acos", [](auto a, auto) { return eagerx::acos(a); });
+  expect_equal<T, N>("atan", [](auto a, auto) { return eagerx::atan(a); });
+  expect_equal<T, N>("atan2", [](auto a, auto b) { return eagerx::atan2(a, b); });
+  expect_equal<T, N>("exp", [](auto a, auto) { return eagerx::exp(a); });
+  expect_equal<T, N>("log", [](auto a, auto) { return eagerx::log(a); });
+  expect_equal<T, N>("pow", [](auto a, auto b) { return eagerx::pow(a, b); });
+  expect_equal<T, N>("tanh", [](auto a, auto) { return eagerx::tanh(a); });
+  expect_equal<T, N>("sinh", [](auto a, auto) { return eagerx::sinh(a); });
+  expect_equal<T, N>("cosh", [](auto a, auto) { return eagerx::cosh(a); });
+  expect_equal<T, N>("sigmoid", [](auto a, auto) { return eagerx::sigmoid(a); });
+}
+
+// One register and several, whatever the machine has.
+TEST(Pack, ArithmeticHasTheBitsOfPlainNumbers) {
+  expect_arithmetic<float, 4>();
+  expect_arithmetic<float, 32>();
+  expect_arithmetic<double, 2>();
+  expect_arithmetic<double, 16>();
+}
+TEST(Pack, FunctionsHaveTheBitsOfPlainNumbers) {
+  expect_functions<float, 4>();
+  expect_functions<float, 32>();
+  expect_functions<double, 2>();
+  expect_functions<double, 16>();
+}
+
+TEST(Pack, BroadcastsKeepTheSignOfZero) {
+  EXPECT_TRUE(std::signbit(eagerx::lane(Pack<float, 8>(-0.0F), 5)));
+  EXPECT_FALSE(std::signbit(eagerx::lane(Pack<float, 8>(0.0F), 5)));
+}
+
+TEST(Pack, LanesAreSetOneByOne) {
+  Pack<float, 8> x(1.0F);
+  set_lane(x, 3, 4.0F);
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(eagerx::lane(x, i), i == 3 ? 4.0F : 1.0F);
+  eagerx::Mask<4, 8> mask(false);
+  EXPECT_FALSE(any(mask));
+  set_lane(mask, 7, true);
+  EXPECT_TRUE(any(mask));
+  EXPECT_TRUE(eagerx::lane(mask, 7));
+  EXPECT_FALSE(eagerx::lane(mask, 6));
+}
+
+TEST(Pack, IntegersConvertLaneByLane) {
+  Pack<std::uint32_t, 8> x(4'000'000'000U);
+  set_lane(x, 2, 7U);
+  const Pack<std::int64_t, 8> wide(x);
+  EXPECT_EQ(eagerx::lane(wide, 0), 4'000'000'000);
+  EXPECT_EQ(eagerx::lane(wide, 2), 7);
+  const Pack<float, 8> numbers(x);
+  EXPECT_EQ(eagerx::lane(numbers, 2), 7.0F);
+}
+
+TEST(Pack, MessagesConsistOfPacks) {
+  using Message = eagerx::Array<Pack<float, 8>, 2>;
+  static_assert(eagerx::size_of<Message> == 2);
+  Message message{};
+  set_lane(eagerx::element(message, 1), 4, 2.5F);
+  EXPECT_EQ(eagerx::lane(message[1], 4), 2.5F);
+  EXPECT_EQ(eagerx::lane(message[0], 4), 0.0F);
+}
+
+}  // namespace
