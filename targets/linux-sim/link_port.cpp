@@ -23,7 +23,7 @@
 namespace eagerx::linux_sim {
 namespace {
 
-constexpr std::uint64_t kNsPerSecond = 1'000'000'000;
+constexpr std::uint64_t kSecondNs = 1'000'000'000;
 constexpr std::uint64_t kNsPerMs = 1'000'000;
 constexpr int kForEver = -1;
 
@@ -124,7 +124,7 @@ bool LinkPort::is_interrupted() {
 std::uint64_t LinkPort::now_ns() {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
-  return static_cast<std::uint64_t>(now.tv_sec) * kNsPerSecond +
+  return static_cast<std::uint64_t>(now.tv_sec) * kSecondNs +
          static_cast<std::uint64_t>(now.tv_nsec);
 }
 
@@ -153,7 +153,7 @@ bool LinkPort::accept_on(int listener, Say say) {
       number = errno == EINTR || errno == ECONNABORTED ? 0 : errno;
       continue;
     }
-    const std::uint64_t until = now_ns() + kGreetingS * kNsPerSecond;
+    const std::uint64_t until = now_ns() + kGreetingS * kSecondNs;
     bool has_spoken = false;
     while (!has_spoken && now_ns() < until) has_spoken = wait(POLLIN, until);
     if (has_spoken) {
@@ -264,7 +264,7 @@ void LinkPort::put(std::uint8_t byte) {
 }
 
 void LinkPort::flush() {
-  constexpr std::uint64_t kPatienceNs = kNsPerSecond;
+  constexpr std::uint64_t kPatienceNs = kSecondNs;
   const std::size_t size = std::exchange(out_size_, 0);
   const std::uint64_t until = std::min(now_ns() + kPatienceNs, write_until_ns_);
   for (std::size_t sent = 0; sent < size && file_ >= 0;) {

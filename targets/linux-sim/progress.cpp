@@ -15,7 +15,7 @@ constexpr std::int64_t kFirstDrawing = 1000 * kMs;
 constexpr std::int64_t kRedraw = 100 * kMs;
 constexpr std::int64_t kLook = 20 * kMs;
 constexpr std::uint64_t kBarWidth = 30;
-constexpr double kNsPerSecond = 1e9;
+constexpr double kSecond = 1e9;  // in ns
 
 /// A line built on the stack.
 class Line {
@@ -61,7 +61,7 @@ void Progress::look(std::uint64_t done) {
 
 void Progress::draw(std::uint64_t done, std::int64_t now) const {
   const double share = static_cast<double>(done) / static_cast<double>(steps_);
-  const double seconds = static_cast<double>(now - start_ns_) / kNsPerSecond;
+  const double seconds = static_cast<double>(now - start_ns_) / kSecond;
   constexpr double kPercent = 100.0;
   Line line;
   line.text("\r[");

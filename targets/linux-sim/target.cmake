@@ -10,6 +10,8 @@ function(eagerx_configure_target executable)
       ${here}/summary.cpp ${here}/text_file.cpp)
     include(${here}/../../runtime/host/host.cmake)
     target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime eagerx_trace eagerx_identify)
+    # The headers of the standard library take most of the time: once for all files.
+    set_target_properties(eagerx_linux_sim PROPERTIES UNITY_BUILD ${eagerx_host_unity} UNITY_BUILD_BATCH_SIZE 0)
     # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
     target_compile_options(eagerx_linux_sim PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   endif()
