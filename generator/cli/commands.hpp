@@ -24,6 +24,7 @@ struct Options {
   bool library = false;                        // headers for a main loop of one's own, no program
   bool compile = false;                        // check: also the code of entities
   bool standalone = false;                     // the output has all headers it needs
+  std::vector<std::string> program_options;    // run
   std::string image, build, baseline, run_on;  // size
   bool graph_schema = false, manifest_schema = false;  // schema
   bool json_output = false;
@@ -39,6 +40,10 @@ struct Options {
 };
 
 int generate_command(const Options& options);
+/// The same, and builds the programs; prints their files.
+int build_command(const Options& options);
+/// The same, and becomes the program, or the emulator with it: its exit code is the command's.
+int run_command(const Options& options);
 int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "generator/cli/built.hpp"
 #include "generator/cli/next_steps.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/standalone.hpp"
@@ -185,19 +186,19 @@ bool judge(Run& run, const std::vector<const Target*>& targets, const Options& o
 
 }  // namespace
 
-int generate_command(const Options& options) {
-  Run run;
-  if (!make(run, options)) return finish(run, options);
-  const std::vector<const Target*> targets = find_targets(run, options);
-  if (!judge(run, targets, options)) return finish(run, options);
+std::optional<Generated> generate_graph(Run& run, const Options& options, int& code) {
+  Generated generated;
+  generated.targets = find_targets(run, options);
+  if (!judge(run, generated.targets, options)) return std::nullopt;
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
+  generated.folder = folder;
   check_output_path(run, fs::absolute(folder).lexically_normal().string());
   check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
-  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (run.diagnostics.has_errors()) return std::nullopt;
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
-  if (!options.library) emit_options.targets = targets;
+  if (!options.library) emit_options.targets = generated.targets;
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::absolute(folder).lexically_normal().string();
@@ -217,19 +218,33 @@ int generate_command(const Options& options) {
     run.diagnostics.error("E0336", run.graph->placement->span, "a split graph has no library")
         .help = "leave out `--library`";
   }
-  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (run.diagnostics.has_errors()) return std::nullopt;
   auto files = split ? emit_parts(run, emit_options) : emit_part(run, emit_options);
   if (files && standalone && !carry_along(run, emit_options.targets, emit_options.output, *files))
     files.reset();
-  if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
-  if (!write_depfile(run, options)) return finish(run, options);
-  const auto result = write_files(folder, std::move(*files), run.diagnostics);
-  if (!result) return finish(run, options);
-  if (!options.quiet) {
-    say("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
-    say("{}", next_steps(run, options, emit_options.targets, folder));
+  if (!files) {
+    code = kProblems;
+    return std::nullopt;
   }
-  return finish(run, options);
+  if (!write_depfile(run, options)) return std::nullopt;
+  const auto result = write_files(folder, std::move(*files), run.diagnostics);
+  if (!result) return std::nullopt;
+  generated.targets = emit_options.targets;
+  generated.written = result->written;
+  generated.unchanged = result->unchanged;
+  return generated;
+}
+
+int generate_command(const Options& options) {
+  Run run;
+  int code = kDone;
+  const auto generated = make(run, options) ? generate_graph(run, options, code) : std::nullopt;
+  if (generated && !options.quiet) {
+    say("{}: {} files written, {} unchanged\n", generated->folder, generated->written,
+        generated->unchanged);
+    say("{}", next_steps(run, options, generated->targets, generated->folder));
+  }
+  return std::max(finish(run, options), code);
 }
 
 namespace {

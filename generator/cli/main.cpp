@@ -127,6 +127,51 @@ Command generate(Options& options) {
           .run = [&options] { return generate_command(options); }};
 }
 
+Arguments building(Options& options) {
+  return joined(
+      {{graph(options), text("-o,--output", options.output,
+                             "output folder (default: generated/<graph name>, for another target "
+                             "generated/<graph name>-<target>); it is built in its folder `build`",
+                             "DIR")},
+       selection(options),
+       rates(options),
+       {library(options), warnings(options)},
+       diagnostics(options)});
+}
+
+Command build(Options& options) {
+  return {
+      .name = "build",
+      .about = "write the program of a graph and build it",
+      .examples = {{"a program for Linux, in generated/pendulum/build",
+                    "eagerx-gen build pendulum.yaml"},
+                   {"an image for a board", "eagerx-gen build pendulum.yaml --target stm32f405"}},
+      .arguments = building(options),
+      .run = [&options] { return build_command(options); }};
+}
+
+Command run(Options& options) {
+  return {.name = "run",
+          .about = "write the program of a graph, build it and run it",
+          .examples = {{"on Linux; the options of the program follow the graph",
+                        "eagerx-gen run pendulum.yaml --seed 1 --steps 300"},
+                       {"on the emulator of a board",
+                        "eagerx-gen run pendulum.yaml --target mps2-an386 --steps 300 --hash"},
+                       {"all that follows `--` is the program's",
+                        "eagerx-gen run pendulum.yaml -- --help"}},
+          .arguments = building(options),
+          .rest = Argument{"program-options",
+                           "options of the program: all that eagerx-gen does not know, and all "
+                           "that follows `--`",
+                           "PROGRAM OPTIONS",
+                           [&options](const auto& words) { options.program_options = words; }},
+          .check =
+              [&options] {
+                return options.targets.size() > 1 ? "one --target can be run at a time" : "";
+              },
+          .run = [&options] { return run_command(options); }};
+}
+
 Command check(Options& options) {
   return {
       .name = "check",
@@ -345,9 +390,10 @@ CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
-              .commands = {generate(options), check(options), info(options), explain(options),
-                           import(options), schema(options), make_new(options), size(options),
-                           replay(options), identify(options), policies(options), pages(options)}},
+              .commands = {generate(options), build(options), run(options), check(options),
+                           info(options), explain(options), import(options), schema(options),
+                           make_new(options), size(options), replay(options), identify(options),
+                           policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"
