@@ -30,7 +30,8 @@ struct Options {
   bool json_output = false;
   std::string program, log, second_log, given;      // replay, identify
   std::string sensors, horizon_s, longest_delay_s;  // identify
-  std::string entity;                               // info
+  std::string entity;                               // info, new
+  std::string kind;                                 // new
   std::string code;                                 // explain
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy
@@ -52,7 +53,7 @@ int schema_command(const Options& options);
 int size_command(const Options& options);
 int replay_command(const Options& options);
 int identify_command(const Options& options);
-int new_board_command(const Options& options);
+int new_command(const Options& options);
 int policy_command(const Options& options);
 /// Writes `pages` below the folder `output`.
 int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "generator/cli/built.hpp"
 #include "generator/cli/next_steps.hpp"
@@ -21,6 +23,11 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// "1 node", "2 nodes"
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
 
 /// Whether the graph, or the part of it that stays on Linux, can run there.
 void check_target(Run& run, const Target& target) {
@@ -44,6 +51,44 @@ void check_target(Run& run, const Target& target) {
   }
 }
 
+/// Refuses a target that `eagerx-gen new` has made and nobody has filled in yet.
+void check_filled(Run& run, const Target& target) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_of(run, target), error)) {
+    const std::string ending = entry.path().extension().string();
+    const bool is_source =
+        ending == ".yaml" || ending == ".cpp" || ending == ".hpp" || ending == ".cmake";
+    if (is_source && entry.is_regular_file(error)) files.push_back(entry.path().string());
+  }
+  std::ranges::sort(files);
+  std::vector<Diagnostic::Note> blanks;
+  for (const std::string& file : files) {
+    std::ifstream in(file);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const FileId id = run.sources.add(file, text);
+    for (std::uint32_t line = 1; line <= std::ranges::count(text, '\n'); ++line) {
+      const std::string_view words = run.sources.line(id, line);
+      for (const std::string_view mark : {"FILL_IN", "#error \"fill in"}) {
+        const std::size_t at = words.find(mark);
+        if (at == std::string_view::npos) continue;
+        const Span place{id, line, static_cast<std::uint32_t>(at + 1),
+                         static_cast<std::uint32_t>(mark.size())};
+        blanks.push_back({mark == "FILL_IN" ? fmt::format("line {} is a blank", line)
+                                            : "a function has to be written",
+                          place, "here"});
+      }
+    }
+  }
+  if (blanks.empty()) return;
+  auto& problem =
+      run.diagnostics.error("E0339", target.id.span,
+                            fmt::format("the target `{}` is not filled in: {} left",
+                                        target.id.value, counted(blanks.size(), "blank")));
+  problem.notes = std::move(blanks);
+  problem.help = "targets/README.md of eagerx-gen explains them under \"Add a board\"";
+}
+
 std::vector<const Target*> find_targets(Run& run, const Options& options) {
   std::vector<const Target*> result;
   const std::vector<std::string> wanted =
@@ -55,6 +100,7 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
     if (found != run.library.targets.end()) {
       result.push_back(&found->second);
       check_target(run, found->second);
+      check_filled(run, found->second);
       continue;
     }
     auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));
@@ -63,6 +109,7 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
                                 : fmt::format("did you mean `{}`?", near);
   }
   if (run.graph->placement) {
+    check_filled(run, *run.graph->placement->board);
     check_system(*run.graph, Part::board, *run.graph->placement->board, run.library,
                  run.diagnostics);
   }
@@ -149,11 +196,6 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
   add(Part::host, "host", hash);
   add(Part::board, "board", hash);
   return files;
-}
-
-/// "1 node", "2 nodes"
-std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
 /// What an image takes is checked by `size`; what the plan says, before there is one.

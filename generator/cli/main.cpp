@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/kinds.hpp"
 #include "generator/cli/topics.hpp"
 #include "generator/command_line/command_line.hpp"
 #include "generator/read/quantity.hpp"
@@ -257,20 +258,20 @@ Command schema(Options& options) {
 }
 
 Command make_new(Options& options) {
-  Command board{
-      .name = "board",
-      .about = "a board of your own",
-      .examples = {{"a folder targets/my-board to fill in", "eagerx-gen new board my-board"}},
-      .arguments = joined({{required(text("name", options.entity, "its name", "NAME")),
-                            text("-o,--output", options.output,
-                                 "where to make its folder (default: targets)", "DIR")},
-                           diagnostics(options)}),
-      .run = [&options] { return new_board_command(options); }};
+  Argument kind = required(choice("kind", kinds_of_new(), "what to make",
+                                  [&options](const std::string& name) { options.kind = name; }));
   return {
       .name = "new",
-      .about = "make a folder to fill in",
-      .examples = {{"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
-      .commands = {std::move(board)}};
+      .about = "make a folder to begin with: a project, or a part of your own",
+      .examples = {{"a project with a graph that moves at once", "eagerx-gen new project my_robot"},
+                   {"in it, a node of your own with a test", "eagerx-gen new node my_filter"},
+                   {"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
+      .arguments =
+          joined({{std::move(kind), required(text("name", options.entity, "its name", "NAME")),
+                   text("-o,--output", options.output,
+                        "where to make its folder (default: here; of a board: targets)", "DIR")},
+                  diagnostics(options)}),
+      .run = [&options] { return new_command(options); }};
 }
 
 Command size(Options& options) {
