@@ -206,7 +206,7 @@ class Builder {
   bool step(const char* what, const std::vector<std::string>& command) {
     Progress progress(fmt::format("{} {}", what, name_), quiet_);
     ProcessOptions options;
-    options.environment = {{"NINJA_STATUS", "[%f/%t] "}, {"CLICOLOR_FORCE", ""}};
+    options.environment = {{"NINJA_STATUS", "[%f/%t] "}, {"CLICOLOR_FORCE", "0"}};
     options.waiting = [&](const std::string& output) { progress.at(how_far(output)); };
     const auto result = run_process(command, options);
     const bool good = result && result->exit_code == 0;

@@ -24,14 +24,15 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
 /// The program of a target, built.
 struct BuiltProgram {
   const Target* target = nullptr;
-  std::string build;   // its build folder
-  std::string image;   // its file
-  bool waits = false;  // it is the part of a split graph that waits for the other one
+  std::string build;  // its build folder
+  std::string image;  // its file
 };
 
 /// generate_graph(), in a folder of its own for each target that is not this machine, and
-/// build_tree() of every program.
-std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code);
+/// build_tree() of every program. Of a split graph the part on the board comes first. `to_run`: the
+/// last program is to be run, E0515 if nothing here can.
+std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
+                                                     bool to_run = false);
 
 /// What starts a program, before its own options; nothing if nothing here can (its target's
 /// manifest has no `run:`).

@@ -14,8 +14,13 @@ namespace {
 
 /// Without a description: the help shows the choices as the type already.
 CLI::Validator validator_of(const Argument& argument) {
-  if (!argument.choices.empty()) return CLI::IsMember(argument.choices).description("");
-  return {argument.check, ""};
+  if (argument.choices.empty()) return {argument.check, ""};
+  return {[&argument](const std::string& word) {
+            return std::ranges::find(argument.choices, word) != argument.choices.end()
+                       ? std::string()
+                       : not_a_choice(word, argument.choices);
+          },
+          ""};
 }
 
 void add(CLI::App& app, const Argument& argument) {
