@@ -24,12 +24,14 @@ struct Options {
   bool library = false;                        // headers for a main loop of one's own, no program
   bool compile = false;                        // check: also the code of entities
   bool standalone = false;                     // the output has all headers it needs
+  std::vector<std::string> program_options;    // run
   std::string image, build, baseline, run_on;  // size
   bool graph_schema = false, manifest_schema = false;  // schema
   bool json_output = false;
   std::string program, log, second_log, given;      // replay, identify
   std::string sensors, horizon_s, longest_delay_s;  // identify
-  std::string entity;                               // info
+  std::string entity;                               // info, new
+  std::string kind;                                 // new
   std::string code;                                 // explain
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy
@@ -39,6 +41,10 @@ struct Options {
 };
 
 int generate_command(const Options& options);
+/// The same, and builds the programs; prints their files.
+int build_command(const Options& options);
+/// The same, and becomes the program, or the emulator with it: its exit code is the command's.
+int run_command(const Options& options);
 int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
@@ -47,7 +53,7 @@ int schema_command(const Options& options);
 int size_command(const Options& options);
 int replay_command(const Options& options);
 int identify_command(const Options& options);
-int new_board_command(const Options& options);
+int new_command(const Options& options);
 int policy_command(const Options& options);
 /// Writes `pages` below the folder `output`.
 int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);

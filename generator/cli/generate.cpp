@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
+#include "generator/cli/built.hpp"
 #include "generator/cli/next_steps.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/standalone.hpp"
@@ -20,6 +23,11 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// "1 node", "2 nodes"
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
 
 /// Whether the graph, or the part of it that stays on Linux, can run there.
 void check_target(Run& run, const Target& target) {
@@ -43,6 +51,44 @@ void check_target(Run& run, const Target& target) {
   }
 }
 
+/// Refuses a target that `eagerx-gen new` has made and nobody has filled in yet.
+void check_filled(Run& run, const Target& target) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_of(run, target), error)) {
+    const std::string ending = entry.path().extension().string();
+    const bool is_source =
+        ending == ".yaml" || ending == ".cpp" || ending == ".hpp" || ending == ".cmake";
+    if (is_source && entry.is_regular_file(error)) files.push_back(entry.path().string());
+  }
+  std::ranges::sort(files);
+  std::vector<Diagnostic::Note> blanks;
+  for (const std::string& file : files) {
+    std::ifstream in(file);
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const FileId id = run.sources.add(file, text);
+    for (std::uint32_t line = 1; line <= std::ranges::count(text, '\n'); ++line) {
+      const std::string_view words = run.sources.line(id, line);
+      for (const std::string_view mark : {"FILL_IN", "#error \"fill in"}) {
+        const std::size_t at = words.find(mark);
+        if (at == std::string_view::npos) continue;
+        const Span place{id, line, static_cast<std::uint32_t>(at + 1),
+                         static_cast<std::uint32_t>(mark.size())};
+        blanks.push_back({mark == "FILL_IN" ? fmt::format("line {} is a blank", line)
+                                            : "a function has to be written",
+                          place, "here"});
+      }
+    }
+  }
+  if (blanks.empty()) return;
+  auto& problem =
+      run.diagnostics.error("E0339", target.id.span,
+                            fmt::format("the target `{}` is not filled in: {} left",
+                                        target.id.value, counted(blanks.size(), "blank")));
+  problem.notes = std::move(blanks);
+  problem.help = "targets/README.md of eagerx-gen explains them under \"Add a board\"";
+}
+
 std::vector<const Target*> find_targets(Run& run, const Options& options) {
   std::vector<const Target*> result;
   const std::vector<std::string> wanted =
@@ -54,6 +100,7 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
     if (found != run.library.targets.end()) {
       result.push_back(&found->second);
       check_target(run, found->second);
+      check_filled(run, found->second);
       continue;
     }
     auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));
@@ -62,6 +109,7 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
                                 : fmt::format("did you mean `{}`?", near);
   }
   if (run.graph->placement) {
+    check_filled(run, *run.graph->placement->board);
     check_system(*run.graph, Part::board, *run.graph->placement->board, run.library,
                  run.diagnostics);
   }
@@ -150,11 +198,6 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
   return files;
 }
 
-/// "1 node", "2 nodes"
-std::string counted(std::uint64_t count, std::string_view what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 /// What an image takes is checked by `size`; what the plan says, before there is one.
 void check_budget(Run& run) {
   if (!run.spec->budget) return;
@@ -185,19 +228,19 @@ bool judge(Run& run, const std::vector<const Target*>& targets, const Options& o
 
 }  // namespace
 
-int generate_command(const Options& options) {
-  Run run;
-  if (!make(run, options)) return finish(run, options);
-  const std::vector<const Target*> targets = find_targets(run, options);
-  if (!judge(run, targets, options)) return finish(run, options);
+std::optional<Generated> generate_graph(Run& run, const Options& options, int& code) {
+  Generated generated;
+  generated.targets = find_targets(run, options);
+  if (!judge(run, generated.targets, options)) return std::nullopt;
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
+  generated.folder = folder;
   check_output_path(run, fs::absolute(folder).lexically_normal().string());
   check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
-  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (run.diagnostics.has_errors()) return std::nullopt;
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
-  if (!options.library) emit_options.targets = targets;
+  if (!options.library) emit_options.targets = generated.targets;
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::absolute(folder).lexically_normal().string();
@@ -217,19 +260,33 @@ int generate_command(const Options& options) {
     run.diagnostics.error("E0336", run.graph->placement->span, "a split graph has no library")
         .help = "leave out `--library`";
   }
-  if (run.diagnostics.has_errors()) return finish(run, options);
+  if (run.diagnostics.has_errors()) return std::nullopt;
   auto files = split ? emit_parts(run, emit_options) : emit_part(run, emit_options);
   if (files && standalone && !carry_along(run, emit_options.targets, emit_options.output, *files))
     files.reset();
-  if (!files) return std::max(finish(run, options), static_cast<int>(kProblems));
-  if (!write_depfile(run, options)) return finish(run, options);
-  const auto result = write_files(folder, std::move(*files), run.diagnostics);
-  if (!result) return finish(run, options);
-  if (!options.quiet) {
-    say("{}: {} files written, {} unchanged\n", folder, result->written, result->unchanged);
-    say("{}", next_steps(run, options, emit_options.targets, folder));
+  if (!files) {
+    code = kProblems;
+    return std::nullopt;
   }
-  return finish(run, options);
+  if (!write_depfile(run, options)) return std::nullopt;
+  const auto result = write_files(folder, std::move(*files), run.diagnostics);
+  if (!result) return std::nullopt;
+  generated.targets = emit_options.targets;
+  generated.written = result->written;
+  generated.unchanged = result->unchanged;
+  return generated;
+}
+
+int generate_command(const Options& options) {
+  Run run;
+  int code = kDone;
+  const auto generated = make(run, options) ? generate_graph(run, options, code) : std::nullopt;
+  if (generated && !options.quiet) {
+    say("{}: {} files written, {} unchanged\n", generated->folder, generated->written,
+        generated->unchanged);
+    say("{}", next_steps(run, options, generated->targets, generated->folder));
+  }
+  return std::max(finish(run, options), code);
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "generator/cli/commands.hpp"
+#include "generator/cli/kinds.hpp"
 #include "generator/cli/topics.hpp"
 #include "generator/command_line/command_line.hpp"
 #include "generator/read/quantity.hpp"
@@ -127,6 +128,51 @@ Command generate(Options& options) {
           .run = [&options] { return generate_command(options); }};
 }
 
+Arguments building(Options& options) {
+  return joined(
+      {{graph(options), text("-o,--output", options.output,
+                             "output folder (default: generated/<graph name>, for another target "
+                             "generated/<graph name>-<target>); it is built in its folder `build`",
+                             "DIR")},
+       selection(options),
+       rates(options),
+       {library(options), warnings(options)},
+       diagnostics(options)});
+}
+
+Command build(Options& options) {
+  return {
+      .name = "build",
+      .about = "write the program of a graph and build it",
+      .examples = {{"a program for Linux, in generated/pendulum/build",
+                    "eagerx-gen build pendulum.yaml"},
+                   {"an image for a board", "eagerx-gen build pendulum.yaml --target stm32f405"}},
+      .arguments = building(options),
+      .run = [&options] { return build_command(options); }};
+}
+
+Command run(Options& options) {
+  return {.name = "run",
+          .about = "write the program of a graph, build it and run it",
+          .examples = {{"on Linux; the options of the program follow the graph",
+                        "eagerx-gen run pendulum.yaml --seed 1 --steps 300"},
+                       {"on the emulator of a board",
+                        "eagerx-gen run pendulum.yaml --target mps2-an386 --steps 300 --hash"},
+                       {"all that follows `--` is the program's",
+                        "eagerx-gen run pendulum.yaml -- --help"}},
+          .arguments = building(options),
+          .rest = Argument{"program-options",
+                           "options of the program: all that eagerx-gen does not know, and all "
+                           "that follows `--`",
+                           "PROGRAM OPTIONS",
+                           [&options](const auto& words) { options.program_options = words; }},
+          .check =
+              [&options] {
+                return options.targets.size() > 1 ? "one --target can be run at a time" : "";
+              },
+          .run = [&options] { return run_command(options); }};
+}
+
 Command check(Options& options) {
   return {
       .name = "check",
@@ -212,20 +258,20 @@ Command schema(Options& options) {
 }
 
 Command make_new(Options& options) {
-  Command board{
-      .name = "board",
-      .about = "a board of your own",
-      .examples = {{"a folder targets/my-board to fill in", "eagerx-gen new board my-board"}},
-      .arguments = joined({{required(text("name", options.entity, "its name", "NAME")),
-                            text("-o,--output", options.output,
-                                 "where to make its folder (default: targets)", "DIR")},
-                           diagnostics(options)}),
-      .run = [&options] { return new_board_command(options); }};
+  Argument kind = required(choice("kind", kinds_of_new(), "what to make",
+                                  [&options](const std::string& name) { options.kind = name; }));
   return {
       .name = "new",
-      .about = "make a folder to fill in",
-      .examples = {{"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
-      .commands = {std::move(board)}};
+      .about = "make a folder to begin with: a project, or a part of your own",
+      .examples = {{"a project with a graph that moves at once", "eagerx-gen new project my_robot"},
+                   {"in it, a node of your own with a test", "eagerx-gen new node my_filter"},
+                   {"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
+      .arguments =
+          joined({{std::move(kind), required(text("name", options.entity, "its name", "NAME")),
+                   text("-o,--output", options.output,
+                        "where to make its folder (default: here; of a board: targets)", "DIR")},
+                  diagnostics(options)}),
+      .run = [&options] { return new_command(options); }};
 }
 
 Command size(Options& options) {
@@ -345,9 +391,10 @@ CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
-              .commands = {generate(options), check(options), info(options), explain(options),
-                           import(options), schema(options), make_new(options), size(options),
-                           replay(options), identify(options), policies(options), pages(options)}},
+              .commands = {generate(options), build(options), run(options), check(options),
+                           info(options), explain(options), import(options), schema(options),
+                           make_new(options), size(options), replay(options), identify(options),
+                           policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

@@ -2,14 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
+#include "generator/cli/built.hpp"
 #include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-namespace fs = std::filesystem;
 
 class Steps {
  public:
@@ -17,50 +14,24 @@ class Steps {
 
   /// Configures, builds and starts one program. `several`: others lie in the same folder.
   std::string build(const Target& target, const std::string& folder, bool several) const {
-    const std::string tree = folder + (several ? "/build-" + target.id.value : "/build");
-    std::string line = fmt::format("  cmake -S {} -B {}", shell_word(folder), shell_word(tree));
-    if (several) line += " -D EAGERX_TARGET=" + shell_word(target.id.value);
-    if (!target.toolchain.empty()) line += " --toolchain " + shell_word(toolchain(target, folder));
-    if (is_own(target) && !standalone())
-      line += " -D EAGERX_TARGETS_PATH=" +
-              shell_word(fs::absolute(folder_of(target)).lexically_normal().parent_path().string());
-    return line + fmt::format(" && cmake --build {}", shell_word(tree)) + start(target, tree) +
-           "\n";
+    const Tree tree = tree_of(run_, options_, target, folder, several);
+    std::string line =
+        fmt::format("  cmake -S {} -B {}", shell_word(folder), shell_word(tree.build));
+    if (!tree.toolchain.empty()) line += " --toolchain " + shell_word(tree.toolchain);
+    for (const auto& [name, value] : tree.settings)
+      line += fmt::format(" -D {}={}", name, shell_word(value));
+    return line + fmt::format(" && cmake --build {}", shell_word(tree.build)) +
+           start(target, tree.build) + "\n";
   }
 
  private:
-  [[nodiscard]] bool standalone() const {
-    return options_.standalone || !options_.packages.empty();
-  }
-
-  [[nodiscard]] fs::path folder_of(const Target& target) const {
-    return fs::path(run_.sources.name(target.id.span.file)).parent_path();
-  }
-
-  [[nodiscard]] bool is_own(const Target& target) const {
-    return folder_of(target).parent_path() != fs::path(run_.root) / "targets";
-  }
-
-  [[nodiscard]] std::string toolchain(const Target& target, const std::string& folder) const {
-    if (standalone()) return folder + "/eagerx-gen/toolchains/" + target.toolchain;
-    for (const auto& path : options_.paths) {
-      std::error_code error;
-      const fs::path own = fs::path(path) / "toolchains" / target.toolchain;
-      if (fs::exists(own, error)) return own.string();
-    }
-    return (fs::path(run_.root) / "toolchains" / target.toolchain).string();
-  }
-
   /// Nothing where the manifest does not say how.
-  [[nodiscard]] std::string start(const Target& target, const std::string& tree) const {
-    const std::string image = tree + "/" + run_.graph->name;
-    if (target.toolchain.empty()) return " && " + shell_word(image) + " --help";
-    if (target.run.empty()) return {};
-    const std::string name = is_own(target) ? folder_of(target).string() : target.id.value;
-    return fmt::format(
-        " && {} {} {}", shell_word((fs::path(run_.root) / "targets" / "run").string()),
-        shell_word(name),
-        target.system.empty() ? shell_word(image + ".elf") : shell_word(image) + " --help");
+  [[nodiscard]] std::string start(const Target& target, const std::string& build) const {
+    std::string text;
+    for (const std::string& word :
+         command_to_start(run_, {&target, build, image_of(run_, target, build)}))
+      text += (text.empty() ? " && " : " ") + shell_word(word);
+    return text.empty() || target.system.empty() ? text : text + " --help";
   }
 
   const Run& run_;

@@ -31,4 +31,15 @@ std::string data_root() {
   return {};
 }
 
+std::string package_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  for (const fs::path& candidate :
+       {program.parent_path() / "../share/cmake/eagerx_gen", program.parent_path()}) {
+    if (fs::exists(candidate / "eagerx_gen-config.cmake", error))
+      return candidate.lexically_normal().string();
+  }
+  return {};
+}
+
 }  // namespace eagerx::gen

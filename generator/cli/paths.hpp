@@ -9,5 +9,8 @@ namespace eagerx::gen {
 /// The folder that holds models/, targets/, templates/, toolchains/; EAGERX_HOME in the environment
 /// wins. Empty if there is none.
 std::string data_root();
+/// The folder of eagerx-gen's CMake package: beside it, or in the build folder that it is in. Empty
+/// if there is none.
+std::string package_folder();
 
 }  // namespace eagerx::gen

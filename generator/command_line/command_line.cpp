@@ -14,8 +14,13 @@ namespace {
 
 /// Without a description: the help shows the choices as the type already.
 CLI::Validator validator_of(const Argument& argument) {
-  if (!argument.choices.empty()) return CLI::IsMember(argument.choices).description("");
-  return {argument.check, ""};
+  if (argument.choices.empty()) return {argument.check, ""};
+  return {[&argument](const std::string& word) {
+            return std::ranges::find(argument.choices, word) != argument.choices.end()
+                       ? std::string()
+                       : not_a_choice(word, argument.choices);
+          },
+          ""};
 }
 
 void add(CLI::App& app, const Argument& argument) {
@@ -51,6 +56,7 @@ void add_examples(CLI::App& app, const Command& command) {
 
 void add(CLI::App& app, const Command& command) {
   for (const Argument& argument : command.arguments) add(app, argument);
+  if (command.rest) add(app, *command.rest);  // for the help: take_rest() has taken all of it
   for (const Command& inner : command.commands) {
     CLI::App& sub = *app.add_subcommand(inner.name, inner.about);
     sub.footer("");
@@ -135,6 +141,31 @@ std::string put_command_first(const CLI::App& app, const CommandLine& line,
   }
   arguments.insert(arguments.begin(), line.default_command);
   return {};
+}
+
+/// Takes the words that are for another program out of the arguments of a command with `rest`.
+void take_rest(const Command& command, std::vector<std::string>& arguments) {
+  std::vector<std::string> own, rest;
+  std::size_t positional = 0;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    if (word == "--") {
+      rest.insert(rest.end(), arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                  arguments.end());
+      break;
+    }
+    const bool is_option = word.size() > 1 && word.front() == '-';
+    const Argument* option = is_option ? find_option(command, word) : nullptr;
+    const bool is_own = option != nullptr || word == "--help" || positional == 0;
+    if (!is_option) ++positional;
+    (is_own ? own : rest).push_back(word);
+    const bool value_follows =
+        option != nullptr && !option->type.empty() && word.find('=') == std::string::npos;
+    for (std::size_t n = 0; value_follows && n < option->values && i + 1 < arguments.size(); ++n)
+      own.push_back(arguments[++i]);
+  }
+  arguments = std::move(own);
+  if (!rest.empty()) command.rest->take(rest);
 }
 
 /// What follows `help`: nothing, a command with the one inside it, or a topic.
@@ -238,6 +269,15 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   if (const std::string problem = put_command_first(app, line, arguments); !problem.empty()) {
     complain_text(problem);
     return kWrongUsage;
+  }
+  if (!arguments.empty()) {
+    const Command* command = find_command(line.top, arguments.front());
+    std::vector<std::string> words(arguments.begin() + 1, arguments.end());
+    if (command != nullptr && command->rest) {
+      take_rest(*command, words);
+      arguments.resize(1);
+      arguments.insert(arguments.end(), words.begin(), words.end());
+    }
   }
   std::ranges::reverse(arguments);  // as CLI11 takes them
   try {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct Command {
   std::string about;
   std::vector<Example> examples = {};
   std::vector<Argument> arguments = {};
+  /// Takes, after the first positional argument, every option that is none of `arguments`, what
+  /// follows it, and all that follows `--`: words for another program. Without: such are wrong.
+  std::optional<Argument> rest = {};
   std::vector<Command> commands = {};
   /// What is wrong with the arguments together, or "". Asked after all were taken.
   std::function<std::string()> check = {};

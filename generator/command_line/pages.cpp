@@ -67,8 +67,10 @@ class ManualPage {
       const std::string type = fmt::format("\\fI{}\\fR", roff(argument.type));
       text_ += argument.required ? type + "\n" : "[" + type + "]\n";
     }
+    if (command.rest) text_ += fmt::format("[\\fI{}\\fR]\n", roff(command.rest->type));
     if (!command.arguments.empty()) text_ += ".SH OPTIONS\n";
     for (const Argument& argument : command.arguments) text_ += option(argument);
+    if (command.rest) text_ += option(*command.rest);
     examples(command);
     for (const Command& inner : command.commands) {
       if (!inner.hidden) this->inner(words + " " + inner.name, inner);

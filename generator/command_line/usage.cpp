@@ -85,7 +85,14 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
     return message(fmt::format("`{}` alone is not enough", typed),
                    reached == &app ? "give a graph, or one of " + list : "there is " + list);
   }
-  return message(problem.what(), otherwise);
+  const std::string said = problem.what();
+  const std::size_t end = said.find('\n');  // of not_a_choice()
+  return message(said.substr(0, end), end == std::string::npos ? otherwise : said.substr(end + 1));
+}
+
+std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
+  const std::string list = fmt::format("there is {}", fmt::join(choices, ", "));
+  return fmt::format("`{}` is not possible\n{}", word, suggestion(word, choices, list));
 }
 
 std::string not_a_command(const CLI::App& app, const std::string& word) {

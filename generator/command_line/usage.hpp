@@ -12,6 +12,9 @@ namespace eagerx::gen {
 /// An `error:` line and, where there is one, a `help:` line.
 std::string usage_message(const CLI::App& app, const CLI::Error& problem);
 
+/// Of a value that is none of the choices: what is wrong, and on a second line what is possible.
+std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices);
+
 /// Of a word that is neither a command of `app` nor a file: the same. Empty if it may be a file.
 std::string not_a_command(const CLI::App& app, const std::string& word);
 

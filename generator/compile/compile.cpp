@@ -13,7 +13,8 @@
 #include <sstream>
 
 #include "generator/compile/forbidden.hpp"
-#include "generator/compile/tool.hpp"
+#include "generator/compile/messages.hpp"
+#include "generator/process/process.hpp"
 #include "generator/program_map/program_map.hpp"
 
 namespace eagerx::gen {
@@ -70,7 +71,7 @@ class Checker {
   }
 
   bool has_compiler() {
-    if (run_tool({options_.compiler, "--version"})) return true;
+    if (run_process({options_.compiler, "--version"})) return true;
     diagnostics_.error("E0513", {}, fmt::format("there is no C++ compiler `{}`", options_.compiler))
         .help = "install one with `apt install g++`, or name another one in the variable CXX";
     return false;
@@ -98,7 +99,7 @@ class Checker {
     if (!options_.packages.empty()) {
       std::vector<std::string> ask = {"pkg-config", "--cflags"};
       ask.insert(ask.end(), options_.packages.begin(), options_.packages.end());
-      const auto said = run_tool(ask);
+      const auto said = run_process(ask);
       std::istringstream flags(said && said->exit_code == 0 ? said->output : "");
       for (std::string flag; flags >> flag;) words.push_back(flag);
     }
@@ -110,7 +111,7 @@ class Checker {
     std::vector<std::string> words = command();
     words.insert(words.end(), more.begin(), more.end());
     words.push_back((fs::path(folder_) / name).string());
-    const auto said = run_tool(words);
+    const auto said = run_process(words);
     return said ? said->output : "";
   }
 

@@ -7,7 +7,7 @@
 #include <charconv>
 #include <set>
 
-#include "generator/compile/tool.hpp"
+#include "generator/process/process.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -80,7 +80,7 @@ std::vector<std::string_view> words_of(std::string_view line) {
 std::vector<ForbiddenCall::Place> places_of(const std::string& object, const std::string& section,
                                             const std::string& offset) {
   std::vector<ForbiddenCall::Place> places;
-  const auto said = run_tool({"addr2line", "-i", "-e", object, "-j", section, "0x" + offset});
+  const auto said = run_process({"addr2line", "-i", "-e", object, "-j", section, "0x" + offset});
   std::string_view text = said ? std::string_view(said->output) : std::string_view();
   while (!text.empty()) {
     std::string_view line = text.substr(0, text.find('\n'));
@@ -99,7 +99,7 @@ std::vector<ForbiddenCall::Place> places_of(const std::string& object, const std
 
 std::vector<ForbiddenCall> forbidden_calls(const std::string& object) {
   std::vector<ForbiddenCall> calls;
-  const auto said = run_tool({"readelf", "-rW", object});
+  const auto said = run_process({"readelf", "-rW", object});
   if (!said) return calls;
   std::string section;
   std::string_view text = said->output;

@@ -104,7 +104,7 @@ function(_eagerx_library target stamp sources paths)
   endforeach()
   # Which libraries the entities need is known when the graph has been read: EagerxLibraries.cmake writes these.
   target_compile_options(${target} INTERFACE @${stamp}.cflags)
-  target_link_libraries(${target} INTERFACE eagerx::runtime -Wl,@${stamp}.libs)
+  target_link_libraries(${target} INTERFACE eagerx::runtime "-Wl,@\"${stamp}.libs\"") # CMake quotes no flags of linkers
   set_target_properties(${target} PROPERTIES EAGERX_SOURCES ${sources})
 endfunction()
 
@@ -192,7 +192,7 @@ function(_eagerx_build_here target stamp output board board_folder)
   target_include_directories(${target} PRIVATE ${output})
   # Which libraries the entities need is known when the graph has been read: EagerxLibraries.cmake writes these.
   target_compile_options(${target} PRIVATE @${stamp}.cflags)
-  target_link_libraries(${target} PRIVATE eagerx::runtime -Wl,@${stamp}.libs)
+  target_link_libraries(${target} PRIVATE eagerx::runtime "-Wl,@\"${stamp}.libs\"") # CMake quotes no flags of linkers
   include(${board_folder}/target.cmake)
   eagerx_configure_target(${target})
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE $<TARGET_FILE:${target}>)

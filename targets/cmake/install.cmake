@@ -44,3 +44,4 @@ set(EAGERX_TARGETS_DIR ${PROJECT_SOURCE_DIR}/targets CACHE INTERNAL "folder of t
 set(EAGERX_TOOLCHAINS_DIR ${PROJECT_SOURCE_DIR}/toolchains CACHE INTERNAL "folder of toolchain files")
 set(EAGERX_PACKAGE_DIR ${PROJECT_BINARY_DIR} CACHE INTERNAL "folder of eagerx_gen-config.cmake")
 include(${cmake_files}/EagerxAddGraph.cmake)
+include(${cmake_files}/EagerxAddTest.cmake)

@@ -1,28 +1,11 @@
-#include "generator/compile/tool.hpp"
-
-#include <sys/wait.h>
-#include <unistd.h>
+#include "generator/compile/messages.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <charconv>
-#include <cstdlib>
+#include <optional>
 
 namespace eagerx::gen {
 namespace {
-
-constexpr int kNotStarted = 127;
-
-[[noreturn]] void become(const std::vector<std::string>& command, int output) {
-  std::vector<char*> arguments;
-  for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  if (dup2(output, STDOUT_FILENO) >= 0 && dup2(output, STDERR_FILENO) >= 0 &&
-      setenv("LC_ALL", "C", 1) == 0)
-    execvp(arguments.front(), arguments.data());
-  _exit(kNotStarted);
-}
 
 /// The number before the next colon, which is taken off, too.
 std::optional<std::uint32_t> take_number(std::string_view& text) {
@@ -63,32 +46,6 @@ std::optional<CompilerMessage> message_in(std::string_view line) {
 }
 
 }  // namespace
-
-std::optional<ToolResult> run_tool(const std::vector<std::string>& command) {
-  std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) return std::nullopt;
-  const pid_t child = fork();
-  if (child == 0) {
-    close(ends[0]);
-    become(command, ends[1]);
-  }
-  close(ends[1]);
-  ToolResult result;
-  std::array<char, 1U << 16U> buffer{};
-  for (;;) {
-    const ssize_t count = child < 0 ? 0 : read(ends[0], buffer.data(), buffer.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    result.output.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  close(ends[0]);
-  int status = 0;
-  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (child < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == kNotStarted)) return std::nullopt;
-  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return result;
-}
 
 std::vector<CompilerMessage> messages_in(std::string_view output) {
   std::vector<CompilerMessage> messages;

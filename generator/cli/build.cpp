@@ -1,0 +1,121 @@
+// eagerx-gen build and run.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/cli/become.hpp"
+#include "generator/cli/built.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// So that two targets in turn do not write over each other, and nothing is built twice.
+std::string default_folder(const Graph& graph, const Options& options) {
+  std::string folder = "generated/" + graph.name;
+  for (const std::string& target : options.targets) {
+    if (target != "linux-sim") folder += "-" + target;
+  }
+  return folder;
+}
+
+}  // namespace
+
+std::string image_of(const Run& run, const Target& target, const std::string& build) {
+  return build + "/" + run.graph->name + (target.system.empty() ? ".elf" : "");
+}
+
+std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program) {
+  const Target& target = *program.target;
+  if (target.toolchain.empty()) return {program.image};
+  if (target.run.empty()) return {};
+  return {(fs::path(run.root) / "targets" / "run").string(),
+          is_own(run, target) ? folder_of(run, target) : target.id.value, program.image};
+}
+
+namespace {
+
+/// The programs of a generated graph, as they will be; the last one is what a user starts.
+struct Planned {
+  BuiltProgram program;
+  Tree tree;
+};
+std::vector<Planned> planned(const Run& run, const Options& options, const Generated& generated) {
+  const std::string& folder = generated.folder;
+  const bool split = run.graph->placement.has_value();
+  std::vector<Planned> result;
+  const auto add = [&](const Target& target, const std::string& source, bool several) {
+    Tree tree = tree_of(run, options, target, source, several);
+    BuiltProgram program{&target, tree.build, image_of(run, target, tree.build)};
+    result.push_back({std::move(program), std::move(tree)});
+  };
+  if (split) add(*run.graph->placement->board, folder + "/board", false);
+  for (const Target* target : generated.targets)
+    add(*target, split ? folder + "/host" : folder, generated.targets.size() > 1);
+  return result;
+}
+
+/// "swing", with its target if that is not this machine.
+std::string title(const Run& run, const Planned& item) {
+  const Target& target = *item.program.target;
+  return target.toolchain.empty() ? run.graph->name
+                                  : fmt::format("{} for {}", run.graph->name, target.id.value);
+}
+
+/// Whether it can be run here; that is asked before it is built.
+bool check_start(Run& run, const BuiltProgram& program) {
+  if (!command_to_start(run, program).empty()) return true;
+  const std::string& target = program.target->id.value;
+  run.diagnostics.error("E0515", {}, fmt::format("nothing here can run a program for `{}`", target))
+      .help =
+      "`eagerx-gen build` makes the image, which you bring to the board yourself; for an emulator, "
+      "add `run:` to the target's manifest";
+  return false;
+}
+
+}  // namespace
+
+std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
+                                                     bool to_run) {
+  if (!make(run, options)) return std::nullopt;
+  if (options.output.empty()) options.output = default_folder(*run.graph, options);
+  const auto generated = generate_graph(run, options, code);
+  if (!generated) return std::nullopt;
+  const std::vector<Planned> items = planned(run, options, *generated);
+  if (to_run && !check_start(run, items.back().program)) return std::nullopt;
+  std::vector<BuiltProgram> programs;
+  for (const Planned& item : items) {
+    if (!build_tree(item.tree, title(run, item), options.quiet, run.diagnostics))
+      return std::nullopt;
+    programs.push_back(item.program);
+  }
+  return programs;
+}
+
+int build_command(const Options& options) {
+  Run run;
+  int code = kDone;
+  const auto programs = build_graph(run, options, code);
+  if (programs && !options.quiet) {
+    for (const BuiltProgram& program : *programs) say("{}\n", program.image);
+  }
+  return std::max(finish(run, options), code);
+}
+
+int run_command(const Options& options) {
+  Run run;
+  int code = kDone;
+  const auto programs = build_graph(run, options, code, true);
+  code = std::max(finish(run, options), code);
+  if (!programs || code != kDone) return code;
+  const BuiltProgram& program = programs->back();
+  std::vector<std::string> command = command_to_start(run, program);
+  if (command.front() != program.image)
+    command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
+  command.insert(command.end(), options.program_options.begin(), options.program_options.end());
+  return become(command.front(), {command.begin() + 1, command.end()});
+}
+
+}  // namespace eagerx::gen

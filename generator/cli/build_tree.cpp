@@ -1,0 +1,241 @@
+#include "generator/cli/build_tree.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <thread>
+
+#include "generator/cli/paths.hpp"
+#include "generator/cli/progress.hpp"
+#include "generator/cli/write.hpp"
+#include "generator/process/process.hpp"
+#include "generator/quote/quote.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_standalone(const Options& options) {
+  return options.standalone || !options.packages.empty();
+}
+
+std::string toolchain_of(const Run& run, const Options& options, const Target& target,
+                         const std::string& folder) {
+  if (is_standalone(options)) return folder + "/eagerx-gen/toolchains/" + target.toolchain;
+  for (const auto& path : options.paths) {
+    std::error_code error;
+    const fs::path own = fs::path(path) / "toolchains" / target.toolchain;
+    if (fs::exists(own, error)) return own.string();
+  }
+  return (fs::path(run.root) / "toolchains" / target.toolchain).string();
+}
+
+}  // namespace
+
+std::string folder_of(const Run& run, const Target& target) {
+  return fs::path(run.sources.name(target.id.span.file)).parent_path().string();
+}
+
+bool is_own(const Run& run, const Target& target) {
+  return fs::path(folder_of(run, target)).parent_path() != fs::path(run.root) / "targets";
+}
+
+Tree tree_of(const Run& run, const Options& options, const Target& target,
+             const std::string& folder, bool several) {
+  Tree tree{folder, folder + (several ? "/build-" + target.id.value : "/build"), {}, {}};
+  if (several) tree.settings.emplace_back("EAGERX_TARGET", target.id.value);
+  if (!target.toolchain.empty()) tree.toolchain = toolchain_of(run, options, target, folder);
+  if (is_own(run, target) && !is_standalone(options)) {
+    const fs::path own = fs::absolute(folder_of(run, target)).lexically_normal();
+    tree.settings.emplace_back("EAGERX_TARGETS_PATH", own.parent_path().string());
+  }
+  return tree;
+}
+
+namespace {
+
+/// What the command that configured a build folder was; there only if it succeeded.
+constexpr const char* kConfigured = "eagerx-gen.configured";
+/// What CMake and the compiler said the last time.
+constexpr const char* kLog = "eagerx-gen.log";
+
+bool is_set(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void missing(const std::string& program, const std::string& packages, Diagnostics& diagnostics) {
+  diagnostics.error("E0513", {}, fmt::format("there is no `{}`", program)).help =
+      fmt::format("install it with `apt install {}`", packages);
+}
+
+/// "there is no PROGRAM: install it with `apt install PACKAGES`", as toolchain files say, in
+/// messages that CMake has wrapped. True if it is there and told.
+bool tell_missing(const std::string& output, Diagnostics& diagnostics) {
+  std::string text;
+  for (const char c : output) {
+    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (!blank) text += c;
+    if (blank && !text.empty() && text.back() != ' ') text += ' ';
+  }
+  constexpr std::string_view kBegin = "there is no ", kMiddle = ": install it with `apt install ";
+  const std::size_t middle = text.find(kMiddle);
+  if (middle == std::string::npos) return false;
+  const std::size_t begin = text.rfind(kBegin, middle);
+  const std::size_t end = text.find('`', middle + kMiddle.size());
+  if (begin == std::string::npos || end == std::string::npos) return false;
+  missing(text.substr(begin + kBegin.size(), middle - begin - kBegin.size()),
+          text.substr(middle + kMiddle.size(), end - middle - kMiddle.size()), diagnostics);
+  return true;
+}
+
+/// From the first line that begins with one of these, at most as many lines as anybody reads.
+std::string excerpt(const std::string& output) {
+  constexpr std::size_t kMostLines = 60;
+  std::size_t begin = std::string::npos;
+  for (const std::string_view mark : {"FAILED: ", "CMake Error", "make: ", "ninja: error"}) {
+    const std::size_t at = output.starts_with(mark) ? 0 : output.find("\n" + std::string(mark));
+    begin = std::min(begin, at);
+  }
+  std::string text = begin == std::string::npos ? output : output.substr(begin);
+  text.erase(0, std::min(text.find_first_not_of('\n'), text.size()));
+  std::size_t end = 0;
+  for (std::size_t line = 0; line < kMostLines && end != std::string::npos; ++line)
+    end = text.find('\n', end + (line > 0 ? 1 : 0));
+  if (end != std::string::npos) text.resize(end);
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+/// "3 of 40 files" of Ninja's last "[3/40] …", "12 %" of make's last "[ 12%] …", or nothing.
+std::string how_far(const std::string& output) {
+  for (std::size_t at = output.rfind('['); at != std::string::npos && at > 0;
+       at = output.rfind('[', at - 1)) {
+    const std::size_t end = output.find(']', at);
+    const bool line_begins = output[at - 1] == '\n';
+    if (!line_begins || end == std::string::npos) continue;
+    const std::string inside = output.substr(at + 1, end - at - 1);
+    const std::size_t slash = inside.find('/');
+    if (inside.find_first_not_of("0123456789/% ") != std::string::npos) continue;
+    if (slash != std::string::npos)
+      return fmt::format("{} of {} files", inside.substr(0, slash), inside.substr(slash + 1));
+    const std::size_t digit = inside.find_first_not_of(' ');
+    if (inside.ends_with('%') && digit != std::string::npos)
+      return fmt::format("{} %", inside.substr(digit, inside.size() - 1 - digit));
+  }
+  return {};
+}
+
+class Builder {
+ public:
+  Builder(const Tree& tree, std::string name, bool quiet, Diagnostics& diagnostics)
+      : tree_(tree), name_(std::move(name)), quiet_(quiet), diagnostics_(diagnostics) {}
+
+  bool run(const std::string& cmake_target) {
+    if (!has_programs() || !configure()) return false;
+    std::vector<std::string> command = {"cmake", "--build", tree_.build, "--parallel",
+                                        std::to_string(std::thread::hardware_concurrency())};
+    if (!cmake_target.empty()) command.insert(command.end(), {"--target", cmake_target});
+    return step("building", command);
+  }
+
+ private:
+  bool has_programs() {
+    const auto need = [&](std::initializer_list<const char*> any_of, const char* package) {
+      for (const char* each : any_of) {
+        if (!find_program(each).empty()) return true;
+      }
+      missing(*any_of.begin(), package, diagnostics_);
+      return false;
+    };
+    if (!need({"cmake"}, "cmake")) return false;
+    if (!is_set("CMAKE_GENERATOR") && !need({"ninja", "make"}, "ninja-build")) return false;
+    return !tree_.toolchain.empty() || is_set("CXX") || need({"c++", "g++", "clang++"}, "g++");
+  }
+
+  [[nodiscard]] std::vector<std::string> configuring() const {
+    std::vector<std::string> words = {"cmake", "--fresh", "-S", tree_.source, "-B", tree_.build};
+    if (!is_set("CMAKE_GENERATOR") && !find_program("ninja").empty())
+      words.insert(words.end(), {"-G", "Ninja"});
+    if (!tree_.toolchain.empty()) words.insert(words.end(), {"--toolchain", tree_.toolchain});
+    for (const auto& [name, value] : tree_.settings)
+      words.insert(words.end(), {"-D", name + "=" + value});
+    if (const std::string package = package_folder(); !package.empty())
+      words.insert(words.end(), {"-D", "eagerx_gen_DIR=" + package});
+    const char* home = std::getenv("HOME");
+    // ccache fails where it cannot make its folder.
+    const bool cache = is_set("CCACHE_DIR") || (home != nullptr && access(home, W_OK) == 0);
+    if (cache && !is_set("CMAKE_CXX_COMPILER_LAUNCHER") && !find_program("ccache").empty())
+      words.insert(words.end(), {"-D", "CMAKE_CXX_COMPILER_LAUNCHER=ccache"});
+    return words;
+  }
+
+  bool configure() {
+    const std::vector<std::string> command = configuring();
+    std::string line;
+    for (const std::string& word : command) line += shell_word(word) + " ";
+    for (const char* variable : {"CXX", "CXXFLAGS", "CMAKE_GENERATOR", "CMAKE_BUILD_TYPE",
+                                 "CMAKE_CXX_COMPILER_LAUNCHER"}) {
+      if (is_set(variable)) line += fmt::format("{}={} ", variable, std::getenv(variable));
+    }
+    line += "\n";
+    const fs::path stamp = fs::path(tree_.build) / kConfigured;
+    if (text_of(stamp) == line) return true;
+    std::error_code error;
+    fs::create_directories(tree_.build, error);
+    fs::remove(stamp, error);
+    return step("preparing", command) && write_file(stamp.string(), line, diagnostics_);
+  }
+
+  /// Runs a command and tells how far it is.
+  bool step(const char* what, const std::vector<std::string>& command) {
+    Progress progress(fmt::format("{} {}", what, name_), quiet_);
+    ProcessOptions options;
+    options.environment = {{"NINJA_STATUS", "[%f/%t] "}, {"CLICOLOR_FORCE", "0"}};
+    options.waiting = [&](const std::string& output) { progress.at(how_far(output)); };
+    const auto result = run_process(command, options);
+    const bool good = result && result->exit_code == 0;
+    progress.finish(good);
+    if (good) return true;
+    if (!result) {
+      missing(command.front(), command.front(), diagnostics_);
+    } else if (!tell_missing(result->output, diagnostics_)) {
+      const std::string log = (fs::path(tree_.build) / kLog).string();
+      auto& problem =
+          diagnostics_.error("E0514", {}, fmt::format("`{}` does not build", tree_.source));
+      problem.notes.push_back({excerpt(result->output), {}, ""});
+      problem.help = fmt::format("all that was said is in `{}`", log);
+      write_file(log, result->output, diagnostics_);
+    }
+    return false;
+  }
+
+  const Tree& tree_;
+  std::string name_;
+  bool quiet_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+bool build_tree(const Tree& tree, const std::string& name, bool quiet, Diagnostics& diagnostics,
+                const std::string& cmake_target) {
+  return Builder(tree, name, quiet, diagnostics).run(cmake_target);
+}
+
+}  // namespace eagerx::gen

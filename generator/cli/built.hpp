@@ -1,0 +1,44 @@
+// From a graph to programs that are built.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/cli/build_tree.hpp"
+#include "generator/cli/pipeline.hpp"
+
+namespace eagerx::gen {
+
+/// Where a graph was generated, and for what.
+struct Generated {
+  std::string folder;
+  std::vector<const Target*> targets;  // of a split graph those of the part on Linux
+  std::size_t written = 0, unchanged = 0;
+};
+
+/// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in
+/// `run`; then `code` is the least that the exit code may be.
+std::optional<Generated> generate_graph(Run& run, const Options& options, int& code);
+
+/// The program of a target, built.
+struct BuiltProgram {
+  const Target* target = nullptr;
+  std::string build;  // its build folder
+  std::string image;  // its file
+};
+
+/// generate_graph(), in a folder of its own for each target that is not this machine, and
+/// build_tree() of every program. Of a split graph the part on the board comes first. `to_run`: the
+/// last program is to be run, E0515 if nothing here can.
+std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
+                                                     bool to_run = false);
+
+/// What starts a program, before its own options; nothing if nothing here can (its target's
+/// manifest has no `run:`).
+std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program);
+
+/// The file of a target's program in a build folder.
+std::string image_of(const Run& run, const Target& target, const std::string& build);
+
+}  // namespace eagerx::gen

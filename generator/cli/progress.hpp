@@ -1,0 +1,29 @@
+// How far something is that takes long.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace eagerx::gen {
+
+/// Lines on the standard error, on a terminal one over the other. What is done within half a second
+/// is not told.
+class Progress {
+ public:
+  Progress(std::string what, bool quiet);
+  /// May be called often. `done`: "3 of 40 files", or nothing.
+  void at(const std::string& done);
+  /// Ends the last line.
+  void finish(bool good);
+
+ private:
+  void show(const std::string& text);
+  [[nodiscard]] double seconds() const;
+
+  std::string what_;
+  bool quiet_, terminal_, shown_ = false;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double next_s_;
+};
+
+}  // namespace eagerx::gen

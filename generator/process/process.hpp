@@ -1,0 +1,33 @@
+// Other programs: compilers, CMake, and those that read what these make.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace eagerx::gen {
+
+struct ProcessResult {
+  int exit_code = 0;   // -1: a signal ended it
+  std::string output;  // standard output and error, as they came
+};
+
+/// How a program is run besides its arguments.
+struct ProcessOptions {
+  std::vector<std::pair<std::string, std::string>> environment = {};  // added to that of eagerx-gen
+  /// Called several times a second with what came so far.
+  std::function<void(const std::string& output)> waiting = {};
+};
+
+/// Runs a program, which is looked for in PATH, in the C locale and without an input, until it
+/// ends; nothing if it could not be started. SIGINT, SIGTERM and SIGHUP end it, all that it
+/// started, and then eagerx-gen.
+std::optional<ProcessResult> run_process(const std::vector<std::string>& command,
+                                         const ProcessOptions& options = {});
+
+/// The file that a command of this name starts; empty if there is none.
+std::string find_program(const std::string& name);
+
+}  // namespace eagerx::gen
