@@ -202,6 +202,11 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
       good = check(entry.value, *field->format, diagnostics) && good;
       continue;
     }
+    if (format.item) {
+      good = check_name(entry.key, entry.key_span, diagnostics) &&
+             check(entry.value, *format.item, diagnostics) && good;
+      continue;
+    }
     auto& problem = diagnostics.error(
         "E0201", entry.key_span, fmt::format("unknown key `{}` in {}", entry.key, format.what));
     const std::string near = nearest(entry.key, known);

@@ -146,15 +146,26 @@ typename Graph::States states_of(Watch& watch, EpisodeKey key) {
   }
 }
 
-/// Runs `plan`. `agent(key, step, observation)` gives an action, and the program's guard what is
-/// applied in its place. `watch` sees what happens:
-/// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
-/// `step` from 1, and ends the run before a step or an episode by returning false from
-/// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode; if it
-/// has `late_in_a_row()`, that is how many steps up to now were too late; if
-/// it has `states(key)`, that is what an episode begins with; if it has
-/// `is_over()`, an episode ends when that is true. The run of a program with
-/// a link to another one ends when the link does, and `watch` does not see that step.
+/// Whether the last step was the last of its episode, as the graph's task says.
+template <class Program>
+bool has_ended(const Program& program) {
+  if constexpr (requires { program.outcome(); }) {
+    const auto outcome = program.outcome();
+    return outcome.terminated || outcome.truncated;
+  } else {
+    return false;
+  }
+}
+
+/// Runs `plan`; an episode has fewer steps if the graph's task ends it. `agent(key, step,
+/// observation)` gives an action, and the program's guard what is applied in its place. `watch`
+/// sees what happens: `watch.reset(episode, observation)`, `watch.step(episode, step, action,
+/// observation)` with `step` from 1, and ends the run before a step or an episode by returning
+/// false from `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an
+/// episode; if it has `late_in_a_row()`, that is how many steps up to now were too late; if it has
+/// `states(key)`, that is what an episode begins with; if it has `is_over()`, an episode ends when
+/// that is true. The run of a program with a link to another one ends when the link does, and
+/// `watch` does not see that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
@@ -177,6 +188,7 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
       observation = apply(program, action);
       if (!is_linked(program)) return;
       watch.step(episode, step + 1, action, observation);
+      if (has_ended(program)) break;
     }
   }
 }
