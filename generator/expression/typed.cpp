@@ -73,6 +73,12 @@ class Typer {
     return result;
   }
 
+  /// -1 is a number, as people read it.
+  static TypedExpression negated(TypedExpression whole) {
+    const TypedExpression& operand = whole.operands[0];
+    return operand.op == Op::number ? number(-operand.value) : whole;
+  }
+
   TypedExpression make(const Expression& tree) {
     switch (tree.op) {
       case Tree::number:
@@ -97,7 +103,7 @@ class Typer {
         return result;
       }
       case Tree::negate:
-        return element_wise(Op::negate, tree, 1);
+        return negated(element_wise(Op::negate, tree, 1));
       case Tree::add:
         return element_wise(Op::add, tree, 2);
       case Tree::subtract:

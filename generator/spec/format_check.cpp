@@ -39,8 +39,11 @@ void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics)
         .help = fmt::format("names have at most {} letters", kLongestName);
     return;
   }
+  // `{far: max(theta, 1)}`: YAML ends a value at its comma.
+  const bool is_rest = text.find(')') < text.find('(');
   diagnostics.error("E0205", span, fmt::format("`{}` is not a name", text)).help =
-      "use letters, digits and single underscores, beginning with a letter";
+      is_rest ? "an expression with a comma needs quotes within `{…}`"
+              : "use letters, digits and single underscores, beginning with a letter";
 }
 
 bool in_range(const YamlValue& yaml, const Format& format, double value, Diagnostics& diagnostics) {
