@@ -101,6 +101,13 @@ class TaskView {
       }
       variables_.push_back(std::move(variable));
     }
+    // By the clock, the first action may come after tick 0.
+    std::string first_tick = "tick.n == 0";
+    for (std::size_t i = 0; graph_.asynchronous && i < node_.inputs.size(); ++i) {
+      if (node_.inputs[i].skip && (used_.variable[i] || used_.before[i]))
+        first_tick += fmt::format(" || in.{}.empty()", node_.inputs[i].name);
+    }
+    view_.set("is_first", first_tick);
     view_.set("uses_inputs", locals.is_non_empty_list());
     view_.set("begins_with_inputs", first);
     view_["locals"] = std::move(locals);
