@@ -25,7 +25,8 @@ namespace Original = YAML::ErrorMsg;
 
 const std::array<Wording, 19> kWordings = {{
     {Original::EOF_IN_SCALAR, "the file ends inside quotes", "", ""},
-    {Original::END_OF_MAP_FLOW, "expected `,` or `}` here", "", ""},
+    {Original::END_OF_MAP_FLOW, "expected `,` or `}` here", "",
+     "within `{…}` a text with a bracket needs quotes"},
     {Original::END_OF_SEQ_FLOW, "expected `,` or `]` here", "", ""},
     {Original::END_OF_MAP, "expected another `key: value` here", "does not fit in",
      "entries of one map begin in the same column, each with a `key:`"},
