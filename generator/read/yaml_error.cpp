@@ -25,8 +25,7 @@ namespace Original = YAML::ErrorMsg;
 
 const std::array<Wording, 19> kWordings = {{
     {Original::EOF_IN_SCALAR, "the file ends inside quotes", "", ""},
-    {Original::END_OF_MAP_FLOW, "expected `,` or `}` here", "",
-     "within `{…}` a text with a bracket needs quotes"},
+    {Original::END_OF_MAP_FLOW, "expected `,` or `}` here", "", ""},
     {Original::END_OF_SEQ_FLOW, "expected `,` or `]` here", "", ""},
     {Original::END_OF_MAP, "expected another `key: value` here", "does not fit in",
      "entries of one map begin in the same column, each with a `key:`"},
@@ -188,6 +187,11 @@ bool report_wording(const Failure& failure) {
     Diagnostic& error = failure.error(extent, wording.message);
     error.label = wording.label;
     error.help = wording.help;
+    // `{value: x[0]}`
+    const std::string_view text = failure.locator.text();
+    if (failure.is(Original::END_OF_MAP_FLOW) && failure.offset < text.size() &&
+        (text[failure.offset] == '[' || text[failure.offset] == ']'))
+      error.help = "a text with brackets needs quotes within `{…}`";
     const OpenCollection* open = failure.builder.innermost();
     if (open != nullptr && open->flow)
       error.notes.push_back({"inside this bracket", open->span, "opened here"});
