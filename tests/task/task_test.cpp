@@ -1,5 +1,5 @@
-// What generated tasks compute, against the same in double from the messages of the trace, by the times at which these
-// were sent.
+// What generated tasks compute, against the same in double from the messages of the trace, by the
+// times at which these were sent.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,7 +41,8 @@ double wrapped(double angle) {
   return std::remainder(angle, 2.0 * std::numbers::pi);
 }
 
-/// Runs episodes of at most `steps` steps; `check(program, step, outcome)` after each, and the reset.
+/// Runs episodes of at most `steps` steps; `check(program, step, outcome)` after each, and the
+/// reset.
 template <class Graph, class Program, class Check>
 std::vector<std::uint64_t> run(Program& program, std::uint32_t episodes, std::uint64_t steps,
                                Check&& check) {
@@ -65,7 +66,8 @@ std::vector<std::uint64_t> run(Program& program, std::uint32_t episodes, std::ui
 
 template <class Outcome>
 void expect_nothing(const Outcome& outcome) {
-  outcome.for_each([](const char* name, auto value) { EXPECT_EQ(value, decltype(value){}) << name; });
+  outcome.for_each(
+      [](const char* name, auto value) { EXPECT_EQ(value, decltype(value){}) << name; });
 }
 
 TEST(Task, TheCostOfTheTutorials) {

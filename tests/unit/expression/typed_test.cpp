@@ -101,8 +101,7 @@ TEST(TaskExpression, Functions) {
   EXPECT_EQ(number("atan2(y, x)"), "eagerx::atan2(y, x)");
   EXPECT_EQ(number("min(x, y, 1)"), "eagerx::min(eagerx::min(x, y), Real(1))");
   EXPECT_EQ(number("clamp(x, -1, 1)"), "eagerx::clamp(x, Real(-1), Real(1))");
-  EXPECT_EQ(number("where(hit and x < 1, x, 0)"),
-            "eagerx::select(hit && x < Real(1), x, Real(0))");
+  EXPECT_EQ(number("where(hit and x < 1, x, 0)"), "eagerx::select(hit && x < Real(1), x, Real(0))");
 }
 
 TEST(TaskExpression, ListsBecomeLoops) {
