@@ -82,7 +82,7 @@ void check_filled(Run& run, const Target& target) {
   }
   if (blanks.empty()) return;
   auto& problem =
-      run.diagnostics.error("E0339", target.id.span,
+      run.diagnostics.error("E0340", target.id.span,
                             fmt::format("the target `{}` is not filled in: {} left",
                                         target.id.value, counted(blanks.size(), "blank")));
   problem.notes = std::move(blanks);
