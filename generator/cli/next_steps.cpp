@@ -54,8 +54,8 @@ class Steps {
   /// Nothing where the manifest does not say how.
   [[nodiscard]] std::string start(const Target& target, const std::string& tree) const {
     const std::string image = tree + "/" + run_.graph->name;
-    if (target.toolchain.empty()) return " && " + shell_word(image) + " --help";
     if (target.run.empty()) return {};
+    if (target.toolchain.empty()) return " && " + shell_word(image) + " --help";
     const std::string name = is_own(target) ? folder_of(target).string() : target.id.value;
     return fmt::format(
         " && {} {} {}", shell_word((fs::path(run_.root) / "targets" / "run").string()),
