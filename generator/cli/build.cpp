@@ -29,8 +29,8 @@ std::string image_of(const Run& run, const Target& target, const std::string& bu
 
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program) {
   const Target& target = *program.target;
-  if (target.toolchain.empty()) return {program.image};
   if (target.run.empty()) return {};
+  if (target.toolchain.empty()) return {program.image};
   return {(fs::path(run.root) / "targets" / "run").string(),
           is_own(run, target) ? folder_of(run, target) : target.id.value, program.image};
 }
@@ -69,9 +69,10 @@ bool check_start(Run& run, const BuiltProgram& program) {
   if (!command_to_start(run, program).empty()) return true;
   const std::string& target = program.target->id.value;
   run.diagnostics.error("E0515", {}, fmt::format("nothing here can run a program for `{}`", target))
-      .help =
-      "`eagerx-gen build` makes the image, which you bring to the board yourself; for an emulator, "
-      "add `run:` to the target's manifest";
+      .help = program.target->toolchain.empty() ? "it is no program: `eagerx-gen build` makes it"
+                                                : "`eagerx-gen build` makes the image, which you "
+                                                  "bring to the board yourself; for an emulator, "
+                                                  "add `run:` to the target's manifest";
   return false;
 }
 
