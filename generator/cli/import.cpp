@@ -46,6 +46,10 @@ int import_command(const Options& options) {
   auto imported = import_file(run, tree, options);
   if (!imported) return finish(run, options);
   imported->spec.library = library_of(options);
+  run.diagnostics.note(
+      {},
+      "reward and end of an episode are Python in EAGERx: write them under `task:`, "
+      "which has a commented place at the end of the graph");
   const std::string text = write_graph(*imported);
   if (options.output.empty()) {
     say_text(text);

@@ -32,10 +32,13 @@ class Emitter {
 
   std::optional<std::vector<GeneratedFile>> run() {
     const std::string folder = options_.header_folder + plan_.graph->name + "/";
+    const auto& task = plan_.graph->task;
     add(folder + "messages.hpp", "cpp/messages.hpp.mustache", messages_view(plan_, names_));
     const fs::path here = fs::path(options_.output) / folder;
     View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
+    if (task && names_.runs(task->node))
+      add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_, names_));
     add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
     View program = program_view(plan_, names_);
     program.set("has_memory", network_ && network_->has_memory());

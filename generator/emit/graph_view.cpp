@@ -37,6 +37,7 @@ class GraphView {
     add_random_action();
     add_policy();
     add_split();
+    view_["task"] = outcome_view(plan_, names_);
     return std::move(view_);
   }
 

@@ -189,6 +189,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   const Graph& graph = *plan.graph;
   View view = object();
   View actions = list(), observations = list(), states = list();
+  view["task"] = outcome_view(plan, names);
   for (const auto& action : graph.environment().outputs)
     actions.push_back(
         port_view(message_type(action.space), action.name, action.space, names.place(action.span)));

@@ -45,6 +45,9 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
            text_or_false(graph.safety.declared
                              ? fmt::format("{}:{}", graph.file_name, graph.safety.span.line)
                              : ""));
+  view.set("task_place",
+           text_or_false(graph.task ? fmt::format("{}:{}", graph.file_name, graph.task->span.line)
+                                    : ""));
   view["actions"] = has_policy ? list() : std::move(actions);
   view["observations"] = std::move(observations);
   return view;

@@ -33,6 +33,7 @@ class ProgramView {
     view_["schedule"] = schedule_view(plan_, names_);
     view_["arrivals"] = arrivals_view(plan_, names_);
     view_["reset"] = reset_view(plan_, names_);
+    view_["task"] = outcome_view(plan_, names_);
     add_rates();
     add_actions();
     add_phases();

@@ -6,6 +6,8 @@
 
 #include "generator/import/import.hpp"
 #include "generator/quote/quote.hpp"
+#include "generator/spec/named.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -97,6 +99,7 @@ class GraphWriter {
     add_selection(0, "actions", spec_.actions);
     add_selection(0, "observations", spec_.observations);
     add_connections();
+    add_place_of_task();
     return std::move(text_);
   }
 
@@ -111,6 +114,29 @@ class GraphWriter {
   void add_heading() {
     const std::string file = std::filesystem::path(spec_.path).filename().string();
     line(0, fmt::format("# Written by `eagerx-gen import` from {}.", in_comment(file)));
+  }
+
+  /// EAGERx computes reward and end of an episode in Python. The names are those of the graph.
+  void add_place_of_task() {
+    std::vector<std::string> inputs;
+    for (const auto& connection : spec_.connections) {
+      const PortName to = parse_port(connection.to.value), from = parse_port(connection.from.value);
+      if (to.owner == "observations")
+        inputs.push_back(fmt::format("{}: {}", to.name, connection.from.value));
+      if (from.owner == "actions" && !contains(inputs, from.name + ": " + connection.from.value))
+        inputs.push_back(fmt::format("{}: {}", from.name, connection.from.value));
+    }
+    text_ += '\n';
+    line(0,
+         "# Reward and end of an episode are Python in EAGERx (`step` of the environment). Their "
+         "place:");
+    line(0, "# task:");
+    line(0, "#   inputs:");
+    for (const auto& input : inputs) line(0, "#     " + in_comment(input));
+    line(0, "#   reward:");
+    line(0, "#     NAME: {value: EXPRESSION, weight: -1.0}");
+    line(0, "#   terminated: {NAME: CONDITION}");
+    line(0, "#   truncated: {after: SECONDS}");
   }
 
   void add_library() {

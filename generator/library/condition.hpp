@@ -1,12 +1,10 @@
 // Conditions that manifests state about parameters, ports and rates: `max(cutoff_hz) < rate / 2`.
 // In the same language they compute numbers from what the graph says: `2 * $(config limit)`.
 //
-//   or:       and, not binds tighter; `a or b and not c`
-//   compare:  < <= > >= == !=, `x in (a, b)`; not chained
-//   number:   + - * / and parentheses; 12, 0.5, 1e-3; true, false
-//   names:    parameters; `rate` of the node in Hz; the choices of an enum: `type == bandpass`
-//   calls:    min(…), max(…) of numbers and lists; len(LIST); increasing(LIST);
-//             size(PORT), window(INPUT), dtype(PORT)
+//   the language:  generator/expression/expression.hpp
+//   names:         parameters; `rate` of the node in Hz; the choices of an enum: `type == bandpass`
+//   calls:         min(…), max(…) of numbers and lists; len(LIST); increasing(LIST);
+//                  size(PORT), window(INPUT), dtype(PORT)
 //
 // A port is written by its name, or as inputs.NAME, outputs.NAME, states.NAME where the name alone
 // could mean two. Decimals are exact fractions as long as a result fits into 64 bits, all other
@@ -20,14 +18,14 @@
 #include <vector>
 
 #include "generator/diagnostics/diagnostics.hpp"
-#include "generator/read/rational.hpp"
+#include "generator/expression/expression.hpp"
 
 namespace eagerx::gen {
 
 struct Entity;
 struct YamlValue;
 
-using ConditionNumber = std::variant<std::int64_t, double, Rational>;
+using ConditionNumber = ExpressionNumber;
 using ConditionValue =
     std::variant<bool, std::int64_t, double, Rational, std::string, std::vector<ConditionNumber>>;
 

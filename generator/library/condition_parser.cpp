@@ -1,11 +1,10 @@
-// Conditions from their text: recursive descent, with types checked on the way.
+// Conditions from their text, with types checked on the way.
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "generator/library/condition_text.hpp"
+#include "generator/expression/text.hpp"
 #include "generator/library/library.hpp"
-#include "generator/read/scalar.hpp"
 #include "generator/spec/dtype.hpp"
 #include "generator/spec/named.hpp"
 
@@ -13,6 +12,7 @@ namespace eagerx::gen {
 namespace {
 
 using Op = ConditionStep::Op;
+using Tree = Expression::Op;
 
 /// What an operand is.
 struct Type {
@@ -38,193 +38,149 @@ std::string_view to_string(Type::Kind kind) {
   return "";
 }
 
-class Parser : protected ConditionText {
+/// The steps of a tree, with types checked on the way.
+class Maker {
  public:
-  Parser(const YamlValue& yaml, const char* code, Diagnostics& diagnostics)
-      : ConditionText(yaml, code, diagnostics) {}
-  virtual ~Parser() = default;
-  Parser(const Parser&) = delete;
-  Parser& operator=(const Parser&) = delete;
+  Maker(const YamlValue& yaml, const char* code, Diagnostics& diagnostics)
+      : text_(yaml, code, diagnostics) {}
+  virtual ~Maker() = default;
+  Maker(const Maker&) = delete;
+  Maker& operator=(const Maker&) = delete;
 
-  std::optional<Condition> read(Type::Kind kind) {
-    const Type type = disjunction();
-    if (!at_end()) fail(place(), fmt::format("expected the end, found {}", next()));
-    expect(type, kind);
-    return good() ? std::optional<Condition>(std::move(steps_)) : std::nullopt;
+  std::optional<Condition> read(NameForm names, Type::Kind kind) {
+    const auto tree = parse_expression(text_, names);
+    if (!tree) return std::nullopt;
+    expect(make(*tree), kind);
+    return text_.good() ? std::optional<Condition>(std::move(steps_)) : std::nullopt;
   }
 
  protected:
   // What the two kinds of texts have names for.
 
-  /// What begins with the name `word`, which is taken already.
-  virtual Type name(const std::string& word, std::size_t begin) = 0;
+  virtual Type name(const Expression& word) = 0;
   /// A function of a port: size, window, dtype.
-  virtual Type port_fact(const std::string& function, std::size_t begin) = 0;
+  virtual Type port_fact(const Expression& call) = 0;
   /// A name that means nothing.
   virtual void unknown(const Type& word) = 0;
-  /// What else an operand can be; nullopt if this is none.
-  virtual std::optional<Type> more_operands() { return std::nullopt; }
 
-  // Grammar, loosest first.
-
-  Type disjunction() {
-    const Nested nested(*this);
-    Type left = conjunction();
-    while (take_word("or")) left = logical(Op::logical_or, left, conjunction());
-    return left;
-  }
-
-  Type conjunction() {
-    Type left = negation();
-    while (take_word("and")) left = logical(Op::logical_and, left, negation());
-    return left;
-  }
-
-  Type negation() {
-    const Nested nested(*this);
-    if (!take_word("not")) return comparison();
-    const Type operand = negation();
-    expect(operand, Type::Kind::boolean);
-    return result({Op::logical_not, {}, {}, {}, 1}, Type::Kind::boolean, operand.begin);
-  }
-
-  Type comparison() {
-    Type left = sum();
-    if (take_word("in")) return membership(left);
-    const auto op = take_comparison();
-    if (!op) return left;
-    const Type right = sum();
-    check_comparable(*op, left, right);
-    Type type = result({*op, {}, {}, {}, 2}, Type::Kind::boolean, left.begin);
-    const std::size_t after = place();
-    if (take_comparison()) fail(after, "comparisons cannot be chained: join them with `and`");
-    return type;
-  }
-
-  Type membership(const Type& left) {
-    require('(');
-    std::size_t count = 0;
-    do {
-      check_comparable(Op::equal, left, sum());
-      ++count;
-    } while (take(','));
-    require(')');
-    return result({Op::one_of, {}, {}, {}, count}, Type::Kind::boolean, left.begin);
-  }
-
-  Type sum() {
-    Type left = product();
-    while (good()) {
-      if (take('+')) {
-        left = arithmetic(Op::add, left, product());
-      } else if (take('-')) {
-        left = arithmetic(Op::subtract, left, product());
-      } else {
-        break;
-      }
+  Type make(const Expression& tree) {
+    switch (tree.op) {
+      case Tree::number:
+        return result({Op::constant, constant(tree.value), {}, {}, 0}, Type::Kind::number,
+                      tree.begin);
+      case Tree::truth:
+        return result({Op::constant, tree.truth, {}, {}, 0}, Type::Kind::boolean, tree.begin);
+      case Tree::name:
+      case Tree::reference:
+        return name(tree);
+      case Tree::call:
+        return call(tree);
+      case Tree::index:
+        text_.fail(tree.begin, "elements have no place here");
+        return {};
+      case Tree::power:
+        return power(tree);
+      case Tree::negate:
+        return unary(Op::negate, Type::Kind::number, tree);
+      case Tree::logical_not:
+        return unary(Op::logical_not, Type::Kind::boolean, tree);
+      case Tree::one_of:
+        return membership(tree);
+      default:
+        return binary(tree);
     }
-    return left;
   }
 
-  Type product() {
-    Type left = sign();
-    while (good()) {
-      if (take('*')) {
-        left = arithmetic(Op::multiply, left, sign());
-      } else if (take('/')) {
-        left = arithmetic(Op::divide, left, sign());
-      } else {
-        break;
-      }
+  Type unary(Op op, Type::Kind kind, const Expression& tree) {
+    const Type operand = make(tree.operands[0]);
+    expect(operand, kind);
+    return result({op, {}, {}, {}, 1}, kind, operand.begin);
+  }
+
+  Type power(const Expression& tree) {
+    for (std::uint32_t i = 0; i < tree.count; ++i) {
+      expect(make(tree.operands[0]), Type::Kind::number);
+      if (i > 0) result({Op::multiply, {}, {}, {}, 2}, Type::Kind::number, tree.begin);
     }
-    return left;
+    return {Type::Kind::number, nullptr, {}, tree.begin};
   }
 
-  Type sign() {
-    const Nested nested(*this);
-    if (!take('-')) return operand();
-    const Type negated = sign();
-    expect(negated, Type::Kind::number);
-    return result({Op::negate, {}, {}, {}, 1}, Type::Kind::number, negated.begin);
+  Type membership(const Expression& tree) {
+    const Type left = make(tree.operands[0]);
+    for (std::size_t i = 1; i < tree.operands.size(); ++i)
+      check_comparable(Op::equal, left, make(tree.operands[i]));
+    return result({Op::one_of, {}, {}, {}, tree.operands.size() - 1}, Type::Kind::boolean,
+                  left.begin);
   }
 
-  Type operand() {
-    const std::size_t begin = place();
-    if (take('(')) {
-      Type inside = disjunction();
-      require(')');
-      return inside;
+  Type binary(const Expression& tree) {
+    const Op op = op_of(tree.op);
+    const Type left = make(tree.operands[0]);
+    const Type right = make(tree.operands[1]);
+    const bool joins = op == Op::logical_and || op == Op::logical_or;
+    const bool compares = op >= Op::less && op <= Op::not_equal;
+    if (compares) {
+      check_comparable(op, left, right);
+    } else {
+      const Type::Kind kind = joins ? Type::Kind::boolean : Type::Kind::number;
+      expect(left, kind);
+      expect(right, kind);
     }
-    if (auto more = more_operands()) return *more;
-    if (const std::string digits = take_number(); !digits.empty()) return number(digits, begin);
-    const std::string word = take_name();
-    if (word.empty()) {
-      fail(begin, fmt::format("expected a value, found {}", next()));
+    return result({op, {}, {}, {}, 2}, joins || compares ? Type::Kind::boolean : Type::Kind::number,
+                  left.begin);
+  }
+
+  Type call(const Expression& tree) {
+    const std::string& function = tree.text;
+    if (function == "min" || function == "max")
+      return extreme(function == "min" ? Op::least : Op::most, tree);
+    if (function == "size" || function == "window" || function == "dtype") {
+      takes_one(tree);
+      return text_.good() ? port_fact(tree) : Type();
+    }
+    if (function != "len" && function != "increasing") {
+      text_.fail(tree.begin, fmt::format("unknown function `{}`", function),
+                 ExpressionText::suggest(
+                     function, {"min", "max", "len", "increasing", "size", "window", "dtype"}));
       return {};
     }
-    if (peek('(')) return call(word, begin);
-    if (word == "true" || word == "false")
-      return result({Op::constant, word == "true", {}, {}, 0}, Type::Kind::boolean, begin);
-    return name(word, begin);
+    takes_one(tree);
+    expect(make(tree.operands[0]), Type::Kind::list);
+    const bool counts = function == "len";
+    return result({counts ? Op::length : Op::increasing, {}, {}, {}, 1},
+                  counts ? Type::Kind::number : Type::Kind::boolean, tree.begin);
   }
 
-  Type number(const std::string& text, std::size_t begin) {
-    if (const auto whole = parse_int(text))
-      return result({Op::constant, *whole, {}, {}, 0}, Type::Kind::number, begin);
-    if (const auto exact = is_decimal_text(text) ? Rational::parse(text) : std::nullopt)
-      return result({Op::constant, *exact, {}, {}, 0}, Type::Kind::number, begin);
-    const auto real = is_decimal_text(text) ? parse_number(text) : std::nullopt;
-    if (!real) fail(begin, fmt::format("`{}` is no number", text));
-    return result({Op::constant, real.value_or(0.0), {}, {}, 0}, Type::Kind::number, begin);
+  void takes_one(const Expression& tree) {
+    if (tree.operands.size() != 1)
+      text_.fail(tree.operands[1].begin, fmt::format("`{}` takes one argument", tree.text));
   }
 
-  Type call(const std::string& function, std::size_t begin) {
-    require('(');
-    Type type;
-    if (function == "min" || function == "max") {
-      type = extreme(function == "min" ? Op::least : Op::most, begin);
-    } else if (function == "len") {
-      expect(sum(), Type::Kind::list);
-      type = result({Op::length, {}, {}, {}, 1}, Type::Kind::number, begin);
-    } else if (function == "increasing") {
-      expect(sum(), Type::Kind::list);
-      type = result({Op::increasing, {}, {}, {}, 1}, Type::Kind::boolean, begin);
-    } else if (function == "size" || function == "window" || function == "dtype") {
-      type = port_fact(function, begin);
-    } else {
-      fail(begin, fmt::format("unknown function `{}`", function),
-           suggest(function, {"min", "max", "len", "increasing", "size", "window", "dtype"}));
-    }
-    require(')');
-    return type;
-  }
-
-  Type extreme(Op op, std::size_t begin) {
-    std::size_t count = 0;
-    do {
-      const Type argument = sum();
+  Type extreme(Op op, const Expression& tree) {
+    for (const Expression& operand : tree.operands) {
+      const Type argument = make(operand);
       if (argument.kind != Type::Kind::list) expect(argument, Type::Kind::number);
-      ++count;
-    } while (take(','));
-    return result({op, {}, {}, {}, count}, Type::Kind::number, begin);
+    }
+    return result({op, {}, {}, {}, tree.operands.size()}, Type::Kind::number, tree.begin);
   }
 
   // Types.
 
   void expect(const Type& type, Type::Kind kind) {
-    if (type.kind == kind || !good()) return;
+    if (type.kind == kind || !text_.good()) return;
     if (type.kind == Type::Kind::word) return unknown(type);
-    fail(type.begin, fmt::format("expected {}, found {}", to_string(kind), to_string(type.kind)));
+    text_.fail(type.begin,
+               fmt::format("expected {}, found {}", to_string(kind), to_string(type.kind)));
   }
 
   void check_comparable(Op op, const Type& left, const Type& right) {
-    if (!good()) return;
+    if (!text_.good()) return;
     const bool equality = op == Op::equal || op == Op::not_equal;
     const bool wrong =
         left.kind == Type::Kind::list ||
         (left.kind != Type::Kind::number && left.kind != Type::Kind::word && !equality);
     if (wrong)
-      fail(left.begin, fmt::format("{} cannot be compared like this", to_string(left.kind)));
+      text_.fail(left.begin, fmt::format("{} cannot be compared like this", to_string(left.kind)));
     if (left.kind == Type::Kind::word)
       return right.kind == Type::Kind::text && equality ? check_choice(left, right) : unknown(left);
     if (right.kind == Type::Kind::word && left.kind == Type::Kind::text)
@@ -234,39 +190,63 @@ class Parser : protected ConditionText {
 
   void check_choice(const Type& word, const Type& text) {
     if (text.choices == nullptr || contains(*text.choices, word.word)) return;
-    fail(word.begin, fmt::format("`{}` is not one of its choices", word.word),
-         suggest(word.word, *text.choices));
-  }
-
-  Type logical(Op op, const Type& left, const Type& right) {
-    expect(left, Type::Kind::boolean);
-    expect(right, Type::Kind::boolean);
-    return result({op, {}, {}, {}, 2}, Type::Kind::boolean, left.begin);
-  }
-
-  Type arithmetic(Op op, const Type& left, const Type& right) {
-    expect(left, Type::Kind::number);
-    expect(right, Type::Kind::number);
-    return result({op, {}, {}, {}, 2}, Type::Kind::number, left.begin);
+    text_.fail(word.begin, fmt::format("`{}` is not one of its choices", word.word),
+               ExpressionText::suggest(word.word, *text.choices));
   }
 
   Type result(ConditionStep step, Type::Kind kind, std::size_t begin) {
-    if (good()) steps_.push_back(std::move(step));
+    if (text_.good()) steps_.push_back(std::move(step));
     return {kind, nullptr, {}, begin};
   }
 
+  static ConditionValue constant(const ExpressionNumber& number) {
+    return std::visit([](auto value) { return ConditionValue(value); }, number);
+  }
+
+  static Op op_of(Tree op) {
+    switch (op) {
+      case Tree::add:
+        return Op::add;
+      case Tree::subtract:
+        return Op::subtract;
+      case Tree::multiply:
+        return Op::multiply;
+      case Tree::divide:
+        return Op::divide;
+      case Tree::less:
+        return Op::less;
+      case Tree::less_equal:
+        return Op::less_equal;
+      case Tree::greater:
+        return Op::greater;
+      case Tree::greater_equal:
+        return Op::greater_equal;
+      case Tree::equal:
+        return Op::equal;
+      case Tree::not_equal:
+        return Op::not_equal;
+      case Tree::logical_and:
+        return Op::logical_and;
+      default:
+        return Op::logical_or;
+    }
+  }
+
+  ExpressionText text_;
   Condition steps_;
 };
 
 /// Of an entity: its parameters, ports and rate.
-class ConditionParser : public Parser {
+class ConditionMaker : public Maker {
  public:
-  ConditionParser(const YamlValue& yaml, const Entity& entity, Diagnostics& diagnostics)
-      : Parser(yaml, "E0207", diagnostics), entity_(entity) {}
+  ConditionMaker(const YamlValue& yaml, const Entity& entity, Diagnostics& diagnostics)
+      : Maker(yaml, "E0207", diagnostics), entity_(entity) {}
 
  private:
   /// A parameter, the node's rate, or a choice.
-  Type name(const std::string& word, std::size_t begin) override {
+  Type name(const Expression& tree) override {
+    const std::string& word = tree.text;
+    const std::size_t begin = tree.begin;
     if (const Parameter* found = find_named(entity_.config, word)) {
       Type type = result({Op::fact, {}, word, word, 0}, kind_of(*found), begin);
       if (found->type == Parameter::Type::keyword) type.choices = &found->options;
@@ -279,12 +259,13 @@ class ConditionParser : public Parser {
     return type;
   }
 
-  Type port_fact(const std::string& function, std::size_t begin) override {
-    const std::size_t port_begin = place();
-    const std::string written = take_port();
+  Type port_fact(const Expression& call) override {
+    const std::string& function = call.text;
+    const std::size_t begin = call.begin, port_begin = call.operands[0].begin;
+    const std::string& written = call.operands[0].text;
     const std::string port = find_port(written, port_begin);
     if (function == "window" && !port.starts_with("inputs."))
-      fail(port_begin, fmt::format("`{}` is no input", written));
+      text_.fail(port_begin, fmt::format("`{}` is no input", written));
     Type type = result({Op::fact,
                         {},
                         fmt::format("{}({})", function, port),
@@ -309,11 +290,11 @@ class ConditionParser : public Parser {
     collect("outputs", entity_.outputs);
     collect("states", entity_.states);
     if (found.empty()) {
-      fail(begin, fmt::format("there is no input, output or state `{}`", written),
-           suggest(written, known));
+      text_.fail(begin, fmt::format("there is no input, output or state `{}`", written),
+                 ExpressionText::suggest(written, known));
     } else if (found.size() > 1) {
-      fail(begin, fmt::format("`{}` could be two ports", written),
-           fmt::format("write {}", fmt::join(found, " or ")));
+      text_.fail(begin, fmt::format("`{}` could be two ports", written),
+                 fmt::format("write {}", fmt::join(found, " or ")));
     }
     return found.empty() ? "" : found.front();
   }
@@ -342,62 +323,49 @@ class ConditionParser : public Parser {
     std::vector<std::string> known;
     for (const auto& parameter : entity_.config) known.push_back(parameter.name.value);
     if (has_rate()) known.emplace_back("rate");
-    fail(word.begin, fmt::format("unknown name `{}`", word.word), suggest(word.word, known));
+    text_.fail(word.begin, fmt::format("unknown name `{}`", word.word),
+               ExpressionText::suggest(word.word, known));
   }
 
   const Entity& entity_;
 };
 
 /// Of an object or engine node: what its manifest refers to with `$(…)`.
-class ExpressionParser : public Parser {
+class ExpressionMaker : public Maker {
  public:
-  ExpressionParser(const YamlValue& yaml, const KnownReferences& references,
-                   Diagnostics& diagnostics)
-      : Parser(yaml, "E0324", diagnostics), references_(references) {}
+  ExpressionMaker(const YamlValue& yaml, const KnownReferences& references,
+                  Diagnostics& diagnostics)
+      : Maker(yaml, "E0324", diagnostics), references_(references) {}
 
  private:
-  /// `$(…)` anywhere in the text, and what is in it.
-  std::optional<Type> more_operands() override {
-    if (!take('$')) return std::nullopt;
-    require('(');
-    ++depth_;
-    Type inside = sum();
-    --depth_;
-    require(')');
-    return inside;
-  }
-
-  /// `config limit`, `sensors theta rate`, `config list 0`: names with blanks between them.
-  Type name(const std::string& word, std::size_t begin) override {
-    std::string reference = word;
-    for (std::string more = take_name(); !more.empty(); more = take_name()) reference += " " + more;
-    if (const std::string index = take_number(); !index.empty()) reference += " " + index;
-    const auto found = references_.find(reference);
-    if (found == references_.end() || depth_ == 0) {
-      report(reference, begin);
+  Type name(const Expression& tree) override {
+    const auto found = references_.find(tree.text);
+    if (found == references_.end() || tree.op == Tree::name) {
+      report(tree);
       return {};
     }
-    return result({Op::fact, {}, reference, reference, 0}, kind_of(found->second), begin);
+    return result({Op::fact, {}, tree.text, tree.text, 0}, kind_of(found->second), tree.begin);
   }
 
-  void report(const std::string& reference, std::size_t begin) {
-    if (depth_ == 0)
-      return fail(begin, fmt::format("`{}` is no number", reference),
-                  "references stand inside of `$(…)`");
+  void report(const Expression& tree) {
+    const std::string& reference = tree.text;
+    if (tree.op == Tree::name)
+      return text_.fail(tree.begin, fmt::format("`{}` is no number", reference),
+                        "references stand inside of `$(…)`");
     std::vector<std::string> known;
     for (const auto& [name, value] : references_) known.push_back(name);
     const std::string near = nearest(reference, known);
-    fail(begin, fmt::format("`{}` refers to nothing", reference),
-         near.empty() ? "" : fmt::format("did you mean `{}`?", near));
+    text_.fail(tree.begin, fmt::format("`{}` refers to nothing", reference),
+               near.empty() ? "" : fmt::format("did you mean `{}`?", near));
   }
 
-  Type port_fact(const std::string& function, std::size_t begin) override {
-    fail(begin, fmt::format("unknown function `{}`", function),
-         suggest(function, {"min", "max", "len"}));
+  Type port_fact(const Expression& call) override {
+    text_.fail(call.begin, fmt::format("unknown function `{}`", call.text),
+               ExpressionText::suggest(call.text, {"min", "max", "len"}));
     return {};
   }
 
-  void unknown(const Type& word) override { report(word.word, word.begin); }
+  void unknown(const Type& /*word*/) override {}  // every name is a reference, or reported
 
   static Type::Kind kind_of(const std::optional<ConditionValue>& value) {
     if (!value) return Type::Kind::number;  // said elsewhere why it is not known
@@ -408,14 +376,13 @@ class ExpressionParser : public Parser {
   }
 
   const KnownReferences& references_;
-  int depth_ = 0;  // of `$(`
 };
 
 }  // namespace
 
 std::optional<Condition> read_condition(const YamlValue& text, const Entity& entity,
                                         Diagnostics& diagnostics) {
-  return ConditionParser(text, entity, diagnostics).read(Type::Kind::boolean);
+  return ConditionMaker(text, entity, diagnostics).read(NameForm::plain, Type::Kind::boolean);
 }
 
 bool is_expression(const YamlValue& yaml) {
@@ -426,7 +393,7 @@ bool is_expression(const YamlValue& yaml) {
 
 std::optional<Condition> read_expression(const YamlValue& text, const KnownReferences& references,
                                          Diagnostics& diagnostics) {
-  return ExpressionParser(text, references, diagnostics).read(Type::Kind::number);
+  return ExpressionMaker(text, references, diagnostics).read(NameForm::dollar, Type::Kind::number);
 }
 
 }  // namespace eagerx::gen

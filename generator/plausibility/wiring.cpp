@@ -99,7 +99,8 @@ std::vector<bool> nodes_that_matter(const Graph& graph) {
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
     const bool counts = node.entity != nullptr && !node.entity->counts.empty();
-    if (node.role != NodeRole::node || node.outputs.empty() || node.is_reset_node() || counts)
+    if (node.role != NodeRole::node || node.outputs.empty() || node.is_reset_node() || counts ||
+        (graph.task && n == graph.task->node))
       open.push_back(n);
   }
   while (!open.empty()) {

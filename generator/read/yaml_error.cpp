@@ -187,6 +187,11 @@ bool report_wording(const Failure& failure) {
     Diagnostic& error = failure.error(extent, wording.message);
     error.label = wording.label;
     error.help = wording.help;
+    // `{value: x[0]}`
+    const std::string_view text = failure.locator.text();
+    if (failure.is(Original::END_OF_MAP_FLOW) && failure.offset < text.size() &&
+        (text[failure.offset] == '[' || text[failure.offset] == ']'))
+      error.help = "a text with brackets needs quotes within `{…}`";
     const OpenCollection* open = failure.builder.innermost();
     if (open != nullptr && open->flow)
       error.notes.push_back({"inside this bracket", open->span, "opened here"});

@@ -69,6 +69,7 @@ Json report_json(const PlanReport& report) {
   json["link"] = Json{{"sensors", json_of(report.link.sensors)},
                       {"actuators", json_of(report.link.actuators)},
                       {"messages", messages}};
+  if (plan.graph->task) json["task"] = task_json(*plan.graph);
   return json;
 }
 

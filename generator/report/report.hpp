@@ -22,6 +22,9 @@ PlanReport report_of(const Plan& plan);
 std::string plan_text(const PlanReport& report);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanReport& report);
+/// What the graph's task sees and gives; empty without one.
+std::string task_text(const Graph& graph);
+Json task_json(const Graph& graph);
 /// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
 Json report_json(const PlanReport& report);
 

@@ -251,7 +251,9 @@ class Connector {
       excused_.insert({Side::from, source.node, source.port});
       return;
     }
-    input.settings = overlay(input.settings, delay_of_sensor(connection));
+    // A sensor's delay is that of who decides: a reward is about what is.
+    if (sink.node != draft_.task)
+      input.settings = overlay(input.settings, delay_of_sensor(connection));
     input.settings = overlay(input.settings, input.said);
     if (input.settings.processor && connection.settings.processor) {
       diagnostics()

@@ -89,6 +89,7 @@ struct Draft {
   std::set<std::string> doubtful;  // objects and nodes with a reported problem of their ports:
                                    // what follows from it is not said
   References safety = {};          // `$(safety KEY)`, in defaults of parameters
+  std::optional<std::size_t> task = {};  // its node
 
   /// Whether a node, or the object that an engine node is of, has such a problem.
   [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
@@ -170,11 +171,16 @@ void add_environment(Draft& draft);
 void add_engine(Draft& draft, const ResolveOptions& options);
 void add_nodes(Draft& draft);
 void add_objects(Draft& draft);
+void add_task(Draft& draft);       // its node
+void let_task_skip(Draft& draft);  // its inputs that wait for the action of the same tick
 void check_cycles(Draft& draft);
 void connect(Draft& draft);         // the user's connections; unconnected ports
 void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
 void resolve_safety(Draft& draft);  // safe actions, in the spaces of the actions
 void find_applied_spaces(Graph& graph);
+/// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
+/// steps, E0339 an expression.
+void resolve_task(Draft& draft);
 void resolve_states(Draft& draft);         // how states are drawn
 void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring about
 /// `sync: false` (E0338 what does not go together with it).

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "generator/expression/typed.hpp"
 #include "generator/library/library.hpp"
 #include "generator/spec/dtype.hpp"
 
@@ -167,6 +169,27 @@ struct AppliedAction {
   Span span;
 };
 
+/// An expression of the task; its variables are the inputs of the task's node.
+struct TaskExpression {
+  std::string name, text;  // as written
+  TypedExpression value;
+  double weight = 1.0;  // of a term
+  Span span;            // of the name
+};
+
+/// Reward and end of a step: a node at the rate of the environment, whose class is generated.
+struct Task {
+  std::size_t node = 0;
+  std::vector<TaskExpression> terms;  // of the reward, in their order
+  std::vector<TaskExpression> terminated, truncated, success;
+  std::uint64_t after = 0;      // steps of an episode that is cut off; 0: none is
+  std::uint64_t over_last = 1;  // steps in a row in which success must hold
+  std::shared_ptr<const Entity> entity;
+  Span span;
+  /// The first outputs of its node; those after them are the terms.
+  enum Output : std::uint8_t { reward, terminated_output, truncated_output, success_output, term };
+};
+
 /// What runs on a board, linked with the rest, which runs on Linux.
 struct Placement {
   const Target* board = nullptr;
@@ -185,7 +208,8 @@ struct Graph {
   Safety safety;
   std::vector<AppliedAction> applied;  // of each action
   std::optional<Placement> placement;  // without: one program
-  bool asynchronous = false;           // inputs take what has arrived instead of counting
+  std::optional<Task> task;
+  bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
   Span span;

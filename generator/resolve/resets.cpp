@@ -223,9 +223,13 @@ void check_feedthrough(const Graph& graph, const GraphNode& node, const Input& i
                                 output->raw.describe(), input.space.describe()));
 }
 
-/// Everything that waits for an action, feedthroughs apart.
+/// Everything that waits for an action, feedthroughs apart; and the task, which is about steps.
 void mark_waiting(Graph& graph) {
   std::vector<std::size_t> todo = {Graph::kEnvironment};
+  if (graph.task) {
+    graph.nodes[graph.task->node].waits_during_reset = true;
+    todo.push_back(graph.task->node);
+  }
   while (!todo.empty()) {
     const std::size_t source = todo.back();
     todo.pop_back();

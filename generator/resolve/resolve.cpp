@@ -37,6 +37,11 @@ void check_names(Draft& draft) {
   std::vector<const EntitySpec*> seen;
   for (const auto* entities : {&spec.objects, &spec.nodes}) {
     for (const auto& entity : *entities) {
+      if (spec.task && entity.name.value == kTask) {
+        draft.diagnostics.error("E0315", entity.name.span, "the name `task` is taken")
+            .notes.push_back({"the task of the graph", spec.task->span, ""});
+        draft.doubtful.insert(entity.name.value);
+      }
       if (std::ranges::find(kTaken, entity.name.value) != kTaken.end()) {
         draft.diagnostics
             .error("E0315", entity.name.span,
@@ -149,6 +154,7 @@ void drop_engine(Graph& graph) {
     for (auto& input : node.inputs) moved(input.source_node);
     for (auto& target : node.reset_targets) moved(target.node);
   }
+  if (graph.task) moved(graph.task->node);
   if (!graph.placement) return;
   auto& on_board = graph.placement->on_board;
   on_board.erase(on_board.begin() + Graph::kEngine);
@@ -178,13 +184,16 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   add_engine(draft, options);
   add_nodes(draft);
   add_objects(draft);
+  add_task(draft);
   connect(draft);
+  let_task_skip(draft);
   resolve_states(draft);
   resolve_reset_targets(draft);
   resolve_agent(draft);
   check_cycles(draft);
   place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
+  resolve_task(draft);
   resolve_safety(draft);
   if (!diagnostics.has_errors()) find_applied_spaces(draft.graph);
   check_random_agent(draft);

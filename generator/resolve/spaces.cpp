@@ -78,8 +78,9 @@ class SpaceResolver {
       return std::tuple(input.edge->span.line, input.edge->span.column);
     };
     const DraftInput* first = nullptr;
-    for (const auto& node : draft_.nodes) {
-      for (const auto& input : node.inputs) {
+    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
+      if (n == draft_.task) continue;  // it takes whatever comes
+      for (const auto& input : draft_.nodes[n].inputs) {
         if (!input.edge || input.edge->node != Graph::kEnvironment || input.edge->output != action)
           continue;
         if (first == nullptr || place(input) < place(*first)) first = &input;

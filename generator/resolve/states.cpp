@@ -280,8 +280,9 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
 }  // namespace
 
 void resolve_states(Draft& draft) {
-  for (auto& node : draft.nodes) {
-    if (node.node.entity == nullptr) continue;
+  for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
+    DraftNode& node = draft.nodes[n];
+    if (node.node.entity == nullptr || n == draft.task) continue;
     if (node.node.role == NodeRole::engine_node) {
       add_unnamed_states(node.node, {}, draft.diagnostics);
       continue;

@@ -111,6 +111,12 @@ FormatPtr record(std::string what, std::vector<Field> fields) {
   return share(std::move(result));
 }
 
+FormatPtr open_record(std::string what, std::vector<Field> fields, FormatPtr others) {
+  Format result = *record(std::move(what), std::move(fields));
+  result.item = std::move(others);
+  return share(std::move(result));
+}
+
 FormatPtr one_of(std::string what, std::vector<FormatPtr> options) {
   Format result = make(Format::Kind::one_of, std::move(what));
   result.options = std::move(options);

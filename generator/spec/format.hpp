@@ -48,10 +48,10 @@ struct Format {
   Kind kind = Kind::any;
   std::string what;                   // "a rate in Hz", completes "expected …"
   std::vector<std::string> keywords;  // keyword
-  FormatPtr item;                     // list, map
-  std::vector<Field> fields;          // record
-  std::vector<FormatPtr> options;     // one_of
-  std::optional<double> low;          // integer, decimal, number
+  FormatPtr item;                  // list, map; record: what other keys have, if there may be some
+  std::vector<Field> fields;       // record
+  std::vector<FormatPtr> options;  // one_of
+  std::optional<double> low;       // integer, decimal, number
   std::optional<double> high;
   bool low_exclusive = false;
   Quantity quantity = Quantity::none;  // decimal, number: may have a unit of it
@@ -83,6 +83,8 @@ FormatPtr file_name(std::string what);
 /// A path of such names; `leaves`: also out of the folder that it begins in.
 FormatPtr path(std::string what, bool leaves);
 FormatPtr record(std::string what, std::vector<Field> fields);
+/// A record that also has keys chosen by the user.
+FormatPtr open_record(std::string what, std::vector<Field> fields, FormatPtr others);
 FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 }  // namespace format
 

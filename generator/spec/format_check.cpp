@@ -39,8 +39,11 @@ void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics)
         .help = fmt::format("names have at most {} letters", kLongestName);
     return;
   }
+  // `{far: max(theta, 1)}`: YAML ends a value at its comma.
+  const bool is_rest = text.find(')') < text.find('(');
   diagnostics.error("E0205", span, fmt::format("`{}` is not a name", text)).help =
-      "use letters, digits and single underscores, beginning with a letter";
+      is_rest ? "an expression with a comma needs quotes within `{…}`"
+              : "use letters, digits and single underscores, beginning with a letter";
 }
 
 bool in_range(const YamlValue& yaml, const Format& format, double value, Diagnostics& diagnostics) {
@@ -200,6 +203,11 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
   for (const auto& entry : yaml.entries) {
     if (const Field* field = find_named(format.fields, entry.key)) {
       good = check(entry.value, *field->format, diagnostics) && good;
+      continue;
+    }
+    if (format.item) {
+      good = check_name(entry.key, entry.key_span, diagnostics) &&
+             check(entry.value, *format.item, diagnostics) && good;
       continue;
     }
     auto& problem = diagnostics.error(

@@ -17,15 +17,6 @@ FormatPtr bound_format(Reference references) {
                         {format::list("a list of numbers", item, 1), item});
 }
 
-FormatPtr processor_format() {
-  return format::one_of(
-      "the name of a processor, or a mapping with its `type` and `config`",
-      {format::record("a processor",
-                      {{"type", format::name("the name of a processor"), true, "its id"},
-                       {"config", config_format(), false, "its parameters"}}),
-       format::name("the name of a processor")});
-}
-
 Field processor_field() {
   return {"processor", processor_format(), false, "converts every message"};
 }
@@ -202,6 +193,15 @@ FormatPtr config_format() {
   return format::map("parameters", format::any("a value"));
 }
 
+FormatPtr processor_format() {
+  return format::one_of(
+      "the name of a processor, or a mapping with its `type` and `config`",
+      {format::record("a processor",
+                      {{"type", format::name("the name of a processor"), true, "its id"},
+                       {"config", config_format(), false, "its parameters"}}),
+       format::name("the name of a processor")});
+}
+
 FormatPtr space_format(Reference references, bool like) {
   const FormatPtr dimension = format::integer("a size of at least 1", 1, 1'000'000'000);
   const FormatPtr shape = references == Reference::refuse
@@ -312,6 +312,8 @@ const Format& graph_format() {
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},
        {"agent", agent_format(), false, "what decides (default: zero)"},
+       {"task", task_format(), false,
+        "reward and end of an episode, for training and for measuring success"},
        {"safety", safety_format(), false,
         "which actions are safe, and when they take the agent's place"},
        {"placement",

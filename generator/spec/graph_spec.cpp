@@ -140,6 +140,20 @@ std::optional<SafetySpec> read_safety(const YamlValue* yaml) {
   return spec;
 }
 
+/// The task; its inputs become connections, so that whatever looks at these sees them too.
+void read_task(const YamlValue::Entry& entry, GraphSpec& spec, Diagnostics& diagnostics) {
+  spec.task = read_task_spec(entry.value, diagnostics);
+  spec.task->span = entry.key_span;
+  for (const TaskInputSpec& input : spec.task->inputs) {
+    ConnectionSpec connection;
+    connection.span = input.name.span;
+    connection.from = input.from;
+    connection.to = {fmt::format("{}.{}", kTask, input.name.value), input.name.span};
+    connection.settings.processor = input.processor;
+    spec.connections.push_back(std::move(connection));
+  }
+}
+
 }  // namespace
 
 SpaceSpec read_space(const YamlValue& yaml) {
@@ -227,6 +241,8 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   spec.connections = read_connections(root.find("connections"), diagnostics);
   spec.agent = read_agent(root.find("agent"), diagnostics);
   spec.safety = read_safety(root.find("safety"));
+  const auto task = std::ranges::find(root.entries, kTask, &YamlValue::Entry::key);
+  if (task != root.entries.end()) read_task(*task, spec, diagnostics);
   spec.budget = value_at(root, "budget");
   if (const YamlValue* allow = root.find("allow")) {
     for (const auto& item : allow->items) spec.allow.push_back(text_of(item));

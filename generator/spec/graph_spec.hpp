@@ -9,6 +9,7 @@
 #include "generator/read/tree.hpp"
 #include "generator/spec/format.hpp"
 #include "generator/spec/settings.hpp"
+#include "generator/spec/task_spec.hpp"
 
 namespace eagerx::gen {
 
@@ -107,6 +108,7 @@ struct GraphSpec {
   std::vector<ConnectionSpec> connections;
   AgentSpec agent;
   std::optional<SafetySpec> safety;
+  std::optional<TaskSpec> task;  // its inputs are among the connections
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
   std::vector<Spanned<std::string>> allow;  // codes of warnings
@@ -138,7 +140,9 @@ FormatPtr space_format(Reference references, bool like);
 FormatPtr connections_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
+FormatPtr task_format();
 FormatPtr config_format();
+FormatPtr processor_format();
 SpaceSpec read_space(const YamlValue& yaml);
 std::vector<ConnectionSpec> read_connections(const YamlValue* yaml, Diagnostics& diagnostics);
 EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml,

@@ -17,7 +17,8 @@ Json object_type(bool may_be_empty) {
 
 Json record_schema(const Format& format) {
   const bool empty = std::ranges::none_of(format.fields, &Field::required);
-  Json schema = {{"type", object_type(empty)}, {"additionalProperties", false}};
+  Json schema = {{"type", object_type(empty)},
+                 {"additionalProperties", format.item ? schema_of(*format.item) : Json(false)}};
   Json properties = Json::object();
   Json required = Json::list();
   for (const auto& field : format.fields) {

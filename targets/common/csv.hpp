@@ -6,6 +6,7 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <string_view>
+#include <targets/common/run.hpp>
 
 namespace eagerx::target {
 
@@ -14,13 +15,15 @@ namespace eagerx::target {
 /// or `name[w][i]` when the observation has a window of more than one message (0 is the oldest).
 /// Row 0 of an episode is the observation of the reset, without actions; row k holds action k and
 /// the observation it led to. An observation with window 0 has columns for the most messages there
-/// can be; those it has not are empty, behind those it has. `Writer` has text(std::string_view) and
-/// number(value).
+/// can be; those it has not are empty, behind those it has. Behind the actions, a graph with a task
+/// has columns for what the step was worth: `task.reward` and so on. `Writer` has
+/// text(std::string_view) and number(value).
 template <class Graph, class Writer>
 class CsvTable {
  public:
   using Action = typename Graph::Action;
   using Observation = typename Graph::Observation;
+  using Outcome = typename OutcomeOf<Graph>::Type;
 
   struct NoMore {
     void operator()(Writer& /*out*/) const {}
@@ -42,14 +45,18 @@ class CsvTable {
     Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&...) {
       column_names(out, name, false, 0, message);
     });
+    Outcome{}.for_each([&](const char* name, auto /*value*/) {
+      out.text(",task.");
+      out.text(name);
+    });
     more(out);
     out.text("\n");
   }
 
-  /// `action` is null for the row of a reset.
+  /// `action` and `outcome` are null for the row of a reset.
   template <class More = NoMore>
   static void row(Writer& out, std::uint32_t episode, Seq step, const Observation& observation,
-                  const Action* action, const More& more = {}) {
+                  const Action* action, const Outcome* outcome, const More& more = {}) {
     out.number(episode);
     out.text(",");
     out.number(step);
@@ -62,6 +69,10 @@ class CsvTable {
       for (std::size_t i = 0; i < missing * size_of<Message>; ++i) out.text(",");
     });
     action != nullptr ? action_elements(out, *action) : no_action_elements(out);
+    (outcome != nullptr ? *outcome : Outcome{}).for_each([&](const char*, auto value) {
+      out.text(",");
+      if (outcome != nullptr) out.number(value);
+    });
     more(out);
     out.text("\n");
   }

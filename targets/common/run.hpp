@@ -10,13 +10,40 @@
 
 namespace eagerx::target {
 
-/// How much to run. The defaults hold on every target.
+/// How much to run. The defaults hold on every target, see default_plan().
 struct RunPlan {
   std::uint32_t episodes = 1;
   std::uint64_t steps = 300;  // of each episode
   std::uint64_t seed = 1;
   std::uint32_t environment = 0;  // one of many with this seed, each with numbers of its own
 };
+
+/// What a step of a graph without a task gives.
+struct NoOutcome {
+  template <class F>
+  void for_each(F&& /*f*/) const {}
+};
+template <class Graph>
+struct OutcomeOf {
+  using Type = NoOutcome;
+};
+template <class Graph>
+requires requires {
+  Graph::kHasTask;
+}
+struct OutcomeOf<Graph> {
+  using Type = typename Graph::Outcome;
+};
+
+/// The defaults of a program: an episode is as long as the graph's task says, if it says it.
+template <class Graph>
+constexpr RunPlan default_plan() {
+  RunPlan plan;
+  if constexpr (requires { Graph::kHasTask; }) {
+    if (Graph::kEpisodeSteps > 0) plan.steps = Graph::kEpisodeSteps;
+  }
+  return plan;
+}
 
 /// Where actions come from. `csv` exists on targets with files only.
 enum class Agent : std::uint8_t { policy, zero, random, csv };
@@ -146,15 +173,35 @@ typename Graph::States states_of(Watch& watch, EpisodeKey key) {
   }
 }
 
-/// Runs `plan`. `agent(key, step, observation)` gives an action, and the program's guard what is
-/// applied in its place. `watch` sees what happens:
-/// `watch.reset(episode, observation)`, `watch.step(episode, step, action, observation)` with
-/// `step` from 1, and ends the run before a step or an episode by returning false from
-/// `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an episode; if it
-/// has `late_in_a_row()`, that is how many steps up to now were too late; if
-/// it has `states(key)`, that is what an episode begins with; if it has
-/// `is_over()`, an episode ends when that is true. The run of a program with
-/// a link to another one ends when the link does, and `watch` does not see that step.
+/// Whether a step was the last of its episode, as the graph's task says.
+template <class Outcome>
+bool has_ended(const Outcome& outcome) {
+  if constexpr (requires { outcome.terminated; }) {
+    return outcome.terminated || outcome.truncated;
+  } else {
+    return static_cast<void>(outcome), false;
+  }
+}
+
+/// What the last step was worth; nothing without a task.
+template <class Graph, class Program>
+typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
+  if constexpr (requires { program.outcome(); }) {
+    return program.outcome();
+  } else {
+    return static_cast<void>(program), NoOutcome{};
+  }
+}
+
+/// Runs `plan`; an episode has fewer steps if the graph's task ends it. `agent(key, step,
+/// observation)` gives an action, and the program's guard what is applied in its place. `watch`
+/// sees what happens: `watch.reset(episode, observation)`, `watch.step(episode, step, action,
+/// observation)` with `step` from 1, and ends the run before a step or an episode by returning
+/// false from `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an
+/// episode; if it has `late_in_a_row()`, that is how many steps up to now were too late; if it has
+/// `states(key)`, that is what an episode begins with; if it has `is_over()`, an episode ends when
+/// that is true. The run of a program with a link to another one ends when the link does, and
+/// `watch` does not see that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
@@ -176,7 +223,13 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
       typename Graph::Action action = guarded(program, wanted, late);
       observation = apply(program, action);
       if (!is_linked(program)) return;
-      watch.step(episode, step + 1, action, observation);
+      const auto outcome = outcome_of<Graph>(program);
+      if constexpr (requires { watch.step(episode, step, action, observation, outcome); }) {
+        watch.step(episode, step + 1, action, observation, outcome);
+      } else {
+        watch.step(episode, step + 1, action, observation);
+      }
+      if (has_ended(outcome)) break;
     }
   }
 }

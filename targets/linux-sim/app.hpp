@@ -302,6 +302,7 @@ int run(int argc, char** argv) {
         "program began; it has put that right. Usually it is linked with `-ffast-math`",
         kDone);
   Options defaults;
+  defaults.plan = target::default_plan<Graph>();
   defaults.agent = target::default_agent<Graph>();
   defaults.action_file = Graph::kAgentCsv;
   defaults.split = is_split<Graph>;

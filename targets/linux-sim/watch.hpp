@@ -16,6 +16,7 @@
 #include <targets/linux-sim/state_record.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
+#include <targets/linux-sim/task_record.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
 namespace eagerx::linux_sim {
@@ -28,6 +29,7 @@ class Watch {
   using Action = typename Graph::Action;
   using Observation = typename Graph::Observation;
   using Table = target::CsvTable<Graph, TextFile>;
+  using Outcome = typename Table::Outcome;
 
   using Link = typename LinkOf<Graph>::Type;
 
@@ -44,7 +46,8 @@ class Watch {
         pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
         progress_(options.plan.episodes * options.plan.steps, !options.quiet),
         steps_an_episode_(options.plan.steps),
-        strict_spaces_(options.strict_spaces) {}
+        strict_spaces_(options.strict_spaces),
+        summary_(options.summary) {}
 
   void begin(EpisodeKey key) {
     if constexpr (is_split<Graph>) link_.begin_episode({key, static_cast<std::uint8_t>(agent_)});
@@ -53,6 +56,7 @@ class Watch {
     States states = Graph::draw(key);
     settings_.apply(key, states);
     record_.begin(states);
+    task_record_.end_episode();
     if (measures_of_run.is_used()) {
       measures_of_run.end_episode();
       measures_of_run.begin_episode();
@@ -84,17 +88,20 @@ class Watch {
           if (csv_states_) record_.column_names(out);
         });
       }
-      row(episode, 0, observation, nullptr);
+      row(episode, 0, observation, nullptr, nullptr);
     }
     hand_on(pacer_.is_slow());
   }
 
-  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
+  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation,
+            const Outcome& outcome) {
     ++steps_;
+    task_record_.step(outcome);
     if (measures_of_run.is_used())
       measures_of_run.step(step, Graph::Rate::template seconds<double>(step));
-    if (csv_.is_open()) row(episode, step, observation, &action);
-    hand_on(step == steps_an_episode_ || is_over() || pacer_.is_slow());
+    if (csv_.is_open()) row(episode, step, observation, &action, &outcome);
+    hand_on(step == steps_an_episode_ || is_over() || target::has_ended(outcome) ||
+            pacer_.is_slow());
     progress_.step(steps_);
     if (pacer_.paces()) pacer_.wait_for(step);
   }
@@ -119,6 +126,8 @@ class Watch {
       measures_of_run.end_episode();
       measures_of_run.describe(summary);
     }
+    task_record_.end_episode();
+    if (summary_) task_record_.describe(summary);
     summary.paced = pacer_.paces();
     summary.overruns = pacer_.overruns();
     summary.worst_overrun_s = pacer_.worst_s();
@@ -126,8 +135,9 @@ class Watch {
   }
 
  private:
-  void row(std::uint32_t episode, Seq step, const Observation& observation, const Action* action) {
-    Table::row(csv_, episode, step, observation, action, [&](TextFile& out) {
+  void row(std::uint32_t episode, Seq step, const Observation& observation, const Action* action,
+           const Outcome* outcome) {
+    Table::row(csv_, episode, step, observation, action, outcome, [&](TextFile& out) {
       if (csv_states_) record_.columns(out);
     });
   }
@@ -138,6 +148,7 @@ class Watch {
 
   const StateSettings<Graph>& settings_;
   StateRecord<Graph> record_;
+  TaskRecord<Outcome> task_record_;
   bool csv_states_;
   TextFile& csv_;
   TextFile& trace_;
@@ -147,6 +158,7 @@ class Watch {
   Progress progress_;
   std::uint64_t steps_an_episode_;
   bool strict_spaces_;
+  bool summary_;
   std::int64_t began_ns_ = 0;
   std::uint64_t episodes_ = 0;
   std::uint64_t steps_ = 0;

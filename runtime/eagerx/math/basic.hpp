@@ -11,6 +11,16 @@ constexpr R abs(R x) {
   return unbits(bits(x) & BitsOf<R>(~FloatFormat<LaneOf<R>>::kSign));
 }
 
+/// x * x, and x * x * x from the left.
+template <Floating R>
+constexpr R square(R x) {
+  return x * x;
+}
+template <Floating R>
+constexpr R cube(R x) {
+  return x * x * x;
+}
+
 /// The magnitude of `magnitude` with the sign of `sign`. Exact.
 template <Floating R>
 constexpr R copysign(R magnitude, std::type_identity_t<R> sign) {

@@ -180,11 +180,12 @@ class Watch {
   void reset(std::uint32_t episode, const Observation& observation) const {
     if (!csv_) return;
     if (episode == 0) Table::header(console, observation);
-    Table::row(console, episode, 0, observation, nullptr);
+    Table::row(console, episode, 0, observation, nullptr, nullptr);
   }
-  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation) {
+  void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation,
+            const typename Table::Outcome& outcome) {
     ++steps_;
-    if (csv_) Table::row(console, episode, step, observation, &action);
+    if (csv_) Table::row(console, episode, step, observation, &action, &outcome);
   }
   std::uint64_t steps() const { return steps_; }
 
@@ -262,6 +263,7 @@ int run(const char* board) {
       "this graph has `agent: {csv: FILE}`, but a board has no files: generate it for boards "
       "with `agent: zero`, `random` or `{policy: FILE}`");
   Options options;
+  options.plan = target::default_plan<Graph>();
   options.agent = target::default_agent<Graph>();
   const int usage = read_options(options, Graph::kHasPolicy);
   console.send_to(options.output);

@@ -1,4 +1,4 @@
-#include "generator/library/condition_text.hpp"
+#include "generator/expression/text.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 namespace eagerx::gen {
 namespace {
 
-using Op = ConditionStep::Op;
+using Tree = Expression::Op;
 
 constexpr std::size_t kLongest = 1000;  // characters
 constexpr std::size_t kDeepest = 100;   // counted rules; a pair of parentheses takes three
@@ -22,70 +22,72 @@ bool is_digit(char c) {
 
 struct Operator {
   std::string_view text;
-  Op op;
+  Tree op;
 };
 // The longer ones first: "<=" is not "<".
-constexpr std::array<Operator, 6> kComparisons = {{{"<=", Op::less_equal},
-                                                   {">=", Op::greater_equal},
-                                                   {"==", Op::equal},
-                                                   {"!=", Op::not_equal},
-                                                   {"<", Op::less},
-                                                   {">", Op::greater}}};
+constexpr std::array<Operator, 6> kComparisons = {{{"<=", Tree::less_equal},
+                                                   {">=", Tree::greater_equal},
+                                                   {"==", Tree::equal},
+                                                   {"!=", Tree::not_equal},
+                                                   {"<", Tree::less},
+                                                   {">", Tree::greater}}};
 
 }  // namespace
 
-ConditionText::ConditionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics)
+ExpressionText::ExpressionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics)
     : yaml_(yaml), text_(yaml.text), code_(std::move(code)), diagnostics_(diagnostics) {
   if (text_.size() > kLongest)
-    fail(0, fmt::format("a condition has at most {} characters", kLongest));
+    fail(0, fmt::format("an expression has at most {} characters", kLongest));
 }
 
-std::size_t ConditionText::place() {
+std::size_t ExpressionText::place() {
   while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n' || text_[at_] == '\t'))
     ++at_;
   return at_;
 }
 
-bool ConditionText::at_end() {
+bool ExpressionText::at_end() {
   return place() >= text_.size();
 }
 
-bool ConditionText::peek(char c) {
+bool ExpressionText::peek(char c) {
   return good_ && !at_end() && text_[at_] == c;
 }
 
-bool ConditionText::take(char c) {
+bool ExpressionText::take(char c) {
   if (!peek(c)) return false;
   ++at_;
   return true;
 }
 
-void ConditionText::require(char c) {
+void ExpressionText::require(char c) {
   if (!take(c)) fail(place(), fmt::format("expected `{}`, found {}", c, next()));
 }
 
-bool ConditionText::take_word(std::string_view word) {
+bool ExpressionText::take_word(std::string_view word) {
   const std::size_t begin = at_;
   if (take_name() == word) return true;
   at_ = begin;
   return false;
 }
 
-std::string ConditionText::take_name() {
+std::string ExpressionText::take_name() {
   const std::size_t begin = place();
   if (!good_ || at_end() || !is_letter(text_[at_])) return {};
   while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
   return text_.substr(begin, at_ - begin);
 }
 
-std::string ConditionText::take_port() {
-  std::string port = take_name();
-  if (port.empty() || at_ >= text_.size() || text_[at_] != '.') return port;
+std::string ExpressionText::take_dotted_name() {
+  std::string name = take_name();
+  const bool goes_on =
+      !name.empty() && at_ + 1 < text_.size() && text_[at_] == '.' && is_letter(text_[at_ + 1]);
+  if (!goes_on) return name;
   ++at_;
-  return port + "." + take_name();
+  return name + "." + take_name();
 }
 
-std::string ConditionText::take_number() {
+std::string ExpressionText::take_number() {
   const std::size_t begin = place();
   if (!good_ || at_end() || (!is_digit(text_[at_]) && text_[at_] != '.')) return {};
   const auto belongs = [&](char c) {
@@ -96,7 +98,7 @@ std::string ConditionText::take_number() {
   return text_.substr(begin, at_ - begin);
 }
 
-std::optional<Op> ConditionText::take_comparison() {
+std::optional<Tree> ExpressionText::take_comparison() {
   for (const auto& [text, op] : kComparisons) {
     if (!good_ || std::string_view(text_).substr(place(), text.size()) != text) continue;
     at_ += text.size();
@@ -105,7 +107,7 @@ std::optional<Op> ConditionText::take_comparison() {
   return std::nullopt;
 }
 
-std::string ConditionText::next() {
+std::string ExpressionText::next() {
   if (at_end()) return "the end";
   std::size_t end = at_;
   while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) ++end;
@@ -117,26 +119,27 @@ std::string ConditionText::next() {
   return fmt::format("`{}`", text_.substr(at_, end - at_));
 }
 
-void ConditionText::fail(std::size_t place, std::string message, std::string help) {
+void ExpressionText::fail(std::size_t place, std::string message, std::string help) {
   if (!good_) return;
   good_ = false;
   auto& problem = diagnostics_.error(code_, span_at(place), std::move(message));
   problem.help = std::move(help);
 }
 
-std::string ConditionText::suggest(const std::string& word, const std::vector<std::string>& known) {
+std::string ExpressionText::suggest(const std::string& word,
+                                    const std::vector<std::string>& known) {
   const std::string near = nearest(word, known);
   if (!near.empty()) return fmt::format("did you mean `{}`?", near);
   return known.empty() ? "" : fmt::format("there is {}", fmt::join(known, ", "));
 }
 
-ConditionText::Nested::Nested(ConditionText& text) : text_(text) {
+ExpressionText::Nested::Nested(ExpressionText& text) : text_(text) {
   if (++text_.depth_ > kDeepest) text_.fail(text_.at_, "nested too deeply");
 }
 
 /// From `place` to the end of the text; all of it where it was written with escapes or over several
 /// lines.
-Span ConditionText::span_at(std::size_t place) const {
+Span ExpressionText::span_at(std::size_t place) const {
   const std::size_t quotes = yaml_.quoted ? 2 : 0;
   if (yaml_.span.length != text_.size() + quotes) return yaml_.span;
   Span span = yaml_.span;

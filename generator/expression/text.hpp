@@ -1,4 +1,4 @@
-// The text of a condition, taken piece by piece from the left.
+// The text of an expression, taken piece by piece from the left.
 #pragma once
 
 #include <optional>
@@ -6,16 +6,16 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/library/condition.hpp"
+#include "generator/expression/expression.hpp"
 #include "generator/read/tree.hpp"
 
 namespace eagerx::gen {
 
 /// After the first problem nothing can be taken any more, so that only that one is told of.
-class ConditionText {
+class ExpressionText {
  public:
   /// `code` of its problems.
-  ConditionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics);
+  ExpressionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics);
 
   [[nodiscard]] bool good() const { return good_; }
   /// Blanks aside: where the next piece begins, and whether there is none.
@@ -30,10 +30,10 @@ class ConditionText {
   /// Empty if the next piece is none.
   std::string take_name();
   /// "name" or "group.name"
-  std::string take_port();
+  std::string take_dotted_name();
   /// Digits, and whatever is written together with them.
   std::string take_number();
-  std::optional<ConditionStep::Op> take_comparison();
+  std::optional<Expression::Op> take_comparison();
   /// What comes next, for messages: "`name`", "the end".
   std::string next();
 
@@ -44,13 +44,13 @@ class ConditionText {
 
   /// Counts how deep a descent is, so that no text can exhaust the stack.
   struct Nested {
-    explicit Nested(ConditionText& text);
+    explicit Nested(ExpressionText& text);
     ~Nested() { --text_.depth_; }
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
 
    private:
-    ConditionText& text_;
+    ExpressionText& text_;
   };
 
  private:

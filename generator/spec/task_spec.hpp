@@ -1,0 +1,47 @@
+// What the user wrote under `task:`.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "generator/spec/settings.hpp"
+
+namespace eagerx::gen {
+
+/// How connections and channels call the task.
+inline constexpr const char* kTask = "task";
+
+/// What expressions of the task call a sensor, an output of a node or an action.
+struct TaskInputSpec {
+  Spanned<std::string> name, from;
+  std::optional<ProcessorSpec> processor;
+};
+
+/// A part of the reward: `weight` times the number `value`.
+struct TermSpec {
+  Spanned<std::string> name;
+  YamlValue value;
+  double weight = 1.0;
+};
+
+/// Something that is true or false after every step.
+struct TaskConditionSpec {
+  Spanned<std::string> name;
+  YamlValue that;
+};
+
+struct TaskSpec {
+  Span span;
+  std::vector<TaskInputSpec> inputs;
+  std::vector<TermSpec> reward;
+  std::vector<TaskConditionSpec> terminated, truncated, success;
+  std::optional<Spanned<Rational>> after_s;      // `truncated: {after: …}`
+  std::optional<Spanned<Rational>> over_last_s;  // `success: {over_last: …}`
+};
+
+/// Of a tree that `check` has accepted, without its span. Problems: E0204 a task without a term,
+/// E0206 `over_last` without a condition.
+TaskSpec read_task_spec(const YamlValue& yaml, Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen
