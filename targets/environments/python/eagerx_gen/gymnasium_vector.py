@@ -1,0 +1,127 @@
+"""Gymnasium's interface of many environments."""
+from __future__ import annotations
+
+import numpy as np
+
+from . import conversion
+from .errors import Error, need
+from .library import Environments
+
+_vector = need("gymnasium.vector", "pip install gymnasium")
+if not hasattr(_vector, "AutoresetMode"):
+    raise ImportError("eagerx_gen's VectorEnv needs Gymnasium 1.1 or later: pip install --upgrade gymnasium")
+
+
+class VectorEnv(_vector.VectorEnv):
+    """Many environments of a graph. Environment i after reset(seed=s) is Env after reset(seed=s + i), bit for bit, whatever
+    num_envs and threads are.
+
+    autoreset_mode  Gymnasium's AutoresetMode or its value. With DISABLED, reset(options={"reset_mask": ended}) comes
+                    before the next step
+    threads         0: one for each core
+    copy            False: observations are the library's own rows, which the next step writes over
+    numbers         [num_envs] of each in its seed; None: all 0, Gymnasium's rule
+    others          as for Env
+    """
+
+    def __init__(self, library, num_envs, *, flatten=False, longest=0, normalize_actions=False, autoreset_mode=None,
+                 threads=0, copy=True, numbers=None, render_mode=None):
+        if render_mode is not None:
+            raise ValueError(f"render_mode is {render_mode!r}, and there is none yet")
+        modes = _vector.AutoresetMode
+        self.autoreset_mode = modes.NEXT_STEP if autoreset_mode is None else modes(autoreset_mode)
+        names = {modes.NEXT_STEP: "next_step", modes.SAME_STEP: "same_step", modes.DISABLED: "disabled"}
+        numbers = np.zeros(num_envs, np.uint32) if numbers is None and num_envs > 0 else numbers
+        self.environments = Environments(library, num_envs, numbers=numbers, longest=longest,
+                                         autoreset=names[self.autoreset_mode], threads=threads)
+        self.library, self.num_envs, self.copy, self.render_mode = library, num_envs, copy, render_mode
+        self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
+        self._actions = conversion.of_actions(library, flatten, normalize_actions)
+        self._observations = conversion.of_observations(library, flatten)
+        self.single_action_space, self.single_observation_space = self._actions.space, self._observations.space
+        batch_space = need("gymnasium.vector.utils", "pip install gymnasium").batch_space
+        self.action_space = batch_space(self.single_action_space, num_envs)
+        self.observation_space = batch_space(self.single_observation_space, num_envs)
+        self._ended = np.zeros(num_envs, np.bool_)
+        self._begun = np.zeros(num_envs, np.bool_)
+
+    def _observation(self):
+        rows = self.environments.observation
+        return self._observations.from_row(rows.copy() if self.copy else rows)
+
+    def _seeds(self, seed, mask):
+        """[num_envs] and whose seeds are new; where nothing was said, of those that begin for the first time."""
+        if seed is None or isinstance(seed, (int, np.integer)):
+            seeds = [None if seed is None else int(seed) + i for i in range(self.num_envs)]
+        else:
+            seeds = list(seed)
+            if len(seeds) != self.num_envs:
+                raise ValueError(f"there are {len(seeds)} seeds for {self.num_envs} environments")
+        drawn = self.np_random.integers(2**63, size=self.num_envs) if None in seeds and not self._begun.all() else seeds
+        new = np.array([s is not None for s in seeds]) | ~self._begun
+        numbers = np.array([0 if d is None else int(d if s is None else s) % 2**64 for s, d in zip(seeds, drawn)], np.uint64)
+        return numbers, new & mask
+
+    def reset(self, *, seed=None, options=None):
+        super().reset(seed=int(seed) if isinstance(seed, (int, np.integer)) else None)
+        options = options or {}
+        mask = self._mask(options)
+        if "states" in options:
+            self.environments.set_states(options["states"], mask)
+        seeds, new = self._seeds(seed, mask)
+        if new.any():
+            self.environments.reset(new, seeds)
+        if (mask & ~new).any():
+            self.environments.reset(mask & ~new)
+        self._begun |= mask
+        self._ended = self._ended & ~mask
+        return self._observation(), {}
+
+    def _mask(self, options):
+        if "reset_mask" not in options:
+            return np.ones(self.num_envs, np.bool_)
+        mask = options["reset_mask"]
+        if not isinstance(mask, np.ndarray) or mask.shape != (self.num_envs,) or mask.dtype != np.bool_ or not mask.any():
+            raise ValueError(f"reset_mask is {mask!r}, not an array of {self.num_envs} bool with one that is True")
+        return mask
+
+    def step(self, actions):
+        rows, mode = self.environments, self.environments.autoreset
+        if mode == "disabled" and np.count_nonzero(self._ended):
+            raise Error(f"the episode of environment {int(self._ended.argmax())} has ended: reset() with a reset_mask comes before "
+                        "the next step")
+        self._actions.to_row(actions, rows.action)
+        rows.step()
+        before, self._ended = self._ended, rows.terminated | rows.truncated
+        info = self._info_of_step(before) if self.library.has_task else {}
+        if mode == "same_step" and np.count_nonzero(self._ended):
+            self._add_final(info)
+        # float64: what Gymnasium's own vector environments give.
+        return self._observation(), rows.reward.astype(np.float64), rows.terminated.copy(), rows.truncated.copy(), info
+
+    def _info_of_step(self, ended_before):
+        """Gymnasium takes a reset's info, which is empty, where there was one."""
+        resets = {"next_step": ended_before, "same_step": self._ended, "disabled": None}[self.environments.autoreset]
+        stepped = np.ones(self.num_envs, np.bool_) if resets is None else ~resets
+        return self._info(stepped) if np.count_nonzero(stepped) else {}
+
+    def _info(self, mask):
+        """What Gymnasium makes of Env's info of the environments of `mask`."""
+        rows, terms = self.environments, {}
+        for i, name in enumerate(self.library.terms):
+            terms[name] = np.where(mask, rows.terms[:, i], 0.0).astype(np.float64)
+            terms["_" + name] = mask.copy()
+        return {"success": rows.success & mask, "_success": mask.copy(), "terms": terms, "_terms": mask.copy()}
+
+    def _add_final(self, info):
+        ended = self._ended
+        final = self._observations.from_row(self.environments.final_observation.copy())
+        observations = np.full(self.num_envs, None, dtype=object)
+        for i in np.flatnonzero(ended):
+            observations[i] = conversion.one_of(final, i)
+        info["final_obs"], info["_final_obs"] = observations, ended.copy()
+        info["final_info"] = self._info(ended) if self.library.has_task else {}
+        info["_final_info"] = ended.copy()
+
+    def close_extras(self, **kwargs):
+        self.environments.close()
