@@ -18,17 +18,18 @@ struct Plane {
   double last_step, low, high;
 
   double x(double steps) const { return kLeft + (kRight - kLeft) * steps / last_step; }
-  double y(double value) const {
-    return kBottom - (kBottom - kTop) * (value - low) / (high - low);
-  }
+  double y(double value) const { return kBottom - (kBottom - kTop) * (value - low) / (high - low); }
 };
 
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
-    if (c == '<') result += "&lt;";
-    else if (c == '&') result += "&amp;";
-    else result += c;
+    if (c == '<')
+      result += "&lt;";
+    else if (c == '&')
+      result += "&amp;";
+    else
+      result += c;
   }
   return result;
 }
@@ -42,8 +43,8 @@ std::string line(const std::vector<CurvePoint>& points, const Plane& plane, cons
     if (std::isnan(y)) continue;
     path += fmt::format("{:.1f},{:.1f} ", plane.x(point.steps), plane.y(y));
   }
-  return fmt::format(
-      "<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" points=\"{}\"/>\n", colour, path);
+  return fmt::format("<polyline fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\" points=\"{}\"/>\n",
+                     colour, path);
 }
 
 std::string label(double x, double y, const char* anchor, const std::string& text) {

@@ -12,15 +12,16 @@ namespace eagerx::train {
 struct Space {
   std::string name;
   std::string dtype;
-  std::size_t size = 1;           // numbers, all messages of a window together
-  std::vector<double> low, high;  // [size], infinite where there is no bound; as one if all are equal
+  std::size_t size = 1;  // numbers, all messages of a window together
+  std::vector<double> low,
+      high;  // [size], infinite where there is no bound; as one if all are equal
 };
 
 struct Description {
   std::string graph;
   std::string hash;
   double rate_hz = 0.0;
-  bool has_threads = true;  // whether several environments may be stepped at once
+  bool has_threads = true;                   // whether several environments may be stepped at once
   std::vector<Space> observations, actions;  // in the order of the columns
   bool has_task = false;
   std::vector<std::string> terms;  // of the reward

@@ -46,7 +46,8 @@ void append(std::string& data, ordered_json& header, const std::string& name,
             std::vector<std::size_t> shape, const float* values, std::size_t count) {
   const std::size_t begin = data.size();
   data.append(reinterpret_cast<const char*>(values), count * sizeof(float));
-  header[name] = {{"dtype", "F32"}, {"shape", std::move(shape)}, {"data_offsets", {begin, data.size()}}};
+  header[name] = {
+      {"dtype", "F32"}, {"shape", std::move(shape)}, {"data_offsets", {begin, data.size()}}};
 }
 
 }  // namespace

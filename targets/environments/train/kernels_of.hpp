@@ -1,5 +1,6 @@
 // The kernels over registers of `Width` floats. Each instruction set compiles them in a file of its
-// own. All that is here depends on Width, so that no function of one file can be taken for another's.
+// own. All that is here depends on Width, so that no function of one file can be taken for
+// another's.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,7 @@ template <std::size_t Width>
 struct KernelsOf {
   static constexpr std::size_t kRegisters = kLanes / Width;  // a pack
   using Vector = policy::FloatLanes<Width, kRegisters>;
-  static constexpr std::size_t kRows = 8 / kRegisters;  // sums at a time: eight registers
+  static constexpr std::size_t kRows = 8 / kRegisters;           // sums at a time: eight registers
   static constexpr std::size_t kSide = kRegisters == 1 ? 4 : 2;  // of a block of the gradient
 
   [[gnu::always_inline]] static Vector load(const Pack& x) { return Vector::load(x.lane); }

@@ -24,8 +24,8 @@ struct LibraryFunctions {
 /// Some environments of a library, stepped by the caller's thread. What fails throws Problem.
 class Environments {
  public:
-  /// Numbers first … first + count - 1 of `seed`. `longest`: steps until they are truncated; 0: what
-  /// the task says. `autoreset` as in eagerx_environments.h.
+  /// Numbers first … first + count - 1 of `seed`. `longest`: steps until they are truncated; 0:
+  /// what the task says. `autoreset` as in eagerx_environments.h.
   Environments(const LibraryFunctions& library, std::uint32_t count, std::uint32_t first,
                std::uint64_t seed, std::uint32_t longest, std::uint32_t autoreset);
 

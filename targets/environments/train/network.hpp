@@ -36,7 +36,8 @@ class Network {
   void forward(const Kernels& kernels, const float* parameters, Pack* row) const;
 
   /// Adds the gradient of `tiles` rows to `gradient` [parameters]. `deltas` [tiles][row()]: the
-  /// caller has filled the outputs' places with the derivatives of the loss; the others are written.
+  /// caller has filled the outputs' places with the derivatives of the loss; the others are
+  /// written.
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
                 std::size_t tiles, float* gradient) const;
 

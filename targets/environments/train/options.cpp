@@ -20,7 +20,8 @@ template <class T>
 T number(std::string_view text, T low, T high) {
   T value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(value >= low && value <= high)) {
+  if (error != std::errc{} || end != text.data() + text.size() ||
+      !(value >= low && value <= high)) {
     refuse("`" + std::string(text) + "` is not a number in its range");
   }
   return value;
@@ -135,9 +136,10 @@ std::string help_text() {
     name.resize(std::max(kColumn, name.size() + 1), ' ');
     text += name + option.about + "\n";
   }
-  return text + "  -q, --quiet         print problems only\n"
-                "Exit codes: 0 done, 1 not successful or a problem of the graph, 2 wrong usage, 3 "
-                "cannot read or write, 130 interrupted.\n";
+  return text +
+         "  -q, --quiet         print problems only\n"
+         "Exit codes: 0 done, 1 not successful or a problem of the graph, 2 wrong usage, 3 "
+         "cannot read or write, 130 interrupted.\n";
 }
 
 }  // namespace eagerx::train

@@ -24,7 +24,8 @@ float clipped_scale(const std::vector<float>& gradient, double count) {
 }  // namespace
 
 void Gradient::clear() {
-  for (auto* values : {&actor, &critic, &log_deviation}) std::fill(values->begin(), values->end(), 0.0F);
+  for (auto* values : {&actor, &critic, &log_deviation})
+    std::fill(values->begin(), values->end(), 0.0F);
   divergence = count = 0.0;
 }
 
@@ -182,9 +183,8 @@ Episodes Ppo::collect() {
 void Ppo::update(std::size_t minibatch) {
   precision_.clear();
   for (const float x : model.log_deviation) precision_.push_back(exp(-x));
-  team_.run(kParts, [&](std::size_t part) {
-    learners_[part]->learn(*this, *rollouts_[part], minibatch);
-  });
+  team_.run(kParts,
+            [&](std::size_t part) { learners_[part]->learn(*this, *rollouts_[part], minibatch); });
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
   divergence_ = sum.divergence / sum.count;

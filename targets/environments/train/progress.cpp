@@ -66,7 +66,8 @@ std::string minutes(double seconds) {
 }
 
 std::string rounded(double number) {
-  const double power = std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(number, 1.0))) - 2.0));
+  const double power =
+      std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(number, 1.0))) - 2.0));
   std::string digits = fmt::format("{:.0f}", std::round(number / power) * power);
   for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
   return digits;

@@ -41,9 +41,9 @@ class Rollout {
 
   std::size_t tiles() const { return count_ / kLanes; }
 
-  Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
-  Packs actions;          // [horizon][tiles][outputs] as drawn, in -1…1 or beyond
-  Packs log_probability;  // of the actions
+  Packs inputs;             // [horizon + 1][tiles][inputs] normalised observations
+  Packs actions;            // [horizon][tiles][outputs] as drawn, in -1…1 or beyond
+  Packs log_probability;    // of the actions
   Packs advantage, target;  // target of the critic
   Sums observation_sums, return_sums;
   Sums advantage_sums;
@@ -68,12 +68,12 @@ class Rollout {
   std::vector<float> action_;                           // [count][outputs]
   std::vector<float> reward_;                           // [count]
   std::vector<std::uint8_t> terminated_, truncated_, success_;
-  std::vector<double> return_;             // [count] of the episode so far
-  std::vector<float> discounted_;          // [count] of the episode so far
-  Packs value_;                            // [horizon + 1][tiles]
-  Packs rewards_;                          // [horizon][tiles] scaled
-  std::vector<std::uint8_t> ended_;        // [horizon][count]
-  Packs actor_row_, critic_row_;           // scratch
+  std::vector<double> return_;       // [count] of the episode so far
+  std::vector<float> discounted_;    // [count] of the episode so far
+  Packs value_;                      // [horizon + 1][tiles]
+  Packs rewards_;                    // [horizon][tiles] scaled
+  std::vector<std::uint8_t> ended_;  // [horizon][count]
+  Packs actor_row_, critic_row_;     // scratch
 };
 
 }  // namespace eagerx::train

@@ -28,8 +28,8 @@ struct Settings {
   float most_log_deviation = 1.0F;
 };
 
-/// A training is cut into so many parts, whatever the number of threads: sums are made within parts,
-/// then over them in order.
+/// A training is cut into so many parts, whatever the number of threads: sums are made within
+/// parts, then over them in order.
 inline constexpr std::size_t kParts = 8;
 
 }  // namespace eagerx::train

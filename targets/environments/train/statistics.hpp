@@ -35,7 +35,8 @@ struct Statistics {
       const double theirs = more.squares[i] - more.count * their_mean * their_mean;
       const double difference = their_mean - mean[i];
       mean[i] += difference * more.count / all;
-      squares[i] += (theirs > 0.0 ? theirs : 0.0) + difference * difference * count * more.count / all;
+      squares[i] +=
+          (theirs > 0.0 ? theirs : 0.0) + difference * difference * count * more.count / all;
     }
     count = all;
   }

@@ -16,8 +16,8 @@
 namespace eagerx::train {
 namespace {
 
-constexpr std::uint32_t kLongest = 1000;        // steps of an episode that nothing ends
-constexpr std::uint32_t kEvaluationEvery = 5;   // iterations
+constexpr std::uint32_t kLongest = 1000;       // steps of an episode that nothing ends
+constexpr std::uint32_t kEvaluationEvery = 5;  // iterations
 constexpr std::uint64_t kEvaluationSeed = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
@@ -71,7 +71,8 @@ void check_trainable(const Description& description) {
 /// The description, if one can train on it and the files can be written.
 const Description& checked(const Options& options, const Library& library) {
   check_trainable(library.description());
-  for (const std::string* path : {&options.output, &options.checkpoint, &options.csv, &options.curve}) {
+  for (const std::string* path :
+       {&options.output, &options.checkpoint, &options.csv, &options.curve}) {
     if (!path->empty() || path == &options.output) check_writable(*path);
   }
   check_writable(golden_path(options.output));
@@ -143,21 +144,22 @@ CurvePoint Training::note(const Ppo::Result& result) {
   const bool has_success = library_.description().has_success;
   double deviation = 0.0;
   for (const float x : ppo_.model.log_deviation) deviation += exp(x);
-  return {static_cast<double>(steps()),
-          count > 0 ? result.episodes.returns / count : kNothing,
-          count > 0 && has_success ? static_cast<double>(result.episodes.successes) / count
-                                   : kNothing,
-          kNothing,
-          kNothing,
-          deviation / static_cast<double>(ppo_.model.log_deviation.size()),
-          ppo_.model.step_size,
-          result.divergence};
+  return {
+      static_cast<double>(steps()),
+      count > 0 ? result.episodes.returns / count : kNothing,
+      count > 0 && has_success ? static_cast<double>(result.episodes.successes) / count : kNothing,
+      kNothing,
+      kNothing,
+      deviation / static_cast<double>(ppo_.model.log_deviation.size()),
+      ppo_.model.step_size,
+      result.divergence};
 }
 
 /// Whether the policy succeeds: on a hundred new seeds, and on a hundred others.
 bool Training::evaluate(CurvePoint& point) {
   const bool has_success = library_.description().has_success;
-  Policy now = policy(folded(ppo_.model.actor, ppo_.model.actor_parameters, ppo_.model.observations));
+  Policy now =
+      policy(folded(ppo_.model.actor, ppo_.model.actor_parameters, ppo_.model.observations));
   const std::uint64_t seed = kEvaluationSeed + 2 * std::uint64_t{ppo_.iteration};
   const Evaluation evaluation = evaluator_.run(now, seed);
   point.evaluation_return = evaluation.mean_return;
@@ -166,10 +168,11 @@ bool Training::evaluate(CurvePoint& point) {
         static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
   }
   Best& best = progressed_.best;
-  const bool is_better =
-      evaluation.successes != best.successes ? evaluation.successes > best.successes
-                                             : evaluation.mean_return > best.mean_return;
-  const bool succeeds = has_success && evaluation.passed() && evaluator_.run(now, seed + 1).passed();
+  const bool is_better = evaluation.successes != best.successes
+                             ? evaluation.successes > best.successes
+                             : evaluation.mean_return > best.mean_return;
+  const bool succeeds =
+      has_success && evaluation.passed() && evaluator_.run(now, seed + 1).passed();
   if (best.parameters.empty() || is_better || succeeds) {
     best = {std::move(now.parameters), evaluation.successes, evaluation.mean_return};
   }
@@ -185,10 +188,12 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
   const char* why = ending == Ending::success       ? "the policy succeeds"
                     : ending == Ending::interrupted ? "interrupted"
                                                     : "the steps are used up";
-  fmt::print("{} after {} steps, {:.1f} s, {} with {} kernels\n", why, rounded(static_cast<double>(steps())),
-             progress_.seconds(), fmt::format("{} iterations", ppo_.iteration), kernels_.name);
+  fmt::print("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
+             rounded(static_cast<double>(steps())), progress_.seconds(),
+             fmt::format("{} iterations", ppo_.iteration), kernels_.name);
   fmt::print("on 100 seeds that it was not trained on: ");
-  if (description.has_success) fmt::print("success {} of {}, ", evaluation.successes, evaluation.episodes);
+  if (description.has_success)
+    fmt::print("success {} of {}, ", evaluation.successes, evaluation.episodes);
   fmt::print("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
              evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
   for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
@@ -201,8 +206,9 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
   if (!description.has_success) {
     fmt::print("note: the task has no `success:`, so nobody knows whether this policy is good\n");
   } else if (ending != Ending::success) {
-    fmt::print("note: the policy does not succeed; a task whose reward leads to its `success:` "
-               "step by step, more --steps or another --seed may\n");
+    fmt::print(
+        "note: the policy does not succeed; a task whose reward leads to its `success:` "
+        "step by step, more --steps or another --seed may\n");
   }
 }
 
@@ -218,8 +224,7 @@ void Training::write_policy() const {
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
-  write_file(options_.output,
-             safetensors_of(best, library_.description(), options_.settings.seed));
+  write_file(options_.output, safetensors_of(best, library_.description(), options_.settings.seed));
   write_file(golden_path(options_.output), golden_rows(best, kernels_, rows));
 }
 

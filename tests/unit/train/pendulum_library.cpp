@@ -36,9 +36,7 @@ struct Pendulum {
     }
     ++step;
   }
-  float error() const {
-    return eagerx::atan2(eagerx::sin(angle), eagerx::cos(angle));
-  }
+  float error() const { return eagerx::atan2(eagerx::sin(angle), eagerx::cos(angle)); }
   void observe(float* row) const {
     row[0] = eagerx::cos(angle);
     row[1] = eagerx::sin(angle);
