@@ -27,6 +27,8 @@ int main(int argc, char** argv) {
       fmt::print("{}", help_text());
       return kDone;
     }
+    check_files(options);
+    if (options.only_checks) return kDone;
     const Library library(options.library);
     Training training(options, library);
     std::signal(SIGINT, interrupt);

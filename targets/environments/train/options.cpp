@@ -109,6 +109,10 @@ Options parse_options(int argc, const char* const* argv) {
       options.is_quiet = true;
       continue;
     }
+    if (word == "--check") {
+      options.only_checks = true;
+      continue;
+    }
     if (!word.starts_with('-')) {
       if (!options.library.empty()) refuse("there is one LIBRARY only, `" + word + "` is another");
       options.library = word;
@@ -120,7 +124,7 @@ Options parse_options(int argc, const char* const* argv) {
     if (equals == std::string::npos && i + 1 == argc) refuse("`" + word + "` needs a value");
     option->set(options, equals == std::string::npos ? argv[++i] : word.substr(equals + 1));
   }
-  if (options.library.empty()) refuse("LIBRARY is missing");
+  if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   return options;
 }
 
@@ -138,6 +142,8 @@ std::string help_text() {
   }
   return text +
          "  -q, --quiet         print problems only\n"
+         "  --check             only look whether the options are right and the files can be "
+         "written\n"
          "Exit codes: 0 done, 1 not successful or a problem of the graph, 2 wrong usage, 3 "
          "cannot read or write, 130 interrupted.\n";
 }

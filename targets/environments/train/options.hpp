@@ -16,6 +16,7 @@ struct Options {
   unsigned threads = 0;                        // 0: one for each core
   bool is_quiet = false;
   bool wants_help = false;
+  bool only_checks = false;  // options and the places of files; there is no library yet
   Settings settings;
 };
 

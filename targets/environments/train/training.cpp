@@ -68,24 +68,28 @@ void check_trainable(const Description& description) {
   }
 }
 
-/// The description, if one can train on it and the files can be written.
-const Description& checked(const Options& options, const Library& library) {
+/// The description, if one can train on it.
+const Description& checked(const Library& library) {
   check_trainable(library.description());
-  for (const std::string* path :
-       {&options.output, &options.checkpoint, &options.csv, &options.curve}) {
-    if (!path->empty() || path == &options.output) check_writable(*path);
-  }
-  check_writable(golden_path(options.output));
   return library.description();
 }
 
 }  // namespace
 
+void check_files(const Options& options) {
+  check_writable(options.output);
+  check_writable(golden_path(options.output));
+  for (const std::string* path : {&options.checkpoint, &options.csv, &options.curve}) {
+    if (!path->empty()) check_writable(*path);
+  }
+  if (!options.resume.empty()) read_file(options.resume);
+}
+
 Training::Training(const Options& options, const Library& library)
     : options_(options),
       library_(library),
       kernels_(chosen_kernels(options.kernels)),
-      longest_(checked(options, library).episode_steps > 0 ? 0 : kLongest),
+      longest_(checked(library).episode_steps > 0 ? 0 : kLongest),
       era_(era_of(options.settings, library.description())),
       conditions_(conditions(options.settings, library.description().hash)),
       bounds_(library.description()),

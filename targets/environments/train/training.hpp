@@ -11,10 +11,12 @@ namespace eagerx::train {
 
 enum class Ending : std::uint8_t { success, steps, interrupted };
 
+/// Throws Problem if a file of the options could not be written or read.
+void check_files(const Options& options);
+
 class Training {
  public:
-  /// Throws Problem for a library that cannot be trained on, files that could not be written, and a
-  /// checkpoint of another training.
+  /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
   Training(const Options& options, const Library& library);
 
   /// Trains until the policy succeeds, the steps are used up, or `is_interrupted` is not 0. Writes
