@@ -32,10 +32,12 @@ struct Kernels {
   /// dx [inputs] = Wᵀ dy, outputs in order.
   void (*dense_transposed)(DenseSizes sizes, const float* weights, const Pack* dy, Pack* dx);
 
-  /// dW += Σ dy xᵀ, db += Σ dy over `tiles`: first over tiles, lane by lane, then over the lanes
-  /// (halves onto halves). x and dy of the next tile are `stride` packs further on.
+  /// dW += Σ dy xᵀ over the samples in order; db += Σ dy, first over the tiles, then over the lanes
+  /// (halves onto halves). x and dy of the next tile are `stride` packs further on. `scratch`
+  /// [tiles
+  /// * kLanes].
   void (*dense_gradient)(DenseSizes sizes, const Pack* x, const Pack* dy, std::size_t tiles,
-                         std::size_t stride, float* dw, float* db);
+                         std::size_t stride, Pack* scratch, float* dw, float* db);
 
   /// x = tanh(x).
   void (*tanh)(Pack* x, std::size_t count);

@@ -15,8 +15,7 @@ template <std::size_t Width>
 struct KernelsOf {
   static constexpr std::size_t kRegisters = kLanes / Width;  // a pack
   using Vector = policy::FloatLanes<Width, kRegisters>;
-  static constexpr std::size_t kRows = 8 / kRegisters;           // sums at a time: eight registers
-  static constexpr std::size_t kSide = kRegisters == 1 ? 4 : 2;  // of a block of the gradient
+  static constexpr std::size_t kRows = 8 / kRegisters;  // sums at a time: eight registers
 
   [[gnu::always_inline]] static Vector load(const Pack& x) { return Vector::load(x.lane); }
   [[gnu::always_inline]] static void store(const Vector& x, Pack& to) { x.store(to.lane); }
@@ -74,50 +73,60 @@ struct KernelsOf {
     return sums.lane[0];
   }
 
-  /// A block of dW: outputs j…, inputs i….
-  template <std::size_t Outputs, std::size_t Inputs>
-  [[gnu::always_inline]] static void gradient_block(std::size_t inputs, const Pack* x,
-                                                    const Pack* dy, std::size_t tiles,
-                                                    std::size_t stride, float* dw) {
-    Vector sum[Outputs][Inputs];
-    for (auto& row : sum) {
-      for (Vector& one : row) one = Vector(0.0F);
+  /// Sixteen inputs of sixteen samples, from a pack for each input to one for each sample. Inputs
+  /// that are not there are 0.
+  static void transpose(const Pack* x, std::size_t inputs, Pack* by_sample) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        by_sample[l].lane[i] = i < inputs ? x[i].lane[l] : 0.0F;
+      }
     }
+  }
+
+  /// Rows j… of dW, sixteen inputs wide. Lanes are inputs here, so that nothing is left to be
+  /// summed over lanes.
+  template <std::size_t Outputs>
+  [[gnu::always_inline]] static void gradient_rows(std::size_t inputs, std::size_t width,
+                                                   const Pack* by_sample, const Pack* dy,
+                                                   std::size_t tiles, std::size_t stride,
+                                                   float* dw) {
+    Vector sum[Outputs];
+    for (Vector& one : sum) one = Vector(0.0F);
     for (std::size_t t = 0; t < tiles; ++t) {
-      for (std::size_t j = 0; j < Outputs; ++j) {
-        const Vector dyj = load(dy[t * stride + j]);
-        for (std::size_t i = 0; i < Inputs; ++i) {
-          sum[j][i] = sum[j][i] + dyj * load(x[t * stride + i]);
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        const Vector x = load(by_sample[t * kLanes + l]);
+        for (std::size_t j = 0; j < Outputs; ++j) {
+          sum[j] = sum[j] + Vector(dy[t * stride + j].lane[l]) * x;
         }
       }
     }
     for (std::size_t j = 0; j < Outputs; ++j) {
-      for (std::size_t i = 0; i < Inputs; ++i) dw[j * inputs + i] += total(sum[j][i]);
-    }
-  }
-  template <std::size_t Outputs>
-  [[gnu::always_inline]] static void gradient_rows(std::size_t inputs, const Pack* x,
-                                                   const Pack* dy, std::size_t tiles,
-                                                   std::size_t stride, float* dw, float* db) {
-    std::size_t i = 0;
-    for (; i + kSide <= inputs; i += kSide) {
-      gradient_block<Outputs, kSide>(inputs, x + i, dy, tiles, stride, dw + i);
-    }
-    for (; i < inputs; ++i) gradient_block<Outputs, 1>(inputs, x + i, dy, tiles, stride, dw + i);
-    for (std::size_t j = 0; j < Outputs; ++j) {
-      Vector sum(0.0F);
-      for (std::size_t t = 0; t < tiles; ++t) sum = sum + load(dy[t * stride + j]);
-      db[j] += total(sum);
+      Pack row;
+      store(sum[j], row);
+      for (std::size_t i = 0; i < width; ++i) dw[j * inputs + i] += row.lane[i];
     }
   }
   static void dense_gradient(DenseSizes sizes, const Pack* x, const Pack* dy, std::size_t tiles,
-                             std::size_t stride, float* dw, float* db) {
-    std::size_t j = 0;
-    for (; j + kSide <= sizes.outputs; j += kSide) {
-      gradient_rows<kSide>(sizes.inputs, x, dy + j, tiles, stride, dw + j * sizes.inputs, db + j);
+                             std::size_t stride, Pack* scratch, float* dw, float* db) {
+    for (std::size_t i = 0; i < sizes.inputs; i += kLanes) {
+      const std::size_t width = sizes.inputs - i < kLanes ? sizes.inputs - i : kLanes;
+      for (std::size_t t = 0; t < tiles; ++t) {
+        transpose(x + t * stride + i, width, scratch + t * kLanes);
+      }
+      std::size_t j = 0;
+      for (; j + kRows <= sizes.outputs; j += kRows) {
+        gradient_rows<kRows>(sizes.inputs, width, scratch, dy + j, tiles, stride,
+                             dw + j * sizes.inputs + i);
+      }
+      for (; j < sizes.outputs; ++j) {
+        gradient_rows<1>(sizes.inputs, width, scratch, dy + j, tiles, stride,
+                         dw + j * sizes.inputs + i);
+      }
     }
-    for (; j < sizes.outputs; ++j) {
-      gradient_rows<1>(sizes.inputs, x, dy + j, tiles, stride, dw + j * sizes.inputs, db + j);
+    for (std::size_t j = 0; j < sizes.outputs; ++j) {
+      Vector sum(0.0F);
+      for (std::size_t t = 0; t < tiles; ++t) sum = sum + load(dy[t * stride + j]);
+      db[j] += total(sum);
     }
   }
 

@@ -40,10 +40,10 @@ void Network::forward(const Kernels& kernels, const float* parameters, Pack* row
 }
 
 void Network::backward(const Kernels& kernels, const float* parameters, const Pack* rows,
-                       Pack* deltas, std::size_t tiles, float* gradient) const {
+                       Pack* deltas, std::size_t tiles, Pack* scratch, float* gradient) const {
   for (std::size_t k = layers_.size(); k-- > 0;) {
     const Layer& layer = layers_[k];
-    kernels.dense_gradient(layer.sizes, rows + layer.from, deltas + layer.to, tiles, row_,
+    kernels.dense_gradient(layer.sizes, rows + layer.from, deltas + layer.to, tiles, row_, scratch,
                            gradient + layer.weights, gradient + layer.bias);
     if (k == 0) return;
     for (std::size_t t = 0; t < tiles; ++t) {

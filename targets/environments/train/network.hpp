@@ -39,7 +39,7 @@ class Network {
   /// caller has filled the outputs' places with the derivatives of the loss; the others are
   /// written.
   void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
-                std::size_t tiles, float* gradient) const;
+                std::size_t tiles, Pack* scratch, float* gradient) const;
 
  private:
   std::vector<Layer> layers_;

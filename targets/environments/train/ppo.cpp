@@ -45,7 +45,8 @@ class Ppo::Learner {
         actor_rows_(kBlock * model.actor.row()),
         actor_deltas_(kBlock * model.actor.row()),
         critic_rows_(kBlock * model.critic.row()),
-        critic_deltas_(kBlock * model.critic.row()) {}
+        critic_deltas_(kBlock * model.critic.row()),
+        scratch_(kBlock * kLanes) {}
 
   Gradient gradient;
 
@@ -62,7 +63,7 @@ class Ppo::Learner {
   }
 
  private:
-  static constexpr std::size_t kBlock = 16;  // tiles whose rows fit into the cache
+  static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
 
   void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
     const Model& model = ppo.model;
@@ -119,12 +120,13 @@ class Ppo::Learner {
   void backward(const Kernels& kernels, const Model& model, std::size_t tiles) {
     if (tiles == 0) return;
     model.actor.backward(kernels, model.actor_parameters.data(), actor_rows_.data(),
-                         actor_deltas_.data(), tiles, gradient.actor.data());
+                         actor_deltas_.data(), tiles, scratch_.data(), gradient.actor.data());
     model.critic.backward(kernels, model.critic_parameters.data(), critic_rows_.data(),
-                          critic_deltas_.data(), tiles, gradient.critic.data());
+                          critic_deltas_.data(), tiles, scratch_.data(), gradient.critic.data());
   }
 
   Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [kBlock][row]
+  Packs scratch_;
 };
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
