@@ -224,7 +224,7 @@ void Training::write_policy() const {
   const Policy best = policy(progressed_.best.parameters);
   const std::size_t width = best.network.inputs();
   // Observations as they are in an episode: around the mean that was seen, by their deviation.
-  constexpr std::size_t kRows = 64;
+  constexpr std::size_t kRows = 256;
   Random random({options_.settings.seed, 0, 0}, entity_id("train/golden"));
   std::vector<float> rows;
   for (std::size_t i = 0; i < kRows * width; ++i) {
