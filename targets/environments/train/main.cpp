@@ -8,6 +8,7 @@
 #include "targets/environments/train/problem.hpp"
 #include "targets/environments/train/training.hpp"
 
+namespace eagerx::train {
 namespace {
 
 volatile int interrupted = 0;
@@ -17,10 +18,7 @@ extern "C" void interrupt(int /*signal*/) {
   std::signal(SIGINT, SIG_DFL);  // the second one ends the program
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  using namespace eagerx::train;
+int run(int argc, char** argv) {
   try {
     const Options options = parse_options(argc, argv);
     if (options.wants_help) {
@@ -42,4 +40,11 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", error.what());
     return kProblems;
   }
+}
+
+}  // namespace
+}  // namespace eagerx::train
+
+int main(int argc, char** argv) {
+  return eagerx::train::run(argc, argv);
 }

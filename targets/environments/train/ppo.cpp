@@ -52,7 +52,7 @@ class Ppo::Learner {
 
   void learn(const Ppo& ppo, const Rollout& rollout, std::size_t first) {
     gradient.clear();
-    const Model& model = ppo.model;
+    const Model& model = ppo.model_;
     std::size_t tiles = 0;
     for (std::size_t tile = first; tile < rollout.advantage.size();
          tile += ppo.settings_.minibatches) {
@@ -66,7 +66,7 @@ class Ppo::Learner {
   static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
 
   void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
-    const Model& model = ppo.model;
+    const Model& model = ppo.model_;
     const std::size_t width = model.actor.inputs();
     Pack* actor = &actor_rows_[place * model.actor.row()];
     Pack* critic = &critic_rows_[place * model.critic.row()];
@@ -90,7 +90,7 @@ class Ppo::Learner {
   /// deviations.
   void actor_loss(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
                   const Pack* means, Pack* deltas) {
-    const Model& model = ppo.model;
+    const Model& model = ppo.model_;
     const std::size_t outputs = model.log_deviation.size();
     const Pack* actions = &rollout.actions[tile * outputs];
     const auto distance = [&](std::size_t j) {  // from the mean, in deviations
@@ -131,16 +131,16 @@ class Ppo::Learner {
 
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
          std::uint32_t longest)
-    : model(settings, library.description().observation_numbers(),
-            library.description().action_numbers()),
-      settings_(settings),
+    : settings_(settings),
+      model_(settings, library.description().observation_numbers(),
+             library.description().action_numbers()),
       kernels_(kernels),
       team_(team),
       has_threads_(library.description().has_threads),
       bounds_(library.description()) {
   for (std::size_t part = 0; part < kParts; ++part) {
     rollouts_.push_back(std::make_unique<Rollout>(settings_, library, bounds_, longest, part));
-    learners_.push_back(std::make_unique<Learner>(model));
+    learners_.push_back(std::make_unique<Learner>(model_));
   }
 }
 
@@ -149,14 +149,14 @@ Ppo::~Ppo() = default;
 void Ppo::begin_era(std::uint32_t era) {
   const std::uint64_t seed = settings_.seed + (std::uint64_t{era} << 32U);
   for (auto& rollout : rollouts_) rollout->reset(seed);
-  if (model.observations.count > 0.0) return;
-  for (auto& rollout : rollouts_) model.observations.add(rollout->observation_sums);
+  if (model_.observations.count > 0.0) return;
+  for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
 }
 
 Episodes Ppo::collect() {
-  Frozen frozen{kernels_, settings_, model, Normaliser(model.observations), {}, 1.0F, iteration};
-  for (const float x : model.log_deviation) frozen.deviation.push_back(exp(x));
-  frozen.reward_scale = static_cast<float>(model.returns.scale(0));
+  Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, iteration};
+  for (const float x : model_.log_deviation) frozen.deviation.push_back(exp(x));
+  frozen.reward_scale = static_cast<float>(model_.returns.scale(0));
   if (has_threads_) {
     team_.run(kParts, [&](std::size_t part) { rollouts_[part]->collect(frozen); });
   } else {
@@ -165,8 +165,8 @@ Episodes Ppo::collect() {
   Episodes episodes;
   Sums advantages(1);
   for (auto& rollout : rollouts_) {
-    model.observations.add(rollout->observation_sums);
-    model.returns.add(rollout->return_sums);
+    model_.observations.add(rollout->observation_sums);
+    model_.returns.add(rollout->return_sums);
     advantages.sum[0] += rollout->advantage_sums.sum[0];
     advantages.squares[0] += rollout->advantage_sums.squares[0];
     advantages.count += rollout->advantage_sums.count;
@@ -184,23 +184,23 @@ Episodes Ppo::collect() {
 /// Learns from every Mth tile, from `minibatch` on.
 void Ppo::update(std::size_t minibatch) {
   precision_.clear();
-  for (const float x : model.log_deviation) precision_.push_back(exp(-x));
+  for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
   team_.run(kParts,
             [&](std::size_t part) { learners_[part]->learn(*this, *rollouts_[part], minibatch); });
   Gradient& sum = learners_.front()->gradient;
   for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
   divergence_ = sum.divergence / sum.count;
   constexpr float kFactor = 1.5F;
-  if (divergence_ > 2.0 * settings_.divergence) model.step_size /= kFactor;
-  if (divergence_ < 0.5 * settings_.divergence) model.step_size *= kFactor;
-  model.step_size = clamp(model.step_size, settings_.least_step_size, settings_.most_step_size);
-  model.actor_adam.step(kernels_, model.actor_parameters, sum.actor, model.step_size,
-                        clipped_scale(sum.actor, sum.count));
-  model.critic_adam.step(kernels_, model.critic_parameters, sum.critic, model.step_size,
-                         clipped_scale(sum.critic, sum.count));
-  model.deviation_adam.step(kernels_, model.log_deviation, sum.log_deviation, model.step_size,
-                            static_cast<float>(1.0 / sum.count));
-  for (float& x : model.log_deviation) {
+  if (divergence_ > 2.0 * settings_.divergence) model_.step_size /= kFactor;
+  if (divergence_ < 0.5 * settings_.divergence) model_.step_size *= kFactor;
+  model_.step_size = clamp(model_.step_size, settings_.least_step_size, settings_.most_step_size);
+  model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, model_.step_size,
+                         clipped_scale(sum.actor, sum.count));
+  model_.critic_adam.step(kernels_, model_.critic_parameters, sum.critic, model_.step_size,
+                          clipped_scale(sum.critic, sum.count));
+  model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation, model_.step_size,
+                             static_cast<float>(1.0 / sum.count));
+  for (float& x : model_.log_deviation) {
     x = clamp(x, settings_.least_log_deviation, settings_.most_log_deviation);
   }
 }

@@ -35,7 +35,8 @@ class Ppo {
       std::uint32_t longest);
   ~Ppo();
 
-  Model model;
+  Model& model() { return model_; }
+  const Model& model() const { return model_; }
   std::uint32_t iteration = 0;
 
   /// All environments begin anew, with episodes that nothing but `era` and the seed decides. A
@@ -53,6 +54,7 @@ class Ppo {
   void update(std::size_t minibatch);
 
   const Settings settings_;
+  Model model_;
   const Kernels& kernels_;
   Team& team_;
   const bool has_threads_;

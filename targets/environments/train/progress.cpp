@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -49,7 +50,7 @@ void Progress::finish() {
 
 std::string Progress::line(const CurvePoint& point, double seconds) const {
   const double here = point.steps - static_cast<double>(first_step_);
-  const double left = static_cast<double>(last_step_) - point.steps;
+  const double left = std::max(0.0, static_cast<double>(last_step_) - point.steps);
   std::string text = fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
                                  static_cast<double>(last_step_) / 1e6);
   if (!std::isnan(last_return_)) text += fmt::format(", return {:.4g}", last_return_);

@@ -99,7 +99,7 @@ Training::Training(const Options& options, const Library& library)
       evaluator_(library, kernels_, team_, longest_),
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {
-    restore(read_file(options.resume), options.resume, conditions_, ppo_.model, progressed_);
+    restore(read_file(options.resume), options.resume, conditions_, ppo_.model(), progressed_);
     ppo_.iteration = progressed_.iteration;
   }
   progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
@@ -141,22 +141,22 @@ void Training::start_era() {
   ppo_.begin_era(ppo_.iteration / era_);
   if (options_.checkpoint.empty() || ppo_.iteration == 0) return;
   progressed_.iteration = ppo_.iteration;
-  write_file(options_.checkpoint, checkpoint_of(conditions_, ppo_.model, progressed_));
+  write_file(options_.checkpoint, checkpoint_of(conditions_, ppo_.model(), progressed_));
 }
 
 CurvePoint Training::note(const Ppo::Result& result) {
   const auto count = static_cast<double>(result.episodes.count);
   const bool has_success = library_.description().has_success;
   double deviation = 0.0;
-  for (const float x : ppo_.model.log_deviation) deviation += exp(x);
+  for (const float x : ppo_.model().log_deviation) deviation += exp(x);
   return {
       static_cast<double>(steps()),
       count > 0 ? result.episodes.returns / count : kNothing,
       count > 0 && has_success ? static_cast<double>(result.episodes.successes) / count : kNothing,
       kNothing,
       kNothing,
-      deviation / static_cast<double>(ppo_.model.log_deviation.size()),
-      ppo_.model.step_size,
+      deviation / static_cast<double>(ppo_.model().log_deviation.size()),
+      ppo_.model().step_size,
       result.divergence};
 }
 
@@ -165,7 +165,7 @@ CurvePoint Training::note(const Ppo::Result& result) {
 bool Training::evaluate(CurvePoint& point) {
   const bool has_success = library_.description().has_success;
   Policy now =
-      policy(folded(ppo_.model.actor, ppo_.model.actor_parameters, ppo_.model.observations));
+      policy(folded(ppo_.model().actor, ppo_.model().actor_parameters, ppo_.model().observations));
   const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{ppo_.iteration};
   const Evaluation evaluation = evaluator_.run(now, seed);
   point.evaluation_return = evaluation.mean_return;
@@ -188,7 +188,7 @@ bool Training::evaluate(CurvePoint& point) {
 }
 
 Policy Training::policy(std::vector<float> parameters) const {
-  return {ppo_.model.actor, std::move(parameters), bounds_};
+  return {ppo_.model().actor, std::move(parameters), bounds_};
 }
 
 void Training::report(const Evaluation& evaluation, Ending ending) const {
@@ -228,7 +228,7 @@ void Training::write_policy() const {
   Random random({options_.settings.seed, 0, 0}, entity_id("train/golden"));
   std::vector<float> rows;
   for (std::size_t i = 0; i < kRows * width; ++i) {
-    const Statistics& seen = ppo_.model.observations;
+    const Statistics& seen = ppo_.model().observations;
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
