@@ -13,7 +13,7 @@ namespace {
 using Set = std::function<void(Options&, const std::string&)>;
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Problem(kUsage, what, "eagerx-train --help");
+  throw Problem(kUsage, what, "`eagerx-gen train --help` lists the options");
 }
 
 template <class T>
