@@ -25,6 +25,7 @@ struct Options {
   bool compile = false;                        // check: also the code of entities
   bool standalone = false;                     // the output has all headers it needs
   std::vector<std::string> program_options;    // run
+  bool training = false;                       // the whole graph, whatever its agent is
   std::string image, build, baseline, run_on;  // size
   bool graph_schema = false, manifest_schema = false;  // schema
   bool json_output = false;
@@ -45,6 +46,8 @@ int generate_command(const Options& options);
 int build_command(const Options& options);
 /// The same, and becomes the program, or the emulator with it: its exit code is the command's.
 int run_command(const Options& options);
+/// Makes the graph's library of environments, and becomes the trainer with it.
+int train_command(const Options& options);
 int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);

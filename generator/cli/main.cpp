@@ -173,6 +173,57 @@ Command run(Options& options) {
           .run = [&options] { return run_command(options); }};
 }
 
+/// An option that eagerx-train understands.
+Argument for_trainer(const std::string& name, std::string about, std::string type,
+                     Options& options) {
+  return {name, std::move(about), std::move(type), [&options, name](const auto& values) {
+            options.program_options.push_back(name.substr(0, name.find(',')));
+            options.program_options.push_back(values.front());
+          }};
+}
+
+Command train(Options& options) {
+  const auto option = [&options](const char* name, const char* about, const char* type) {
+    return for_trainer(name, about, type, options);
+  };
+  return {
+      .name = "train",
+      .about = "train a policy on the graph, whose `task:` says what is good",
+      .examples =
+          {{"until it succeeds: writes policy.safetensors", "eagerx-gen train pendulum.yaml"},
+           {"with another seed, and a picture of the learning curve",
+            "eagerx-gen train pendulum.yaml --seed 2 --curve curve.svg -o swing_up.safetensors"},
+           {"a long one that can be interrupted",
+            "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
+           {"and goes on",
+            "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"}},
+      .arguments = joined(
+          {{graph(options),
+            option("-o,--output", "the policy (default: policy.safetensors)", "FILE"),
+            option("--algorithm", "ppo (default); there is no other", "NAME"),
+            option("--steps", "steps of all environments, at most (default: 5000000)", "N"),
+            option("--seed", "another one is another training (default: 1)", "N"),
+            option("--threads", "the policy does not depend on it (default: one for each core)",
+                   "N"),
+            option("--hidden", "widths of the hidden layers (default: 64,64)", "N,N"),
+            option("--discount", "weight of a reward one step later (default: 0.99)", "X"),
+            option("--checkpoint", "write here, every few seconds, what --resume needs", "FILE"),
+            option("--resume", "go on from a checkpoint: the policy is that of one long run",
+                   "FILE"),
+            option("--csv", "write the learning curve as a table", "FILE"),
+            option("--curve", "write the learning curve as a picture (SVG)", "FILE"),
+            text("--build", options.output,
+                 "folder for the library of environments (default: generated/<graph "
+                 "name>-environments)",
+                 "DIR"),
+            text("--engine", options.engine, "run the graph on this engine instead of its own",
+                 "NAME")},
+           rates(options),
+           {library(options), warnings(options)},
+           diagnostics(options)}),
+      .run = [&options] { return train_command(options); }};
+}
+
 Command check(Options& options) {
   return {
       .name = "check",
@@ -391,10 +442,10 @@ CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
-              .commands = {generate(options), build(options), run(options), check(options),
-                           info(options), explain(options), import(options), schema(options),
-                           make_new(options), size(options), replay(options), identify(options),
-                           policies(options), pages(options)}},
+              .commands = {generate(options), build(options), run(options), train(options),
+                           check(options), info(options), explain(options), import(options),
+                           schema(options), make_new(options), size(options), replay(options),
+                           identify(options), policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

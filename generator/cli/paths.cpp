@@ -42,4 +42,11 @@ std::string package_folder() {
   return {};
 }
 
+std::string helper_program(const std::string& name) {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  const fs::path installed = folder / "../libexec/eagerx-gen" / name;
+  return (fs::exists(installed, error) ? installed : folder / name).lexically_normal().string();
+}
+
 }  // namespace eagerx::gen

@@ -12,5 +12,8 @@ std::string data_root();
 /// The folder of eagerx-gen's CMake package: beside it, or in the build folder that it is in. Empty
 /// if there is none.
 std::string package_folder();
+/// A program that only other commands start: where it is installed, or beside eagerx-gen in the
+/// build folder.
+std::string helper_program(const std::string& name);
 
 }  // namespace eagerx::gen

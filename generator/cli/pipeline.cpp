@@ -93,6 +93,19 @@ std::vector<PlacementSpec> placement_of(const Options& options) {
   return result;
 }
 
+/// The trainer decides instead of the agent, whose policy may not be there yet, and on one machine.
+void prepare_for_training(Run& run) {
+  run.spec->agent = {};
+  run.spec->placement.clear();
+  if (run.spec->task) return;
+  run.diagnostics
+      .error("E0370", run.spec->name.span, "the graph has no `task:`, so there is nothing to learn")
+      .help =
+      "add one that says what is good, when an episode ends, and what success is: `task: {inputs: "
+      "{th: pendulum.theta}, reward: {upright: {value: th^2, weight: -1.0}}, truncated: {after: "
+      "5.0}, success: {upright: abs(th) < 0.15, over_last: 2.0}}`";
+}
+
 }  // namespace
 
 bool make(Run& run, const Options& options) {
@@ -105,6 +118,7 @@ bool make(Run& run, const Options& options) {
   } else if (!read_own_graph(run, tree, options)) {
     return false;
   }
+  if (options.training) prepare_for_training(run);
   // Before the graph is resolved, so that a bad file is told of along with everything else.
   run.policies = read_policies(*run.spec, run.library, run.diagnostics);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},

@@ -61,6 +61,17 @@ struct KnownLayout {
   bool has_quantiles = false;
 };
 constexpr std::array kKnownLayouts = {
+    KnownLayout{.about = "eagerx-gen train",
+                .algorithms = "",
+                .bodies = {"policy.hidden."},
+                .head = "policy.action",
+                .head_is_sequence = false,
+                .must_have = {"policy.hidden.", "policy.action.weight"},
+                .must_not_have = nullptr,
+                .action = ActionKind::squashed,
+                .activation = Activation::tanh,
+                .output = Activation::tanh,
+                .has_bias = true},
     KnownLayout{.about = "Stable-Baselines3's SAC",
                 .algorithms = "SAC TQC CROSSQ",
                 .bodies = {"actor.latent_pi."},

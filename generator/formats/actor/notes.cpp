@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <cmath>
 
 #include "generator/formats/actor/actor.hpp"
@@ -17,18 +18,35 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// "theta, theta_dot" as two names.
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts(1);
+/// "angle (2), theta_dot" as two parts, of two numbers and of one. Nothing if a size makes no
+/// sense.
+std::optional<std::vector<NamedPart>> parts_of(const std::string& text) {
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 23U;
+  std::vector<NamedPart> parts(1);
+  bool in_size = false;
+  std::string digits;
   for (const char c : text) {
     if (c == ',') {
       parts.emplace_back();
+    } else if (c == '(' || c == ')') {
+      in_size = c == '(';
+      if (in_size) {
+        digits.clear();
+        continue;
+      }
+      const char* end = digits.data() + digits.size();
+      const auto result = std::from_chars(digits.data(), end, parts.back().size);
+      const bool fits = parts.back().size >= 1 && parts.back().size <= kMost;
+      if (result.ec != std::errc{} || result.ptr != end || !fits) return std::nullopt;
+    } else if (in_size) {
+      digits += c;
     } else if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
                c == '/') {
-      parts.back() += c;
+      parts.back().name += c;
     }
   }
-  if (parts.size() == 1 && parts.front().empty()) parts.clear();
+  if (in_size) return std::nullopt;
+  if (parts.size() == 1 && parts.front().name.empty()) parts.clear();
   return parts;
 }
 
@@ -39,17 +57,11 @@ class Notes {
   std::optional<PolicyFacts> read() {
     PolicyFacts facts;
     facts.contract.algorithm = upper(text("algo"));
-    for (const std::string& name : parts_of(text("obs"))) {
-      facts.contract.observations.push_back({name, 1});
-    }
-    const bool read = read_activation(facts) && read_action(facts) &&
+    const bool read = read_observations(facts) && read_activation(facts) && read_action(facts) &&
                       bounds("low", facts.contract.action_low) &&
                       bounds("high", facts.contract.action_high) && one("clip_obs", facts.clip) &&
                       one("epsilon", facts.epsilon) && one("rate", facts.contract.rate_hz);
     if (!read) return std::nullopt;
-    if (!facts.contract.observations.empty()) {
-      facts.observations = static_cast<std::int64_t>(facts.contract.observations.size());
-    }
     return facts;
   }
 
@@ -65,6 +77,16 @@ class Notes {
     return false;
   }
 
+  bool read_observations(PolicyFacts& facts) {
+    auto parts = parts_of(text("obs"));
+    if (!parts) return fail("obs");
+    if (!parts->empty()) facts.observations = 0;
+    for (const NamedPart& part : *parts) {
+      *facts.observations += static_cast<std::int64_t>(part.size);
+    }
+    facts.contract.observations = std::move(*parts);
+    return true;
+  }
   bool read_activation(PolicyFacts& facts) {
     const std::string name =
         text("activation").empty() ? text("activation_fn") : text("activation");

@@ -1,4 +1,5 @@
 // Weight files that lie, and pickles that want to run: one error each, that names the culprit.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -118,9 +119,24 @@ TEST(TableErrors, LayersThatDoNotFitTogether) {
 TEST(TableErrors, DescriptionAgainstTensors) {
   expect_problem(read_bad(safetensors(sac(), R"("algo":"PPO")")), "E0626", "of PPO");
   expect_problem(read_bad(safetensors(sac(), R"("obs":"a,b")")), "E0626", "takes 2 numbers");
+  expect_problem(read_bad(safetensors(sac(), R"x("obs":"a (2),b (2)")x")), "E0626",
+                 "takes 4 numbers");
+  for (const char* obs : {"a (0),b", "a (x),b", "a (2", "a (99999999999999999999)"}) {
+    expect_problem(read_bad(safetensors(sac(), fmt::format(R"x("obs":"{}")x", obs))), "E0626",
+                   "makes no sense");
+  }
   expect_problem(read_bad(safetensors(sac(), R"("clip_obs":"-1")")), "E0626", "`clip_obs: -1`");
   expect_problem(read_bad(safetensors(sac(), R"("activation":"snake")")), "E0626",
                  "`activation: snake`");
+}
+
+TEST(TableErrors, ObservationsMayHaveSizes) {
+  const Network network = read_good(safetensors(sac(), R"x("obs":"angle (2), speed")x"));
+  const auto& parts = network.contract.observations;
+  ASSERT_EQ(parts.size(), 2U);
+  EXPECT_EQ(parts[0].name, "angle");
+  EXPECT_EQ(parts[0].size, 2U);
+  EXPECT_EQ(parts[1].size, 1U);
 }
 
 TEST(TableErrors, ActivationThatNobodySays) {

@@ -1,0 +1,140 @@
+#include "targets/environments/train/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include "targets/environments/train/problem.hpp"
+
+namespace eagerx::train {
+namespace {
+
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 1\n";
+constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
+
+std::uint64_t hash_of(std::string_view bytes) {
+  constexpr std::uint64_t kOffset = 0xCBF29CE484222325U;
+  constexpr std::uint64_t kPrime = 0x100000001B3U;
+  std::uint64_t hash = kOffset;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
+  return hash;
+}
+
+/// Visits values of a checkpoint in its order: writes them.
+class Writer {
+ public:
+  std::string bytes;
+
+  template <class T>
+  void operator()(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  template <class T>
+  void operator()(const std::vector<T>& values) {
+    (*this)(std::uint64_t{values.size()});
+    for (const T& value : values) (*this)(value);
+  }
+};
+
+/// The same, and reads them. False in `complete` if there are not enough.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+  bool complete = true;
+
+  template <class T>
+  void operator()(T& value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    complete = complete && bytes_.size() >= sizeof value;
+    if (!complete) return;
+    std::memcpy(&value, bytes_.data(), sizeof value);
+    bytes_.remove_prefix(sizeof value);
+  }
+  template <class T>
+  void operator()(std::vector<T>& values) {
+    std::uint64_t count = 0;
+    (*this)(count);
+    complete = complete && count <= bytes_.size();
+    if (!complete) return;
+    values.resize(count);
+    for (T& value : values) (*this)(value);
+  }
+
+ private:
+  std::string_view bytes_;
+};
+
+template <class Visitor, class SomeModel, class SomeProgress>
+void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
+  visitor(progressed.iteration);
+  visitor(progressed.curve);
+  visitor(progressed.best.parameters);
+  visitor(progressed.best.successes);
+  visitor(progressed.best.mean_return);
+  visitor(model.actor_parameters);
+  visitor(model.critic_parameters);
+  visitor(model.log_deviation);
+  for (auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam}) {
+    visitor(adam->mean);
+    visitor(adam->square);
+    visitor(adam->steps);
+  }
+  for (auto* statistics : {&model.observations, &model.returns}) {
+    visitor(statistics->mean);
+    visitor(statistics->squares);
+    visitor(statistics->count);
+  }
+  visitor(model.step_size);
+}
+
+/// The line that starts at `position`, which is moved behind it; empty if there is none.
+std::string_view next_line(std::string_view bytes, std::size_t& position) {
+  const std::size_t end = bytes.find('\n', position);
+  if (end == std::string_view::npos) return {};
+  const std::string_view line = bytes.substr(position, end - position);
+  position = end + 1;
+  return line;
+}
+
+}  // namespace
+
+std::string conditions(const Settings& settings, const std::string& contract_hash) {
+  return fmt::format("graph {}, seed {}, layers {}, discount {}", contract_hash, settings.seed,
+                     fmt::join(settings.hidden, ","), settings.discount);
+}
+
+std::string checkpoint_of(const std::string& conditions, const Model& model,
+                          const Progressed& progressed) {
+  Writer writer;
+  visit(writer, model, progressed);
+  return fmt::format("{}{}\n{:016x}\n", kFirstLine, conditions, hash_of(writer.bytes)) +
+         writer.bytes;
+}
+
+void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+             Model& model, Progressed& progressed) {
+  if (!bytes.starts_with(kFirstLine)) {
+    throw Problem(kInputOutput, "`" + name + "` is no checkpoint", kOwnFile);
+  }
+  std::size_t position = kFirstLine.size();
+  const std::string_view theirs = next_line(bytes, position);
+  const std::string_view hash = next_line(bytes, position);
+  const std::string_view values = std::string_view(bytes).substr(position);
+  if (hash != fmt::format("{:016x}", hash_of(values))) {
+    throw Problem(kInputOutput, "`" + name + "` is damaged", kOwnFile);
+  }
+  if (theirs != conditions) {
+    throw Problem(kInputOutput,
+                  fmt::format("`{}` belongs to another training: {}\nthis one is: {}", name, theirs,
+                              conditions),
+                  "resume with the same graph and options");
+  }
+  Reader reader(values);
+  visit(reader, model, progressed);
+  if (!reader.complete) throw Problem(kInputOutput, "`" + name + "` is too short", kOwnFile);
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,37 @@
+// All that a training goes on from.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "targets/environments/train/curve.hpp"
+#include "targets/environments/train/model.hpp"
+
+namespace eagerx::train {
+
+/// The best policy so far.
+struct Best {
+  std::vector<float> parameters;  // folded; empty: none was evaluated
+  std::uint64_t successes = 0;
+  double mean_return = 0.0;
+};
+
+struct Progressed {
+  std::uint32_t iteration = 0;
+  std::vector<CurvePoint> curve;
+  Best best;
+};
+
+/// What has to be the same when a training goes on, in words: "seed 1, layers 64 64, …".
+std::string conditions(const Settings& settings, const std::string& contract_hash);
+
+std::string checkpoint_of(const std::string& conditions, const Model& model,
+                          const Progressed& progressed);
+
+/// Fills model and progress. `name` is the file's, for messages. Throws Problem if `bytes` are no
+/// checkpoint, are damaged, or belong to another training.
+void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
+             Model& model, Progressed& progressed);
+
+}  // namespace eagerx::train

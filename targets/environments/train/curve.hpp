@@ -1,0 +1,26 @@
+// The learning curve, as CSV and as a picture.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace eagerx::train {
+
+/// One iteration. NaN where nothing was measured.
+struct CurvePoint {
+  double steps;               // of all environments so far
+  double mean_return;         // of the episodes that ended
+  double success;             // share of them, 0 to 1
+  double evaluation_return;   // of the deterministic policy
+  double evaluation_success;  // 0 to 1
+  double deviation;           // of the actions, mean; their range is -1…1
+  double step_size;           // of Adam
+  double divergence;          // of the last update
+};
+
+std::string curve_csv(const std::vector<CurvePoint>& points);
+/// Return (left axis) and success (right axis) over steps.
+std::string curve_svg(const std::vector<CurvePoint>& points, const std::string& title);
+
+}  // namespace eagerx::train

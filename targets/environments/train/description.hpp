@@ -1,0 +1,38 @@
+// What a library of environments says of its graph.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::train {
+
+/// An observation or an action.
+struct Space {
+  std::string name;
+  std::string dtype;
+  std::size_t size = 1;  // numbers, all messages of a window together
+  std::vector<double> low,
+      high;  // [size], infinite where there is no bound; as one if all are equal
+};
+
+struct Description {
+  std::string graph;
+  std::string hash;
+  double rate_hz = 0.0;
+  bool has_threads = true;                   // whether several environments may be stepped at once
+  std::vector<Space> observations, actions;  // in the order of the columns
+  bool has_task = false;
+  std::vector<std::string> terms;  // of the reward
+  bool has_success = false;
+  std::uint32_t episode_steps = 0;  // 0: no limit
+
+  std::size_t observation_numbers() const;
+  std::size_t action_numbers() const;
+};
+
+/// Reads the JSON of eagerx_describe(). Throws Problem if it is not understood.
+Description read_description(std::string_view json);
+
+}  // namespace eagerx::train

@@ -1,0 +1,122 @@
+#include "targets/environments/train/evaluation.hpp"
+
+#include <algorithm>
+
+namespace eagerx::train {
+namespace {
+
+constexpr std::uint32_t kEpisodes = 100;
+
+struct Episode {
+  double sum = 0.0;
+  std::vector<double> terms;
+  std::uint32_t steps = 0;
+  bool success = false;
+};
+
+}  // namespace
+
+class Evaluator::Part {
+ public:
+  Part(const Library& library, std::uint32_t first, std::uint32_t count, std::uint32_t longest)
+      : environments_(library.functions(), count, first, 0, longest, EAGERX_DISABLED),
+        terms_(library.description().terms.size()),
+        count_(count),
+        observation_(kLanes * library.description().observation_numbers()),
+        action_(count * library.description().action_numbers()),
+        reward_(count),
+        step_terms_(count * terms_),
+        terminated_(count),
+        truncated_(count),
+        success_(count) {}
+
+  std::vector<Episode> episodes;
+
+  void run(const Kernels& kernels, const Policy& policy, std::uint64_t seed) {
+    row_.resize(policy.network.row());
+    episodes.assign(count_, Episode{0.0, std::vector<double>(terms_), 0, false});
+    std::vector<bool> ended(count_);
+    environments_.reset(seed, observation_.data());
+    while (std::count(ended.begin(), ended.end(), false) != 0) {
+      act(kernels, policy);
+      environments_.step(action_.data(), {.size = sizeof(eagerx_rows),
+                                          .observation = observation_.data(),
+                                          .reward = reward_.data(),
+                                          .terminated = terminated_.data(),
+                                          .truncated = truncated_.data(),
+                                          .success = success_.data(),
+                                          .terms = step_terms_.data(),
+                                          .final_observation = nullptr});
+      for (std::uint32_t e = 0; e < count_; ++e) {
+        if (!ended[e]) count(e);
+        ended[e] = ended[e] || terminated_[e] != 0 || truncated_[e] != 0;
+      }
+    }
+  }
+
+ private:
+  void act(const Kernels& kernels, const Policy& policy) {
+    policy.answer(kernels, observation_.data(), row_.data());
+    const std::size_t outputs = policy.network.outputs();
+    for (std::size_t e = 0; e < count_; ++e) {
+      for (std::size_t j = 0; j < outputs; ++j) {
+        action_[e * outputs + j] =
+            policy.bounds.scaled(j, row_[policy.network.output() + j].lane[e]);
+      }
+    }
+  }
+  void count(std::uint32_t e) {
+    Episode& episode = episodes[e];
+    episode.sum += reward_[e];
+    for (std::size_t i = 0; i < terms_; ++i) episode.terms[i] += step_terms_[e * terms_ + i];
+    ++episode.steps;
+    episode.success = success_[e] != 0;
+  }
+
+  Environments environments_;
+  std::size_t terms_, count_;
+  std::vector<float> observation_;  // [kLanes][width]
+  std::vector<float> action_, reward_, step_terms_;
+  std::vector<std::uint8_t> terminated_, truncated_, success_;
+  Packs row_;
+};
+
+Evaluator::Evaluator(const Library& library, const Kernels& kernels, Team& team,
+                     std::uint32_t longest)
+    : kernels_(kernels), team_(team), has_threads_(library.description().has_threads) {
+  for (std::uint32_t first = 0; first < kEpisodes; first += kLanes) {
+    const auto count = std::min(static_cast<std::uint32_t>(kLanes), kEpisodes - first);
+    parts_.push_back(std::make_unique<Part>(library, first, count, longest));
+  }
+}
+
+Evaluator::~Evaluator() = default;
+
+Evaluation Evaluator::run(const Policy& policy, std::uint64_t seed) {
+  const auto work = [&](std::size_t part) { parts_[part]->run(kernels_, policy, seed); };
+  if (has_threads_) {
+    team_.run(parts_.size(), work);
+  } else {
+    for (std::size_t part = 0; part < parts_.size(); ++part) work(part);
+  }
+  Evaluation result;
+  for (const auto& part : parts_) {
+    for (const Episode& episode : part->episodes) {
+      const bool is_first = result.episodes++ == 0;
+      result.successes += episode.success ? 1 : 0;
+      result.mean_return += episode.sum;
+      result.mean_steps += episode.steps;
+      result.lowest_return = is_first ? episode.sum : std::min(result.lowest_return, episode.sum);
+      result.highest_return = is_first ? episode.sum : std::max(result.highest_return, episode.sum);
+      result.terms.resize(episode.terms.size());
+      for (std::size_t i = 0; i < episode.terms.size(); ++i) result.terms[i] += episode.terms[i];
+    }
+  }
+  const auto episodes = static_cast<double>(result.episodes);
+  result.mean_return /= episodes;
+  result.mean_steps /= episodes;
+  for (double& term : result.terms) term /= episodes;
+  return result;
+}
+
+}  // namespace eagerx::train

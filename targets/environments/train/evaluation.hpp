@@ -1,0 +1,42 @@
+// How well a policy does on episodes that nothing was learnt from.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "targets/environments/train/library.hpp"
+#include "targets/environments/train/policy.hpp"
+#include "targets/environments/train/team.hpp"
+
+namespace eagerx::train {
+
+struct Evaluation {
+  std::size_t episodes = 0;
+  std::size_t successes = 0;  // `success:` of the task holds at the end of the episode
+  double mean_return = 0.0, lowest_return = 0.0, highest_return = 0.0;
+  double mean_steps = 0.0;
+  std::vector<double> terms;  // [terms] of the return, mean over the episodes
+
+  bool passed() const { return successes * 100 >= episodes * 99; }
+};
+
+class Evaluator {
+ public:
+  /// `longest`: steps of an episode that the task does not end.
+  Evaluator(const Library& library, const Kernels& kernels, Team& team, std::uint32_t longest);
+  ~Evaluator();
+
+  /// One episode in each of a hundred environments, the first of `seed`. Nothing is drawn.
+  Evaluation run(const Policy& policy, std::uint64_t seed);
+
+ private:
+  class Part;  // sixteen environments or fewer
+
+  const Kernels& kernels_;
+  Team& team_;
+  const bool has_threads_;
+  std::vector<std::unique_ptr<Part>> parts_;
+};
+
+}  // namespace eagerx::train

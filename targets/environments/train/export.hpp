@@ -1,0 +1,23 @@
+// A policy as a file that eagerx-gen reads, and answers to check it by.
+#pragma once
+
+#include <string>
+
+#include "targets/environments/train/policy.hpp"
+
+namespace eagerx::train {
+
+/// safetensors: the layers as `policy.hidden.0.weight` …, `policy.action.bias`, and in the metadata
+/// what the policy was trained with: names and sizes of the observations, bounds of the actions,
+/// rate, hash of the graph's contract, seed.
+std::string safetensors_of(const Policy& policy, const Description& description,
+                           std::uint64_t seed);
+
+/// Observations with their answers as CSV: obs0 …, network_out…, action…. `rows` [count][inputs].
+std::string golden_rows(const Policy& policy, const Kernels& kernels,
+                        const std::vector<float>& rows);
+
+/// "policy.safetensors" → "policy.golden.csv".
+std::string golden_path(const std::string& path);
+
+}  // namespace eagerx::train

@@ -1,0 +1,59 @@
+// The loops that take the time, compiled for several instruction sets. All give the same bits: the
+// order of sums is written down here, and nothing is fused.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "targets/environments/train/packs.hpp"
+
+namespace eagerx::train {
+
+/// A layer of a network: y [outputs] = W x + b.
+struct DenseSizes {
+  std::size_t inputs, outputs;
+};
+
+/// Adam's constants for one step.
+struct AdamStep {
+  float step_size;
+  float gradient_scale;     // what the gradient is multiplied by first
+  float mean_correction;    // 1 - 0.9^steps
+  float square_correction;  // 1 - 0.999^steps
+};
+
+struct Kernels {
+  const char* name;
+
+  /// y [outputs] = W x + b of one tile. W [outputs][inputs]; the bias first, then inputs in order.
+  void (*dense)(DenseSizes sizes, const float* weights, const float* bias, const Pack* x, Pack* y);
+
+  /// dx [inputs] = Wᵀ dy, outputs in order.
+  void (*dense_transposed)(DenseSizes sizes, const float* weights, const Pack* dy, Pack* dx);
+
+  /// dW += Σ dy xᵀ over the samples in order; db += Σ dy, first over the tiles, then over the lanes
+  /// (halves onto halves). x and dy of the next tile are `stride` packs further on. `scratch`
+  /// [tiles
+  /// * kLanes].
+  void (*dense_gradient)(DenseSizes sizes, const Pack* x, const Pack* dy, std::size_t tiles,
+                         std::size_t stride, Pack* scratch, float* dw, float* db);
+
+  /// x = tanh(x).
+  void (*tanh)(Pack* x, std::size_t count);
+
+  /// dx *= 1 - y², the derivative of y = tanh(x).
+  void (*tanh_slope)(const Pack* y, Pack* dx, std::size_t count);
+
+  /// One step of Adam (Kingma and Ba 2015, β 0.9 and 0.999) for `count` weights.
+  void (*adam)(float* weights, const float* gradient, float* mean, float* square, std::size_t count,
+               AdamStep step);
+};
+
+/// Those that this machine can run, the slowest first.
+std::span<const Kernels* const> kernels_here();
+
+/// The fastest of them, or the one with this name; null if it is not here.
+const Kernels* find_kernels(std::string_view name);
+
+}  // namespace eagerx::train

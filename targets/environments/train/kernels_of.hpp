@@ -1,0 +1,159 @@
+// The kernels over registers of `Width` floats. Each instruction set compiles them in a file of its
+// own. All that is here depends on Width, so that no function of one file can be taken for
+// another's.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/math/hyperbolic.hpp>
+#include <eagerx/policy/float_lanes.hpp>
+
+#include "targets/environments/train/kernels.hpp"
+
+namespace eagerx::train {
+
+template <std::size_t Width>
+struct KernelsOf {
+  static constexpr std::size_t kRegisters = kLanes / Width;  // a pack
+  using Vector = policy::FloatLanes<Width, kRegisters>;
+  static constexpr std::size_t kRows = 8 / kRegisters;  // sums at a time: eight registers
+
+  [[gnu::always_inline]] static Vector load(const Pack& x) { return Vector::load(x.lane); }
+  [[gnu::always_inline]] static void store(const Vector& x, Pack& to) { x.store(to.lane); }
+
+  template <std::size_t Rows>
+  [[gnu::always_inline]] static void dense_rows(std::size_t inputs, const float* weights,
+                                                const float* bias, const Pack* x, Pack* y) {
+    Vector sum[Rows];
+    for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector(bias[r]);
+    for (std::size_t i = 0; i < inputs; ++i) {
+      const Vector xi = load(x[i]);
+      for (std::size_t r = 0; r < Rows; ++r) sum[r] = sum[r] + Vector(weights[r * inputs + i]) * xi;
+    }
+    for (std::size_t r = 0; r < Rows; ++r) store(sum[r], y[r]);
+  }
+  static void dense(DenseSizes sizes, const float* weights, const float* bias, const Pack* x,
+                    Pack* y) {
+    std::size_t j = 0;
+    for (; j + kRows <= sizes.outputs; j += kRows) {
+      dense_rows<kRows>(sizes.inputs, weights + j * sizes.inputs, bias + j, x, y + j);
+    }
+    for (; j < sizes.outputs; ++j) {
+      dense_rows<1>(sizes.inputs, weights + j * sizes.inputs, bias + j, x, y + j);
+    }
+  }
+
+  template <std::size_t Rows>
+  [[gnu::always_inline]] static void transposed_rows(DenseSizes sizes, const float* weights,
+                                                     const Pack* dy, Pack* dx) {
+    Vector sum[Rows];
+    for (std::size_t r = 0; r < Rows; ++r) sum[r] = Vector(0.0F);
+    for (std::size_t j = 0; j < sizes.outputs; ++j) {
+      const Vector dyj = load(dy[j]);
+      for (std::size_t r = 0; r < Rows; ++r) {
+        sum[r] = sum[r] + Vector(weights[j * sizes.inputs + r]) * dyj;
+      }
+    }
+    for (std::size_t r = 0; r < Rows; ++r) store(sum[r], dx[r]);
+  }
+  static void dense_transposed(DenseSizes sizes, const float* weights, const Pack* dy, Pack* dx) {
+    std::size_t i = 0;
+    for (; i + kRows <= sizes.inputs; i += kRows) {
+      transposed_rows<kRows>(sizes, weights + i, dy, dx + i);
+    }
+    for (; i < sizes.inputs; ++i) transposed_rows<1>(sizes, weights + i, dy, dx + i);
+  }
+
+  /// Halves onto halves until one is left.
+  [[gnu::always_inline]] static float total(const Vector& x) {
+    Pack sums;
+    store(x, sums);
+    for (std::size_t half = kLanes / 2; half > 0; half /= 2) {
+      for (std::size_t l = 0; l < half; ++l) sums.lane[l] += sums.lane[l + half];
+    }
+    return sums.lane[0];
+  }
+
+  /// Sixteen inputs of sixteen samples, from a pack for each input to one for each sample. Inputs
+  /// that are not there are 0.
+  static void transpose(const Pack* x, std::size_t inputs, Pack* by_sample) {
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        by_sample[l].lane[i] = i < inputs ? x[i].lane[l] : 0.0F;
+      }
+    }
+  }
+
+  /// Rows j… of dW, sixteen inputs wide. Lanes are inputs here, so that nothing is left to be
+  /// summed over lanes.
+  template <std::size_t Outputs>
+  [[gnu::always_inline]] static void gradient_rows(std::size_t inputs, std::size_t width,
+                                                   const Pack* by_sample, const Pack* dy,
+                                                   std::size_t tiles, std::size_t stride,
+                                                   float* dw) {
+    Vector sum[Outputs];
+    for (Vector& one : sum) one = Vector(0.0F);
+    for (std::size_t t = 0; t < tiles; ++t) {
+      for (std::size_t l = 0; l < kLanes; ++l) {
+        const Vector x = load(by_sample[t * kLanes + l]);
+        for (std::size_t j = 0; j < Outputs; ++j) {
+          sum[j] = sum[j] + Vector(dy[t * stride + j].lane[l]) * x;
+        }
+      }
+    }
+    for (std::size_t j = 0; j < Outputs; ++j) {
+      Pack row;
+      store(sum[j], row);
+      for (std::size_t i = 0; i < width; ++i) dw[j * inputs + i] += row.lane[i];
+    }
+  }
+  static void dense_gradient(DenseSizes sizes, const Pack* x, const Pack* dy, std::size_t tiles,
+                             std::size_t stride, Pack* scratch, float* dw, float* db) {
+    for (std::size_t i = 0; i < sizes.inputs; i += kLanes) {
+      const std::size_t width = sizes.inputs - i < kLanes ? sizes.inputs - i : kLanes;
+      for (std::size_t t = 0; t < tiles; ++t) {
+        transpose(x + t * stride + i, width, scratch + t * kLanes);
+      }
+      std::size_t j = 0;
+      for (; j + kRows <= sizes.outputs; j += kRows) {
+        gradient_rows<kRows>(sizes.inputs, width, scratch, dy + j, tiles, stride,
+                             dw + j * sizes.inputs + i);
+      }
+      for (; j < sizes.outputs; ++j) {
+        gradient_rows<1>(sizes.inputs, width, scratch, dy + j, tiles, stride,
+                         dw + j * sizes.inputs + i);
+      }
+    }
+    for (std::size_t j = 0; j < sizes.outputs; ++j) {
+      Vector sum(0.0F);
+      for (std::size_t t = 0; t < tiles; ++t) sum = sum + load(dy[t * stride + j]);
+      db[j] += total(sum);
+    }
+  }
+
+  static void tanh(Pack* x, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) store(detail::tanh_inlined(load(x[i])), x[i]);
+  }
+  static void tanh_slope(const Pack* y, Pack* dx, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vector yi = load(y[i]);
+      store(load(dx[i]) * (Vector(1.0F) - yi * yi), dx[i]);
+    }
+  }
+
+  static void adam(float* weights, const float* gradient, float* mean, float* square,
+                   std::size_t count, AdamStep step) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const float g = gradient[i] * step.gradient_scale;
+      mean[i] = 0.9F * mean[i] + 0.1F * g;
+      square[i] = 0.999F * square[i] + 0.001F * (g * g);
+      const float root = __builtin_sqrtf(square[i] / step.square_correction);
+      weights[i] -= step.step_size * (mean[i] / step.mean_correction) / (root + 1e-8F);
+    }
+  }
+
+  static constexpr Kernels table(const char* name) {
+    return {name, dense, dense_transposed, dense_gradient, tanh, tanh_slope, adam};
+  }
+};
+
+}  // namespace eagerx::train

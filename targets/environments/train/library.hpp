@@ -1,0 +1,54 @@
+// A library of environments, loaded while the trainer runs.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "targets/environments/eagerx_environments.h"
+#include "targets/environments/train/description.hpp"
+
+namespace eagerx::train {
+
+/// The functions of eagerx_environments.h that training needs.
+struct LibraryFunctions {
+  decltype(&eagerx_version) version;
+  decltype(&eagerx_describe) describe;
+  decltype(&eagerx_error) error;
+  decltype(&eagerx_create) create;
+  decltype(&eagerx_destroy) destroy;
+  decltype(&eagerx_reset) reset;
+  decltype(&eagerx_step) step;
+};
+
+/// Some environments of a library, stepped by the caller's thread. What fails throws Problem.
+class Environments {
+ public:
+  /// Numbers first … first + count - 1 of `seed`. `longest`: steps until they are truncated; 0:
+  /// what the task says. `autoreset` as in eagerx_environments.h.
+  Environments(const LibraryFunctions& library, std::uint32_t count, std::uint32_t first,
+               std::uint64_t seed, std::uint32_t longest, std::uint32_t autoreset);
+
+  /// All begin an episode, the first of `seed`. observation [count][observation numbers].
+  void reset(std::uint64_t seed, float* observation);
+  void step(const float* action, const eagerx_rows& rows);
+
+ private:
+  const LibraryFunctions& library_;
+  std::unique_ptr<eagerx_environments, decltype(&eagerx_destroy)> handle_;
+  std::vector<std::uint64_t> seeds_;
+};
+
+class Library {
+ public:
+  explicit Library(const std::string& path);
+
+  const LibraryFunctions& functions() const { return functions_; }
+  const Description& description() const { return description_; }
+
+ private:
+  LibraryFunctions functions_{};
+  Description description_;
+};
+
+}  // namespace eagerx::train

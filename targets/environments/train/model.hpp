@@ -1,0 +1,42 @@
+// What is learnt.
+#pragma once
+
+#include <eagerx/random.hpp>
+
+#include "targets/environments/train/network.hpp"
+#include "targets/environments/train/settings.hpp"
+#include "targets/environments/train/statistics.hpp"
+
+namespace eagerx::train {
+
+/// Actor and critic with all that the next update depends on.
+struct Model {
+  Model(const Settings& settings, std::size_t inputs, std::size_t outputs)
+      : actor(inputs, settings.hidden, outputs),
+        critic(inputs, settings.hidden, 1),
+        actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
+        critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
+        log_deviation(outputs, 0.0F),
+        actor_adam(actor.parameters()),
+        critic_adam(critic.parameters()),
+        deviation_adam(outputs),
+        observations(inputs),
+        returns(1),
+        step_size(settings.first_step_size) {}
+
+  Network actor;   // the mean of the actions is tanh of its outputs
+  Network critic;  // the discounted return, divided by the deviation of returns
+  std::vector<float> actor_parameters, critic_parameters;
+  std::vector<float> log_deviation;  // [outputs] of the actions
+  Adam actor_adam, critic_adam, deviation_adam;
+  Statistics observations;  // [inputs]
+  Statistics returns;       // [1] discounted, while they run
+  float step_size;
+
+ private:
+  static Random random(const Settings& settings, const char* name) {
+    return {{settings.seed, 0, 0}, entity_id(name)};
+  }
+};
+
+}  // namespace eagerx::train

@@ -1,0 +1,67 @@
+#include "targets/environments/train/network.hpp"
+
+#include <algorithm>
+#include <eagerx/math.hpp>
+
+namespace eagerx::train {
+
+Network::Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs) {
+  std::vector<std::size_t> widths = hidden;
+  widths.push_back(outputs);
+  row_ = inputs;
+  for (const std::size_t width : widths) {
+    const std::size_t bias = parameters_ + inputs * width;
+    layers_.push_back({{inputs, width}, parameters_, bias, row_ - inputs, row_});
+    parameters_ = bias + width;
+    row_ += width;
+    inputs = width;
+  }
+}
+
+std::vector<float> Network::drawn(Random random, float gain) const {
+  std::vector<float> parameters(parameters_, 0.0F);
+  for (const Layer& layer : layers_) {
+    const float scale = &layer == &layers_.back() ? gain : 1.0F;
+    const float deviation = scale / sqrt(static_cast<float>(layer.sizes.inputs));
+    const std::size_t count = layer.sizes.inputs * layer.sizes.outputs;
+    for (std::size_t i = 0; i < count; ++i) {
+      parameters[layer.weights + i] = random.normal(0.0F, deviation);
+    }
+  }
+  return parameters;
+}
+
+void Network::forward(const Kernels& kernels, const float* parameters, Pack* row) const {
+  for (const Layer& layer : layers_) {
+    kernels.dense(layer.sizes, parameters + layer.weights, parameters + layer.bias,
+                  row + layer.from, row + layer.to);
+    if (&layer != &layers_.back()) kernels.tanh(row + layer.to, layer.sizes.outputs);
+  }
+}
+
+void Network::backward(const Kernels& kernels, const float* parameters, const Pack* rows,
+                       Pack* deltas, std::size_t tiles, Pack* scratch, float* gradient) const {
+  for (std::size_t k = layers_.size(); k-- > 0;) {
+    const Layer& layer = layers_[k];
+    kernels.dense_gradient(layer.sizes, rows + layer.from, deltas + layer.to, tiles, row_, scratch,
+                           gradient + layer.weights, gradient + layer.bias);
+    if (k == 0) return;
+    for (std::size_t t = 0; t < tiles; ++t) {
+      Pack* delta = deltas + t * row_;
+      kernels.dense_transposed(layer.sizes, parameters + layer.weights, delta + layer.to,
+                               delta + layer.from);
+      kernels.tanh_slope(rows + t * row_ + layer.from, delta + layer.from, layer.sizes.inputs);
+    }
+  }
+}
+
+void Adam::step(const Kernels& kernels, std::vector<float>& weights,
+                const std::vector<float>& gradient, float step_size, float gradient_scale) {
+  ++steps;
+  const auto count = static_cast<float>(steps);
+  const AdamStep step{step_size, gradient_scale, 1.0F - pow(0.9F, count),
+                      1.0F - pow(0.999F, count)};
+  kernels.adam(weights.data(), gradient.data(), mean.data(), square.data(), weights.size(), step);
+}
+
+}  // namespace eagerx::train

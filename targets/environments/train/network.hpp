@@ -1,0 +1,62 @@
+// A network of dense layers with tanh between them, forward and backward.
+#pragma once
+
+#include <eagerx/random.hpp>
+#include <vector>
+
+#include "targets/environments/train/kernels.hpp"
+
+namespace eagerx::train {
+
+/// The shape of a network; its parameters are floats of the caller. Work on a tile (sixteen
+/// samples) is a row of packs: [inputs | hidden 1 | … | outputs].
+class Network {
+ public:
+  struct Layer {
+    DenseSizes sizes;
+    std::size_t weights, bias;  // where they begin in the parameters; weights [outputs][inputs]
+    std::size_t from, to;       // where its inputs and outputs begin in the row of packs
+  };
+
+  Network(std::size_t inputs, const std::vector<std::size_t>& hidden, std::size_t outputs);
+
+  const std::vector<Layer>& layers() const { return layers_; }
+  std::size_t inputs() const { return layers_.front().sizes.inputs; }
+  std::size_t outputs() const { return layers_.back().sizes.outputs; }
+  std::size_t parameters() const { return parameters_; }
+  /// Packs in the row of one tile.
+  std::size_t row() const { return row_; }
+  /// Where the outputs begin in a row.
+  std::size_t output() const { return layers_.back().to; }
+
+  /// [parameters], normal with a deviation of 1/√inputs, in the last layer `gain` times that.
+  std::vector<float> drawn(Random random, float gain) const;
+
+  /// Fills the rest of `row`, whose inputs are there. The outputs have no activation.
+  void forward(const Kernels& kernels, const float* parameters, Pack* row) const;
+
+  /// Adds the gradient of `tiles` rows to `gradient` [parameters]. `deltas` [tiles][row()]: the
+  /// caller has filled the outputs' places with the derivatives of the loss; the others are
+  /// written.
+  void backward(const Kernels& kernels, const float* parameters, const Pack* rows, Pack* deltas,
+                std::size_t tiles, Pack* scratch, float* gradient) const;
+
+ private:
+  std::vector<Layer> layers_;
+  std::size_t parameters_ = 0, row_ = 0;
+};
+
+/// What Adam remembers of each weight.
+class Adam {
+ public:
+  explicit Adam(std::size_t count) : mean(count), square(count) {}
+
+  /// One step against `gradient_scale` times the gradient.
+  void step(const Kernels& kernels, std::vector<float>& weights, const std::vector<float>& gradient,
+            float step_size, float gradient_scale);
+
+  std::vector<float> mean, square;
+  std::uint64_t steps = 0;
+};
+
+}  // namespace eagerx::train

@@ -1,0 +1,29 @@
+// The command line of eagerx-train.
+#pragma once
+
+#include <string>
+
+#include "targets/environments/train/settings.hpp"
+
+namespace eagerx::train {
+
+struct Options {
+  std::string library;
+  std::string output = "policy.safetensors";
+  std::string checkpoint, resume, csv, curve;  // empty: none
+  std::string kernels;                         // empty: the fastest
+  std::uint64_t steps = 5'000'000;             // of all environments, at most
+  unsigned threads = 0;                        // 0: one for each core
+  bool is_quiet = false;
+  bool wants_help = false;
+  bool only_checks = false;  // options and the places of files; there is no library yet
+  Settings settings;
+};
+
+/// Throws Problem with kUsage.
+Options parse_options(int argc, const char* const* argv);
+
+/// What --help prints.
+std::string help_text();
+
+}  // namespace eagerx::train

@@ -1,0 +1,63 @@
+#include "targets/environments/train/policy.hpp"
+
+#include <algorithm>
+#include <eagerx/math.hpp>
+
+namespace eagerx::train {
+
+Bounds::Bounds(const Description& description) {
+  for (const Space& action : description.actions) {
+    for (const double bound : action.low) low.push_back(static_cast<float>(bound));
+    for (const double bound : action.high) high.push_back(static_cast<float>(bound));
+  }
+}
+
+float Bounds::scaled(std::size_t j, float x) const {
+  const float value = low[j] + (0.5F * (x + 1.0F)) * (high[j] - low[j]);
+  return clamp(value, low[j], high[j]);
+}
+
+Normaliser::Normaliser(const Statistics& statistics) {
+  for (std::size_t i = 0; i < statistics.mean.size(); ++i) {
+    mean_.push_back(static_cast<float>(statistics.mean[i]));
+    scale_.push_back(static_cast<float>(statistics.scale(i)));
+  }
+}
+
+void Normaliser::load(const float* rows, Pack* x) const {
+  constexpr float kMost = 8.0F;
+  const std::size_t width = mean_.size();
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      x[i].lane[l] = clamp((rows[l * width + i] - mean_[i]) * scale_[i], -kMost, kMost);
+    }
+  }
+}
+
+std::vector<float> folded(const Network& actor, std::vector<float> parameters,
+                          const Statistics& statistics) {
+  const Network::Layer& first = actor.layers().front();
+  const std::size_t inputs = first.sizes.inputs;
+  for (std::size_t j = 0; j < first.sizes.outputs; ++j) {
+    float* weights = &parameters[first.weights + j * inputs];
+    double bias = parameters[first.bias + j];
+    for (std::size_t i = 0; i < inputs; ++i) {
+      const double weight = weights[i] * statistics.scale(i);
+      bias -= weight * statistics.mean[i];
+      weights[i] = static_cast<float>(weight);
+    }
+    parameters[first.bias + j] = static_cast<float>(bias);
+  }
+  return parameters;
+}
+
+void Policy::answer(const Kernels& kernels, const float* rows, Pack* row) const {
+  const std::size_t inputs = network.inputs();
+  for (std::size_t i = 0; i < inputs; ++i) {
+    for (std::size_t l = 0; l < kLanes; ++l) row[i].lane[l] = rows[l * inputs + i];
+  }
+  network.forward(kernels, parameters.data(), row);
+  kernels.tanh(row + network.output(), network.outputs());
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,221 @@
+#include "targets/environments/train/ppo.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <eagerx/math.hpp>
+
+namespace eagerx::train {
+namespace {
+
+constexpr float kHalfLogTwoPi = 0.9189385F;
+
+void add_to(std::vector<float>& sum, const std::vector<float>& more) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
+}
+
+/// What makes the gradient of a mean of sums at most 1 long.
+float clipped_scale(const std::vector<float>& gradient, double count) {
+  double squares = 0.0;
+  for (const float g : gradient) squares += double{g} * g;
+  const double length = std::sqrt(squares) / count;
+  return static_cast<float>((length > 1.0 ? 1.0 / length : 1.0) / count);
+}
+
+}  // namespace
+
+void Gradient::clear() {
+  for (auto* values : {&actor, &critic, &log_deviation})
+    std::fill(values->begin(), values->end(), 0.0F);
+  divergence = count = 0.0;
+}
+
+void Gradient::add(const Gradient& more) {
+  add_to(actor, more.actor);
+  add_to(critic, more.critic);
+  add_to(log_deviation, more.log_deviation);
+  divergence += more.divergence;
+  count += more.count;
+}
+
+/// The gradient of every Mth tile of one rollout.
+class Ppo::Learner {
+ public:
+  explicit Learner(const Model& model)
+      : gradient(model),
+        actor_rows_(kBlock * model.actor.row()),
+        actor_deltas_(kBlock * model.actor.row()),
+        critic_rows_(kBlock * model.critic.row()),
+        critic_deltas_(kBlock * model.critic.row()),
+        scratch_(kBlock * kLanes) {}
+
+  Gradient gradient;
+
+  void learn(const Ppo& ppo, const Rollout& rollout, std::size_t first) {
+    gradient.clear();
+    const Model& model = ppo.model_;
+    std::size_t tiles = 0;
+    for (std::size_t tile = first; tile < rollout.advantage.size();
+         tile += ppo.settings_.minibatches) {
+      evaluate(ppo, rollout, tile, tiles);
+      if (++tiles == kBlock) backward(ppo.kernels_, model, std::exchange(tiles, 0));
+    }
+    backward(ppo.kernels_, model, tiles);
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 8;  // tiles whose rows fit into the cache
+
+  void evaluate(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t place) {
+    const Model& model = ppo.model_;
+    const std::size_t width = model.actor.inputs();
+    Pack* actor = &actor_rows_[place * model.actor.row()];
+    Pack* critic = &critic_rows_[place * model.critic.row()];
+    std::copy_n(&rollout.inputs[tile * width], width, actor);
+    std::copy_n(&rollout.inputs[tile * width], width, critic);
+    model.actor.forward(ppo.kernels_, model.actor_parameters.data(), actor);
+    model.critic.forward(ppo.kernels_, model.critic_parameters.data(), critic);
+    Pack* means = actor + model.actor.output();
+    ppo.kernels_.tanh(means, model.actor.outputs());
+    Pack* deltas = &actor_deltas_[place * model.actor.row() + model.actor.output()];
+    for (std::size_t l = 0; l < kLanes; ++l) actor_loss(ppo, rollout, tile, l, means, deltas);
+    ppo.kernels_.tanh_slope(means, deltas, model.actor.outputs());
+    const Pack& value = critic[model.critic.output()];
+    Pack& delta = critic_deltas_[place * model.critic.row() + model.critic.output()];
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      delta.lane[l] = value.lane[l] - rollout.target[tile].lane[l];
+    }
+  }
+
+  /// Derivatives of the clipped loss of one sample by the means and the logarithms of the
+  /// deviations.
+  void actor_loss(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
+                  const Pack* means, Pack* deltas) {
+    const Model& model = ppo.model_;
+    const std::size_t outputs = model.log_deviation.size();
+    const Pack* actions = &rollout.actions[tile * outputs];
+    const auto distance = [&](std::size_t j) {  // from the mean, in deviations
+      return (actions[j].lane[l] - means[j].lane[l]) * ppo.precision_[j];
+    };
+    float log_p = 0.0F;
+    for (std::size_t j = 0; j < outputs; ++j) {
+      const float z = distance(j);
+      log_p += -0.5F * z * z - model.log_deviation[j] - kHalfLogTwoPi;
+    }
+    const float log_ratio = clamp(log_p - rollout.log_probability[tile].lane[l], -10.0F, 10.0F);
+    const float ratio = exp(log_ratio);
+    const float advantage =
+        (rollout.advantage[tile].lane[l] - ppo.advantage_mean_) * ppo.advantage_scale_;
+    const float clip = ppo.settings_.clip;
+    const bool counts = advantage > 0.0F ? ratio < 1.0F + clip : ratio > 1.0F - clip;
+    const float slope = counts ? -advantage * ratio : 0.0F;  // of the loss, by log_p
+    for (std::size_t j = 0; j < outputs; ++j) {
+      const float z = distance(j);
+      deltas[j].lane[l] = slope * z * ppo.precision_[j];
+      gradient.log_deviation[j] += slope * (z * z - 1.0F);
+    }
+    gradient.divergence += double{ratio} - 1.0 - log_ratio;  // Schulman 2020, never negative
+    gradient.count += 1.0;
+  }
+
+  void backward(const Kernels& kernels, const Model& model, std::size_t tiles) {
+    if (tiles == 0) return;
+    model.actor.backward(kernels, model.actor_parameters.data(), actor_rows_.data(),
+                         actor_deltas_.data(), tiles, scratch_.data(), gradient.actor.data());
+    model.critic.backward(kernels, model.critic_parameters.data(), critic_rows_.data(),
+                          critic_deltas_.data(), tiles, scratch_.data(), gradient.critic.data());
+  }
+
+  Packs actor_rows_, actor_deltas_, critic_rows_, critic_deltas_;  // [kBlock][row]
+  Packs scratch_;
+};
+
+Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+         std::uint32_t longest)
+    : settings_(settings),
+      model_(settings, library.description().observation_numbers(),
+             library.description().action_numbers()),
+      kernels_(kernels),
+      team_(team),
+      has_threads_(library.description().has_threads),
+      bounds_(library.description()) {
+  for (std::size_t part = 0; part < kParts; ++part) {
+    rollouts_.push_back(std::make_unique<Rollout>(settings_, library, bounds_, longest, part));
+    learners_.push_back(std::make_unique<Learner>(model_));
+  }
+}
+
+Ppo::~Ppo() = default;
+
+void Ppo::begin_era(std::uint32_t era) {
+  const std::uint64_t seed = settings_.seed + (std::uint64_t{era} << 32U);
+  for (auto& rollout : rollouts_) rollout->reset(seed);
+  if (model_.observations.count > 0.0) return;
+  for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
+}
+
+Episodes Ppo::collect() {
+  Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, iteration};
+  for (const float x : model_.log_deviation) frozen.deviation.push_back(exp(x));
+  frozen.reward_scale = static_cast<float>(model_.returns.scale(0));
+  if (has_threads_) {
+    team_.run(kParts, [&](std::size_t part) { rollouts_[part]->collect(frozen); });
+  } else {
+    for (auto& rollout : rollouts_) rollout->collect(frozen);
+  }
+  Episodes episodes;
+  Sums advantages(1);
+  for (auto& rollout : rollouts_) {
+    model_.observations.add(rollout->observation_sums);
+    model_.returns.add(rollout->return_sums);
+    advantages.sum[0] += rollout->advantage_sums.sum[0];
+    advantages.squares[0] += rollout->advantage_sums.squares[0];
+    advantages.count += rollout->advantage_sums.count;
+    episodes.count += rollout->episodes.count;
+    episodes.successes += rollout->episodes.successes;
+    episodes.returns += rollout->episodes.returns;
+  }
+  const double mean = advantages.sum[0] / advantages.count;
+  const double variance = advantages.squares[0] / advantages.count - mean * mean;
+  advantage_mean_ = static_cast<float>(mean);
+  advantage_scale_ = static_cast<float>(1.0 / std::sqrt(std::max(variance, 0.0) + 1e-8));
+  return episodes;
+}
+
+/// Learns from every Mth tile, from `minibatch` on.
+void Ppo::update(std::size_t minibatch) {
+  precision_.clear();
+  for (const float x : model_.log_deviation) precision_.push_back(exp(-x));
+  team_.run(kParts,
+            [&](std::size_t part) { learners_[part]->learn(*this, *rollouts_[part], minibatch); });
+  Gradient& sum = learners_.front()->gradient;
+  for (std::size_t part = 1; part < kParts; ++part) sum.add(learners_[part]->gradient);
+  divergence_ = sum.divergence / sum.count;
+  constexpr float kFactor = 1.5F;
+  if (divergence_ > 2.0 * settings_.divergence) model_.step_size /= kFactor;
+  if (divergence_ < 0.5 * settings_.divergence) model_.step_size *= kFactor;
+  model_.step_size = clamp(model_.step_size, settings_.least_step_size, settings_.most_step_size);
+  model_.actor_adam.step(kernels_, model_.actor_parameters, sum.actor, model_.step_size,
+                         clipped_scale(sum.actor, sum.count));
+  model_.critic_adam.step(kernels_, model_.critic_parameters, sum.critic, model_.step_size,
+                          clipped_scale(sum.critic, sum.count));
+  model_.deviation_adam.step(kernels_, model_.log_deviation, sum.log_deviation, model_.step_size,
+                             static_cast<float>(1.0 / sum.count));
+  for (float& x : model_.log_deviation) {
+    x = clamp(x, settings_.least_log_deviation, settings_.most_log_deviation);
+  }
+}
+
+Ppo::Result Ppo::iterate() {
+  constexpr std::size_t kShift = 7;  // the minibatches of an epoch do not begin with the same one
+  Result result{collect()};
+  for (std::size_t epoch = 0; epoch < settings_.epochs; ++epoch) {
+    for (std::size_t m = 0; m < settings_.minibatches; ++m) {
+      update((epoch * kShift + m) % settings_.minibatches);
+    }
+  }
+  ++iteration;
+  result.divergence = divergence_;
+  return result;
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,69 @@
+// Proximal policy optimisation on many environments.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "targets/environments/train/rollout.hpp"
+#include "targets/environments/train/team.hpp"
+
+namespace eagerx::train {
+
+/// Gradients of one part of a minibatch.
+struct Gradient {
+  explicit Gradient(const Model& model)
+      : actor(model.actor.parameters()),
+        critic(model.critic.parameters()),
+        log_deviation(model.log_deviation.size()) {}
+  std::vector<float> actor, critic, log_deviation;
+  double divergence = 0.0;  // sum over the samples
+  double count = 0.0;       // samples
+
+  void clear();
+  void add(const Gradient& more);
+};
+
+class Ppo {
+ public:
+  /// What an iteration learnt from.
+  struct Result {
+    Episodes episodes;
+    double divergence = 0.0;  // of the last minibatch
+  };
+
+  Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
+      std::uint32_t longest);
+  ~Ppo();
+
+  Model& model() { return model_; }
+  const Model& model() const { return model_; }
+  std::uint32_t iteration = 0;
+
+  /// All environments begin anew, with episodes that nothing but `era` and the seed decides. A
+  /// training that goes on from here needs the model and the iteration only.
+  void begin_era(std::uint32_t era);
+  /// A rollout and the updates from it.
+  Result iterate();
+  /// Steps of all environments in one iteration.
+  std::size_t steps() const { return settings_.environments * settings_.horizon; }
+
+ private:
+  class Learner;  // a part of a minibatch
+
+  Episodes collect();
+  void update(std::size_t minibatch);
+
+  const Settings settings_;
+  Model model_;
+  const Kernels& kernels_;
+  Team& team_;
+  const bool has_threads_;
+  const Bounds bounds_;
+  std::vector<std::unique_ptr<Rollout>> rollouts_;
+  std::vector<std::unique_ptr<Learner>> learners_;
+  std::vector<float> precision_;  // [outputs] 1 / deviation of the actions
+  double divergence_ = 0.0;
+  float advantage_mean_ = 0.0F, advantage_scale_ = 1.0F;
+};
+
+}  // namespace eagerx::train

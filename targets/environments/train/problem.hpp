@@ -1,0 +1,19 @@
+// What ends a training: caught and printed by main().
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace eagerx::train {
+
+/// Exit codes, as those of eagerx-gen.
+enum ExitCode : int { kDone = 0, kProblems = 1, kUsage = 2, kInputOutput = 3 };
+
+struct Problem : std::runtime_error {
+  Problem(ExitCode exit_code, const std::string& what, std::string what_to_do = {})
+      : std::runtime_error(what), code(exit_code), help(std::move(what_to_do)) {}
+  ExitCode code;
+  std::string help;  // empty: nothing to say
+};
+
+}  // namespace eagerx::train

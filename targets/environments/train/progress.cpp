@@ -1,0 +1,77 @@
+#include "targets/environments/train/progress.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace eagerx::train {
+
+Progress::Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success,
+                   bool is_quiet)
+    : first_step_(first_step),
+      last_step_(last_step),
+      has_success_(has_success),
+      is_quiet_(is_quiet),
+      is_terminal_(isatty(STDERR_FILENO) == 1),
+      last_return_(std::numeric_limits<double>::quiet_NaN()),
+      last_success_(last_return_),
+      start_(Clock::now()),
+      shown_(start_) {}
+
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+void Progress::show(const CurvePoint& point) {
+  if (!std::isnan(point.mean_return)) last_return_ = point.mean_return;
+  if (!std::isnan(point.evaluation_success)) last_success_ = point.evaluation_success;
+  using namespace std::chrono_literals;
+  const auto now = Clock::now();
+  if (is_quiet_ || now - shown_ < (is_terminal_ ? 1s : 5s)) return;
+  shown_ = now;
+  const std::string text = line(point, seconds());
+  if (is_terminal_) {
+    fmt::print(stderr, "\r{}\x1b[K", text);
+  } else {
+    fmt::print(stderr, "{}\n", text);
+  }
+  std::fflush(stderr);
+  is_shown_ = is_terminal_;
+}
+
+void Progress::finish() {
+  if (is_shown_) fmt::print(stderr, "\r\x1b[K");
+  is_shown_ = false;
+}
+
+std::string Progress::line(const CurvePoint& point, double seconds) const {
+  const double here = point.steps - static_cast<double>(first_step_);
+  const double left = std::max(0.0, static_cast<double>(last_step_) - point.steps);
+  std::string text = fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
+                                 static_cast<double>(last_step_) / 1e6);
+  if (!std::isnan(last_return_)) text += fmt::format(", return {:.4g}", last_return_);
+  if (has_success_ && !std::isnan(last_success_)) {
+    text += fmt::format(", success {:.0f} of 100", 100.0 * last_success_);
+  }
+  return text + fmt::format(", {} steps/s, at most {} left", rounded(here / seconds),
+                            minutes(seconds * left / here));
+}
+
+std::string minutes(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string rounded(double number) {
+  const double power =
+      std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(number, 1.0))) - 2.0));
+  std::string digits = fmt::format("{:.0f}", std::round(number / power) * power);
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,41 @@
+// How far the training is, for people.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "targets/environments/train/curve.hpp"
+
+namespace eagerx::train {
+
+/// On a terminal one line that is written anew each second, elsewhere one more line every five
+/// seconds. Goes to stderr.
+class Progress {
+ public:
+  Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_success, bool is_quiet);
+
+  /// `point`: the last iteration.
+  void show(const CurvePoint& point);
+  /// Removes the line of a terminal.
+  void finish();
+  /// Since the start.
+  double seconds() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string line(const CurvePoint& point, double seconds) const;
+
+  std::uint64_t first_step_, last_step_;
+  bool has_success_, is_quiet_, is_terminal_;
+  bool is_shown_ = false;
+  double last_return_, last_success_;  // NaN: not yet
+  Clock::time_point start_, shown_;
+};
+
+/// 75 as "1:15".
+std::string minutes(double seconds);
+/// 153211 as "153,000": three digits that matter.
+std::string rounded(double number);
+
+}  // namespace eagerx::train

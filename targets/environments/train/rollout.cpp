@@ -1,0 +1,206 @@
+#include "targets/environments/train/rollout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <eagerx/math.hpp>
+
+#include "targets/environments/train/problem.hpp"
+
+namespace eagerx::train {
+namespace {
+
+constexpr float kHalfLogTwoPi = 0.9189385F;
+
+float& lane(Packs& packs, std::size_t row, std::size_t environment) {
+  return packs[row + environment / kLanes].lane[environment % kLanes];
+}
+
+}  // namespace
+
+Rollout::Rollout(const Settings& settings, const Library& library, const Bounds& bounds,
+                 std::uint32_t longest, std::size_t part)
+    : observation_sums(library.description().observation_numbers()),
+      return_sums(1),
+      advantage_sums(1),
+      bounds_(bounds),
+      environments_(library.functions(), static_cast<std::uint32_t>(settings.environments / kParts),
+                    static_cast<std::uint32_t>(settings.environments / kParts * part),
+                    settings.seed, longest, EAGERX_SAME_STEP),
+      count_(settings.environments / kParts),
+      first_(count_ * part),
+      horizon_(settings.horizon),
+      width_(library.description().observation_numbers()),
+      outputs_(library.description().action_numbers()),
+      observation_(count_ * width_),
+      final_observation_(count_ * width_),
+      action_(count_ * outputs_),
+      reward_(count_),
+      terminated_(count_),
+      truncated_(count_),
+      success_(count_),
+      return_(count_),
+      discounted_(count_),
+      ended_(horizon_ * count_) {
+  const std::size_t steps = horizon_ * tiles();
+  inputs.resize((steps + tiles()) * width_);
+  actions.resize(steps * outputs_);
+  for (Packs* packs : {&log_probability, &advantage, &target, &rewards_}) packs->resize(steps);
+  value_.resize(steps + tiles());
+}
+
+void Rollout::reset(std::uint64_t seed) {
+  environments_.reset(seed, observation_.data());
+  return_.assign(count_, 0.0);
+  discounted_.assign(count_, 0.0F);
+  observation_sums.clear();
+  sum_observations();
+}
+
+void Rollout::collect(const Frozen& frozen) {
+  actor_row_.resize(frozen.model.actor.row());
+  critic_row_.resize(frozen.model.critic.row());
+  observation_sums.clear();
+  return_sums.clear();
+  episodes = {};
+  for (std::size_t t = 0; t < horizon_; ++t) {
+    act(frozen, t);
+    step(frozen, t);
+  }
+  for (std::size_t k = 0; k < tiles(); ++k) {
+    frozen.normaliser.load(&observation_[k * kLanes * width_], critic_row_.data());
+    frozen.model.critic.forward(frozen.kernels, frozen.model.critic_parameters.data(),
+                                critic_row_.data());
+    value_[horizon_ * tiles() + k] = critic_row_[frozen.model.critic.output()];
+  }
+  estimate_advantages(frozen.settings);
+}
+
+/// Draws the actions of all environments and notes what the critic thinks.
+void Rollout::act(const Frozen& frozen, std::size_t step) {
+  const Model& model = frozen.model;
+  for (std::size_t k = 0; k < tiles(); ++k) {
+    Pack* x = input(step, k);
+    frozen.normaliser.load(&observation_[k * kLanes * width_], x);
+    std::copy_n(x, width_, actor_row_.data());
+    std::copy_n(x, width_, critic_row_.data());
+    model.actor.forward(frozen.kernels, model.actor_parameters.data(), actor_row_.data());
+    model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
+    Pack* means = &actor_row_[model.actor.output()];
+    frozen.kernels.tanh(means, outputs_);
+    draw_actions(frozen, step, k, means);
+    value_[step * tiles() + k] = critic_row_[model.critic.output()];
+  }
+}
+
+void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile,
+                           const Pack* means) {
+  const auto time = static_cast<std::uint32_t>(frozen.iteration * horizon_ + step);
+  const std::size_t row = step * tiles() + tile;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::size_t e = tile * kLanes + l;
+    Random random({frozen.settings.seed, static_cast<std::uint32_t>(first_ + e), time},
+                  entity_id("train/noise"));
+    float log_p = 0.0F;
+    for (std::size_t j = 0; j < outputs_; ++j) {
+      const float noise = random.normal(0.0F, 1.0F);
+      const float x = means[j].lane[l] + frozen.deviation[j] * noise;
+      actions[row * outputs_ + j].lane[l] = x;
+      action_[e * outputs_ + j] = bounds_.scaled(j, x);
+      log_p += -0.5F * noise * noise - frozen.model.log_deviation[j] - kHalfLogTwoPi;
+    }
+    log_probability[row].lane[l] = log_p;
+  }
+}
+
+void Rollout::step(const Frozen& frozen, std::size_t step) {
+  environments_.step(action_.data(), {.size = sizeof(eagerx_rows),
+                                      .observation = observation_.data(),
+                                      .reward = reward_.data(),
+                                      .terminated = terminated_.data(),
+                                      .truncated = truncated_.data(),
+                                      .success = success_.data(),
+                                      .terms = nullptr,
+                                      .final_observation = final_observation_.data()});
+  for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
+  bootstrap(frozen, step);
+  sum_observations();
+}
+
+/// Counts the reward and the end of an episode.
+void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environment) {
+  const std::size_t e = environment;
+  if (!std::isfinite(reward_[e])) {
+    throw Problem(kProblems, "a reward is NaN or infinite",
+                  "the graph's `task:` divides by zero, or the simulation breaks down");
+  }
+  return_[e] += reward_[e];
+  discounted_[e] = discounted_[e] * frozen.settings.discount + reward_[e];
+  return_sums.add(0, discounted_[e]);
+  lane(rewards_, step * tiles(), e) = reward_[e] * frozen.reward_scale;
+  const bool ended = terminated_[e] != 0 || truncated_[e] != 0;
+  ended_[step * count_ + e] = ended ? 1 : 0;
+  if (!ended) return;
+  ++episodes.count;
+  episodes.returns += return_[e];
+  episodes.successes += success_[e] != 0 ? 1 : 0;
+  return_[e] = 0.0;
+  discounted_[e] = 0.0F;
+}
+
+/// An episode that only ran out of time would have gone on: the critic says how.
+void Rollout::bootstrap(const Frozen& frozen, std::size_t step) {
+  const Model& model = frozen.model;
+  for (std::size_t k = 0; k < tiles(); ++k) {
+    bool any = false;
+    for (std::size_t e = k * kLanes; e < (k + 1) * kLanes; ++e) {
+      any = any || (truncated_[e] != 0 && terminated_[e] == 0);
+    }
+    if (!any) continue;
+    frozen.normaliser.load(&final_observation_[k * kLanes * width_], critic_row_.data());
+    model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
+    const Pack& value = critic_row_[model.critic.output()];
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      const std::size_t e = k * kLanes + l;
+      if (truncated_[e] == 0 || terminated_[e] != 0) continue;
+      rewards_[step * tiles() + k].lane[l] += frozen.settings.discount * value.lane[l];
+    }
+  }
+}
+
+void Rollout::sum_observations() {
+  for (std::size_t e = 0; e < count_; ++e) {
+    for (std::size_t i = 0; i < width_; ++i) {
+      const float x = observation_[e * width_ + i];
+      if (!std::isfinite(x)) {
+        throw Problem(kProblems, "an observation is NaN or infinite",
+                      "the simulation breaks down: look at its step, or end the episode sooner");
+      }
+      observation_sums.add(i, x);
+    }
+  }
+  const auto count = static_cast<double>(count_);
+  observation_sums.count += count;
+  return_sums.count += count;
+}
+
+/// Generalised advantage estimation (Schulman et al. 2016), from the last step back.
+void Rollout::estimate_advantages(const Settings& settings) {
+  const float gamma = settings.discount;
+  advantage_sums.clear();
+  for (std::size_t e = 0; e < count_; ++e) {
+    float sum = 0.0F;
+    for (std::size_t t = horizon_; t-- > 0;) {
+      const float goes_on = ended_[t * count_ + e] != 0 ? 0.0F : 1.0F;
+      const float value = lane(value_, t * tiles(), e);
+      const float next = lane(value_, (t + 1) * tiles(), e);
+      const float surprise = lane(rewards_, t * tiles(), e) + gamma * goes_on * next - value;
+      sum = surprise + gamma * settings.trace_decay * goes_on * sum;
+      lane(advantage, t * tiles(), e) = sum;
+      lane(target, t * tiles(), e) = sum + value;
+      advantage_sums.add(0, sum);
+    }
+  }
+  advantage_sums.count = static_cast<double>(count_ * horizon_);
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,79 @@
+// Steps of some environments under the current policy, and what is to be learnt from them.
+#pragma once
+
+#include <eagerx/random.hpp>
+#include <vector>
+
+#include "targets/environments/train/library.hpp"
+#include "targets/environments/train/model.hpp"
+#include "targets/environments/train/policy.hpp"
+
+namespace eagerx::train {
+
+/// What stays as it is during a rollout.
+struct Frozen {
+  const Kernels& kernels;
+  const Settings& settings;
+  const Model& model;
+  Normaliser normaliser;
+  std::vector<float> deviation;  // [outputs]
+  float reward_scale;
+  std::uint32_t iteration;
+};
+
+/// Episodes that ended during a rollout.
+struct Episodes {
+  std::size_t count = 0, successes = 0;
+  double returns = 0.0;  // their sum
+};
+
+/// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:
+/// [horizon][tiles], one more where it says so.
+class Rollout {
+ public:
+  Rollout(const Settings& settings, const Library& library, const Bounds& bounds,
+          std::uint32_t longest, std::size_t part);
+
+  /// All environments begin the first episode of `seed`.
+  void reset(std::uint64_t seed);
+  /// Steps all environments `horizon` times and estimates advantages.
+  void collect(const Frozen& frozen);
+
+  std::size_t tiles() const { return count_ / kLanes; }
+
+  Packs inputs;             // [horizon + 1][tiles][inputs] normalised observations
+  Packs actions;            // [horizon][tiles][outputs] as drawn, in -1…1 or beyond
+  Packs log_probability;    // of the actions
+  Packs advantage, target;  // target of the critic
+  Sums observation_sums, return_sums;
+  Sums advantage_sums;
+  Episodes episodes;
+
+ private:
+  void act(const Frozen& frozen, std::size_t step);
+  void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
+  void step(const Frozen& frozen, std::size_t step);
+  void settle(const Frozen& frozen, std::size_t step, std::size_t environment);
+  void bootstrap(const Frozen& frozen, std::size_t step);
+  void sum_observations();
+  void estimate_advantages(const Settings& settings);
+  Pack* input(std::size_t step, std::size_t tile) {
+    return &inputs[(step * tiles() + tile) * width_];
+  }
+
+  const Bounds& bounds_;
+  Environments environments_;
+  std::size_t count_, first_, horizon_, width_, outputs_;
+  std::vector<float> observation_, final_observation_;  // [count][width]
+  std::vector<float> action_;                           // [count][outputs]
+  std::vector<float> reward_;                           // [count]
+  std::vector<std::uint8_t> terminated_, truncated_, success_;
+  std::vector<double> return_;       // [count] of the episode so far
+  std::vector<float> discounted_;    // [count] of the episode so far
+  Packs value_;                      // [horizon + 1][tiles]
+  Packs rewards_;                    // [horizon][tiles] scaled
+  std::vector<std::uint8_t> ended_;  // [horizon][count]
+  Packs actor_row_, critic_row_;     // scratch
+};
+
+}  // namespace eagerx::train

@@ -1,0 +1,52 @@
+#include "targets/environments/train/team.hpp"
+
+#include <utility>
+
+namespace eagerx::train {
+
+Team::Team(unsigned threads) {
+  for (unsigned i = 1; i < threads; ++i) helpers_.emplace_back([this] { serve(); });
+}
+
+Team::~Team() {
+  leave_ = true;
+  ++task_;
+  task_.notify_all();
+  for (std::thread& helper : helpers_) helper.join();
+}
+
+void Team::take_parts() {
+  for (std::size_t part = next_++; part < parts_; part = next_++) {
+    try {
+      (*work_)(part);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+    }
+  }
+}
+
+void Team::serve() {
+  std::uint32_t seen = 0;
+  while (true) {
+    task_.wait(seen);
+    seen = task_;
+    if (leave_) return;
+    take_parts();
+    if (--busy_ == 0) busy_.notify_one();
+  }
+}
+
+void Team::run(std::size_t parts, const std::function<void(std::size_t)>& work) {
+  work_ = &work;
+  parts_ = parts;
+  next_ = 0;
+  busy_ = static_cast<std::uint32_t>(helpers_.size());
+  ++task_;
+  task_.notify_all();
+  take_parts();
+  for (std::uint32_t left = busy_; left != 0; left = busy_) busy_.wait(left);
+  if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+}
+
+}  // namespace eagerx::train

@@ -1,0 +1,245 @@
+#include "targets/environments/train/training.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <eagerx/math.hpp>
+#include <limits>
+#include <numeric>
+
+#include "targets/environments/train/export.hpp"
+#include "targets/environments/train/files.hpp"
+#include "targets/environments/train/problem.hpp"
+
+namespace eagerx::train {
+namespace {
+
+constexpr std::uint32_t kLongest = 1000;       // steps of an episode that nothing ends
+constexpr std::uint32_t kEvaluationEvery = 5;  // iterations
+constexpr std::uint64_t kEvaluations = 4;      // of a policy that seems to succeed
+constexpr std::uint64_t kEvaluationSeed = std::uint64_t{1} << 63U;
+constexpr std::uint64_t kLastSeed = kEvaluationSeed + (std::uint64_t{1} << 62U);
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+const Kernels& chosen_kernels(const std::string& name) {
+  const Kernels* kernels = find_kernels(name);
+  if (kernels != nullptr) return *kernels;
+  throw Problem(kUsage, "this machine has no kernels `" + name + "`");
+}
+
+unsigned chosen_threads(unsigned threads) {
+  return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+}
+
+/// Long enough for two episodes, so that environments do not all begin anew before one ends.
+std::uint32_t era_of(const Settings& settings, const Description& description) {
+  constexpr std::uint32_t kLeast = 32;
+  const auto steps = 2 * (description.episode_steps > 0 ? description.episode_steps : kLongest);
+  const auto horizon = static_cast<std::uint32_t>(settings.horizon);
+  return std::max(kLeast, (steps + horizon - 1) / horizon);
+}
+
+void check_trainable(const Description& description) {
+  if (!description.has_task) {
+    throw Problem(kProblems, "the graph says no reward: it has no `task:`",
+                  "write one:\n"
+                  "  task:\n"
+                  "    inputs: {angle: pendulum.theta}\n"
+                  "    reward: {upright: {value: angle^2, weight: -1.0}}\n"
+                  "    truncated: {after: 5.0}\n"
+                  "    success: {upright: abs(angle) < 0.15, over_last: 2.0}");
+  }
+  if (description.observations.empty()) throw Problem(kProblems, "the graph has no observations");
+  if (description.actions.empty()) throw Problem(kProblems, "the graph has no actions");
+  for (const Space& action : description.actions) {
+    if (!action.dtype.starts_with("float")) {
+      throw Problem(kProblems,
+                    fmt::format("the action `{}` is {}: only actions of real numbers can be "
+                                "trained",
+                                action.name, action.dtype),
+                    "give it a float space, and turn the number into a choice with a node");
+    }
+    for (std::size_t i = 0; i < action.size; ++i) {
+      if (std::isfinite(action.low[i]) && std::isfinite(action.high[i])) continue;
+      throw Problem(kProblems, fmt::format("the action `{}` has no bounds", action.name),
+                    "give its space `low` and `high`");
+    }
+  }
+}
+
+/// The description, if one can train on it.
+const Description& checked(const Library& library) {
+  check_trainable(library.description());
+  return library.description();
+}
+
+}  // namespace
+
+void check_files(const Options& options) {
+  check_writable(options.output);
+  check_writable(golden_path(options.output));
+  for (const std::string* path : {&options.checkpoint, &options.csv, &options.curve}) {
+    if (!path->empty()) check_writable(*path);
+  }
+  if (!options.resume.empty()) read_file(options.resume);
+}
+
+Training::Training(const Options& options, const Library& library)
+    : options_(options),
+      library_(library),
+      kernels_(chosen_kernels(options.kernels)),
+      longest_(checked(library).episode_steps > 0 ? 0 : kLongest),
+      era_(era_of(options.settings, library.description())),
+      conditions_(conditions(options.settings, library.description().hash)),
+      bounds_(library.description()),
+      team_(chosen_threads(options.threads)),
+      ppo_(options.settings, library, kernels_, team_, longest_),
+      evaluator_(library, kernels_, team_, longest_),
+      progress_(0, 0, false, true) {
+  if (!options.resume.empty()) {
+    restore(read_file(options.resume), options.resume, conditions_, ppo_.model(), progressed_);
+    ppo_.iteration = progressed_.iteration;
+  }
+  progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
+}
+
+std::uint64_t Training::steps() const {
+  return std::uint64_t{ppo_.iteration} * ppo_.steps();
+}
+
+int Training::run(const volatile int& is_interrupted) {
+  const Ending ending = learn(is_interrupted);
+  progress_.finish();
+  if (progressed_.best.parameters.empty()) {
+    CurvePoint unused{};
+    evaluate(unused);
+  }
+  const Evaluation last = evaluator_.run(policy(progressed_.best.parameters), kLastSeed);
+  write_policy();
+  write_curve();
+  if (!options_.is_quiet) report(last, ending);
+  if (ending == Ending::interrupted) return 130;  // as shells say it
+  return ending == Ending::success || !library_.description().has_success ? kDone : kProblems;
+}
+
+Ending Training::learn(const volatile int& is_interrupted) {
+  while (steps() < options_.steps) {
+    if (is_interrupted != 0) return Ending::interrupted;
+    if (ppo_.iteration % era_ == 0) start_era();
+    CurvePoint point = note(ppo_.iterate());
+    const bool is_done = ppo_.iteration % kEvaluationEvery == 0 && evaluate(point);
+    progressed_.curve.push_back(point);
+    progress_.show(point);
+    if (is_done) return Ending::success;
+  }
+  return Ending::steps;
+}
+
+void Training::start_era() {
+  ppo_.begin_era(ppo_.iteration / era_);
+  if (options_.checkpoint.empty() || ppo_.iteration == 0) return;
+  progressed_.iteration = ppo_.iteration;
+  write_file(options_.checkpoint, checkpoint_of(conditions_, ppo_.model(), progressed_));
+}
+
+CurvePoint Training::note(const Ppo::Result& result) {
+  const auto count = static_cast<double>(result.episodes.count);
+  const bool has_success = library_.description().has_success;
+  double deviation = 0.0;
+  for (const float x : ppo_.model().log_deviation) deviation += exp(x);
+  return {
+      static_cast<double>(steps()),
+      count > 0 ? result.episodes.returns / count : kNothing,
+      count > 0 && has_success ? static_cast<double>(result.episodes.successes) / count : kNothing,
+      kNothing,
+      kNothing,
+      deviation / static_cast<double>(ppo_.model().log_deviation.size()),
+      ppo_.model().step_size,
+      result.divergence};
+}
+
+/// Whether the policy succeeds: on a hundred new seeds, and then on three hundred others, since one
+/// of many evaluations may be good by luck.
+bool Training::evaluate(CurvePoint& point) {
+  const bool has_success = library_.description().has_success;
+  Policy now =
+      policy(folded(ppo_.model().actor, ppo_.model().actor_parameters, ppo_.model().observations));
+  const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{ppo_.iteration};
+  const Evaluation evaluation = evaluator_.run(now, seed);
+  point.evaluation_return = evaluation.mean_return;
+  if (has_success) {
+    point.evaluation_success =
+        static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
+  }
+  Best& best = progressed_.best;
+  const bool is_better = evaluation.successes != best.successes
+                             ? evaluation.successes > best.successes
+                             : evaluation.mean_return > best.mean_return;
+  bool succeeds = has_success && evaluation.passed();
+  for (std::uint64_t again = 1; again < kEvaluations && succeeds; ++again) {
+    succeeds = evaluator_.run(now, seed + again).passed();
+  }
+  if (best.parameters.empty() || is_better || succeeds) {
+    best = {std::move(now.parameters), evaluation.successes, evaluation.mean_return};
+  }
+  return succeeds;
+}
+
+Policy Training::policy(std::vector<float> parameters) const {
+  return {ppo_.model().actor, std::move(parameters), bounds_};
+}
+
+void Training::report(const Evaluation& evaluation, Ending ending) const {
+  const Description& description = library_.description();
+  const char* why = ending == Ending::success       ? "the policy succeeds"
+                    : ending == Ending::interrupted ? "interrupted"
+                                                    : "the steps are used up";
+  fmt::print("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
+             rounded(static_cast<double>(steps())), progress_.seconds(),
+             fmt::format("{} iterations", ppo_.iteration), kernels_.name);
+  fmt::print("on 100 seeds that it was not trained on: ");
+  if (description.has_success)
+    fmt::print("success {} of {}, ", evaluation.successes, evaluation.episodes);
+  fmt::print("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
+             evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
+  for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
+    fmt::print("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
+  }
+  const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
+  fmt::print("written: {}, {}\n", options_.output, golden_path(options_.output));
+  fmt::print("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
+             name_of(golden_path(options_.output)));
+  if (!description.has_success) {
+    fmt::print("note: the task has no `success:`, so nobody knows whether this policy is good\n");
+  } else if (ending != Ending::success) {
+    fmt::print(
+        "note: the policy does not succeed; a task whose reward leads to its `success:` "
+        "step by step, more --steps or another --seed may\n");
+  }
+}
+
+void Training::write_policy() const {
+  const Policy best = policy(progressed_.best.parameters);
+  const std::size_t width = best.network.inputs();
+  // Observations as they are in an episode: around the mean that was seen, by their deviation.
+  constexpr std::size_t kRows = 256;
+  Random random({options_.settings.seed, 0, 0}, entity_id("train/golden"));
+  std::vector<float> rows;
+  for (std::size_t i = 0; i < kRows * width; ++i) {
+    const Statistics& seen = ppo_.model().observations;
+    rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
+                                 static_cast<float>(1.0 / seen.scale(i % width))));
+  }
+  write_file(options_.output, safetensors_of(best, library_.description(), options_.settings.seed));
+  write_file(golden_path(options_.output), golden_rows(best, kernels_, rows));
+}
+
+void Training::write_curve() const {
+  const std::string& name = library_.description().graph;
+  if (!options_.csv.empty()) write_file(options_.csv, curve_csv(progressed_.curve));
+  if (!options_.curve.empty()) write_file(options_.curve, curve_svg(progressed_.curve, name));
+}
+
+}  // namespace eagerx::train

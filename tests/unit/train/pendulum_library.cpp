@@ -1,0 +1,140 @@
+// A library of environments, written by hand: the disc pendulum without friction, with the
+// interface that generated libraries have. Test double of the trainer's tests.
+#include <cstring>
+#include <eagerx/math.hpp>
+#include <eagerx/random.hpp>
+#include <string>
+#include <vector>
+
+#include "targets/environments/eagerx_environments.h"
+
+namespace {
+
+constexpr float kPeriod = 1.0F / 30.0F;    // s
+constexpr std::uint32_t kSteps = 150;      // of an episode
+constexpr std::uint32_t kStillSteps = 60;  // upright for so long is a success
+
+struct Pendulum {
+  std::uint64_t seed = 0;
+  std::uint32_t number = 0, episode = 0, step = 0, upright = 0;
+  float angle = 0.0F, speed = 0.0F;  // rad, rad/s; 0 is upright
+  bool ended = false;
+
+  void begin() {
+    eagerx::Random random({seed, number, episode++}, eagerx::entity_id("pendulum"));
+    angle = random.uniform(-3.14F, 3.14F);
+    speed = random.uniform(-9.0F, 9.0F);
+    step = upright = 0;
+    ended = false;
+  }
+  void advance(float voltage) {
+    constexpr int kSubsteps = 8;
+    constexpr float kStep = kPeriod / kSubsteps;
+    for (int i = 0; i < kSubsteps; ++i) {
+      speed += kStep * (26.97F * voltage + 129.5F * eagerx::sin(angle) - 0.99F * speed);
+      angle += kStep * speed;
+    }
+    ++step;
+  }
+  float error() const { return eagerx::atan2(eagerx::sin(angle), eagerx::cos(angle)); }
+  void observe(float* row) const {
+    row[0] = eagerx::cos(angle);
+    row[1] = eagerx::sin(angle);
+    row[2] = speed;
+  }
+};
+
+thread_local std::string failure;
+
+template <class T>
+void put(T* rows, std::size_t i, T value) {
+  if (rows != nullptr) rows[i] = value;
+}
+
+}  // namespace
+
+struct eagerx_environments {
+  std::vector<Pendulum> all;
+  std::uint32_t autoreset = 0;
+};
+
+extern "C" {
+
+uint32_t eagerx_version(void) {
+  return EAGERX_ENVIRONMENTS_VERSION;
+}
+const char* eagerx_describe(void) {
+  return R"({"version": 1, "generator": "0.1.0", "graph": "test_pendulum", "engine": "none",
+    "hash": "0x0123456789abcdef", "rate_hz": 30, "isa": "any", "lanes": 1, "threads": true,
+    "observations": [
+      {"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -1],
+       "high": [1, 1], "first": 0},
+      {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],
+       "high": [null], "first": 2}],
+    "actions": [{"name": "voltage", "shape": [], "dtype": "float32", "low": [-2], "high": [2],
+                 "first": 0}],
+    "states": [],
+    "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150}})";
+}
+const char* eagerx_error(void) {
+  return failure.c_str();
+}
+eagerx_environments* eagerx_create(const eagerx_options* options) {
+  auto* result = new eagerx_environments;
+  result->autoreset = options->autoreset;
+  for (std::uint32_t i = 0; i < options->environments; ++i) {
+    Pendulum pendulum;
+    pendulum.seed = options->seed;
+    pendulum.number = options->numbers != nullptr ? options->numbers[i] : i;
+    result->all.push_back(pendulum);
+  }
+  return result;
+}
+void eagerx_destroy(eagerx_environments* environments) {
+  delete environments;
+}
+int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const uint64_t* seeds,
+                 float* observation) {
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    if (mask != nullptr && mask[i] == 0) continue;
+    Pendulum& one = environments->all[i];
+    if (seeds != nullptr) one.seed = seeds[i];
+    if (seeds != nullptr) one.episode = 0;
+    one.begin();
+    if (observation != nullptr) one.observe(observation + 3 * i);
+  }
+  return 0;
+}
+int eagerx_step(eagerx_environments* environments, const float* action, const eagerx_rows* rows) {
+  for (std::size_t i = 0; i < environments->all.size(); ++i) {
+    Pendulum& one = environments->all[i];
+    if (one.ended) {  // EAGERX_DISABLED
+      put(rows->reward, i, 0.0F);
+      put<std::uint8_t>(rows->truncated, i, 0);
+      continue;
+    }
+    if (!(action[i] >= -2.0F && action[i] <= 2.0F)) {
+      failure = "an action is out of its space";
+      return -1;
+    }
+    one.advance(action[i]);
+    const float error = one.error();
+    const float slow = one.speed / (1.0F + 10.0F * eagerx::abs(error));
+    const float terms[] = {-error * error, -0.1F * slow * slow, -0.001F * action[i] * action[i]};
+    one.upright = eagerx::abs(error) < 0.15F ? one.upright + 1 : 0;
+    one.ended = one.step == kSteps;
+    put(rows->reward, i, terms[0] + terms[1] + terms[2]);
+    put<std::uint8_t>(rows->terminated, i, 0);
+    put<std::uint8_t>(rows->truncated, i, one.ended ? 1 : 0);
+    put<std::uint8_t>(rows->success, i, one.upright >= kStillSteps ? 1 : 0);
+    if (rows->terms != nullptr) std::memcpy(rows->terms + 3 * i, terms, sizeof terms);
+    if (one.ended && environments->autoreset == EAGERX_SAME_STEP) {
+      if (rows->final_observation != nullptr) one.observe(rows->final_observation + 3 * i);
+      one.begin();
+    }
+    if (rows->observation != nullptr) one.observe(rows->observation + 3 * i);
+  }
+  return 0;
+}
+
+}  // extern "C"

@@ -1,0 +1,148 @@
+#include "targets/environments/train/policy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "generator/formats/read.hpp"
+#include "generator/network/evaluate.hpp"
+#include "generator/network/golden.hpp"
+#include "targets/environments/train/export.hpp"
+
+namespace eagerx::train {
+namespace {
+
+Description description() {
+  Description result;
+  result.graph = "arm";
+  result.hash = "0x0123456789abcdef";
+  result.rate_hz = 30.0;
+  result.observations = {{"joint", "float32", 2, {-1, -1}, {1, 1}},
+                         {"speed", "float32", 1, {-50}, {50}}};
+  result.actions = {{"voltage", "float32", 2, {-2, 0}, {2, 10}}};
+  return result;
+}
+
+/// Observations of different sizes, and one that never changes.
+Statistics seen() {
+  Sums sums(3);
+  Random random({3, 0, 0}, 1);
+  for (int i = 0; i < 1000; ++i) {
+    sums.add(0, random.normal(0.5, 0.1));
+    sums.add(1, 4.0);
+    sums.add(2, random.normal(-20.0, 8.0));
+  }
+  sums.count = 1000.0;
+  Statistics result(3);
+  result.add(sums);
+  return result;
+}
+
+std::vector<float> rows() {
+  Random random({4, 0, 0}, 1);
+  std::vector<float> result;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    result.push_back(random.normal(0.5F, 0.1F));
+    result.push_back(4.0F);
+    result.push_back(random.normal(-20.0F, 8.0F));
+  }
+  return result;
+}
+
+const Network& actor() {
+  static const Network network(3, {24, 16}, 2);
+  return network;
+}
+
+Policy policy() {
+  return {actor(), folded(actor(), actor().drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
+          Bounds(description())};
+}
+
+TEST(TrainStatistics, AreThoseOfAllRows) {
+  Statistics parts(1), whole(1);
+  Sums all(1);
+  for (int part = 0; part < 3; ++part) {
+    Sums sums(1);
+    for (int i = 0; i < 10; ++i) {
+      const double x = 100.0 + part * 7 + i * i;
+      sums.add(0, x);
+      all.add(0, x);
+    }
+    sums.count = 10;
+    parts.add(sums);
+  }
+  all.count = 30;
+  whole.add(all);
+  EXPECT_NEAR(parts.mean[0], all.sum[0] / 30, 1e-9);
+  const double variance = all.squares[0] / 30 - std::pow(all.sum[0] / 30, 2);
+  EXPECT_NEAR(1 / std::pow(parts.scale(0), 2), variance, 1e-6);
+  EXPECT_NEAR(1 / std::pow(whole.scale(0), 2), variance, 1e-6);
+}
+
+TEST(TrainPolicy, NormalisationIsFoldedIntoTheFirstLayer) {
+  const Kernels& kernels = *kernels_here().back();
+  const std::vector<float> trained = actor().drawn(Random({5, 0, 0}, 1), 1.0F);
+  Packs normalised(actor().row()), raw(actor().row());
+  Normaliser(seen()).load(rows().data(), normalised.data());
+  actor().forward(kernels, trained.data(), normalised.data());
+  kernels.tanh(&normalised[actor().output()], 2);
+  policy().answer(kernels, rows().data(), raw.data());
+  for (std::size_t j = 0; j < 2; ++j) {
+    for (std::size_t l = 0; l < kLanes; ++l) {
+      EXPECT_NEAR(raw[actor().output() + j].lane[l], normalised[actor().output() + j].lane[l],
+                  2e-6);
+    }
+  }
+}
+
+TEST(TrainPolicy, WhatDoesNotChangeIsNotScaled) {
+  EXPECT_EQ(seen().scale(1), 1.0);
+  EXPECT_NEAR(seen().scale(0), 10.0, 1.0);
+}
+
+TEST(TrainPolicy, ActionsStayWithinTheirBounds) {
+  const Bounds bounds(description());
+  EXPECT_EQ(bounds.scaled(0, -1.0F), -2.0F);
+  EXPECT_EQ(bounds.scaled(1, 0.0F), 5.0F);
+  EXPECT_EQ(bounds.scaled(1, 7.0F), 10.0F);
+}
+
+TEST(TrainExport, TheReaderOfPoliciesGivesTheSameAnswers) {
+  const Policy ours = policy();
+  gen::Diagnostics diagnostics;
+  const auto theirs = gen::read_policy_bytes(safetensors_of(ours, description(), 1),
+                                             "p.safetensors", {}, diagnostics);
+  ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
+  EXPECT_EQ(theirs->action_kind(), gen::ActionKind::squashed);
+  EXPECT_EQ(theirs->contract.rate_hz, 30.0);
+  ASSERT_EQ(theirs->contract.observations.size(), 2U);
+  EXPECT_EQ(theirs->contract.observations[0].name, "joint");
+  EXPECT_EQ(theirs->contract.observations[0].size, 2U);
+  EXPECT_EQ(theirs->contract.action_low, (std::vector<double>{-2, 0}));
+  EXPECT_EQ(theirs->contract.action_high, (std::vector<double>{2, 10}));
+  Packs row(actor().row());
+  ours.answer(*kernels_here().back(), rows().data(), row.data());
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<float> all = rows();
+    const auto answer = gen::evaluate(*theirs, {&all[l * 3], &all[l * 3] + 3});
+    for (std::size_t j = 0; j < 2; ++j) {
+      EXPECT_NEAR(answer[j], row[actor().output() + j].lane[l], 1e-6);
+    }
+  }
+}
+
+TEST(TrainExport, GoldenRowsAreAnsweredByThePolicy) {
+  const std::string text = golden_rows(policy(), *kernels_here().back(), rows());
+  EXPECT_TRUE(text.starts_with("obs0,obs1,obs2,network_out0,network_out1,action0,action1\n"));
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 17);
+}
+
+TEST(TrainExport, GoldenRowsLieBesideThePolicy) {
+  EXPECT_EQ(golden_path("a/policy.safetensors"), "a/policy.golden.csv");
+  EXPECT_EQ(golden_path("policy"), "policy.golden.csv");
+}
+
+}  // namespace
+}  // namespace eagerx::train

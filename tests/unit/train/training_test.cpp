@@ -1,0 +1,199 @@
+#include "targets/environments/train/training.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "targets/environments/train/files.hpp"
+#include "targets/environments/train/problem.hpp"
+
+namespace eagerx::train {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kIteration = 256 * 32;  // steps
+
+const Library& pendulum() {
+  static const Library library(EAGERX_TEST_PENDULUM);
+  return library;
+}
+
+class TrainTraining : public testing::Test {
+ protected:
+  void SetUp() override { fs::create_directories(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+  Options options(std::uint64_t iterations) const {
+    Options result;
+    result.library = EAGERX_TEST_PENDULUM;
+    result.output = path("policy.safetensors");
+    result.steps = iterations * kIteration;
+    result.threads = 1;
+    result.is_quiet = true;
+    return result;
+  }
+
+  /// The bytes of the policy.
+  std::string trained(const Options& options) const {
+    const int never = 0;
+    Training(options, pendulum()).run(never);
+    return read_file(options.output);
+  }
+
+ private:
+  fs::path folder_ = fs::temp_directory_path() / ("eagerx_train_" + std::to_string(getpid()));
+};
+
+TEST_F(TrainTraining, AnyNumberOfThreadsLearnsTheSameBits) {
+  Options one = options(12);
+  const std::string policy = trained(one);
+  for (const unsigned threads : {2U, 3U}) {
+    one.threads = threads;
+    EXPECT_EQ(trained(one), policy) << threads << " threads";
+  }
+  one.settings.seed = 2;
+  EXPECT_NE(trained(one), policy);
+}
+
+TEST_F(TrainTraining, AnyInstructionSetLearnsTheSameBits) {
+  Options one = options(6);
+  one.kernels = "plain";
+  const std::string policy = trained(one);
+  for (const Kernels* kernels : kernels_here()) {
+    one.kernels = kernels->name;
+    EXPECT_EQ(trained(one), policy) << kernels->name;
+  }
+}
+
+TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
+  Options whole = options(38);
+  whole.settings.hidden = {8, 8};  // quick, and does not succeed so soon
+  whole.threads = 2;
+  whole.csv = path("whole.csv");
+  const std::string policy = trained(whole);
+  const std::string curve = read_file(whole.csv);
+  Options first = whole;
+  first.steps = 34 * kIteration;  // the checkpoint is that of iteration 32
+  first.checkpoint = path("checkpoint");
+  trained(first);
+  Options second = whole;
+  second.resume = first.checkpoint;
+  EXPECT_EQ(trained(second), policy);
+  EXPECT_EQ(read_file(second.csv), curve);
+}
+
+TEST_F(TrainTraining, LearnsToSwingUp) {
+  Options all = options(200);
+  all.threads = 2;
+  all.csv = path("curve.csv");
+  all.curve = path("curve.svg");
+  const int never = 0;
+  EXPECT_EQ(Training(all, pendulum()).run(never), kDone);  // 99 of 100 succeed, four times
+  EXPECT_TRUE(read_file(all.csv).starts_with("steps,return,success,"));
+  EXPECT_TRUE(read_file(all.curve).starts_with("<svg "));
+  EXPECT_TRUE(fs::exists(path("policy.golden.csv")));
+}
+
+TEST_F(TrainTraining, WithoutSuccessTheExitCodeSaysSo) {
+  const int never = 0, at_once = 1;
+  EXPECT_EQ(Training(options(1), pendulum()).run(never), kProblems);
+  EXPECT_EQ(Training(options(1), pendulum()).run(at_once), 130);
+  EXPECT_TRUE(fs::exists(path("policy.safetensors")));  // the one that it began with
+}
+
+/// What is said when `work` fails.
+template <class Work>
+std::string said(Work work) {
+  try {
+    work();
+  } catch (const Problem& problem) {
+    return problem.what();
+  }
+  return "nothing";
+}
+
+TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
+  Options first = options(33);
+  first.settings.hidden = {8};
+  first.checkpoint = path("checkpoint");
+  trained(first);
+  Options other = first;
+  other.resume = first.checkpoint;
+  other.settings.seed = 5;
+  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("belongs to another training"),
+            std::string::npos);
+  std::string bytes = read_file(first.checkpoint);
+  bytes.back() = static_cast<char>(bytes.back() + 1);
+  write_file(first.checkpoint, bytes);
+  other.settings.seed = 1;
+  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("is damaged"), std::string::npos);
+  write_file(first.checkpoint, "something else");
+  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("is no checkpoint"), std::string::npos);
+}
+
+TEST_F(TrainTraining, FilesThatCannotBeWrittenAreRefusedBefore) {
+  Options bad = options(1);
+  bad.output = path("nowhere/policy.safetensors");
+  EXPECT_NE(said([&] { check_files(bad); }).find("No such file"), std::string::npos);
+  bad.output = path("");
+  EXPECT_NE(said([&] { check_files(bad); }).find("is a folder"), std::string::npos);
+  bad = options(1);
+  bad.csv = "/proc/curve.csv";
+  EXPECT_NE(said([&] { check_files(bad); }).find("cannot write `/proc/curve.csv`"),
+            std::string::npos);
+}
+
+TEST_F(TrainTraining, AFileIsThereAsAWholeOrNotAtAll) {
+  write_file(path("file"), "before");
+  fs::create_directories(path("file.part"));  // nothing can be written there
+  EXPECT_NE(said([&] { write_file(path("file"), "after"); }).find("cannot write"),
+            std::string::npos);
+  EXPECT_EQ(read_file(path("file")), "before");
+}
+
+TEST(TrainLibrary, AnythingElseIsRefused) {
+  EXPECT_NE(said([] { Library("/dev/null"); }).find("cannot load"), std::string::npos);
+  EXPECT_NE(said([] { Library("libm.so.6/"); }).find("cannot load"), std::string::npos);
+  EXPECT_NE(said([] { read_description("{}"); }).find("describes itself"), std::string::npos);
+  EXPECT_NE(said([] { read_description("no JSON"); }).find("describes itself"), std::string::npos);
+}
+
+TEST(TrainOptions, WrongOnesAreRefused) {
+  const auto parse = [](std::vector<const char*> words) {
+    words.insert(words.begin(), "eagerx-train");
+    return said([&] { parse_options(static_cast<int>(words.size()), words.data()); });
+  };
+  EXPECT_EQ(parse({"lib.so"}), "nothing");
+  EXPECT_EQ(parse({}), "LIBRARY is missing");
+  EXPECT_EQ(parse({"a.so", "b.so"}), "there is one LIBRARY only, `b.so` is another");
+  EXPECT_EQ(parse({"a.so", "--steps", "0"}), "`0` is not a number in its range");
+  EXPECT_EQ(parse({"a.so", "--steps"}), "`--steps` needs a value");
+  EXPECT_EQ(parse({"a.so", "--seed=1x"}), "`1x` is not a number in its range");
+  EXPECT_EQ(parse({"a.so", "--discount", "nan"}), "`nan` is not a number in its range");
+  EXPECT_EQ(parse({"a.so", "--hidden", "64,"}), "`` is not a number in its range");
+  EXPECT_EQ(parse({"a.so", "--algorithm", "sac"}), "there is no algorithm `sac`, only ppo");
+  EXPECT_EQ(parse({"a.so", "--more"}), "there is no option `--more`");
+}
+
+TEST(TrainTeam, EveryPartIsDoneOnceAndFailuresComeBack) {
+  Team team(3);
+  std::vector<int> done(50);
+  for (int again = 0; again < 200; ++again) {
+    team.run(done.size(), [&](std::size_t part) { ++done[part]; });
+  }
+  EXPECT_EQ(done, std::vector<int>(50, 200));
+  EXPECT_THROW(team.run(4,
+                        [](std::size_t part) {
+                          if (part == 3) throw Problem(kProblems, "no");
+                        }),
+               Problem);
+  team.run(1, [&](std::size_t part) { ++done[part]; });
+  EXPECT_EQ(done[0], 201);
+}
+
+}  // namespace
+}  // namespace eagerx::train
