@@ -89,6 +89,13 @@ constexpr Real row_times(const std::array<Lane, N>& matrix, std::size_t row, con
   return sum;
 }
 
+/// The last finite number, at first zero: what takes the place of one that is not finite.
+template <class Real>
+struct Held {
+  Real last{};
+  const Real& operator()(const Real& x) { return last = select(eagerx::isfinite(x), x, last); }
+};
+
 /// A number that a reset may set. If no reset does, it keeps its value, at first `otherwise`.
 template <class Real>
 struct ResetNumber {

@@ -101,7 +101,6 @@ TEST(Gain, IsOfEachElement) {
 }
 
 struct MatrixConfig {
-  static constexpr int rows = 3;
   static constexpr std::array<double, 6> gain = {1.0, 2.0, 3.0, 4.0, -5.0, 0.1};
 };
 template <class Real>
@@ -262,9 +261,7 @@ TEST(Switch, ChoosesByItsControl) {
   expect_lanes<Switch, SwitchIo, 1, 2, 2>();
 }
 
-struct MuxConfig {
-  static constexpr int size = 4;
-};
+struct MuxConfig {};
 template <class Real>
 struct MuxIo : BlockIo<Real, MuxConfig> {
   struct Inputs {
