@@ -9,24 +9,11 @@
 #include <models/processors/to_scalar/to_scalar.hpp>
 #include <models/processors/to_vector/to_vector.hpp>
 
-#include "tests/unit/models/block_io.hpp"
+#include "tests/unit/models/block_harness.hpp"
 
-namespace eagerx::models::testing {
+namespace eagerx::models::testing::blocks {
 namespace {
 
-struct ConversionConfig {
-  static constexpr std::array<double, 2> factor = {2.0, -0.1};
-  static constexpr std::array<double, 1> offset = {0.1};
-  static constexpr std::array<double, 1> low = {-1.0};
-  static constexpr std::array<double, 2> high = {0.5, 2.0};
-};
-template <class RealType, class InputType, class OutputType = InputType>
-struct ConversionIo {
-  using Real = RealType;
-  using Input = InputType;
-  using Output = OutputType;
-  using Config = ConversionConfig;
-};
 template <template <class> class Processor, class Real, class Message>
 Message convert(const Message& message) {
   return Processor<ConversionIo<Real, Message>>::convert(message);
@@ -76,4 +63,4 @@ TEST(Processors, ConvertLanes) {
 }
 
 }  // namespace
-}  // namespace eagerx::models::testing
+}  // namespace eagerx::models::testing::blocks

@@ -7,31 +7,14 @@
 #include <models/nodes/sensor_model/sensor_model.hpp>
 #include <models/nodes/state_feedback/state_feedback.hpp>
 
-#include "tests/unit/models/block_io.hpp"
+#include "tests/unit/models/block_harness.hpp"
 
-namespace eagerx::models::testing {
+namespace eagerx::models::testing::blocks {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using D1 = V<double>;
 using D2 = V<double, 2>;
 
-struct FeedbackConfig {
-  static constexpr std::array<double, 4> gain = {2.0, -1.0, 0.5, 4.0};
-  static constexpr std::array<double, 2> reference_gain = {3.0, -2.0};
-  static constexpr std::array<double, 1> low = {-5.0};
-  static constexpr std::array<double, 2> high = {5.0, 1.0};
-};
-template <class Real>
-struct FeedbackIo : BlockIo<Real, FeedbackConfig> {
-  struct Inputs {
-    Skipped<V<Real, 2>> x;
-    Skipped<V<Real>> reference;
-  };
-  struct Outputs {
-    V<Real, 2>& u;
-  };
-};
 template <class Real>
 V<Real, 2> feedback(Skipped<V<Real, 2>> x, Skipped<V<Real>> reference) {
   StateFeedback<FeedbackIo<Real>> node;
@@ -49,7 +32,7 @@ TEST(StateFeedback, IsGainTimesState) {
   const D2 far{{-9.0, 0.0}};
   EXPECT_EQ(feedback(window(far), window(r)), (D2{{5.0, 1.0}}));
   const D2 bad{{0.0, kNan<double>}};
-  const D1 infinite{{kInfinity}};
+  const D1 infinite{{kInf}};
   EXPECT_EQ(feedback(window(bad), window(r)), D2{});
   EXPECT_EQ(feedback(window(x), window(infinite)), D2{});
   EXPECT_EQ(feedback(window(x), nothing<D1>()), D2{});
@@ -67,31 +50,6 @@ TEST(StateFeedback, ChoosesInEachLane) {
   EXPECT_EQ(lane(u[1], 3), -3.25F);
 }
 
-/// The system of make_blocks.py.
-struct SystemConfig {
-  static constexpr int order = 3;
-  static constexpr std::array<double, 9> a = {0.9, 0.2, 0.0, -0.1, 0.8, 0.05, 0.3, 0.0, 0.7};
-  static constexpr std::array<double, 6> b = {0.1, 0.0, 0.0, -0.2, 0.05, 0.3};
-  static constexpr std::array<double, 6> c = {1.0, 0.0, 0.5, 0.0, 2.0, -1.0};
-  static constexpr std::array<double, 3> initial = {0.5, -1.0, 0.25};
-  static constexpr std::array<double, 6> gain = {0.3, 0.1, 0.0, 0.2, 0.1, -0.1};  // Observer
-  static constexpr std::array<double, 3> q = {0.01, 0.02, 0.03};                  // KalmanFilter
-  static constexpr std::array<double, 2> r = {0.1, 0.4};
-  static constexpr std::array<double, 3> p = {1.0, 2.0, 0.5};
-};
-template <class Real>
-struct SystemIo : BlockIo<Real, SystemConfig> {
-  struct Inputs {
-    Skipped<V<Real, 2>> measured;
-    Skipped<V<Real, 2>> u;
-  };
-  struct Outputs {
-    V<Real, 3>& x;
-  };
-  struct States {
-    std::optional<V<Real, 3>> x{};
-  };
-};
 /// Ticking, for a node whose output is x.
 template <template <class> class Node, class Io>
 struct Estimator {
@@ -122,7 +80,7 @@ void expect_estimates(const std::string& name, double in_float) {
 template <template <class> class Node>
 void expect_predicts_without_measurement() {
   Estimator<Node, SystemIo<double>> node;
-  const D2 bad{{kNan<double>, kInfinity}};
+  const D2 bad{{kNan<double>, kInf}};
   const V<double, 3> initial{{0.5, -1.0, 0.25}};
   EXPECT_EQ(node.tick(window(bad), window(bad)), initial);
   const auto x = node.tick(nothing<D2>(), nothing<D2>());
@@ -168,13 +126,6 @@ TEST(KalmanFilter, IsJosephsFormWithAnInverse) {
   expect_predicts_without_measurement<KalmanFilter>();
   expect_lanes_of_estimator<KalmanFilter>();
 }
-struct WholeMatricesConfig : SystemConfig {
-  static constexpr std::array<double, 9> q = {0.01, 0, 0, 0, 0.02, 0, 0, 0, 0.03};
-  static constexpr std::array<double, 9> p = {1.0, 0, 0, 0, 2.0, 0, 0, 0, 0.5};
-};
-struct WholeMatricesIo : SystemIo<double> {
-  using Config = WholeMatricesConfig;
-};
 TEST(KalmanFilter, TakesWholeMatricesToo) {
   Estimator<KalmanFilter, SystemIo<double>> diagonal;
   Estimator<KalmanFilter, WholeMatricesIo> whole;
@@ -184,37 +135,6 @@ TEST(KalmanFilter, TakesWholeMatricesToo) {
   }
 }
 
-struct IdealConfig {
-  static constexpr std::array<double, 1> scale = {1.0};
-  static constexpr std::array<double, 1> bias = {0.0};
-  static constexpr std::array<double, 1> drift = {0.0};
-  static constexpr std::array<double, 1> noise = {0.0};
-  static constexpr double drop_out = 0.0;
-  static constexpr double resolution = 0.0;
-  static constexpr double low = -kInfinity;
-  static constexpr double high = kInfinity;
-  static constexpr int seed = 0;
-};
-struct BentConfig : IdealConfig {
-  static constexpr std::array<double, 1> scale = {2.0};
-  static constexpr std::array<double, 2> bias = {0.5, -0.5};
-  static constexpr std::array<double, 1> drift = {10.0};
-  static constexpr double resolution = 0.25;
-  static constexpr double low = -3.0;
-};
-struct NoisyConfig : IdealConfig {
-  static constexpr std::array<double, 1> noise = {0.5};
-  static constexpr double drop_out = 0.25;
-};
-template <class Real, class Config>
-struct SensorIo : SignalIo<Real, Config, 2> {
-  struct States {
-    std::optional<V<float, 2>> bias{};
-    std::optional<std::uint32_t> seed{};
-  };
-};
-template <class Real>
-using NoisyIo = SignalIo<Real, NoisyConfig, 2>;
 TEST(SensorModel, BendsAsItsParametersSay) {
   Ticking<SensorModel, SignalIo<double, IdealConfig, 2>> ideal;
   const D2 x{{1.2345, -7.0}};
@@ -238,7 +158,7 @@ TEST(SensorModel, NoiseHasItsDeviationAndDropOutsTheirProbability) {
   double squares = 0.0;
   double products = 0.0;
   int held = 0;
-  D2 before{{kInfinity, kInfinity}};
+  D2 before{{kInf, kInf}};
   for (int n = 0; n < kTicks; ++n) {
     const D2 y = sensor(D2{{3.0, 3.0}});
     held += y[0] == before[0];
@@ -270,4 +190,4 @@ TEST(SensorModel, SeedsDecide) {
 }
 
 }  // namespace
-}  // namespace eagerx::models::testing
+}  // namespace eagerx::models::testing::blocks
