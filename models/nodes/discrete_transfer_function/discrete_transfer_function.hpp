@@ -44,7 +44,9 @@ class DiscreteTransferFunction {
   template <std::size_t N>
   static constexpr auto normalised(const std::array<double, N>& list) {
     std::array<double, kOrder + 1> result{};
-    for (std::size_t i = 0; i < N; ++i) result[i] = list[i] / Io::Config::a[0];
+    constexpr double kFirst = Io::Config::a[0];
+    if (kFirst == 0.0) return constants<Real>(result);  // refused above
+    for (std::size_t i = 0; i < N; ++i) result[i] = list[i] / kFirst;
     return constants<Real>(result);
   }
   static constexpr auto kB = normalised(Io::Config::b);
