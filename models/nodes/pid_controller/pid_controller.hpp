@@ -1,83 +1,78 @@
 // A PID controller with limits.
 #pragma once
 
-#include <eagerx/math.hpp>
-#include <eagerx/message.hpp>
+#include <cstddef>
 #include <eagerx/rate.hpp>
-#include <type_traits>
+#include <models/nodes/block.hpp>
 
 namespace eagerx::models {
 
-/// Every tick: u := clamp(kp·e + ki·Σe/rate − kd·d, low, high); see the manifest. The derivative is
-/// that of `measured`, so that nothing jumps.
+/// Every tick: u := clamp(kp·e + ki·Σe/rate − kd·d + feed_forward, low, high); see the manifest.
+/// The derivative is that of `measured`, so that nothing jumps with the setpoint.
 template <class Io>
 class PidController {
  public:
   void reset(const typename Io::States& /*states*/) {
     sum_ = {};
     last_ = {};
-    has_last_ = false;
+    has_last_ = {};
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
-    element(out.u, 0) = static_cast<ScalarOf<decltype(out.u)>>(next(in));
+    const Real nan(FloatFormat<LaneOf<Real>>::nan);
+    const Real measured = newest<Real>(in.measured, 0, nan);
+    Real setpoint(constant<Real>(Config::setpoint));
+    if constexpr (requires { in.setpoint; }) setpoint = newest<Real>(in.setpoint, 0, setpoint);
+    Real forward(0);
+    if constexpr (requires { in.feed_forward; }) forward = newest<Real>(in.feed_forward, 0);
+    const Real derivative = derivative_of(in, measured);
+    const auto right = eagerx::isfinite(measured) && eagerx::isfinite(derivative) &&
+                       eagerx::isfinite(setpoint) && eagerx::isfinite(forward);
+    const Real error = within_turn(setpoint - measured, kTurn);
+    put(out.u, 0, output<requires { in.feed_forward; }>(right, error, derivative, forward));
   }
 
  private:
   using Real = typename Io::Real;
   using Config = typename Io::Config;
-  template <class Message>
-  using ScalarOf = eagerx::ScalarOf<std::remove_cvref_t<Message>>;
-  static constexpr auto kLow = static_cast<Real>(Config::low);
-  static constexpr auto kHigh = static_cast<Real>(Config::high);
+  static constexpr auto kLow = constant<Real>(Config::low);
+  static constexpr auto kHigh = constant<Real>(Config::high);
+  static constexpr auto kTurn = constant<Real>(Config::turn);
   static_assert(kLow < kHigh, "PidController: the lowest output is below the highest");
 
-  Real next(const typename Io::Inputs& in) {
-    const Real zero = eagerx::clamp(Real(0), kLow, kHigh);
-    if (in.measured.empty()) return zero;
-    const auto measured = static_cast<Real>(element(in.measured.back(), 0));
-    if (!eagerx::isfinite(measured)) return zero;
-    Real derivative{};
+  Real derivative_of(const typename Io::Inputs& in, const Real& measured) {
     if constexpr (requires { in.derivative; }) {
-      if (in.derivative.empty()) return zero;
-      derivative = static_cast<Real>(element(in.derivative.back(), 0));
-      if (!eagerx::isfinite(derivative)) return zero;
+      return newest<Real>(in.derivative, 0, Real(FloatFormat<LaneOf<Real>>::nan));
     } else {
-      const Real change = has_last_ ? within_turn(measured - last_) : Real(0);
-      derivative = change * static_cast<Real>(Io::Rate::hz);
-      last_ = measured;
-      has_last_ = true;
-    }
-    return output(within_turn(static_cast<Real>(Config::setpoint) - measured), derivative);
-  }
-
-  Real output(Real error, Real derivative) {
-    constexpr auto kPeriod = static_cast<Real>(Io::Rate::period_s);
-    const Real sum = sum_ + error * kPeriod;
-    const Real wanted =
-        (static_cast<Real>(Config::kp) * error + static_cast<Real>(Config::ki) * sum) -
-        static_cast<Real>(Config::kd) * derivative;
-    const bool winds_up = (wanted > kHigh && sum_term(error) > Real(0)) ||
-                          (wanted < kLow && sum_term(error) < Real(0));
-    if (!winds_up) sum_ = sum;
-    return eagerx::clamp(wanted, kLow, kHigh);
-  }
-
-  static Real sum_term(Real error) { return static_cast<Real>(Config::ki) * error; }
-
-  /// Moved by whole turns into [−turn/2, turn/2].
-  static Real within_turn(Real x) {
-    constexpr auto kTurn = static_cast<Real>(Config::turn);
-    if constexpr (kTurn > Real(0)) {
-      return x - kTurn * eagerx::round(x / kTurn);
-    } else {
-      return x;
+      const auto right = eagerx::isfinite(measured);
+      const Real moved = within_turn(measured - last_, kTurn);
+      const Real change = select(has_last_ > Real(0), moved, Real(0));
+      last_ = select(right, measured, last_);
+      has_last_ = select(right, Real(1), has_last_);
+      return change * Real(constant<Real>(Io::Rate::hz));
     }
   }
 
-  Real sum_{};   // of the errors, in their unit times seconds
-  Real last_{};  // measured, a tick ago
-  bool has_last_ = false;
+  /// Zero, moved into the limits, unless `right`.
+  template <bool HasForward, class Truth>
+  Real output(const Truth& right, const Real& error, const Real& derivative, const Real& forward) {
+    constexpr auto kPeriod = constant<Real>(Io::Rate::period_s);
+    const Real sum = sum_ + error * Real(kPeriod);
+    Real wanted =
+        (Real(constant<Real>(Config::kp)) * error + Real(constant<Real>(Config::ki)) * sum) -
+        Real(constant<Real>(Config::kd)) * derivative;
+    // Not even zero is added without it: −0 would become 0.
+    if constexpr (HasForward) wanted += forward;
+    const Real sum_term = Real(constant<Real>(Config::ki)) * error;
+    const auto winds_up =
+        (wanted > Real(kHigh) && sum_term > Real(0)) || (wanted < Real(kLow) && sum_term < Real(0));
+    sum_ = select(right && !winds_up, sum, sum_);
+    return eagerx::clamp(select(right, wanted, Real(0)), Real(kLow), Real(kHigh));
+  }
+
+  Real sum_{};       // of the errors, in their unit times seconds
+  Real last_{};      // measured, a tick ago
+  Real has_last_{};  // 1 after the first measured
 };
 
 }  // namespace eagerx::models

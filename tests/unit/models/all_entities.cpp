@@ -18,26 +18,63 @@
 #include <models/engine_states/set_gym_attribute/set_gym_attribute.hpp>
 #include <models/engines/gym_engine/gym_engine.hpp>
 #include <models/nodes/action_limits/action_limits.hpp>
+#include <models/nodes/backlash/backlash.hpp>
 #include <models/nodes/butterworth_filter/butterworth_filter.hpp>
+#include <models/nodes/complementary_filter/complementary_filter.hpp>
+#include <models/nodes/constant/constant.hpp>
+#include <models/nodes/counter/counter.hpp>
+#include <models/nodes/dead_zone/dead_zone.hpp>
+#include <models/nodes/demux/demux.hpp>
+#include <models/nodes/derivative/derivative.hpp>
+#include <models/nodes/difference/difference.hpp>
+#include <models/nodes/discrete_transfer_function/discrete_transfer_function.hpp>
 #include <models/nodes/fallback_controller/fallback_controller.hpp>
+#include <models/nodes/first_order_lag/first_order_lag.hpp>
+#include <models/nodes/gain/gain.hpp>
+#include <models/nodes/integrator/integrator.hpp>
+#include <models/nodes/kalman_filter/kalman_filter.hpp>
+#include <models/nodes/lookup_table/lookup_table.hpp>
+#include <models/nodes/lookup_table_2d/lookup_table_2d.hpp>
+#include <models/nodes/matrix_gain/matrix_gain.hpp>
 #include <models/nodes/moving_average_filter/moving_average_filter.hpp>
+#include <models/nodes/moving_median/moving_median.hpp>
+#include <models/nodes/mux/mux.hpp>
 #include <models/nodes/nan_guard/nan_guard.hpp>
+#include <models/nodes/observer/observer.hpp>
 #include <models/nodes/pid_controller/pid_controller.hpp>
+#include <models/nodes/product/product.hpp>
+#include <models/nodes/quantizer/quantizer.hpp>
+#include <models/nodes/reference/reference.hpp>
 #include <models/nodes/reset_angle/reset_angle.hpp>
 #include <models/nodes/reset_decomposed_angle/reset_decomposed_angle.hpp>
+#include <models/nodes/saturation/saturation.hpp>
+#include <models/nodes/sensor_model/sensor_model.hpp>
 #include <models/nodes/slew_limit/slew_limit.hpp>
+#include <models/nodes/state_feedback/state_feedback.hpp>
+#include <models/nodes/state_space/state_space.hpp>
+#include <models/nodes/sum/sum.hpp>
+#include <models/nodes/switch/switch.hpp>
+#include <models/nodes/transport_delay/transport_delay.hpp>
+#include <models/nodes/unit_delay/unit_delay.hpp>
 #include <models/nodes/windowed_butterworth/windowed_butterworth.hpp>
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
+#include <models/processors/clip/clip.hpp>
 #include <models/processors/decomposed_angle/decomposed_angle.hpp>
 #include <models/processors/get_index/get_index.hpp>
 #include <models/processors/identity/identity.hpp>
 #include <models/processors/negate/negate.hpp>
 #include <models/processors/normalize_angle/normalize_angle.hpp>
 #include <models/processors/obs_with_decomposed_angle/obs_with_decomposed_angle.hpp>
+#include <models/processors/offset/offset.hpp>
+#include <models/processors/reshape/reshape.hpp>
+#include <models/processors/scale/scale.hpp>
+#include <models/processors/to_scalar/to_scalar.hpp>
 #include <models/processors/to_uint8/to_uint8.hpp>
+#include <models/processors/to_vector/to_vector.hpp>
 #include <models/processors/voltage_to_motor_torque/voltage_to_motor_torque.hpp>
 
+#include "tests/unit/models/block_io.hpp"
 #include "tests/unit/models/entity_io.hpp"
 #include "tests/unit/models/gym_io.hpp"
 #include "tests/unit/models/safety_io.hpp"
@@ -126,6 +163,93 @@ template class TruncatedSensor<testing::FlagSensorIo<GymPendulumSimulator<double
 template class ActionActuator<testing::ActionActuatorIo<GymPendulumSimulator<float>>>;
 template struct SetGymAttribute<testing::MassIo<GymPendulumSimulator<float>>>;
 template struct GymState<testing::MirroredStateIo<GymPendulumSimulator<double>>>;
+
+namespace blocks = testing::blocks;
+template <class Real, class Input, class Output>
+using ConversionIo = blocks::ConversionIo<Real, Input, Output>;
+template class Sum<blocks::SumIo<float>>;
+template class Sum<blocks::SumIo<double>>;
+template class Difference<blocks::AngleIo<float>>;
+template class Difference<blocks::AngleIo<double>>;
+template class Gain<blocks::GainIo<float>>;
+template class Gain<blocks::GainIo<double>>;
+template class MatrixGain<blocks::MatrixIo<float>>;
+template class MatrixGain<blocks::MatrixIo<double>>;
+template class Saturation<blocks::DrawnLimitsIo<float>>;
+template class Saturation<blocks::DrawnLimitsIo<double>>;
+template class DeadZone<blocks::LimitsIo<float>>;
+template class DeadZone<blocks::LimitsIo<double>>;
+template class Quantizer<blocks::QuantizerIo<float>>;
+template class Quantizer<blocks::QuantizerIo<double>>;
+template class Product<blocks::ProductIo<float>>;
+template class Product<blocks::ProductIo<double>>;
+template class Switch<blocks::SwitchIo<float>>;
+template class Switch<blocks::SwitchIo<double>>;
+template class Mux<blocks::MuxIo<float>>;
+template class Mux<blocks::MuxIo<double>>;
+template class Demux<blocks::DemuxIo<float>>;
+template class Demux<blocks::DemuxIo<double>>;
+template class LookupTable<blocks::TableIo<float>>;
+template class LookupTable<blocks::TableIo<double>>;
+template class LookupTable<blocks::StepsIo<float>>;
+template class LookupTable<blocks::StepsIo<double>>;
+template class LookupTable2d<blocks::GridIo<float>>;
+template class LookupTable2d<blocks::GridIo<double>>;
+template class Constant<blocks::DrawnConstantIo<float>>;
+template class Constant<blocks::DrawnConstantIo<double>>;
+template class Integrator<blocks::BackwardIo<float>>;
+template class Integrator<blocks::BackwardIo<double>>;
+template class Integrator<blocks::ForwardIo<float>>;
+template class Integrator<blocks::ForwardIo<double>>;
+template class Integrator<blocks::TrapezoidalIo<float>>;
+template class Integrator<blocks::TrapezoidalIo<double>>;
+template class Derivative<blocks::DerivativeIo<float>>;
+template class Derivative<blocks::DerivativeIo<double>>;
+template class DiscreteTransferFunction<blocks::TransferIo<float>>;
+template class DiscreteTransferFunction<blocks::TransferIo<double>>;
+template class StateSpace<blocks::SpaceIo<float>>;
+template class StateSpace<blocks::SpaceIo<double>>;
+template class FirstOrderLag<blocks::LagIo<float>>;
+template class FirstOrderLag<blocks::LagIo<double>>;
+template class Backlash<blocks::PlayIo<float>>;
+template class Backlash<blocks::PlayIo<double>>;
+template class TransportDelay<blocks::DelayIo<float>>;
+template class TransportDelay<blocks::DelayIo<double>>;
+template class UnitDelay<blocks::UnitIo<float>>;
+template class UnitDelay<blocks::UnitIo<double>>;
+template class MovingMedian<blocks::MedianIo<float>>;
+template class MovingMedian<blocks::MedianIo<double>>;
+template class Counter<blocks::CounterIo<float>>;
+template class Counter<blocks::CounterIo<double>>;
+template class ComplementaryFilter<blocks::TurningIo<float>>;
+template class ComplementaryFilter<blocks::TurningIo<double>>;
+template class PidController<blocks::SetpointPidIo<float>>;
+template class PidController<blocks::SetpointPidIo<double>>;
+template class StateFeedback<blocks::FeedbackIo<float>>;
+template class StateFeedback<blocks::FeedbackIo<double>>;
+template class Observer<blocks::SystemIo<float>>;
+template class Observer<blocks::SystemIo<double>>;
+template class KalmanFilter<blocks::SystemIo<float>>;
+template class KalmanFilter<blocks::SystemIo<double>>;
+template class SensorModel<blocks::NoisyIo<float>>;
+template class SensorModel<blocks::NoisyIo<double>>;
+template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::step>>>;
+template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::ramp>>>;
+template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::sine>>>;
+template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::chirp>>>;
+template struct Scale<ConversionIo<float, Array<float, 2>, Array<float, 2>>>;
+template struct Offset<ConversionIo<float, Array<float, 2>, Array<float, 2>>>;
+template struct Clip<ConversionIo<float, Array<float, 2>, Array<float, 2>>>;
+template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::step>>>;
+template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::ramp>>>;
+template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::sine>>>;
+template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::chirp>>>;
+template struct Scale<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;
+template struct Offset<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;
+template struct Clip<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;
+template struct Reshape<ConversionIo<float, Array<float, 4>, Array<float, 2, 2>>>;
+template struct ToScalar<ConversionIo<float, Array<float, 1>, float>>;
+template struct ToVector<ConversionIo<float, float, Array<float, 1>>>;
 
 // The state of a program: constant-initialised to zero bytes.
 constinit PendulumSimulator<float> float_pendulum;

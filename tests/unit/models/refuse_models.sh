@@ -6,8 +6,9 @@ cd "$(dirname "$0")/../../.."
 failures=0
 
 # compile CODE: what the compiler says to CODE among the models, its exit status.
+among='"tests/unit/models/all_entities.cpp"'
 compile() {
-  printf '#include "tests/unit/models/all_entities.cpp"\nnamespace eagerx::models {\nusing namespace testing;\n%s\n}\n' "$1" |
+  printf "#include $among"'\nnamespace eagerx::models {\nusing namespace testing;\n%s\n}\n' "$1" |
     "$compiler" -std=c++20 -I. -Iruntime -fsyntax-only -x c++ - 2>&1
 }
 
@@ -62,4 +63,33 @@ refuse '`size` must be one more than the message has elements' \
   'template struct AngleDecomposition<testing::ProcessorIo<float, Array<float, 4>, Array<float, 4>>>;'
 refuse '`filtered` must have as many elements as `signal`' \
   'template class MovingAverageFilter<MeanIo<float, TwoFloats, float>>;'
+# refuse_block WORDS BLOCK IO CONFIG: a block with another configuration than that of its Io.
+refuse_block() {
+  local header among='"tests/unit/models/block_io.hpp"'
+  header=$(sed 's/\([a-z]\)\([A-Z2]\)/\1_\2/g' <<<"$2" | tr '[:upper:]' '[:lower:]')
+  among+=$'\n'"#include <models/nodes/$header/$header.hpp>"
+  refuse "$1" "struct Wrong : blocks::$3 { struct Config : blocks::$3::Config { $4 }; };
+    template class $2<Wrong>;"
+}
+one() { echo "static constexpr std::array<double, 1> $1 = {$2};"; }
+two() { echo "static constexpr std::array<double, 2> $1 = {$2};"; }
+refuse_block '`gains` has one value, or one for each input' Sum 'SumIo<float>' "$(two gains '1, 2')"
+refuse_block '`low` is not above `high`' Saturation 'LimitsIo<float>' "$(one low 3)"
+refuse_block '`step` is above 0' Quantizer 'QuantizerIo<float>' "$(one step 0)"
+refuse_block 'each value of `x` is above the one before' LookupTable 'TableIo<float>' \
+  'static constexpr std::array<double, 4> x = {0, 1, 1, 2};'
+refuse_block '`sizes` are together the number of elements' Demux 'DemuxIo<float>' \
+  'static constexpr std::array<int, 3> sizes = {1, 2, 2};'
+refuse_block '`a` has order x order values' StateSpace 'SpaceIo<float>' "$(two a '1, 2')"
+refuse_block 'the first value of `a` is not 0' DiscreteTransferFunction 'TransferIo<float>' "$(two a '0, 1')"
+refuse_block '`delay` is not above `max_delay`' TransportDelay 'DelayIo<float>' 'static constexpr double delay = 1.0;'
+refuse_block '`gain` has `rows` times as many values' StateFeedback 'FeedbackIo<float>' "$(two gain '1, 2')"
+refuse_block '`p` and `q` have a value for each state' KalmanFilter 'SystemIo<float>' "$(two q '1, 2')"
+refuse_block 'the lowest output is below the highest' PidController 'SetpointPidIo<float>' 'static constexpr double low = 200.0;'
+refuse_block '`sizes` are together the number' Demux 'DemuxIo<float>' 'static constexpr std::array<int, 2> sizes = {1, 2};'
+among='<models/nodes/mux/mux.hpp>
+#include "tests/unit/models/block_io.hpp"'
+refuse '`size` is the number of elements of all inputs together' \
+  'struct Wrong : blocks::MuxIo<float> { struct Outputs { Array<float, 5>& y; }; };
+   template class Mux<Wrong>;'
 [ $failures -eq 0 ] && echo "all wrong configurations are refused by $compiler"

@@ -6,7 +6,7 @@
 namespace async_test {
 
 template <class Io>
-class Counter {
+class TickCounter {
  public:
   void reset(const typename Io::States& /*states*/) { count_ = 0; }
   void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& /*in*/,

@@ -1,0 +1,115 @@
+// What blocks of a controller share: messages as numbers, and constants of a configuration.
+//
+// Blocks are written so that `Real` may be a pack of numbers (eagerx/pack.hpp): a number chooses
+// with `select`, and only what is the same in all lanes (which messages there are) with `if`.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <type_traits>
+
+namespace eagerx::models {
+
+/// The message that an input or output carries.
+template <class Port>
+struct PortMessage {
+  using type = typename Port::value_type;
+};
+template <class Message>
+struct PortMessage<Message&> {
+  using type = std::remove_const_t<Message>;
+};
+/// Number of elements of `Io::Inputs::name` or `Io::Outputs::name`, by decltype.
+template <class Port>
+inline constexpr std::size_t elements_of = size_of<typename PortMessage<Port>::type>;
+
+/// Element `i` of the newest message, or `otherwise` as long as none has come.
+template <class Real, class Window>
+constexpr Real newest(const Window& window, std::size_t i,
+                      const std::type_identity_t<Real>& otherwise = Real(0)) {
+  return window.empty() ? otherwise : static_cast<Real>(element(window.back(), i));
+}
+
+/// Element `i` of a message becomes `value`, in the message's type.
+template <class Message, class Real>
+constexpr void put(Message& message, std::size_t i, const Real& value) {
+  element(message, i) = static_cast<ScalarOf<Message>>(value);
+}
+
+/// The list of a configuration in the type that a Real consists of, rounded by the compiler.
+template <class Real, std::size_t N>
+constexpr std::array<LaneOf<Real>, N> constants(const std::array<double, N>& list) {
+  std::array<LaneOf<Real>, N> result{};
+  for (std::size_t i = 0; i < N; ++i) result[i] = static_cast<LaneOf<Real>>(list[i]);
+  return result;
+}
+template <class Real>
+constexpr LaneOf<Real> constant(double value) {
+  return static_cast<LaneOf<Real>>(value);
+}
+
+/// Constant `i` of a list that has one for all elements, or one for each.
+template <class Real, class Lane, std::size_t N>
+constexpr Real each(const std::array<Lane, N>& list, std::size_t i) {
+  return Real(list[N == 1 ? 0 : i]);
+}
+
+/// Whether there are at least two values, each above the one before.
+template <std::size_t N>
+constexpr bool increases(const std::array<double, N>& list) {
+  for (std::size_t k = 1; k < N; ++k) {
+    if (!(list[k - 1] < list[k])) return false;
+  }
+  return N >= 2;
+}
+
+/// Whether low[i] <= high[i] for every element; either list has one value, or one for each.
+template <std::size_t L, std::size_t H>
+constexpr bool in_order(const std::array<double, L>& low, const std::array<double, H>& high) {
+  for (std::size_t i = 0; i < L || i < H; ++i) {
+    if (!(low[L == 1 ? 0 : i] <= high[H == 1 ? 0 : i])) return false;
+  }
+  return true;
+}
+
+/// `x` moved by whole turns into [−turn/2, turn/2]; as it is where `turn` is 0.
+template <class Real>
+constexpr Real within_turn(const Real& x, LaneOf<Real> turn) {
+  if (!(turn > LaneOf<Real>(0))) return x;
+  return x - Real(turn) * eagerx::round(x / Real(turn));
+}
+
+/// Row `row` of a matrix [rows][columns] times a vector, added from left to right.
+template <class Real, class Lane, std::size_t N, class Vector>
+constexpr Real row_times(const std::array<Lane, N>& matrix, std::size_t row, const Vector& x) {
+  Real sum = Real(matrix[row * x.size()]) * x[0];
+  for (std::size_t k = 1; k < x.size(); ++k) sum += Real(matrix[row * x.size() + k]) * x[k];
+  return sum;
+}
+
+/// The last finite number, at first zero: what takes the place of one that is not finite.
+template <class Real>
+struct Held {
+  Real last{};
+  const Real& operator()(const Real& x) { return last = select(eagerx::isfinite(x), x, last); }
+};
+
+/// A number that a reset may set. If no reset does, it keeps its value, at first `otherwise`.
+template <class Real>
+struct ResetNumber {
+  Real value{};
+  CountOf<Real> is_set{};  // 0 before the first reset
+
+  void reset(const Real& otherwise) {
+    value = select(is_set == CountOf<Real>(0U), otherwise, value);
+    is_set = CountOf<Real>(1U);
+  }
+  void set(const Real& x) {
+    value = x;
+    is_set = CountOf<Real>(1U);
+  }
+};
+
+}  // namespace eagerx::models

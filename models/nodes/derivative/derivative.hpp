@@ -1,0 +1,50 @@
+// The filtered derivative of a signal.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
+
+namespace eagerx::models {
+
+/// s/(τ·s + 1) by backward differences: y[n] = (τ·y[n − 1] + x[n] − x[n − 1])/(τ + T), element by
+/// element. The first signal of an episode has the derivative 0. A signal that is not finite or has
+/// not come leaves everything as it is.
+template <class Io>
+class Derivative {
+ public:
+  void reset(const typename Io::States& /*states*/) {
+    y_ = {};
+    last_ = {};
+    has_last_ = {};
+  }
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    const Real nan(FloatFormat<LaneOf<Real>>::nan);
+    for (std::size_t i = 0; i < kSize; ++i) {
+      const Real x = newest<Real>(in.signal, i, nan);
+      const auto right = eagerx::isfinite(x);
+      const Real change = select(has_last_[i] > Real(0), x - last_[i], Real(0));
+      y_[i] = select(right, Real(kKeep) * y_[i] + Real(kPerChange) * change, y_[i]);
+      last_[i] = select(right, x, last_[i]);
+      has_last_[i] = select(right, Real(1), has_last_[i]);
+      put(out.y, i, y_[i]);
+    }
+  }
+
+ private:
+  using Real = typename Io::Real;
+  static constexpr std::size_t kSize = elements_of<decltype(Io::Outputs::y)>;
+  static constexpr double kTimeConstant = Io::Config::time_constant;
+  static_assert(kTimeConstant >= 0.0, "Derivative: `time_constant` is not negative");
+  static constexpr double kSum = kTimeConstant + Io::Rate::period_s;
+  static constexpr auto kKeep = constant<Real>(kTimeConstant / kSum);
+  static constexpr auto kPerChange = constant<Real>(1.0 / kSum);
+
+  std::array<Real, kSize> y_{};
+  std::array<Real, kSize> last_{};
+  std::array<Real, kSize> has_last_{};  // 1 after the first signal
+};
+
+}  // namespace eagerx::models

@@ -1,0 +1,31 @@
+// Every element times a factor.
+#pragma once
+
+#include <cstddef>
+#include <eagerx/rate.hpp>
+#include <models/nodes/action_limits/per_element.hpp>
+#include <models/nodes/block.hpp>
+
+namespace eagerx::models {
+
+/// y = gain·signal, element by element. Zero as long as no signal has come; NaN passes.
+template <class Io>
+class Gain {
+ public:
+  void reset(const typename Io::States& /*states*/) {}
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    constexpr std::size_t kSize = elements_of<decltype(out.y)>;
+    constexpr auto kGain = constants<Real>(Io::Config::gain);
+    static_assert(is_one_or_each(kGain, kSize),
+                  "Gain: `gain` has one value, or one for each element");
+    for (std::size_t i = 0; i < kSize; ++i) {
+      put(out.y, i, each<Real>(kGain, i) * newest<Real>(in.signal, i));
+    }
+  }
+
+ private:
+  using Real = typename Io::Real;
+};
+
+}  // namespace eagerx::models

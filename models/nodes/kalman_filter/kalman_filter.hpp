@@ -1,0 +1,58 @@
+// A Kalman filter of a linear system.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <eagerx/rate.hpp>
+#include <models/nodes/kalman_filter/covariance.hpp>
+#include <models/nodes/observer/linear_model.hpp>
+
+namespace eagerx::models {
+
+/// x := A·x + B·u, P := A·P·Aᵀ + Q, then for each element of measured, one after the other,
+/// k = P·cᵀ/(c·P·cᵀ + r), x += k·(measured − c·x), P −= k·c·P. Elements that are not finite or have
+/// not come correct nothing.
+template <class Io>
+class KalmanFilter {
+ public:
+  void reset(const typename Io::States& states) {
+    model_.reset(states);
+    p_.reset(kP);
+  }
+
+  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    static_assert(kR.size() == 1 || kR.size() == Model::kMeasured,
+                  "KalmanFilter: `r` has one value, or one for each element of `measured`");
+    if (tick.n > 0) {
+      model_.predict(in);
+      p_.predict(constant_matrix(), kQ);
+    }
+    for (std::size_t i = 0; i < Model::kMeasured; ++i) {
+      std::array<Real, kOrder> c;
+      for (std::size_t k = 0; k < kOrder; ++k) c[k] = Real(Model::kC[i * kOrder + k]);
+      const auto gain = p_.update(c, each<Real>(kR, i), Model::is_measured(in, i));
+      const Real innovation = model_.innovation(in, i);
+      for (std::size_t k = 0; k < kOrder; ++k) model_.x[k] += gain[k] * innovation;
+    }
+    for (std::size_t i = 0; i < kOrder; ++i) put(out.x, i, model_.x[i]);
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Model = LinearModel<Io>;
+  static constexpr std::size_t kOrder = Model::kOrder;
+  static constexpr auto kQ = constants<Real>(Io::Config::q);
+  static constexpr auto kR = constants<Real>(Io::Config::r);
+  static constexpr auto kP = constants<Real>(Io::Config::p);
+
+  static auto constant_matrix() {
+    std::array<Real, kOrder * kOrder> a;
+    for (std::size_t i = 0; i < a.size(); ++i) a[i] = Real(Model::kA[i]);
+    return a;
+  }
+
+  Model model_{};
+  Covariance<Real, kOrder> p_{};
+};
+
+}  // namespace eagerx::models

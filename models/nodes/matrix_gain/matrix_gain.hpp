@@ -1,0 +1,33 @@
+// A matrix times a signal.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
+
+namespace eagerx::models {
+
+/// y [rows] = gain [rows][columns] · signal [columns], each row added from left to right. Zero as
+/// long as no signal has come; NaN passes.
+template <class Io>
+class MatrixGain {
+ public:
+  void reset(const typename Io::States& /*states*/) {}
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    constexpr std::size_t kColumns = elements_of<decltype(in.signal)>;
+    constexpr std::size_t kRows = elements_of<decltype(out.y)>;
+    constexpr auto kGain = constants<Real>(Io::Config::gain);
+    static_assert(kGain.size() == kRows * kColumns,
+                  "MatrixGain: `gain` has `rows` times as many values as `signal` has elements");
+    std::array<Real, kColumns> x;
+    for (std::size_t i = 0; i < kColumns; ++i) x[i] = newest<Real>(in.signal, i);
+    for (std::size_t row = 0; row < kRows; ++row) put(out.y, row, row_times<Real>(kGain, row, x));
+  }
+
+ private:
+  using Real = typename Io::Real;
+};
+
+}  // namespace eagerx::models

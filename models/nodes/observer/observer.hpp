@@ -1,0 +1,40 @@
+// A Luenberger observer.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <eagerx/rate.hpp>
+#include <models/nodes/observer/linear_model.hpp>
+
+namespace eagerx::models {
+
+/// p = A·x + B·u, then x := p + gain·(measured − C·p); at the first tick p is the initial x. An
+/// element of measured that is not finite or has not come corrects nothing.
+template <class Io>
+class Observer {
+ public:
+  void reset(const typename Io::States& states) { model_.reset(states); }
+
+  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    static_assert(kGain.size() == Model::kOrder * Model::kMeasured,
+                  "Observer: `gain` has `order` times as many values as `measured` has elements");
+    if (tick.n > 0) model_.predict(in);
+    std::array<Real, Model::kMeasured> innovation;
+    for (std::size_t i = 0; i < Model::kMeasured; ++i) {
+      innovation[i] = model_.innovation(in, i);
+    }
+    for (std::size_t i = 0; i < Model::kOrder; ++i) {
+      model_.x[i] += row_times<Real>(kGain, i, innovation);
+      put(out.x, i, model_.x[i]);
+    }
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Model = LinearModel<Io>;
+  static constexpr auto kGain = constants<Real>(Io::Config::gain);
+
+  Model model_{};
+};
+
+}  // namespace eagerx::models

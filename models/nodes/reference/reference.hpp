@@ -1,0 +1,63 @@
+// Test signals: step, ramp, sine, chirp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
+#include <numbers>
+
+namespace eagerx::models {
+
+enum class ReferenceShape : std::uint8_t { step, ramp, sine, chirp };
+
+/// y = offset before `start`; then, with t the seconds since `start`:
+///   step   offset + amplitude
+///   ramp   offset + amplitude·min(t/duration, 1)
+///   sine   offset + amplitude·sin(2π·(f·t + phase))
+///   chirp  the same with f·t + (f1 − f)·t²/(2·duration), and after `duration` with f1
+/// Linear chirp: scipy.signal.chirp(method="linear", phi=-90).
+template <class Io>
+class Reference {
+ public:
+  void reset(const typename Io::States& /*states*/) {}
+
+  void callback(const Tick& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
+    // Time is the same in all lanes.
+    const auto now = Io::Rate::template seconds<Lane>(tick.n);
+    put(out.y, 0, Real(now < kStart ? kOffset : kOffset + kAmplitude * shape(now - kStart)));
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Lane = LaneOf<Real>;
+  using Config = typename Io::Config;
+  static constexpr auto kStart = constant<Real>(Config::start);
+  static constexpr auto kOffset = constant<Real>(Config::offset);
+  static constexpr auto kAmplitude = constant<Real>(Config::amplitude);
+  static constexpr auto kDuration = constant<Real>(Config::duration);
+  static constexpr auto kFrequency = constant<Real>(Config::frequency);
+  static constexpr auto kEndFrequency = constant<Real>(Config::end_frequency);
+  static_assert(Config::duration > 0.0, "Reference: `duration` is above 0");
+
+  static Lane shape(Lane t) {
+    if constexpr (Config::shape == ReferenceShape::step) {
+      return Lane(1);
+    } else if constexpr (Config::shape == ReferenceShape::ramp) {
+      return eagerx::min(t / kDuration, Lane(1));
+    } else if constexpr (Config::shape == ReferenceShape::sine) {
+      return wave(kFrequency * t);
+    } else {
+      const Lane sweep = eagerx::min(t, kDuration);
+      const Lane rise = (kEndFrequency - kFrequency) * (sweep / (Lane(2) * kDuration)) * sweep;
+      return wave(kFrequency * sweep + rise + kEndFrequency * (t - sweep));
+    }
+  }
+  /// `turns` without whole ones first: the sine of a large number is the less exact.
+  static Lane wave(Lane turns) {
+    const Lane phase = turns + constant<Real>(Config::phase);
+    return eagerx::sin(Lane(2) * std::numbers::pi_v<Lane> * (phase - eagerx::floor(phase)));
+  }
+};
+
+}  // namespace eagerx::models

@@ -1,0 +1,102 @@
+// What a sensor makes of a value.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
+#include <models/nodes/action_limits/per_element.hpp>
+#include <models/nodes/block.hpp>
+
+namespace eagerx::models {
+
+/// y = quantised(clamp(scale·signal + bias + drift·t + noise·normal, low, high)), element by
+/// element; with the probability `drop_out` the y of the tick before. A reset may set scale, bias,
+/// drift and the seed. Zero before the first signal; NaN passes.
+/// Random numbers (Philox) come from the seed, the tick and the element alone, lane by lane.
+template <class Io>
+class SensorModel {
+ public:
+  void reset(const typename Io::States& states) {
+    static_assert(is_one_or_each(kScale, kSize) && is_one_or_each(kBias, kSize) &&
+                      is_one_or_each(kDrift, kSize) && is_one_or_each(kNoise, kSize),
+                  "SensorModel: `scale`, `bias`, `drift` and `noise` have one value, or one for "
+                  "each element");
+    for (std::size_t i = 0; i < kSize; ++i) {
+      last_[i] = Real(0);
+      scale_[i].reset(each<Real>(kScale, i));
+      bias_[i].reset(each<Real>(kBias, i));
+      drift_[i].reset(each<Real>(kDrift, i));
+      if constexpr (requires { states.scale; }) set(scale_[i], states.scale, i, kScale.size());
+      if constexpr (requires { states.bias; }) set(bias_[i], states.bias, i, kBias.size());
+      if constexpr (requires { states.drift; }) set(drift_[i], states.drift, i, kDrift.size());
+    }
+    if constexpr (requires { states.seed; }) {
+      if (states.seed) difference_ = CountOf<Real>(*states.seed) ^ CountOf<Real>(kSeed);
+    }
+  }
+
+  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    if (in.signal.empty()) {
+      for (std::size_t i = 0; i < kSize; ++i) put(out.y, i, last_[i]);
+      return;
+    }
+    const Real time(Io::Rate::template seconds<Lane>(tick.n));
+    std::array<Real, kSize> noise{};
+    std::array<Real, kSize> chance{};
+    for (int k = 0; k < lanes<Real>; ++k) draw(tick, k, noise, chance);
+    for (std::size_t i = 0; i < kSize; ++i) {
+      const Real true_value = newest<Real>(in.signal, i);
+      Real y = ((scale_[i].value * true_value + bias_[i].value) + drift_[i].value * time) +
+               each<Real>(kNoise, i) * noise[i];
+      y = eagerx::clamp(y, Real(constant<Real>(Io::Config::low)),
+                        Real(constant<Real>(Io::Config::high)));
+      if constexpr (Io::Config::resolution > 0.0) {
+        const Real step(constant<Real>(Io::Config::resolution));
+        y = step * eagerx::round(y / step);
+      }
+      last_[i] = select(chance[i] < Real(kDropOut), last_[i], y);
+      put(out.y, i, last_[i]);
+    }
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Lane = LaneOf<Real>;
+  static constexpr std::size_t kSize = elements_of<decltype(Io::Outputs::y)>;
+  static constexpr auto kScale = constants<Real>(Io::Config::scale);
+  static constexpr auto kBias = constants<Real>(Io::Config::bias);
+  static constexpr auto kDrift = constants<Real>(Io::Config::drift);
+  static constexpr auto kNoise = constants<Real>(Io::Config::noise);
+  static constexpr auto kDropOut = constant<Real>(Io::Config::drop_out);
+  static constexpr auto kSeed = static_cast<std::uint32_t>(Io::Config::seed);
+  static_assert(Io::Config::low < Io::Config::high, "SensorModel: `low` is below `high`");
+
+  template <class State>
+  static void set(ResetNumber<Real>& number, const State& state, std::size_t i, std::size_t size) {
+    if (state) number.set(static_cast<Real>(element(*state, size == 1 ? 0 : i)));
+  }
+
+  /// For lane `k`: a normal number and one in [0, 1) for each element, whether they are used or
+  /// not, so that one parameter does not change the draws of another.
+  void draw(const Tick& tick, int k, std::array<Real, kSize>& noise,
+            std::array<Real, kSize>& chance) {
+    constexpr std::uint32_t kWords = sizeof(Lane) == 4 ? 3 : 6;  // of one element
+    constexpr std::uint32_t kBlocks = (static_cast<std::uint32_t>(kSize) * kWords + 3) / 4;
+    const auto seed = static_cast<std::uint32_t>(lane(difference_, k)) ^ kSeed;
+    auto random = Random::of_step({seed, 0, 0}, entity_id("SensorModel"), tick.n, kBlocks);
+    for (std::size_t i = 0; i < kSize; ++i) {
+      set_lane(noise[i], k, random.normal(Lane(0), Lane(1)));
+      set_lane(chance[i], k, random.uniform(Lane(0), Lane(1)));
+    }
+  }
+
+  std::array<ResetNumber<Real>, kSize> scale_{};
+  std::array<ResetNumber<Real>, kSize> bias_{};
+  std::array<ResetNumber<Real>, kSize> drift_{};
+  std::array<Real, kSize> last_{};
+  CountOf<Real> difference_{};  // bits in which the seed differs from the parameter
+};
+
+}  // namespace eagerx::models
