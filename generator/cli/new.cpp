@@ -153,15 +153,18 @@ std::vector<NewFile> rendered_files(const Kind& kind, const std::string& name, c
   return files;
 }
 
-/// All or nothing, and nothing that is there is touched.
+bool check_place(const fs::path& folder, Run& run) {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(folder, error))) return true;
+  run.diagnostics
+      .io_error("E0902", {}, fmt::format("there is already something at `{}`", folder.string()))
+      .help = "choose another name, or another folder with --output";
+  return false;
+}
+
+/// All or nothing.
 void write_folder(const fs::path& folder, const std::vector<NewFile>& files, Run& run) {
   std::error_code error;
-  if (fs::exists(fs::symlink_status(folder, error))) {
-    run.diagnostics
-        .io_error("E0902", {}, fmt::format("there is already something at `{}`", folder.string()))
-        .help = "choose another name, or another folder with --output";
-    return;
-  }
   // Beside its place: a folder without some of its files would not be taken for a broken one.
   const fs::path begun =
       folder.parent_path() / fmt::format(".{}.eagerx-gen.new", folder.filename().string());
@@ -198,19 +201,14 @@ void print_next(const fs::path& folder, const std::vector<NewFile>& files) {
 
 int new_command(const Options& options) {
   Run run;
-  // Entities of the folder that it goes to, too: of a project, these are its own.
-  Options with_own = options;
   const auto kind = read_kind(options.kind, run.sources, run.diagnostics);
   if (!kind) return finish(run, options);
   const fs::path parent = !options.output.empty() ? options.output : kind->parent;
-  std::error_code error;
-  if (!kind->defines.empty() && fs::is_directory(parent, error))
-    with_own.paths.push_back(parent.empty() ? "." : parent.string());
-  load(run, with_own);
-  if (run.diagnostics.has_errors() || !check_name(*kind, options.entity, run) ||
-      !check_id(*kind, options.entity, run))
-    return finish(run, options);
+  load(run, options);
   const fs::path folder = parent / options.entity;
+  if (run.diagnostics.has_errors() || !check_name(*kind, options.entity, run) ||
+      !check_place(folder, run) || !check_id(*kind, options.entity, run))
+    return finish(run, options);
   const auto files = rendered_files(*kind, options.entity, view_of(options.entity, folder), run);
   if (!run.diagnostics.has_errors()) write_folder(folder, files, run);
   if (!run.diagnostics.has_errors() && !options.quiet) print_next(folder, files);
