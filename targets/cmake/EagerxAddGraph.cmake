@@ -6,8 +6,9 @@
 # Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
 # weight file changes.
 #   ENGINE  the engine instead of the one the graph names
-#   BOARD   a folder of targets/, linux-sim without it. When the board needs another compiler than this build
-#           has, <name> is built in a build tree of its own with the board's toolchain file.
+#   BOARD   a folder of targets/, linux-sim without it; with `environments` <name> is a shared library. When the board
+#           needs another compiler than this build has, <name> is built in a build tree of its own with the board's
+#           toolchain file.
 #   SPLIT   nodes, `agent` or `controller` on that board, as `eagerx-gen --split`: <name> is the program of the rest,
 #           for BOARD, and <name>.board the board's image
 #   CHECK_ENTITIES  also compile the entities as boards do, `eagerx-gen check --compile`: the build fails where one has
@@ -184,16 +185,21 @@ function(_eagerx_generate stamp_variable target graph output sources board engin
   set(${stamp_variable} ${stamp} PARENT_SCOPE)
 endfunction()
 
-# A program for the compiler of this build.
+# A program, or what else the board's target.cmake says, for the compiler of this build.
 function(_eagerx_build_here target stamp output board board_folder)
   set(main ${output}/${board}/main.cpp)
   set_source_files_properties(${main} PROPERTIES GENERATED TRUE OBJECT_DEPENDS ${stamp})
-  add_executable(${target} ${main} ${stamp})
+  unset(EAGERX_TARGET_MAKES)
+  include(${board_folder}/target.cmake)
+  if(EAGERX_TARGET_MAKES STREQUAL SHARED_LIBRARY)
+    add_library(${target} SHARED ${main} ${stamp})
+  else()
+    add_executable(${target} ${main} ${stamp})
+  endif()
   target_include_directories(${target} PRIVATE ${output})
   # Which libraries the entities need is known when the graph has been read: EagerxLibraries.cmake writes these.
   target_compile_options(${target} PRIVATE @${stamp}.cflags)
   target_link_libraries(${target} PRIVATE eagerx::runtime "-Wl,@\"${stamp}.libs\"") # CMake quotes no flags of linkers
-  include(${board_folder}/target.cmake)
   eagerx_configure_target(${target})
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE $<TARGET_FILE:${target}>)
 endfunction()

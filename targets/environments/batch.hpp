@@ -1,0 +1,325 @@
+// Many environments of one graph: their episodes, on all cores. Environment k has the same bits
+// alone, in any batch and on any number of threads.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <eagerx/random.hpp>
+#include <limits>
+#include <map>
+#include <memory>
+#include <string>
+#include <targets/common/run.hpp>
+#include <targets/environments/eagerx_environments.h>
+#include <targets/environments/layout.hpp>
+#include <targets/environments/problem.hpp>
+#include <targets/environments/task.hpp>
+#include <targets/environments/team.hpp>
+#include <targets/environments/traced.hpp>
+#include <utility>
+#include <vector>
+
+namespace eagerx::environments {
+
+/// How many members of a team are worth their waking, from what the last steps took.
+class Workload {
+ public:
+  unsigned members(unsigned most) const {
+    constexpr double kLeastOfMember_ns = 50'000.0;
+    const double wanted = work_ns_ / kLeastOfMember_ns;
+    return wanted >= most ? most : std::max(1U, static_cast<unsigned>(wanted));
+  }
+  void note(unsigned members, double elapsed_ns) {
+    constexpr double kNew = 0.125;
+    const double work_ns = elapsed_ns * members;
+    work_ns_ = work_ns_ == 0.0 ? work_ns : work_ns_ + kNew * (work_ns - work_ns_);
+  }
+
+ private:
+  double work_ns_ = 0.0;  // of all members
+};
+
+/// Throws Problem for what a caller did wrong, std::bad_alloc and std::system_error in its
+/// constructor. Nothing is allocated behind that, but for states that are set, traces and counts.
+template <class Graph>
+class Batch {
+ public:
+  using Program = typename Graph::template Program<NoTrace>;
+
+  /// `options` are in range.
+  explicit Batch(const eagerx_options& options)
+      : size_(options.environments),
+        longest_(options.longest),
+        autoreset_(options.autoreset),
+        episodes_(std::make_unique<Episode[]>(size_)),
+        programs_(std::make_unique<Program[]>(size_)),
+        team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
+    if (target::is_real(programs_[0])) {
+      throw Problem("engine `" + std::string(Graph::kEngine) +
+                    "` moves real hardware, of which there is one: generate the library with "
+                    "`--engine` and an engine that simulates");
+    }
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      episodes_[k].seed = options.seed;
+      episodes_[k].number = options.numbers != nullptr ? options.numbers[k] : k;
+    }
+    // By all members: a library may need memory for each thread, too.
+    team_.run(team_.size(), [&](unsigned i) {
+      for (std::uint32_t k = i; k < size_; k += team_.size()) target::warm_up(programs_[k]);
+    });
+  }
+  Batch(const Batch&) = delete;
+  Batch& operator=(const Batch&) = delete;
+  ~Batch() {
+    for (std::uint32_t k = 0; k < size_; ++k) target::stop(programs_[k]);
+    for (auto& [k, traces] : traces_) {
+      if (traces.now) target::stop(traces.now->program);
+    }
+  }
+
+  std::uint32_t size() const { return size_; }
+
+  void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
+    each_block(resets_, [&](std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t k = first; k < end; ++k) {
+        if (mask != nullptr && mask[k] == 0) continue;
+        Episode& episode = episodes_[k];
+        if (seeds != nullptr) {
+          episode.seed = seeds[k];
+          episode.index = 0;
+        } else if (episode.begun) {
+          ++episode.index;
+        }
+        begin(k, observation);
+      }
+    });
+    if (!all_begun_) {
+      all_begun_ = std::all_of(episodes_.get(), episodes_.get() + size_,
+                               [](const Episode& episode) { return episode.begun; });
+    }
+  }
+
+  void step(const float* actions, const eagerx_rows& rows) {
+    require_begun();
+    each_block(steps_, [&](std::uint32_t first, std::uint32_t end) {
+      step_block(first, end, actions, rows);
+    });
+    for (auto& [k, traces] : traces_) {
+      if (traces.now) traces.now->hand_on();
+    }
+  }
+
+  void set_states(const std::uint8_t* mask, const float* states) {
+    const std::size_t numbers = layout_.states.numbers();
+    const auto is_meant = [&](std::uint32_t k) { return mask == nullptr || mask[k] != 0; };
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      const std::string problem = is_meant(k) ? layout_.problem_of(states + k * numbers) : "";
+      if (!problem.empty())
+        throw Problem(problem + " (environment " + std::to_string(k) + ")");
+    }
+    if (set_next_.empty()) {
+      set_now_.resize(size_ * numbers, std::numeric_limits<float>::quiet_NaN());
+      set_next_ = set_now_;
+    }
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      if (is_meant(k)) std::copy_n(states + k * numbers, numbers, set_next_.data() + k * numbers);
+    }
+  }
+
+  void get_states(float* states) const {
+    require_begun();
+    for (std::uint32_t k = 0; k < size_; ++k)
+      layout_.write(states_of(k), states + k * layout_.states.numbers());
+  }
+
+  /// Null: ends the file. Empty: only the hash.
+  void trace(std::uint32_t k, const char* path) {
+    Traces& traces = traces_[k];
+    if (path == nullptr) {
+      traces.next.reset();
+      if (traces.now) traces.now->end_file();
+      return;
+    }
+    if constexpr (requires(const Program& program) { program.reset_timeouts(); }) {
+      if (episodes_[k].begun)
+        throw Problem("a trace of a graph with reset nodes begins before the first reset");
+    }
+    if (traces.now) traces.now->end_file();
+    traces.next = std::make_unique<Traced<Graph>>(path);
+  }
+
+  std::uint64_t hash(std::uint32_t k) const {
+    const auto found = traces_.find(k);
+    return found != traces_.end() && found->second.now ? found->second.now->program.trace.hash()
+                                                       : 0;
+  }
+
+  /// Sums over all environments of what is not 0.
+  std::map<std::string, std::uint64_t> counts() const {
+    std::map<std::string, std::uint64_t> sums;
+    const auto add = [&](const char* name, std::uint64_t count) {
+      if (count != 0) sums[name] += count;
+    };
+    for (std::uint32_t k = 0; k < size_; ++k) target::for_each_fault(programs_[k], add);
+    for (const auto& [k, traces] : traces_) {
+      if (traces.now) target::for_each_fault(traces.now->program, add);
+    }
+    return sums;
+  }
+
+  bool has_threads() const { return team_.is_complete(); }
+
+ private:
+  struct Episode {
+    std::uint64_t seed = 0;
+    std::uint32_t number = 0;
+    std::uint32_t index = 0;  // since the seed was set
+    std::uint32_t steps = 0;
+    bool begun = false;
+    bool ended = false;
+    bool traced = false;
+  };
+
+  struct Traces {
+    std::unique_ptr<Traced<Graph>> now;
+    std::unique_ptr<Traced<Graph>> next;  // from the next reset on
+  };
+
+  // Environments that a thread takes at a time: few, so that none waits for another's block.
+  static constexpr std::uint32_t kBlocks = 64;
+  static constexpr std::uint32_t kLargestBlock = 128;
+  std::uint32_t block() const { return std::clamp(size_ / kBlocks, 1U, kLargestBlock); }
+  unsigned blocks() const { return (size_ + block() - 1) / block(); }
+
+  /// f(first, end) for all environments, by as many threads as the work is worth.
+  template <class F>
+  void each_block(Workload& workload, F&& f) {
+    using Clock = std::chrono::steady_clock;
+    const unsigned members = workload.members(team_.size());
+    const auto start = Clock::now();
+    std::atomic<std::uint32_t> next{0};
+    const std::uint32_t block = members == 1 ? size_ : this->block();
+    team_.run(members, [&](unsigned) {
+      for (;;) {
+        const std::uint32_t first = next.fetch_add(block, std::memory_order_relaxed);
+        if (first >= size_) return;
+        f(first, std::min(size_, first + block));
+      }
+    });
+    const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
+    workload.note(members, elapsed.count());
+  }
+
+  /// f(program) of environment `k`.
+  template <class F>
+  decltype(auto) with(std::uint32_t k, F&& f) {
+    return episodes_[k].traced ? f(traces_.find(k)->second.now->program) : f(programs_[k]);
+  }
+
+  void step_block(std::uint32_t first, std::uint32_t end, const float* actions,
+                  const eagerx_rows& rows) {
+    for (std::uint32_t k = first; k < end; ++k) {
+      if (episodes_[k].ended) {
+        stay_or_begin(k, rows);
+      } else {
+        with(k, [&](auto& program) { step_one(k, program, actions, rows); });
+      }
+    }
+  }
+
+  template <class AnyProgram>
+  void step_one(std::uint32_t k, AnyProgram& program, const float* actions,
+                const eagerx_rows& rows) {
+    Episode& episode = episodes_[k];
+    const std::size_t acted = layout_.actions.numbers();
+    const std::size_t observed = layout_.observations.numbers();
+    const auto observation = program.step(layout_.action(actions + k * acted));
+    ++episode.steps;
+    Ends ends = write_outcome<Graph>(program, k, rows);
+    ends.truncated = ends.truncated || (longest_ != 0 && episode.steps >= longest_);
+    if (rows.terminated != nullptr) rows.terminated[k] = ends.terminated ? 1 : 0;
+    if (rows.truncated != nullptr) rows.truncated[k] = ends.truncated ? 1 : 0;
+    if (!ends.terminated && !ends.truncated) {
+      if (rows.observation != nullptr) layout_.write(observation, rows.observation + k * observed);
+      return;
+    }
+    if (autoreset_ == EAGERX_SAME_STEP) {
+      if (rows.final_observation != nullptr)
+        layout_.write(observation, rows.final_observation + k * observed);
+      ++episode.index;
+      begin(k, rows.observation);
+    } else {
+      if (rows.observation != nullptr) layout_.write(observation, rows.observation + k * observed);
+      episode.ended = true;
+    }
+  }
+
+  /// In place of a step of an environment whose episode has ended.
+  void stay_or_begin(std::uint32_t k, const eagerx_rows& rows) {
+    write_no_outcome<Graph>(k, rows);
+    if (autoreset_ != EAGERX_NEXT_STEP) return;
+    ++episodes_[k].index;
+    begin(k, rows.observation);
+  }
+
+  void begin(std::uint32_t k, float* observations) {
+    Episode& episode = episodes_[k];
+    if (!set_next_.empty()) {
+      const std::size_t numbers = layout_.states.numbers();
+      std::copy_n(set_next_.data() + k * numbers, numbers, set_now_.data() + k * numbers);
+      std::fill_n(set_next_.data() + k * numbers, numbers, std::numeric_limits<float>::quiet_NaN());
+    }
+    const EpisodeKey key = key_of(episode);
+    const auto states = states_of(k);
+    const auto observation = reset_program(k, key, states);
+    if (observations != nullptr)
+      layout_.write(observation, observations + k * layout_.observations.numbers());
+    episode.steps = 0;
+    episode.begun = true;
+    episode.ended = false;
+  }
+
+  typename Graph::Observation reset_program(std::uint32_t k, EpisodeKey key,
+                                            const typename Graph::States& states) {
+    const auto found = traces_.find(k);
+    if (found == traces_.end()) return programs_[k].reset(states);
+    Traces& traces = found->second;
+    if (traces.next) traces.now = std::move(traces.next);
+    if (!traces.now) return programs_[k].reset(states);
+    episodes_[k].traced = true;
+    return traces.now->reset(key, states);
+  }
+
+  static EpisodeKey key_of(const Episode& episode) {
+    return {episode.seed, episode.number, episode.index};
+  }
+  /// That the current episode begins with.
+  typename Graph::States states_of(std::uint32_t k) const {
+    typename Graph::States states = Graph::draw(key_of(episodes_[k]));
+    if (!set_now_.empty()) layout_.read(set_now_.data() + k * layout_.states.numbers(), states);
+    return states;
+  }
+
+  void require_begun() const {
+    if (all_begun_) return;
+    std::uint32_t k = 0;
+    while (episodes_[k].begun) ++k;
+    throw Problem("environment " + std::to_string(k) + " has not begun: reset it first");
+  }
+
+  const Layout<Graph>& layout_ = Layout<Graph>::get();
+  std::uint32_t size_;
+  std::uint32_t longest_;
+  std::uint32_t autoreset_;
+  bool all_begun_ = false;
+  std::unique_ptr<Episode[]> episodes_;  // [size_]
+  std::unique_ptr<Program[]> programs_;  // [size_]
+  std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
+  std::map<std::uint32_t, Traces> traces_;
+  Workload resets_, steps_;
+  Team team_;
+};
+
+}  // namespace eagerx::environments

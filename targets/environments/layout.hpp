@@ -1,0 +1,208 @@
+// Rows of numbers: which columns belong to which action, observation and state.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/message.hpp>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace eagerx::environments {
+
+/// First columns of fields. Fields are numbered in the graph's order; columns are in the order of
+/// their names, because gymnasium.spaces.Dict sorts its keys and policies take them so.
+class Columns {
+ public:
+  void add(const char* name, std::size_t numbers) {
+    names_.emplace_back(name);
+    sizes_.push_back(numbers);
+  }
+  /// Behind the last add().
+  void arrange() {
+    order_.resize(names_.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::ranges::sort(order_, {}, [&](std::size_t i) -> const std::string& { return names_[i]; });
+    first_.resize(names_.size());
+    for (const std::size_t field : order_) {
+      first_[field] = numbers_;
+      numbers_ += sizes_[field];
+    }
+  }
+
+  std::size_t first(std::size_t field) const { return first_[field]; }
+  /// Of a row.
+  std::size_t numbers() const { return numbers_; }
+  /// Fields in the order of their columns.
+  const std::vector<std::size_t>& order() const { return order_; }
+
+ private:
+  std::vector<std::string> names_;
+  std::vector<std::size_t> sizes_, first_, order_;
+  std::size_t numbers_ = 0;
+};
+
+/// Messages of an observation in a row: all that there can be.
+template <class Observed>
+constexpr std::uint32_t messages_of() {
+  if constexpr (requires { Observed::kMaxSize; }) {
+    return Observed::kMaxSize;
+  } else {
+    return Observed::size();
+  }
+}
+
+/// A number of a row as what a message holds: whole numbers are cut towards zero and moved into
+/// their type's range, NaN becomes 0 where the type has none.
+template <class T>
+T from_row(float x) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return x == x && x != 0.0F;
+  } else if constexpr (std::is_integral_v<T>) {
+    if (x != x) return T{0};
+    // Exact powers of two, unlike the highest number of the type.
+    const float beyond = std::ldexp(1.0F, std::numeric_limits<T>::digits);
+    if (x >= beyond) return std::numeric_limits<T>::max();
+    if (x <= static_cast<float>(std::numeric_limits<T>::min())) return std::numeric_limits<T>::min();
+    return static_cast<T>(x);
+  } else {
+    return static_cast<T>(x);
+  }
+}
+
+/// The rows of a graph.
+template <class Graph>
+class Layout {
+ public:
+  using Action = typename Graph::Action;
+  using Observation = typename Graph::Observation;
+  using States = typename Graph::States;
+
+  Columns actions, observations, states;
+
+  static const Layout& get() {
+    static const Layout layout;
+    return layout;
+  }
+
+  /// f(name, type of the observation's window, space) for each, in the graph's order.
+  template <class F>
+  static void for_each_observed(F&& f) {
+    static_assert(std::is_trivially_copyable_v<Observation>);
+    // Nobody looks into its windows.
+    const auto nothing = std::bit_cast<Observation>(std::array<std::byte, sizeof(Observation)>{});
+    Graph::for_each_observation(nothing,
+                                [&](const char* name, const auto& window, const auto& space) {
+                                  using Observed = std::remove_cvref_t<decltype(window)>;
+                                  f(name, std::type_identity<Observed>{}, space);
+                                });
+  }
+
+  Action action(const float* row) const {
+    Action result = Graph::zero();
+    std::size_t field = 0;
+    Graph::for_each_action(result, [&](const char*, auto& message, const auto&) {
+      using Message = std::remove_cvref_t<decltype(message)>;
+      const float* const from = row + actions.first(field++);
+      for (std::size_t i = 0; i < size_of<Message>; ++i)
+        element(message, i) = from_row<ScalarOf<Message>>(from[i]);
+    });
+    return result;
+  }
+
+  /// With window 0 there may be fewer messages than columns: NaN behind them, 0 for whole numbers.
+  void write(const Observation& observation, float* row) const {
+    std::size_t field = 0;
+    Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&) {
+      using Observed = std::remove_cvref_t<decltype(window)>;
+      using Message = typename Observed::value_type;
+      float* to = row + observations.first(field++);
+      for (std::uint32_t w = 0; w < window.size(); ++w) {
+        const Message& message = window[w];
+        for (std::size_t i = 0; i < size_of<Message>; ++i)
+          *to++ = static_cast<float>(element(message, i));
+      }
+      constexpr auto kMissing = std::numeric_limits<ScalarOf<Message>>::quiet_NaN();
+      const std::size_t missing = messages_of<Observed>() - window.size();
+      std::fill_n(to, missing * size_of<Message>, static_cast<float>(kMissing));
+    });
+  }
+
+  /// NaN for what is empty.
+  void write(const States& from, float* row) const {
+    std::size_t field = 0;
+    Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
+      using Message = typename std::remove_cvref_t<decltype(from.*member)>::value_type;
+      float* const to = row + states.first(field++);
+      for (std::size_t i = 0; i < size_of<Message>; ++i) {
+        to[i] = from.*member ? static_cast<float>(element(*(from.*member), i))
+                             : std::numeric_limits<float>::quiet_NaN();
+      }
+    });
+  }
+
+  /// Puts the numbers of a row that are not NaN into `to`.
+  void read(const float* row, States& to) const {
+    std::size_t field = 0;
+    Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
+      using Message = typename std::remove_cvref_t<decltype(to.*member)>::value_type;
+      const float* const from = row + states.first(field++);
+      for (std::size_t i = 0; i < size_of<Message>; ++i) {
+        if (std::isnan(from[i])) continue;
+        if (!(to.*member)) to.*member = Message{};
+        element(*(to.*member), i) = from_row<ScalarOf<Message>>(from[i]);
+      }
+    });
+  }
+
+  /// What is wrong with a row of states, or nothing.
+  std::string problem_of(const float* row) const {
+    std::string problem;
+    std::size_t field = 0;
+    const States drawn = Graph::draw({0, 0, 0});  // the same states for every key
+    Graph::for_each_state([&](const char* name, const char*, auto member, const auto& space) {
+      using Message = typename std::remove_cvref_t<decltype(drawn.*member)>::value_type;
+      const float* const from = row + states.first(field++);
+      std::size_t missing = 0;
+      for (std::size_t i = 0; i < size_of<Message>; ++i) {
+        const float x = from[i];
+        missing += std::isnan(x) ? 1 : 0;
+        if (x < static_cast<float>(element(space.low, i)) ||
+            x > static_cast<float>(element(space.high, i))) {
+          problem = "`" + std::string(name) + "` is out of its space: element " +
+                    std::to_string(i) + " is " + std::to_string(x);
+        }
+      }
+      if (!(drawn.*member) && missing != 0 && missing != size_of<Message>)
+        problem = "`" + std::string(name) + "` is not drawn: set all of its elements, or none";
+    });
+    return problem;
+  }
+
+ private:
+  Layout() {
+    Action action = Graph::zero();
+    Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&) {
+      actions.add(name, size_of<std::remove_cvref_t<decltype(message)>>);
+    });
+    for_each_observed([&](const char* name, auto observed, const auto&) {
+      using Observed = typename decltype(observed)::type;
+      observations.add(name, messages_of<Observed>() * size_of<typename Observed::value_type>);
+    });
+    Graph::for_each_state([&](const char* name, const char*, auto, const auto& space) {
+      states.add(name, size_of<std::remove_cvref_t<decltype(space.low)>>);
+    });
+    actions.arrange();
+    observations.arrange();
+    states.arrange();
+  }
+};
+
+}  // namespace eagerx::environments

@@ -1,0 +1,219 @@
+// What the functions of eagerx_environments.h do, for any generated graph: they check what they are
+// given, and nothing that is thrown leaves them.
+#pragma once
+
+#include <atomic>
+#include <cfenv>
+#include <cstdint>
+#include <eagerx/float_environment.hpp>
+#include <eagerx/math/rounding_check.hpp>
+#include <exception>
+#include <new>
+#include <string>
+#include <targets/environments/batch.hpp>
+#include <targets/environments/describe.hpp>
+#include <targets/environments/eagerx_environments.h>
+#include <targets/environments/json.hpp>
+#include <targets/environments/problem.hpp>
+
+namespace eagerx::environments {
+
+/// Of this thread's last failure.
+inline std::string& last_error() {
+  thread_local std::string text;
+  return text;
+}
+inline const char* error_text() {
+  return last_error().c_str();
+}
+
+/// A program may have told the processor to take denormal numbers for zero, or to round otherwise,
+/// and then bits would differ: that waits until the call is over.
+class RightFloats {
+ public:
+  RightFloats() {
+    if (calculates_as_everywhere()) return;
+    std::fegetenv(&callers_);
+    std::fesetenv(FE_DFL_ENV);
+    changed_ = true;
+    if (!calculates_as_everywhere()) {
+      std::fesetenv(&callers_);
+      throw Problem("this processor takes denormal numbers for zero, or rounds otherwise");
+    }
+  }
+  RightFloats(const RightFloats&) = delete;
+  RightFloats& operator=(const RightFloats&) = delete;
+  ~RightFloats() {
+    if (changed_) std::fesetenv(&callers_);
+  }
+
+ private:
+  std::fenv_t callers_{};
+  bool changed_ = false;
+};
+
+template <class Graph>
+class Library {
+ public:
+  struct Environments {
+    explicit Environments(const eagerx_options& options) : batch(options) {}
+    Batch<Graph> batch;
+    std::atomic_flag busy;
+    std::string counts;
+  };
+
+  static const char* describe(const char* generator) {
+    const char* result = "";
+    attempt([&] {
+      static const std::string text = environments::describe<Graph>(generator);
+      result = text.c_str();
+    });
+    return result;
+  }
+
+  template <class Made>
+  static Made* create(const eagerx_options* options) {
+    Made* result = nullptr;
+    attempt([&] {
+      check(options);
+      const RightFloats right;
+      result = new Made(*options);
+    });
+    return result;
+  }
+
+  static int reset(Environments* environments, const std::uint8_t* mask, const std::uint64_t* seeds,
+                   float* observation) {
+    return call(environments, [&](Batch<Graph>& batch) { batch.reset(mask, seeds, observation); });
+  }
+
+  static int step(Environments* environments, const float* action, const eagerx_rows* rows) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      if (action == nullptr && Layout<Graph>::get().actions.numbers() != 0)
+        throw Problem("action is null");
+      if (rows != nullptr) check_size("eagerx_rows", rows->size, sizeof(eagerx_rows));
+      batch.step(action, rows != nullptr ? *rows : eagerx_rows{});
+    });
+  }
+
+  static int set_states(Environments* environments, const std::uint8_t* mask, const float* states) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      check_states(states);
+      batch.set_states(mask, states);
+    });
+  }
+
+  static int get_states(Environments* environments, float* states) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      check_states(states);
+      batch.get_states(states);
+    });
+  }
+
+  static int trace(Environments* environments, std::uint32_t environment, const char* path) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      check_number(batch, environment);
+      batch.trace(environment, path);
+    });
+  }
+
+  static std::uint64_t hash(Environments* environments, std::uint32_t environment) {
+    std::uint64_t result = 0;
+    call(environments, [&](Batch<Graph>& batch) {
+      check_number(batch, environment);
+      result = batch.hash(environment);
+    });
+    return result;
+  }
+
+  static const char* counts(Environments* environments) {
+    const char* result = nullptr;
+    call(environments, [&](Batch<Graph>& batch) {
+      Json json;
+      json.begin_object();
+      for (const auto& [name, count] : batch.counts()) json.key(name).whole(count);
+      environments->counts = json.end_object().str();
+      result = environments->counts.c_str();
+    });
+    return result;
+  }
+
+ private:
+  static constexpr std::uint32_t kMostThreads = 1024;
+
+  /// 0, or -1 with a text for eagerx_error().
+  template <class F>
+  static int attempt(F&& f) noexcept {
+    try {
+      f();
+      return 0;
+    } catch (const std::bad_alloc&) {
+      return fail("not enough memory");
+    } catch (const std::exception& problem) {
+      return fail(problem.what());
+    } catch (...) {
+      return fail("something unknown was thrown");
+    }
+  }
+  static int fail(const char* text) noexcept {
+    try {
+      last_error() = text;
+    } catch (...) {
+      last_error().clear();
+    }
+    return -1;
+  }
+
+  /// f(batch), if nobody else is in a call with it.
+  template <class F>
+  static int call(Environments* environments, F&& f) noexcept {
+    if (environments == nullptr) return fail("environments is null");
+    if (environments->busy.test_and_set(std::memory_order_acquire))
+      return fail("another thread is in a call with these environments");
+    const int result = attempt([&] {
+      if (!environments->batch.has_threads())
+        throw Problem("this process was made by fork() after these environments: make new ones");
+      const RightFloats right;
+      f(environments->batch);
+    });
+    environments->busy.clear(std::memory_order_release);
+    return result;
+  }
+
+  static void check(const eagerx_options* options) {
+    if (!rounds_each_operation()) {
+      throw Problem(
+          "this library was compiled with flags that change the bits of its numbers: leave out "
+          "-ffast-math and its parts");
+    }
+    if (options == nullptr) throw Problem("options is null");
+    check_size("eagerx_options", options->size, sizeof(eagerx_options));
+    if (options->environments == 0 || options->environments > EAGERX_ENVIRONMENTS_MOST) {
+      throw Problem("environments is " + std::to_string(options->environments) + ", not 1 to " +
+                    std::to_string(EAGERX_ENVIRONMENTS_MOST));
+    }
+    if (options->autoreset > EAGERX_DISABLED)
+      throw Problem("autoreset is " + std::to_string(options->autoreset) + ", not 0 to 2");
+    if (options->threads > kMostThreads) {
+      throw Problem("threads is " + std::to_string(options->threads) + ", not 0 to " +
+                    std::to_string(kMostThreads));
+    }
+  }
+
+  static void check_size(const char* name, std::size_t given, std::size_t wanted) {
+    if (given == wanted) return;
+    throw Problem(std::string(name) + " is of another version: its size is " +
+                  std::to_string(given) + ", not " + std::to_string(wanted));
+  }
+  static void check_states(const float* states) {
+    if (states == nullptr && Layout<Graph>::get().states.numbers() != 0)
+      throw Problem("states is null");
+  }
+  static void check_number(const Batch<Graph>& batch, std::uint32_t environment) {
+    if (environment < batch.size()) return;
+    throw Problem("there is no environment " + std::to_string(environment) + ", but 0 to " +
+                  std::to_string(batch.size() - 1));
+  }
+};
+
+}  // namespace eagerx::environments

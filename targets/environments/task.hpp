@@ -1,0 +1,75 @@
+// The task of a graph, where it has one: reward and end of an episode.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/message.hpp>
+#include <iterator>
+#include <targets/environments/eagerx_environments.h>
+
+namespace eagerx::environments {
+
+template <class Graph>
+constexpr bool says_task() {
+  if constexpr (requires { Graph::kHasTask; }) {
+    return Graph::kHasTask;
+  } else {
+    return false;
+  }
+}
+/// Whether there is a `task:` in the graph. Without one the reward is 0 and nothing but the batch
+/// ends an episode.
+template <class Graph>
+inline constexpr bool has_task = says_task<Graph>();
+
+template <class Graph>
+constexpr std::size_t count_terms() {
+  if constexpr (has_task<Graph>) {
+    return std::size(Graph::kTermNames);
+  } else {
+    return 0;
+  }
+}
+/// Terms of the reward.
+template <class Graph>
+inline constexpr std::size_t terms_of = count_terms<Graph>();
+
+/// How a step ended.
+struct Ends {
+  bool terminated = false;
+  bool truncated = false;
+};
+
+/// Writes reward, success and terms of the program's last step as environment `k`.
+template <class Graph, class Program>
+Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
+                   const eagerx_rows& rows) {
+  if constexpr (has_task<Graph>) {
+    const auto& outcome = program.outcome();
+    if (rows.reward != nullptr) rows.reward[k] = static_cast<float>(outcome.reward);
+    if (rows.success != nullptr) rows.success[k] = outcome.success ? 1 : 0;
+    if (rows.terms != nullptr) {
+      for (std::size_t i = 0; i < terms_of<Graph>; ++i)
+        rows.terms[k * terms_of<Graph> + i] = static_cast<float>(element(outcome.terms, i));
+    }
+    return {outcome.terminated, outcome.truncated};
+  } else {
+    if (rows.reward != nullptr) rows.reward[k] = 0.0F;
+    if (rows.success != nullptr) rows.success[k] = 0;
+    return {};
+  }
+}
+
+/// The same where there was no step.
+template <class Graph>
+void write_no_outcome(std::uint32_t k, const eagerx_rows& rows) {
+  if (rows.reward != nullptr) rows.reward[k] = 0.0F;
+  if (rows.success != nullptr) rows.success[k] = 0;
+  if (rows.terms != nullptr) {
+    for (std::size_t i = 0; i < terms_of<Graph>; ++i) rows.terms[k * terms_of<Graph> + i] = 0.0F;
+  }
+  if (rows.terminated != nullptr) rows.terminated[k] = 0;
+  if (rows.truncated != nullptr) rows.truncated[k] = 0;
+}
+
+}  // namespace eagerx::environments

@@ -1,0 +1,125 @@
+// An environment whose messages are hashed and written to a file.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
+#include <eagerx/trace.hpp>
+#include <eagerx/trace_text.hpp>
+#include <string>
+#include <targets/common/run.hpp>
+#include <targets/environments/problem.hpp>
+#include <targets/linux-sim/text_file.hpp>
+#include <type_traits>
+
+namespace eagerx::environments {
+
+/// A trace for generated programs: hash of all messages and, with a file, their text.
+template <class Graph>
+class Recorder {
+ public:
+  using Text = TraceText<Graph, linux_sim::TextFile>;
+
+  void write_to(linux_sim::TextFile* file) { file_ = file; }
+  std::uint64_t hash() const { return hash_.hash(); }
+
+  void episode(std::uint32_t index) {
+    episode_ = index;
+    hash_.episode(index);
+  }
+  /// Never inlined: a program has a call for each of its messages.
+  template <class Message>
+  [[gnu::noinline]] void operator()(std::uint32_t channel, Seq seq, const Message& message) {
+    hash_(channel, seq, message);
+    if (file_ == nullptr) return;
+    ++messages_;
+    Text::begin_message(*file_, episode_, channel, seq);
+    Text::values(*file_, message);
+  }
+  void write_end() const {
+    if (file_ != nullptr) Text::end(*file_, messages_, hash());
+  }
+
+ private:
+  HashTrace hash_;
+  linux_sim::TextFile* file_ = nullptr;
+  std::uint64_t messages_ = 0;  // in the file
+  std::uint32_t episode_ = 0;
+};
+
+/// Takes the place of an environment's program from a reset on.
+template <class Graph>
+class Traced {
+ public:
+  typename Graph::template Program<Recorder<Graph>> program{};
+
+  /// Throws Problem if `path` cannot be written. Empty: only the hash.
+  explicit Traced(const std::string& path) : path_(path) {
+    target::warm_up(program);
+    if (path.empty()) return;
+    if (!file_.open(path)) throw Problem(cannot_write());
+    program.trace.write_to(&file_);
+  }
+
+  typename Graph::Observation reset(EpisodeKey key, const typename Graph::States& states) {
+    using Text = typename Recorder<Graph>::Text;
+    if (file_.is_open() && episode_ == 0)
+      Text::head(file_, key.seed, key.environment, "library", false);
+    if (file_.is_open()) write(states);
+    program.trace.episode(episode_++);
+    return program.reset(states);
+  }
+
+  bool has_begun() const { return episode_ > 0; }
+  /// The file ends; throws Problem if something of it is lost. The hash goes on.
+  void end_file() {
+    if (!file_.is_open()) return;
+    if (has_begun()) {
+      program.trace.write_end();
+    } else {
+      file_.discard();
+    }
+    program.trace.write_to(nullptr);
+    if (!file_.close()) throw Problem(cannot_write());
+  }
+  /// Behind each step: rows are in the file after half a second. Throws Problem.
+  void hand_on() {
+    if (!file_.is_open()) return;
+    if (file_.failed()) {
+      program.trace.write_to(nullptr);
+      const std::string problem = cannot_write();
+      file_.close();
+      throw Problem(problem);
+    }
+    file_.hand_on(false);
+  }
+
+ private:
+  std::string cannot_write() const {
+    const char* const why = file_.error() == EINVAL ? "it is no file" : std::strerror(file_.error());
+    return "cannot write `" + path_ + "`: " + why;
+  }
+  /// Lines `# state EPISODE NAME VALUE,…`, from which a replay takes the states.
+  void write(const typename Graph::States& states) {
+    Graph::for_each_state([&](const char*, const char* id, auto member, const auto&) {
+      using Message = typename std::remove_cvref_t<decltype(states.*member)>::value_type;
+      if (!(states.*member)) return;
+      file_.text("# state ");
+      file_.number(episode_);
+      file_.text(" ");
+      file_.text(id);
+      for (std::size_t i = 0; i < size_of<Message>; ++i) {
+        file_.text(i == 0 ? " " : ",");
+        file_.number(element(*(states.*member), i));
+      }
+      file_.text("\n");
+    });
+  }
+
+  std::string path_;
+  linux_sim::TextFile file_;
+  std::uint32_t episode_ = 0;  // since the trace began
+};
+
+}  // namespace eagerx::environments
