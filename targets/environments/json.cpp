@@ -25,6 +25,13 @@ std::string quoted(std::string_view text) {
   return result + "\"";
 }
 
+template <class T>
+std::string shortest_text(T value) {
+  constexpr std::size_t kLongestNumber = 32;  // -2.2250738585072014e-308 has 24
+  std::array<char, kLongestNumber> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 }  // namespace
 
 Json& Json::begin_object() {
@@ -57,10 +64,10 @@ Json& Json::text(std::string_view value) {
   return raw(quoted(value));
 }
 Json& Json::number(double value) {
-  return shortest(value);
+  return std::isfinite(value) ? raw(shortest_text(value)) : null();
 }
 Json& Json::number(float value) {
-  return shortest(value);
+  return std::isfinite(value) ? raw(shortest_text(value)) : null();
 }
 Json& Json::whole(std::uint64_t value) {
   return raw(std::to_string(value));
@@ -79,13 +86,8 @@ Json& Json::raw(std::string_view value) {
   return *this;
 }
 
-template <class T>
-Json& Json::shortest(T value) {
-  if (!std::isfinite(value)) return null();
-  constexpr std::size_t kLongestNumber = 32;  // -2.2250738585072014e-308 has 24
-  std::array<char, kLongestNumber> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return raw({text.data(), static_cast<std::size_t>(end - text.data())});
+std::string number_text(float value) {
+  return shortest_text(value);
 }
 
 std::string hash_of(std::string_view text) {

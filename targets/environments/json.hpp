@@ -29,12 +29,13 @@ class Json {
 
  private:
   Json& raw(std::string_view value);
-  template <class T>
-  Json& shortest(T value);
 
   std::string text_;
   bool wants_comma_ = false;
 };
+
+/// The shortest text that reads back to the same bits.
+std::string number_text(float value);
 
 /// FNV-1a, 64 bits, as "0x0123456789abcdef".
 std::string hash_of(std::string_view text);

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <targets/environments/json.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -177,7 +178,7 @@ class Layout {
         if (x < static_cast<float>(element(space.low, i)) ||
             x > static_cast<float>(element(space.high, i))) {
           problem = "`" + std::string(name) + "` is out of its space: element " +
-                    std::to_string(i) + " is " + std::to_string(x);
+                    std::to_string(i) + " is " + number_text(x);
         }
       }
       if (!(drawn.*member) && missing != 0 && missing != size_of<Message>)

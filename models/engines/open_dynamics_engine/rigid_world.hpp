@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <models/engines/open_dynamics_engine/rotation.hpp>
+#include <mutex>
 
 namespace eagerx::models {
 
@@ -63,9 +64,7 @@ class RigidWorld {
   std::uint32_t dropped_contacts() const { return dropped_; }
 
   void create(const RigidWorldSettings& settings) {
-    // The library is set up once in a process, and stays.
-    static const bool library = dInitODE2(0) != 0 && dAllocateODEDataForThread(~0U) != 0;
-    static_cast<void>(library);
+    use_library();
     settings_ = settings;
     world_ = dWorldCreate();
     space_ = dSimpleSpaceCreate(nullptr);
@@ -115,6 +114,7 @@ class RigidWorld {
 
   /// One step, with the forces that were added to the bodies.
   void step() {
+    use_library();
     for_each_shape([](RigidShape& shape) { shape.force = {}; });
     collide();
     advance();
@@ -124,6 +124,19 @@ class RigidWorld {
 
  private:
   static constexpr int kPointsOfPair = 8;
+
+  /// The library is set up once in a process, and stays; it has memory for each thread that calls it.
+  static void use_library() {
+    static const bool is_set_up = dInitODE2(0) != 0;
+    struct OfThread {
+      bool exists = is_set_up && dAllocateODEDataForThread(~0U) != 0;
+      ~OfThread() {
+        if (exists) dCleanupODEAllDataForThread();
+      }
+    };
+    thread_local const OfThread memory;
+    static_cast<void>(memory.exists);
+  }
 
   template <class F>
   void for_each_shape(F&& f) {
@@ -224,7 +237,10 @@ class RigidWorld {
       dWorldStep(world_, settings_.step_s);
       return;
     }
-    dRandSetSeed(seed_);  // of the process: others may have used it
+    // The generator is the process's: worlds in several threads take turns, each with its own seed.
+    static std::mutex generator;
+    const std::lock_guard one_at_a_time(generator);
+    dRandSetSeed(seed_);
     dWorldQuickStep(world_, settings_.step_s);
     seed_ = dRandGetSeed();
   }
