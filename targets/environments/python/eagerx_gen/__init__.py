@@ -1,0 +1,41 @@
+"""Environments of graphs that eagerx-gen compiled: for Gymnasium, for Stable-Baselines3, or as plain numpy rows.
+
+    import eagerx_gen
+    env = eagerx_gen.make("graph.yaml")                        # gymnasium.Env
+    envs = eagerx_gen.make("graph.yaml", num_envs=4096)        # gymnasium.vector.VectorEnv
+    envs = eagerx_gen.make_vec_env("graph.yaml", n_envs=64)    # stable_baselines3's VecEnv
+
+Gymnasium and Stable-Baselines3 are imported when they are needed. `Environments(load("graph.yaml"), 4096)` needs neither.
+"""
+from .build import load
+from .errors import Error
+from .library import VERSION, Environments, Library
+
+__all__ = ["VERSION", "Environments", "Error", "Library", "load", "make", "make_vec_env"]
+
+_BUILDING = ("engine", "paths", "progress")
+
+
+def _split(keywords):
+    return ({name: value for name, value in keywords.items() if name in _BUILDING},
+            {name: value for name, value in keywords.items() if name not in _BUILDING})
+
+
+def make(graph, num_envs=None, **keywords):
+    """An `Env` (num_envs=None) or a `VectorEnv` of a graph's file, or of a library that is built already (`*.so`).
+
+    `engine`, `paths` and `progress` are those of load(); all others go to Env or VectorEnv.
+    """
+    from .gymnasium_envs import Env, VectorEnv
+
+    building, rest = _split(keywords)
+    library = load(graph, **building)
+    return Env(library, **rest) if num_envs is None else VectorEnv(library, num_envs, **rest)
+
+
+def make_vec_env(graph, n_envs=1, **keywords):
+    """The same as Stable-Baselines3's VecEnv."""
+    from .stable_baselines3_envs import VecEnv
+
+    building, rest = _split(keywords)
+    return VecEnv(load(graph, **building), n_envs, **rest)

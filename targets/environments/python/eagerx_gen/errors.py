@@ -1,0 +1,15 @@
+"""What goes wrong."""
+
+
+class Error(RuntimeError):
+    """What a library, or eagerx-gen, says is wrong."""
+
+
+def need(package, install):
+    """Imports a package that only some of this one needs."""
+    import importlib
+
+    try:
+        return importlib.import_module(package)
+    except ImportError as problem:
+        raise ImportError(f"eagerx_gen needs {package.split('.')[0]} for this: {install} ({problem})") from problem

@@ -1,0 +1,97 @@
+"""Stable-Baselines3's interface of many environments."""
+from __future__ import annotations
+
+import time
+
+import numpy as np
+
+from . import conversion
+from .errors import need
+from .library import Environments
+
+_base = need("stable_baselines3.common.vec_env.base_vec_env", "pip install stable-baselines3")
+
+
+class VecEnv(_base.VecEnv):
+    """Many environments of a graph. Its infos have what Monitor gives: return and length of an episode that ended.
+
+    library, longest, threads, normalize_actions: as for Env and VectorEnv. flatten: Stable-Baselines3 knows Dict
+    observations, with "MultiInputPolicy", but no Dict actions, so that these are always one row.
+    """
+
+    def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None):
+        numbers = np.zeros(n_envs, np.uint32) if numbers is None and n_envs > 0 else numbers
+        self.environments = Environments(library, n_envs, numbers=numbers, longest=longest, autoreset="same_step", threads=threads)
+        self.library = library
+        self.metadata = {"render_modes": []}
+        self._rows_of_actions = conversion.of_actions(library, True, normalize_actions)
+        self._rows_of_observations = conversion.of_observations(library, flatten)
+        self._begun = False
+        super().__init__(n_envs, self._rows_of_observations.space, self._rows_of_actions.space)
+        self._returns, self._lengths = np.zeros(n_envs), np.zeros(n_envs, int)
+
+    def _observation(self, rows):
+        return self._rows_of_observations.from_row(rows.copy())
+
+    def reset(self):
+        given = list(self._seeds)
+        if not self._begun:
+            drawn = np.random.default_rng().integers(2**63, size=self.num_envs)
+            given = [int(d) if seed is None else seed for seed, d in zip(given, drawn)]
+        new = np.array([seed is not None for seed in given])
+        if new.any():
+            self.environments.reset(new, np.array([0 if seed is None else seed % 2**64 for seed in given], np.uint64))
+        if not new.all():
+            self.environments.reset(~new)
+        self._begun = True
+        self._started = time.monotonic()
+        self._returns[:], self._lengths[:] = 0.0, 0
+        self.reset_infos = [{} for _ in range(self.num_envs)]
+        self._reset_seeds()
+        self._reset_options()
+        return self._observation(self.environments.observation)
+
+    def step_async(self, actions):
+        self._rows_of_actions.to_row(actions, self.environments.action)
+
+    def step_wait(self):
+        rows = self.environments
+        rows.step()
+        self._returns += rows.reward
+        self._lengths += 1
+        ended = rows.terminated | rows.truncated
+        infos = [{} for _ in range(self.num_envs)]
+        if ended.any():
+            final = self._observation(rows.final_observation)
+            for i in np.flatnonzero(ended):
+                infos[i] = self._info_of_end(i, final)
+            self._returns[ended], self._lengths[ended] = 0.0, 0
+        return self._observation(rows.observation), rows.reward.copy(), ended, infos
+
+    def _info_of_end(self, i, final):
+        rows = self.environments
+        info = {
+            "terminal_observation": {name: part[i] for name, part in final.items()} if isinstance(final, dict) else final[i],
+            "TimeLimit.truncated": bool(rows.truncated[i] and not rows.terminated[i]),
+            "episode": {"r": float(self._returns[i]), "l": int(self._lengths[i]), "t": time.monotonic() - self._started},
+        }
+        if self.library.has_task:
+            info["is_success"] = bool(rows.success[i])
+        return info
+
+    def close(self):
+        self.environments.close()
+
+    def get_attr(self, attr_name, indices=None):
+        values = {"render_mode": None, "spec": None}
+        value = values[attr_name] if attr_name in values else getattr(self, attr_name)
+        return [value for _ in self._get_indices(indices)]
+
+    def set_attr(self, attr_name, value, indices=None):
+        raise AttributeError(f"environments of a batch have no attributes of their own, so no {attr_name!r} is set")
+
+    def env_method(self, method_name, *method_args, indices=None, **method_kwargs):
+        raise AttributeError(f"environments of a batch have no methods of their own, so there is no {method_name!r}")
+
+    def env_is_wrapped(self, wrapper_class, indices=None):
+        return [wrapper_class.__name__ == "Monitor" for _ in self._get_indices(indices)]
