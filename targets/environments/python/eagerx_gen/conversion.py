@@ -17,17 +17,17 @@ def is_choice(field):
 
 
 class Box:
-    """Some numbers between bounds, as they are in the row."""
+    """Some numbers between bounds, as they are in the row. A single one has the shape (1,): networks flatten their inputs."""
 
     def __init__(self, field):
-        self.field = field
-        self.space = _spaces().Box(field.low, field.high, field.shape, field.dtype)
+        self.field, self.shape = field, field.shape or (1,)
+        self.space = _spaces().Box(field.low.reshape(self.shape), field.high.reshape(self.shape), self.shape, field.dtype)
 
     def to_row(self, values, rows):
         rows[:, self.field.columns] = values.reshape(len(rows), -1)
 
     def from_row(self, rows):
-        return rows[:, self.field.columns].reshape(len(rows), *self.field.shape).astype(self.field.dtype, copy=False)
+        return rows[:, self.field.columns].reshape(len(rows), *self.shape).astype(self.field.dtype, copy=False)
 
 
 class Scaled(Box):
@@ -37,7 +37,7 @@ class Scaled(Box):
         super().__init__(field)
         if field.dtype.kind != "f" or not (np.isfinite(field.low).all() and np.isfinite(field.high).all()):
             raise ValueError(f"normalize_actions: action {field.name!r} is no float32 with finite bounds")
-        self.space = _spaces().Box(-1.0, 1.0, field.shape, np.float32)
+        self.space = _spaces().Box(-1.0, 1.0, self.shape, np.float32)
         self._low, self._size = field.low.reshape(-1), (field.high - field.low).reshape(-1)
 
     def to_row(self, values, rows):

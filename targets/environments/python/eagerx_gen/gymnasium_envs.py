@@ -19,8 +19,7 @@ def _vector_base():
 
 
 def one_of(tree, i):
-    """The i-th of many; an array also where its shape is ()."""
-    return {name: part[i, ...] for name, part in tree.items()} if isinstance(tree, dict) else tree[i]
+    return {name: part[i] for name, part in tree.items()} if isinstance(tree, dict) else tree[i]
 
 
 def as_many(action):
