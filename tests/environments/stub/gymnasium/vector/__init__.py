@@ -1,0 +1,74 @@
+from enum import Enum
+
+import numpy as np
+
+from . import utils  # noqa: F401
+
+
+class AutoresetMode(Enum):
+    NEXT_STEP = "NextStep"
+    SAME_STEP = "SameStep"
+    DISABLED = "Disabled"
+
+
+class VectorEnv:
+    _generator = None
+
+    @property
+    def np_random(self):
+        if self._generator is None:
+            self._generator = np.random.default_rng()
+        return self._generator
+
+    def reset(self, *, seed=None, options=None):
+        if seed is not None:
+            self._generator = np.random.default_rng(seed)
+
+    def close(self):
+        self.close_extras()
+
+
+class SyncVectorEnv(VectorEnv):
+    """What Gymnasium's documentation says of the three modes, for lists of environments with the same spaces."""
+
+    def __init__(self, makers, autoreset_mode=AutoresetMode.NEXT_STEP):
+        self.envs = [make() for make in makers]
+        self.num_envs, self.mode = len(self.envs), autoreset_mode
+        self.action_space = utils.batch_space(self.envs[0].action_space, self.num_envs)
+        self.ended = np.zeros(self.num_envs, bool)
+        self.observations = [None] * self.num_envs
+
+    def reset(self, *, seed=None, options=None):
+        mask = (options or {}).get("reset_mask", np.ones(self.num_envs, bool))
+        for i in np.flatnonzero(mask):
+            self.observations[i], _ = self.envs[i].reset(seed=None if seed is None else seed + int(i))
+            self.ended[i] = False
+        return utils.together(self.observations), {}
+
+    def step(self, actions):
+        reward, info = np.zeros(self.num_envs), {}
+        terminated, truncated = np.zeros(self.num_envs, bool), np.zeros(self.num_envs, bool)
+        for i, env in enumerate(self.envs):
+            if self.mode is AutoresetMode.NEXT_STEP and self.ended[i]:
+                self.observations[i], told = env.reset()
+            else:
+                self.observations[i], reward[i], terminated[i], truncated[i], told = env.step(utils.part(actions, i))
+            if self.mode is AutoresetMode.SAME_STEP and (terminated[i] or truncated[i]):
+                self.add(info, {"final_obs": self.observations[i], "final_info": told}, i)
+                self.observations[i], told = env.reset()
+            self.add(info, told, i)
+        self.ended = terminated | truncated
+        return utils.together(self.observations), reward, terminated, truncated, info
+
+    def add(self, infos, told, i):
+        for key, value in told.items():
+            if isinstance(value, dict) and key != "final_obs":
+                self.add(infos.setdefault(key, {}), value, i)
+            else:
+                dtype = {bool: bool, float: float}.get(type(value), object)
+                infos.setdefault(key, np.full(self.num_envs, None, object) if dtype is object else np.zeros(self.num_envs, dtype))[i] = value
+            infos.setdefault("_" + key, np.zeros(self.num_envs, bool))[i] = True
+
+    def close(self):
+        for env in self.envs:
+            env.close()
