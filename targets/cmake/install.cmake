@@ -10,7 +10,8 @@ set(share_dir ${CMAKE_INSTALL_DATADIR}/eagerx-gen)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/runtime/eagerx ${PROJECT_SOURCE_DIR}/runtime/host DESTINATION ${share_dir}/runtime)
 install(FILES ${PROJECT_SOURCE_DIR}/runtime/flags.cmake DESTINATION ${share_dir}/runtime)
 foreach(folder models targets toolchains templates)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
+          PATTERN __pycache__ EXCLUDE PATTERN *.egg-info EXCLUDE PATTERN python/build EXCLUDE)
 endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${share_dir})
 

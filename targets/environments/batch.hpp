@@ -2,6 +2,8 @@
 // alone, in any batch and on any number of threads.
 #pragma once
 
+#include <targets/environments/eagerx_environments.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -12,7 +14,6 @@
 #include <memory>
 #include <string>
 #include <targets/common/run.hpp>
-#include <targets/environments/eagerx_environments.h>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/environments/task.hpp>
@@ -116,8 +117,7 @@ class Batch {
     const auto is_meant = [&](std::uint32_t k) { return mask == nullptr || mask[k] != 0; };
     for (std::uint32_t k = 0; k < size_; ++k) {
       const std::string problem = is_meant(k) ? layout_.problem_of(states + k * numbers) : "";
-      if (!problem.empty())
-        throw Problem(problem + " (environment " + std::to_string(k) + ")");
+      if (!problem.empty()) throw Problem(problem + " (environment " + std::to_string(k) + ")");
     }
     if (set_next_.empty()) {
       set_now_.resize(size_ * numbers, std::numeric_limits<float>::quiet_NaN());
@@ -314,8 +314,8 @@ class Batch {
   std::uint32_t longest_;
   std::uint32_t autoreset_;
   bool all_begun_ = false;
-  std::unique_ptr<Episode[]> episodes_;  // [size_]
-  std::unique_ptr<Program[]> programs_;  // [size_]
+  std::unique_ptr<Episode[]> episodes_;    // [size_]
+  std::unique_ptr<Program[]> programs_;    // [size_]
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;
   Workload resets_, steps_;

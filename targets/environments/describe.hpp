@@ -1,11 +1,12 @@
 // What eagerx_describe() says of a graph.
 #pragma once
 
+#include <targets/environments/eagerx_environments.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <string>
-#include <targets/environments/eagerx_environments.h>
 #include <targets/environments/json.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/task.hpp>

@@ -71,7 +71,8 @@ T from_row(float x) {
     // Exact powers of two, unlike the highest number of the type.
     const float beyond = std::ldexp(1.0F, std::numeric_limits<T>::digits);
     if (x >= beyond) return std::numeric_limits<T>::max();
-    if (x <= static_cast<float>(std::numeric_limits<T>::min())) return std::numeric_limits<T>::min();
+    if (x <= static_cast<float>(std::numeric_limits<T>::min()))
+      return std::numeric_limits<T>::min();
     return static_cast<T>(x);
   } else {
     return static_cast<T>(x);

@@ -2,6 +2,8 @@
 // given, and nothing that is thrown leaves them.
 #pragma once
 
+#include <targets/environments/eagerx_environments.h>
+
 #include <atomic>
 #include <cfenv>
 #include <cstdint>
@@ -12,7 +14,6 @@
 #include <string>
 #include <targets/environments/batch.hpp>
 #include <targets/environments/describe.hpp>
-#include <targets/environments/eagerx_environments.h>
 #include <targets/environments/json.hpp>
 #include <targets/environments/problem.hpp>
 

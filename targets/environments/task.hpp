@@ -1,11 +1,12 @@
 // The task of a graph, where it has one: reward and end of an episode.
 #pragma once
 
+#include <targets/environments/eagerx_environments.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <iterator>
-#include <targets/environments/eagerx_environments.h>
 
 namespace eagerx::environments {
 

@@ -27,13 +27,12 @@ class Team {
   /// False in a process that fork() made, where only the caller lives.
   bool is_complete() const;
 
-  /// job(i) for each i < `members`, at once; returns when all have returned. 1 <= members <= size().
+  /// job(i) for each i < `members`, at once; returns when all have returned. 1 <= members <=
+  /// size().
   template <class Job>
   void run(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
-    call_ = [](void* what, unsigned i) {
-      (*static_cast<std::remove_reference_t<Job>*>(what))(i);
-    };
+    call_ = [](void* what, unsigned i) { (*static_cast<std::remove_reference_t<Job>*>(what))(i); };
     job_ = &job;
     begin(members);
     job(0U);

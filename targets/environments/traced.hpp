@@ -97,7 +97,8 @@ class Traced {
 
  private:
   std::string cannot_write() const {
-    const char* const why = file_.error() == EINVAL ? "it is no file" : std::strerror(file_.error());
+    const char* const why =
+        file_.error() == EINVAL ? "it is no file" : std::strerror(file_.error());
     return "cannot write `" + path_ + "`: " + why;
   }
   /// Lines `# state EPISODE NAME VALUE,…`, from which a replay takes the states.

@@ -125,7 +125,8 @@ class RigidWorld {
  private:
   static constexpr int kPointsOfPair = 8;
 
-  /// The library is set up once in a process, and stays; it has memory for each thread that calls it.
+  /// The library is set up once in a process, and stays; it has memory for each thread that calls
+  /// it.
   static void use_library() {
     static const bool is_set_up = dInitODE2(0) != 0;
     struct OfThread {

@@ -9,6 +9,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 from .errors import Error
 from .library import Library
@@ -31,16 +32,19 @@ def cache():
 
 
 def run(command, progress):
-    """Progress goes to the standard error as it comes, problems into the exception."""
-    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, errors="replace") as process:
-        said = ""
-        for piece in iter(lambda: process.stderr.read(1), ""):
-            said += piece
-            if progress:
-                sys.stderr.write(piece)
-                sys.stderr.flush()
-    if process.returncode != 0:
-        raise Error(said.strip() or f"{command[0]} ended with exit code {process.returncode}")
+    """The last line of its output. Progress goes to the standard error as it comes, problems into the exception."""
+    with tempfile.TemporaryFile("w+") as output:
+        with subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace") as process:
+            said = ""
+            for piece in iter(lambda: process.stderr.read(1), ""):
+                said += piece
+                if progress:
+                    sys.stderr.write(piece)
+                    sys.stderr.flush()
+        if process.returncode != 0:
+            raise Error(said.strip() or f"{command[0]} ended with exit code {process.returncode}")
+        output.seek(0)
+        return output.read().strip().rpartition("\n")[2]
 
 
 @contextlib.contextmanager
@@ -65,16 +69,13 @@ def build(graph, engine=None, paths=(), progress=True):
     key = hashlib.sha256("\0".join([str(graph), version, os.path.realpath(program), *options]).encode()).hexdigest()[:16]
     folder = cache() / f"{graph.parent.name}-{graph.stem}-{key}"
     with alone_in(folder):
-        run([program, "build", str(graph), "-o", str(folder / "source"), *options, *([] if progress else ["--quiet"])], progress)
-        made = list((folder / "source" / "build").glob("lib*_environments.so"))
-        if len(made) != 1:
-            raise Error(f"`{program} build` left no library in {folder / 'source' / 'build'}")
+        made = pathlib.Path(run([program, "build", str(graph), "-o", str(folder / "source"), *options], progress))
         # A process that has opened a library gets the same one for the same path, whatever is in the file.
-        content = hashlib.sha256(made[0].read_bytes()).hexdigest()[:16]
-        library = folder / f"{made[0].stem}-{content}.so"
+        content = hashlib.sha256(made.read_bytes()).hexdigest()[:16]
+        library = folder / f"{made.stem}-{content}.so"
         if not library.exists():
             part = library.with_suffix(".part")
-            shutil.copyfile(made[0], part)
+            shutil.copyfile(made, part)
             part.rename(library)
             for earlier in folder.glob("*.so"):
                 if earlier != library:
