@@ -197,6 +197,7 @@ class Batch {
   template <class F>
   void each_block(Workload& workload, F&& f) {
     using Clock = std::chrono::steady_clock;
+    if (team_.size() == 1) return f(0U, size_);
     const unsigned members = workload.members(team_.size());
     const auto start = Clock::now();
     std::atomic<std::uint32_t> next{0};

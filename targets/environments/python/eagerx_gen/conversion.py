@@ -108,7 +108,7 @@ class OnlyChoice(Choice):
 
 def shaped(values, space, count, what):
     """As an array [count, ...] of the space's shape, or a ValueError."""
-    array = np.asarray(values)
+    array = values if type(values) is np.ndarray else np.asarray(values)
     if array.dtype.kind not in "fiub":
         raise ValueError(f"{what} is {values!r}, no numbers")
     if array.shape != (count, *space.shape):

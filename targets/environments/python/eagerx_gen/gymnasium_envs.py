@@ -157,24 +157,24 @@ class VectorEnv(_vector_base()):
         return mask
 
     def step(self, actions):
-        rows, modes = self.environments, _vector.AutoresetMode
-        if self.autoreset_mode is modes.DISABLED and self._ended.any():
+        rows, mode = self.environments, self.environments.autoreset
+        if mode == "disabled" and np.count_nonzero(self._ended):
             raise Error(f"the episode of environment {int(self._ended.argmax())} has ended: reset() with a reset_mask comes before "
                         "the next step")
         self._actions.to_row(actions, rows.action)
         rows.step()
-        stepped = ~self._ended if self.autoreset_mode is modes.NEXT_STEP else None
-        self._ended = rows.terminated | rows.truncated
-        info = {}
-        if self.library.has_task:
-            if stepped is None:
-                stepped = ~self._ended if self.autoreset_mode is modes.SAME_STEP else np.ones(self.num_envs, np.bool_)
-            if stepped.any():
-                info = self._info(stepped)
-        if self.autoreset_mode is modes.SAME_STEP and self._ended.any():
+        before, self._ended = self._ended, rows.terminated | rows.truncated
+        info = self._info_of_step(before) if self.library.has_task else {}
+        if mode == "same_step" and np.count_nonzero(self._ended):
             self._add_final(info)
         # float64: what Gymnasium's own vector environments give.
         return self._observation(), rows.reward.astype(np.float64), rows.terminated.copy(), rows.truncated.copy(), info
+
+    def _info_of_step(self, ended_before):
+        """Gymnasium takes a reset's info, which is empty, where there was one."""
+        resets = {"next_step": ended_before, "same_step": self._ended, "disabled": None}[self.environments.autoreset]
+        stepped = np.ones(self.num_envs, np.bool_) if resets is None else ~resets
+        return self._info(stepped) if np.count_nonzero(stepped) else {}
 
     def _info(self, mask):
         """What Gymnasium makes of Env's info of the environments of `mask`."""
