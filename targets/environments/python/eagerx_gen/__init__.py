@@ -26,16 +26,19 @@ def make(graph, num_envs=None, **keywords):
 
     `engine`, `paths` and `progress` are those of load(); all others go to Env or VectorEnv.
     """
-    from .gymnasium_envs import Env, VectorEnv
-
     building, rest = _split(keywords)
-    library = load(graph, **building)
-    return Env(library, **rest) if num_envs is None else VectorEnv(library, num_envs, **rest)
+    if num_envs is None:
+        from .gymnasium_env import Env
+
+        return Env(load(graph, **building), **rest)
+    from .gymnasium_vector import VectorEnv
+
+    return VectorEnv(load(graph, **building), num_envs, **rest)
 
 
 def make_vec_env(graph, n_envs=1, **keywords):
     """The same as Stable-Baselines3's VecEnv."""
-    from .stable_baselines3_envs import VecEnv
+    from .stable_baselines3_vec_env import VecEnv
 
     building, rest = _split(keywords)
     return VecEnv(load(graph, **building), n_envs, **rest)

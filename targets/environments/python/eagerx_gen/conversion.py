@@ -106,6 +106,10 @@ class OnlyChoice(Choice):
         super().to_row(shaped(values, self.space, len(rows), self.what), rows)
 
 
+def one_of(tree, i):
+    return {name: part[i] for name, part in tree.items()} if isinstance(tree, dict) else tree[i]
+
+
 def shaped(values, space, count, what):
     """As an array [count, ...] of the space's shape, or a ValueError."""
     array = values if type(values) is np.ndarray else np.asarray(values)

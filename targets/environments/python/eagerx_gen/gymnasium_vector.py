@@ -1,4 +1,4 @@
-"""Gymnasium's interfaces: one environment, and many."""
+"""Gymnasium's interface of many environments."""
 from __future__ import annotations
 
 import numpy as np
@@ -7,83 +7,12 @@ from . import conversion
 from .errors import Error, need
 from .library import Environments
 
-gymnasium = need("gymnasium", "pip install gymnasium")
 _vector = need("gymnasium.vector", "pip install gymnasium")
+if not hasattr(_vector, "AutoresetMode"):
+    raise ImportError("eagerx_gen's VectorEnv needs Gymnasium 1.1 or later: pip install --upgrade gymnasium")
 
 
-def _vector_base():
-    if not hasattr(_vector, "AutoresetMode"):
-        raise ImportError(f"eagerx_gen's VectorEnv needs Gymnasium 1.1 or later, and this is {gymnasium.__version__}: "
-                          "pip install --upgrade gymnasium")
-    return _vector.VectorEnv
-
-
-def one_of(tree, i):
-    return {name: part[i] for name, part in tree.items()} if isinstance(tree, dict) else tree[i]
-
-
-def as_many(action):
-    """One action as a batch of one."""
-    return {name: np.asarray(part)[None] for name, part in action.items()} if isinstance(action, dict) else np.asarray(action)[None]
-
-
-class Env(gymnasium.Env):
-    """One environment of a graph.
-
-    library            as load() gives it
-    flatten            one row of numbers in place of a Dict of observations, and of actions
-    longest            steps until an episode is truncated, besides what the graph's `task:` says
-    normalize_actions  actions are from -1 to 1
-    number             of the environment: reset(seed=S) with number k is `PROGRAM --seed S --environment k`
-
-    reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws. Without `task:` in the graph rewards
-    are 0. info of a step has `success` and the weighted `terms` of the reward, where the graph has a task.
-    """
-
-    metadata = {"render_modes": []}
-
-    def __init__(self, library, *, flatten=False, longest=0, normalize_actions=False, number=0, render_mode=None):
-        if render_mode is not None:
-            raise ValueError(f"render_mode is {render_mode!r}, and there is none yet")
-        self.library, self.render_mode = library, render_mode
-        self._actions = conversion.of_actions(library, flatten, normalize_actions)
-        self._observations = conversion.of_observations(library, flatten)
-        self.action_space, self.observation_space = self._actions.space, self._observations.space
-        self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1)
-        self._begun = self._ended = False
-
-    def _observation(self):
-        return one_of(self._observations.from_row(self.environments.observation.copy()), 0)
-
-    def reset(self, *, seed=None, options=None):
-        super().reset(seed=seed)
-        if seed is None and not self._begun:
-            seed = int(self.np_random.integers(2**63))
-        if options and "states" in options:
-            self.environments.set_states(options["states"])
-        self.environments.reset(seeds=None if seed is None else np.array([seed % 2**64], np.uint64))
-        self._begun, self._ended = True, False
-        return self._observation(), {}
-
-    def step(self, action):
-        if self._ended:
-            raise Error("the episode has ended: reset() comes before the next step")
-        rows = self.environments
-        self._actions.to_row(as_many(action), rows.action)
-        rows.step()
-        terminated, truncated = bool(rows.terminated[0]), bool(rows.truncated[0])
-        self._ended = terminated or truncated
-        info = {}
-        if self.library.has_task:
-            info = {"success": bool(rows.success[0]),
-                    "terms": {name: float(x) for name, x in zip(self.library.terms, rows.terms[0])}}
-        return self._observation(), float(rows.reward[0]), terminated, truncated, info
-
-    def close(self):
-        self.environments.close()
-
-
-class VectorEnv(_vector_base()):
+class VectorEnv(_vector.VectorEnv):
     """Many environments of a graph. Environment i after reset(seed=s) is Env after reset(seed=s + i), bit for bit, whatever
     num_envs and threads are.
 
@@ -189,7 +118,7 @@ class VectorEnv(_vector_base()):
         final = self._observations.from_row(self.environments.final_observation.copy())
         observations = np.full(self.num_envs, None, dtype=object)
         for i in np.flatnonzero(ended):
-            observations[i] = one_of(final, i)
+            observations[i] = conversion.one_of(final, i)
         info["final_obs"], info["_final_obs"] = observations, ended.copy()
         info["final_info"] = self._info(ended) if self.library.has_task else {}
         info["_final_info"] = ended.copy()
