@@ -57,7 +57,8 @@ class Batch:
         self.check(0 if self.handle else -1)
         self.observation = (c_float * (environments * library.observed))()
         self.reward = (c_float * environments)()
-        self.rows = Rows(ctypes.sizeof(Rows), self.observation, self.reward)
+        self.terminated, self.truncated = (c_uint8 * environments)(), (c_uint8 * environments)()
+        self.rows = Rows(ctypes.sizeof(Rows), self.observation, self.reward, self.terminated, self.truncated)
 
     def check(self, result):
         if result != 0:
