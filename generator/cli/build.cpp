@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
@@ -24,13 +25,19 @@ std::string default_folder(const Graph& graph, const Options& options) {
 }  // namespace
 
 std::string image_of(const Run& run, const Target& target, const std::string& build) {
-  return build + "/" + run.graph->name + (target.system.empty() ? ".elf" : "");
+  std::string file = target.image.empty()
+                         ? "{name}" + std::string(target.system.empty() ? ".elf" : "")
+                         : target.image;
+  constexpr std::string_view kName = "{name}";
+  const std::size_t at = file.find(kName);
+  if (at != std::string::npos) file.replace(at, kName.size(), run.graph->name);
+  return build + "/" + file;
 }
 
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program) {
   const Target& target = *program.target;
-  if (target.toolchain.empty()) return {program.image};
   if (target.run.empty()) return {};
+  if (target.toolchain.empty()) return {program.image};
   return {(fs::path(run.root) / "targets" / "run").string(),
           is_own(run, target) ? folder_of(run, target) : target.id.value, program.image};
 }
