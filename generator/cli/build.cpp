@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
@@ -24,7 +25,13 @@ std::string default_folder(const Graph& graph, const Options& options) {
 }  // namespace
 
 std::string image_of(const Run& run, const Target& target, const std::string& build) {
-  return build + "/" + run.graph->name + (target.system.empty() ? ".elf" : "");
+  std::string file = target.image.empty()
+                         ? "{name}" + std::string(target.system.empty() ? ".elf" : "")
+                         : target.image;
+  constexpr std::string_view kName = "{name}";
+  const std::size_t at = file.find(kName);
+  if (at != std::string::npos) file.replace(at, kName.size(), run.graph->name);
+  return build + "/" + file;
 }
 
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program) {

@@ -37,7 +37,7 @@ int train_command(const Options& options) {
   const auto built = build_graph(run, library, code);
   code = std::max(finish(run, options), code);
   if (!built) return code;
-  const std::string file = built->back().build + "/lib" + run.graph->name + "_environments.so";
+  const std::string file = built->back().image;
   return become(trainer, joined({file}, words));
 }
 

@@ -133,6 +133,7 @@ struct Target {
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;
+  std::string image;  // the file that is built, with `{name}`; empty: as CMake calls a program
 };
 
 struct Library {

@@ -442,6 +442,7 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   }
   target.ram_bytes = size_of_memory(texts_at(root, "ram"));
   target.run = texts_at(root, "run");
+  target.image = text_at(root, "image");
   return target;
 }
 

@@ -218,7 +218,10 @@ FormatPtr target_format() {
                  {"system", system_format(), false, "its operating system (default: none)"},
                  {"family", format::name("a family of boards"), false,
                   "the family of boards that it belongs to (default: none)"},
-                 {"run", texts(), false, "command that runs an image"}});
+                 {"run", texts(), false, "command that runs an image"},
+                 {"image", format::text("a file name"), false,
+                  "the file that is built; `{name}` is the graph's name (default: {name}, and "
+                  "{name}.elf without an operating system)"}});
 }
 
 }  // namespace

@@ -55,6 +55,7 @@ class RigidWorld {
     dSpaceDestroy(space_);  // with its geometries
     dJointGroupDestroy(contacts_);
     dWorldDestroy(world_);  // with bodies and joints
+    dThreadingFreeImplementation(threading_);
   }
 
   bool exists() const { return world_ != nullptr; }
@@ -67,6 +68,11 @@ class RigidWorld {
     use_library();
     settings_ = settings;
     world_ = dWorldCreate();
+    // Its own: the one that worlds have otherwise is the process's, and a step in two threads
+    // breaks it.
+    threading_ = dThreadingAllocateSelfThreadedImplementation();
+    dWorldSetStepThreadingImplementation(world_, dThreadingImplementationGetFunctions(threading_),
+                                         threading_);
     space_ = dSimpleSpaceCreate(nullptr);
     contacts_ = dJointGroupCreate(0);
     const Vector3& g = settings.gravity;
@@ -271,6 +277,7 @@ class RigidWorld {
   };
 
   dWorldID world_ = nullptr;
+  dThreadingImplementationID threading_ = nullptr;
   dSpaceID space_ = nullptr;
   dJointGroupID contacts_ = nullptr;
   RigidWorldSettings settings_{};
