@@ -433,7 +433,7 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
   target.family = text_at(root, "family");
-  for (const char* key : {"cpu", "clock_hz", "toolchain"}) {
+  for (const char* key : {"cpu", "clock_hz", "toolchain", "image"}) {
     if (const YamlValue* value = root.find(key)) target.facts.emplace_back(key, value->text);
   }
   for (const char* key : {"flash", "ram", "run"}) {

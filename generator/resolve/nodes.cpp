@@ -25,6 +25,15 @@ bool is_selected(const Selection& components, const std::string& name) {
   return !components || find_component(components, name) != nullptr;
 }
 
+/// Whether a graph that does not list the inputs of a node has this one all the same: without a
+/// connection, one that may be left out is.
+bool is_wanted(const PortManifest& port, const std::string& written, const GraphSpec& graph) {
+  return !port.optional ||
+         std::ranges::any_of(graph.connections, [&](const ConnectionSpec& connection) {
+           return connection.to.value == written;
+         });
+}
+
 /// Reports ports that are left out and that the class cannot do without.
 void report_left_out(const Selection& components, const std::vector<PortManifest>& ports,
                      const EntitySpec& spec, std::string_view section, Diagnostics& diagnostics) {
@@ -143,6 +152,7 @@ void add_nodes(Draft& draft) {
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
         const std::string written = spec.name.value + "." + port.name.value;
+        if (!spec.inputs && !is_wanted(port, written, draft.spec)) continue;
         DraftInput input =
             draft_input(port, written, spec.name.span, references, draft.diagnostics);
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {
