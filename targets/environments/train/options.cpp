@@ -1,5 +1,6 @@
 #include "targets/environments/train/options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <functional>

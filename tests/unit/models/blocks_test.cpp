@@ -1,6 +1,7 @@
 // Blocks without memory, and sources, against their equations.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <models/nodes/constant/constant.hpp>
 #include <models/nodes/dead_zone/dead_zone.hpp>

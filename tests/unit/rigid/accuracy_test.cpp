@@ -1,6 +1,7 @@
 // Against solutions that are exact to a millionth: motion and energy, by the length of the steps.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <models/objects/cart_pole/cart_pole.hpp>
 #include <models/objects/pendulum/pendulum_bodies.hpp>

@@ -1,6 +1,7 @@
 // A box on a plane as Coulomb says, and what does not depend on the run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <models/objects/pushed_box/pushed_box.hpp>

@@ -1,6 +1,7 @@
 // What descriptions of robots need: inertia about any axes, turned shapes, joints that brake.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/unit/rigid/rigid_io.hpp"

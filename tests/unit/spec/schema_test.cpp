@@ -1,6 +1,7 @@
 // The JSON schema of the graph file, and the table it comes from.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
