@@ -50,7 +50,9 @@ class RigidWorld {
   constexpr RigidWorld() = default;
   RigidWorld(const RigidWorld&) = delete;
   RigidWorld& operator=(const RigidWorld&) = delete;
-  ~RigidWorld() {
+  /// constexpr, so that a program that has a world can be initialised when it is compiled (newer
+  /// compilers insist).
+  constexpr ~RigidWorld() {
     if (world_ == nullptr) return;
     dSpaceDestroy(space_);  // with its geometries
     dJointGroupDestroy(contacts_);
