@@ -20,7 +20,7 @@ constexpr std::uint32_t kClockHz = 25'000'000;
 int i2c() {
   mps2::I2c<BoardTime> bus;
   bus.start(mps2::kI2cShield1, 400'000);
-  const std::uint8_t out[3] = {3, 0x12, 0x34};
+  const std::uint8_t out[3] = {3, 0x12, 0x30};
   std::uint8_t in[2]{};
   say(bus.transfer({0x48, 400'000}, out, 3, nullptr, 0));
   console.text(" ");
