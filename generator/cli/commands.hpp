@@ -34,6 +34,7 @@ struct Options {
   std::string entity;                               // info, new
   std::string kind;                                 // new
   std::string code;                                 // explain
+  bool engine_graph = false;                        // graph
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy
   bool json = false;                                // --diagnostics=json
@@ -51,6 +52,8 @@ int train_command(const Options& options);
 int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
+/// Writes a picture of the graph.
+int graph_command(const Options& options);
 int explain_command(const Options& options);
 int schema_command(const Options& options);
 int size_command(const Options& options);

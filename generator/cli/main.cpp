@@ -8,6 +8,7 @@
 #include "generator/cli/kinds.hpp"
 #include "generator/cli/topics.hpp"
 #include "generator/command_line/command_line.hpp"
+#include "generator/picture/picture.hpp"
 #include "generator/read/quantity.hpp"
 
 namespace eagerx::gen {
@@ -260,6 +261,32 @@ Command info(Options& options) {
       .run = [&options] { return info_command(options); }};
 }
 
+Command picture(Options& options) {
+  Argument output = text("-o,--output", options.output,
+                         "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
+                         "<graph name>.svg)",
+                         "FILE");
+  output.check = [](const std::string& path) {
+    return picture_format_of(path) ? std::string() : path + " ends in none of .svg, .dot, .mmd";
+  };
+  return {
+      .name = "graph",
+      .about = "draw a graph as a picture",
+      .examples = {{"pendulum.svg, for a browser or a README", "eagerx-gen graph pendulum.yaml"},
+                   {"with the nodes that run on the engine, for Graphviz",
+                    "eagerx-gen graph pendulum.yaml --engine-graph -o pendulum.dot"}},
+      .arguments = joined(
+          {{graph(options), std::move(output),
+            flag("--engine-graph", options.engine_graph,
+                 "draw what runs on the engine: the nodes of each object instead of one box")},
+           {text("--engine", options.engine, "run the graph on this engine instead of its own",
+                 "NAME")},
+           rates(options),
+           {library(options)},
+           diagnostics(options)}),
+      .run = [&options] { return graph_command(options); }};
+}
+
 Command explain(Options& options) {
   return {
       .name = "explain",
@@ -443,9 +470,9 @@ CommandLine command_line(Options& options) {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
               .commands = {generate(options), build(options), run(options), train(options),
-                           check(options), info(options), explain(options), import(options),
-                           schema(options), make_new(options), size(options), replay(options),
-                           identify(options), policies(options), pages(options)}},
+                           check(options), info(options), picture(options), explain(options),
+                           import(options), schema(options), make_new(options), size(options),
+                           replay(options), identify(options), policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

@@ -154,6 +154,76 @@ std::string cmake_argument(std::string_view text) {
   return is_plain_word(text) ? std::string(text) : '"' + in_cmake_string(text) + '"';
 }
 
+std::string xml_text(std::string_view text) {
+  std::string result;
+  for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
+    switch (is_hidden(point) ? '\0' : bytes.front()) {
+      case '\0':
+        result += visible(point, bytes);
+        break;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += bytes;
+    }
+  });
+  return result;
+}
+
+std::string dot_string(std::string_view text) {
+  std::string result = "\"";
+  for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
+    const bool special = bytes == "\"" || bytes == "\\";
+    if (special) result += '\\';
+    if (is_hidden(point))
+      result += '\\' + visible(point, bytes);
+    else
+      result += bytes;
+  });
+  return result + '"';
+}
+
+std::string dot_record_text(std::string_view text) {
+  std::string result;
+  for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
+    if (is_hidden(point)) {
+      result += '\\' + visible(point, bytes);
+      return;
+    }
+    if (is_one_of(bytes.front(), "{}|<> \"\\")) result += '\\';
+    result += bytes;
+  });
+  return result;
+}
+
+std::string mermaid_text(std::string_view text) {
+  std::string result;
+  for_each_code_point(text, [&](const CodePoint& point, std::string_view bytes) {
+    const char c = bytes.front();
+    const bool plain = is_letter_or_digit(c) || is_one_of(c, " _.,:/()+-") || bytes.size() > 1;
+    if (is_hidden(point))
+      result += fmt::format("#92;{}", visible(point, bytes).substr(1));
+    else if (plain)
+      result += bytes;
+    else
+      result += fmt::format("#{};", static_cast<unsigned>(point.value));
+  });
+  return result;
+}
+
 std::string shell_word(std::string_view text) {
   const bool plain = std::ranges::all_of(text, [](char c) {
     return is_letter_or_digit(c) || is_one_of(c, "_-./=+:,@%") ||

@@ -30,6 +30,17 @@ std::string cmake_argument(std::string_view text);
 /// What is between the quotes of one.
 std::string in_cmake_string(std::string_view text);
 
+/// Text of XML and HTML, also between the quotes of an attribute; hidden characters, here and in
+/// the languages of pictures, are written as in comments.
+std::string xml_text(std::string_view text);
+
+/// A string of Graphviz with its quotes.
+std::string dot_string(std::string_view text);
+/// A part of the label of one of its records: braces, bars, angles and blanks mean themselves.
+std::string dot_record_text(std::string_view text);
+/// A part of a quoted label of Mermaid.
+std::string mermaid_text(std::string_view text);
+
 /// One word of a POSIX shell; any bytes but 0.
 std::string shell_word(std::string_view text);
 /// What is between double quotes.

@@ -1,0 +1,26 @@
+// A picture of a graph: SVG with places of our own, or the text of Graphviz and Mermaid, which
+// place it themselves.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "generator/picture/drawing.hpp"
+
+namespace eagerx::gen {
+
+enum class PictureFormat : std::uint8_t { svg, dot, mermaid };
+
+/// By the end of a file's name: .svg, .dot or .gv, .mmd or .mermaid.
+std::optional<PictureFormat> picture_format_of(std::string_view path);
+
+/// The same bytes on every machine. Names are data: they become text in the language of the
+/// picture.
+std::string picture_of(const Drawing& drawing, PictureFormat format);
+
+std::string svg_of(const Drawing& drawing);
+std::string dot_of(const Drawing& drawing);
+std::string mermaid_of(const Drawing& drawing);
+
+}  // namespace eagerx::gen
