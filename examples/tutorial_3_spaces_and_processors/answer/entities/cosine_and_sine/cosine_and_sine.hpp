@@ -1,4 +1,4 @@
-// The exercise's processor of tutorial 3.
+// The processor of the exercise of tutorial 3: the answer.
 #pragma once
 
 #include <eagerx/math.hpp>

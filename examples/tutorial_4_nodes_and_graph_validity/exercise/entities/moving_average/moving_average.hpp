@@ -1,4 +1,4 @@
-// The filter of tutorial 4.
+// The filter of the exercise of tutorial 4. Not finished.
 #pragma once
 
 #include <eagerx/message.hpp>
@@ -10,18 +10,16 @@ namespace tutorial {
 template <class Io>
 class MovingAverage {
  public:
-  void reset(const typename Io::States& /*states*/) { average_ = 0; }
+  void reset(const typename Io::States& /*states*/) {
+    // To do: an episode begins with a = 0.
+  }
 
   void callback(const eagerx::Tick& /*tick*/, const typename Io::Inputs& in,
                 typename Io::Outputs& out) {
     constexpr auto kN = static_cast<float>(Io::Config::n);
-    const float x = in.signal.back()[0];  // the last message; without skip there is always one
-    average_ = ((kN - 1.0F) * average_ + x) / kN;
-    out.filtered[0] = average_;
+    const float x = in.signal.back()[0];
+    out.filtered[0] = x / kN;  // To do: the new average
   }
-
- private:
-  float average_ = 0;
 };
 
 }  // namespace tutorial
