@@ -1,4 +1,4 @@
-// The exercise's reset node of tutorial 8.
+// The reset node of the exercise of tutorial 8. Not finished.
 #pragma once
 
 #include <eagerx/random.hpp>
@@ -18,11 +18,9 @@ class RandomActions {
   void callback(const eagerx::Tick& tick, const typename Io::Inputs& /*in*/,
                 const typename Io::Targets& /*targets*/, typename Io::Outputs& out,
                 typename Io::Done& done) {
-    if (!running_) start_ = tick.n;
-    running_ = true;
-    constexpr auto kLargest = static_cast<float>(Io::Config::largest);
-    out.u[0] = random_.uniform(-kLargest, kLargest);
-    done.goal = Io::Rate::template seconds<double>(tick.n - start_) > Io::Config::seconds;
+    // To do: a random voltage at every tick, for Io::Config::seconds since the first call of a reset.
+    out.u[0] = random_.uniform(0.0F, 0.0F);
+    done.goal = tick.n >= start_ || running_;
   }
 
  private:

@@ -1,0 +1,34 @@
+// The reset node of the exercise of tutorial 8: the answer.
+#pragma once
+
+#include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
+
+namespace tutorial {
+
+/// During a reset, every tick: a random u [V]; done more than `seconds` after the first call.
+template <class Io>
+class RandomActions {
+ public:
+  void reset(const typename Io::States& states) {
+    running_ = false;
+    if (states.seed) random_ = eagerx::Random({*states.seed, 0, 0}, 0);
+  }
+
+  void callback(const eagerx::Tick& tick, const typename Io::Inputs& /*in*/,
+                const typename Io::Targets& /*targets*/, typename Io::Outputs& out,
+                typename Io::Done& done) {
+    if (!running_) start_ = tick.n;
+    running_ = true;
+    constexpr auto kLargest = static_cast<float>(Io::Config::largest);
+    out.u[0] = random_.uniform(-kLargest, kLargest);
+    done.goal = Io::Rate::template seconds<double>(tick.n - start_) > Io::Config::seconds;
+  }
+
+ private:
+  eagerx::Random random_{};
+  eagerx::Seq start_ = 0;
+  bool running_ = false;
+};
+
+}  // namespace tutorial
