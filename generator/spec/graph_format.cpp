@@ -91,9 +91,10 @@ Field rate_field(bool required, const char* about) {
   return {"rate", format::rate(), required, about};
 }
 Field states_field() {
-  return {"states", states_format(), false,
-          "values of its states at a reset; other states do not change, at first they have their "
-          "default"};
+  return {
+      "states", states_format(), false,
+      "how its states get their values at a reset; states that are not named keep their values, "
+      "which are at first their defaults"};
 }
 
 /// The default of the connections from a sensor.
@@ -322,7 +323,8 @@ const Format& graph_format() {
         "the "
         "agent and all nodes"},
        {"budget", budget_format(), false,
-        "what the program may take; `eagerx-gen size` checks what concerns an image"},
+        "limits for memory, instructions and the age of data; `eagerx-gen size` checks those of an "
+        "image"},
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
         false, "warnings that are not given for this graph"}});
   return *kFormat;

@@ -37,8 +37,8 @@ FormatPtr safety_format() {
         "sensor "
         "(default 2)"},
        {"recover", format::integer("a number of instants", 0, kMost), false,
-        "the agent is back after so many right instants in a row; 0: in the next episode (default "
-        "3)"},
+        "the agent is back after so many good instants in a row; with 0 only in the next episode "
+        "(default 3)"},
        {"limits", format::keyword({"clip", "safe"}), false,
         "clip: an action outside of its space is moved into it; safe: the safe action takes over "
         "(default clip)"},
