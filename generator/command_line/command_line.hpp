@@ -88,8 +88,8 @@ struct CommandLinePage {
   std::string path;
   std::string text;
 };
-/// `man/…` has a manual page of the program and of each command, `bash/…` and `fish/…` what
-/// completes its command line there.
+/// `man/…` has a manual page of the program and of each command, `bash/…`, `zsh/…` and
+/// `fish/…` what completes its command line there.
 std::vector<CommandLinePage> command_line_pages(const CommandLine& line);
 
 }  // namespace eagerx::gen

@@ -229,6 +229,81 @@ complete -F {1} {0}
                      line.top.name, function, paths.empty() ? "''" : paths, values, words);
 }
 
+/// A text within single quotes, as zsh takes it.
+std::string zsh_text(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+/// The branches of `case "$place:$before"` for the values of options.
+std::string zsh_values(const std::string& place, const Command& command) {
+  std::string text;
+  for (const Argument& argument : command.arguments) {
+    if (!is_option(argument) || argument.type.empty()) continue;
+    const std::string offer = !argument.choices.empty()
+                                  ? fmt::format("compadd -- {}", fmt::join(argument.choices, " "))
+                              : is_folder(argument) ? "_files -/"
+                              : is_file(argument)   ? "_files"
+                                                    : "_message " + zsh_text(argument.type);
+    std::string patterns;
+    for (const std::string& name : names_of_option(argument))
+      patterns += fmt::format("{}'{}:{}'", patterns.empty() ? "" : "|", place, name);
+    text += fmt::format("  {})\n    {}\n    return ;;\n", patterns, offer);
+  }
+  return text;
+}
+
+/// The branch of `case $place`: what may follow there besides values of options.
+std::string zsh_words(const std::string& place, const Command& command,
+                      const std::vector<Command>& inner, const std::vector<Topic>& topics) {
+  std::string text = fmt::format("  '{}')\n    offered=(", place);
+  for (const Command& each : inner) text += "\n      " + zsh_text(each.name + ":" + each.about);
+  for (const Topic& topic : topics) text += "\n      " + zsh_text(topic.name + ":" + topic.about);
+  for (const Argument& argument : command.arguments) {
+    if (is_option(argument)) continue;
+    for (const std::string& word : argument.choices) text += "\n      " + zsh_text(word);
+  }
+  text += ")\n    options=('--help:print the help and exit'";
+  for (const Argument& argument : command.arguments) {
+    if (!is_option(argument)) continue;
+    for (const std::string& name : names_of_option(argument))
+      text += "\n      " + zsh_text(name + ":" + argument.about);
+  }
+  const bool files = place != "help" && (inner.empty() || place.empty());
+  return text + ")" + (files ? "\n    _files" : "") + " ;;\n";
+}
+
+std::string zsh_completion(const CommandLine& line, const std::vector<Command>& commands) {
+  std::vector<std::pair<std::string, Command>> all = all_of(commands);
+  all.emplace_back("", line.top);
+  std::string values, words, places;
+  for (const auto& [place, command] : all) {
+    values += zsh_values(place, command);
+    const bool help = place == "help";
+    const std::vector<Command>& inner = place.empty() || help ? commands : command.commands;
+    words += zsh_words(place, command, inner, help ? line.topics : std::vector<Topic>());
+    if (!place.empty()) places += fmt::format("{}'{}'", places.empty() ? "" : "|", place);
+  }
+  return fmt::format(R"(#compdef {0}
+# zsh completion of {0}, made from its table of commands
+local place='' word before=${{words[CURRENT-1]}}
+local -a offered options
+for word in "${{(@)words[2,CURRENT-1]}}"; do
+  case "${{place:+$place }}$word" in
+  {1}) place="${{place:+$place }}$word" ;;
+  esac
+done
+case "$place:$before" in
+{2}esac
+case $place in
+{3}esac
+(( $#offered )) && _describe word offered
+_describe -o option options
+)",
+                     line.top.name, places.empty() ? "''" : places, values, words);
+}
+
 std::string fish_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -289,6 +364,7 @@ std::vector<CommandLinePage> command_line_pages(const CommandLine& line) {
   std::vector<CommandLinePage> pages = {
       {fmt::format("man/{}.1", line.top.name), page_of_program(line, commands)},
       {"bash/" + line.top.name, bash_completion(line, commands)},
+      {"zsh/_" + line.top.name, zsh_completion(line, commands)},
       {fmt::format("fish/{}.fish", line.top.name), fish_completion(line, commands)}};
   for (const Command& command : commands) {
     ManualPage page(line, line.top.name + "-" + command.name);
