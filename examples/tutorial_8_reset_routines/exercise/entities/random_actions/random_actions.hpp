@@ -18,7 +18,7 @@ class RandomActions {
   void callback(const eagerx::Tick& tick, const typename Io::Inputs& /*in*/,
                 const typename Io::Targets& /*targets*/, typename Io::Outputs& out,
                 typename Io::Done& done) {
-    // To do: a random voltage at every tick, for Io::Config::seconds since the first call of a reset.
+    // To do: a random voltage at every tick, for Io::Config::seconds since the first one.
     out.u[0] = random_.uniform(0.0F, 0.0F);
     done.goal = tick.n >= start_ || running_;
   }
