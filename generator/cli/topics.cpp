@@ -68,7 +68,7 @@ constexpr const char* kExitCodes =
 }  // namespace
 
 std::vector<Topic> help_topics() {
-  return {{"graph", "the keys of a graph file", graph_text()},
+  return {{"graph-file", "the keys of a graph file", graph_text()},
           {"units", "units of rates and times", units_text()},
           {"library", "where entities and targets are found", kLibrary},
           {"exit-codes", "what exit codes mean", kExitCodes}};
