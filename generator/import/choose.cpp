@@ -117,7 +117,7 @@ std::optional<Rational> port_rate(const Translation& t, const SavedEnd& end) {
   const SavedPort* port = entity != nullptr ? entity->port(end.section, end.port) : nullptr;
   const YamlValue* rate = port != nullptr ? port->find("rate") : nullptr;
   // The reader of entities has reported what is no rate.
-  return rate != nullptr && rate->is_scalar() ? Rational::parse(rate->text) : std::nullopt;
+  return rate != nullptr && rate->is_scalar() ? meant_number(*rate) : std::nullopt;
 }
 
 /// The fastest engine node; each ticks at the rate of a sensor or actuator.
@@ -166,7 +166,7 @@ std::optional<Rational> rate_of(const Translation& t, const SavedEnd& end) {
   if (entity == nullptr) return std::nullopt;
   if (entity->kind == SavedEntity::Kind::object) return port_rate(t, end);
   const YamlValue* rate = entity->parameter("rate");
-  return rate != nullptr && rate->is_scalar() ? Rational::parse(rate->text) : std::nullopt;
+  return rate != nullptr && rate->is_scalar() ? meant_number(*rate) : std::nullopt;
 }
 
 }  // namespace

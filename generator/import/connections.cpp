@@ -124,6 +124,7 @@ class ConnectionTranslator {
     if (port == nullptr) return;
     settings.processor =
         t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
+    take_processor_of_action(link.from, settings);
     if (end.section == "targets") return;
     const ConnectionSettings defaults = defaults_of(link);
     if (const YamlValue* window = port->find("window")) take_window(*window, defaults, settings);
@@ -141,6 +142,24 @@ class ConnectionTranslator {
         settings.skip = Spanned<bool>{*value, skip->span};
       }
     }
+  }
+
+  /// What EAGERx does to an action before it is sent, each connection of ours does on its own.
+  void take_processor_of_action(const SavedEnd& from, ConnectionSettings& settings) {
+    if (from.entity != "environment") return;
+    const SavedPort* action = t_.saved.find(from.entity)->port(from.section, from.port);
+    const YamlValue* saved = action != nullptr ? action->find("processor") : nullptr;
+    if (saved == nullptr) return;
+    if (settings.processor) {
+      t_.diagnostics
+          .error("E0807", saved->span,
+                 fmt::format("the action `{}` has a processor, and its connection has one, too",
+                             from.port))
+          .help = "make one processor of both, on the connections of the action";
+      return;
+    }
+    settings.processor =
+        t_.counterparts.processor(*action, fmt::format("the action `{}`", from.port));
   }
 
   void take_window(const YamlValue& window, const ConnectionSettings& defaults,
@@ -192,12 +211,6 @@ void add_action(Translation& t, const SavedEntity& environment, const Spanned<st
   if (const SavedPort* port = environment.port("outputs", name.value)) {
     const auto space = saved_space(*port);
     if (space && !follows(t, name.value, *space)) action.space = space;
-    if (const YamlValue* processor = port->find("processor")) {
-      t.diagnostics
-          .error("E0807", processor->span,
-                 fmt::format("the action `{}` has a processor", name.value))
-          .help = "put the processor on the connections of the action";
-    }
   }
   if (action.space) check_space(*action.space, t.diagnostics);
   t.result.spec.actions.push_back(std::move(action));

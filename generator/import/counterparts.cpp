@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "generator/import/translate.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
@@ -33,6 +34,48 @@ constexpr std::array kAlways = {"name",
                                 "real_time_factor",
                                 "target_addresses",
                                 "processor_type"};
+
+/// The names of the second list that the first has not, and the other way round.
+template <class A, class B>
+std::string differing(const A& saved, const B& ours, const char* what) {
+  std::vector<std::string> names;
+  for (const auto& name : saved) {
+    if (!contains(ours, name)) names.push_back(name);
+  }
+  for (const auto& name : ours) {
+    if (!contains(saved, name)) names.push_back(name);
+  }
+  return names.empty() ? std::string() : fmt::format("{} (`{}`)", what, fmt::join(names, "`, `"));
+}
+
+/// Where a class in a file has another interface than our entity; empty: nowhere.
+std::string difference(const Entity& entity, const SavedEntity& saved) {
+  // A parameter that the file does not have keeps our default.
+  for (const auto& entry : saved.config.entries) {
+    const bool known =
+        std::ranges::find(entity.config, entry.key, &Parameter::eagerx) != entity.config.end() ||
+        std::ranges::find(kAlways, entry.key) != kAlways.end();
+    if (!known) return fmt::format("parameters (`{}`)", entry.key);
+  }
+  for (const auto& [section, ports] : {std::pair{"inputs", &entity.inputs},
+                                       {"outputs", &entity.outputs},
+                                       {"states", &entity.states},
+                                       {"targets", &entity.reset_targets},
+                                       {"sensors", &entity.sensors},
+                                       {"actuators", &entity.actuators}}) {
+    const auto found = saved.ports.find(section);
+    const auto names =
+        found == saved.ports.end() ? std::vector<std::string>() : names_of(found->second);
+    if (auto text = differing(names, names_of(*ports), section); !text.empty()) return text;
+    for (const PortManifest& port : *ports) {
+      const auto space = saved_space(*saved.port(section, port.name.value));
+      if (space && !port.space.like && port.space.dtype && port.space.shape &&
+          missing_of(*space, port.space))
+        return fmt::format("spaces (`{}`)", port.name.value);
+    }
+  }
+  return {};
+}
 
 bool is_kind(const Entity& entity, Use use) {
   switch (use) {
@@ -146,6 +189,38 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue
                             best->id.value);
   }
   return best;
+}
+
+bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
+                                const std::string& user) {
+  if (!saved.id.value.starts_with("__main__/")) return true;
+  const std::string where = difference(entity, saved);
+  if (where.empty()) {
+    diagnostics_
+        .warning(
+            "E0806", saved.id.span,
+            fmt::format("{} is a class of a script, `{}`: `{}` stands in for it, as it has the "
+                        "same ports, spaces and parameters",
+                        user, saved.id.value, entity.id.value))
+        .help = fmt::format("compare the script with `eagerx-gen info {}`", entity.id.value);
+    return true;
+  }
+  diagnostics_
+      .error("E0801", saved.id.span,
+             fmt::format(
+                 "{} is a class of a script, `{}`, and another one than `{}`, which has other {}",
+                 user, saved.id.value, entity.id.value, where))
+      .help = fmt::format(
+      "write an entity with `eagerx: [{}]` in its manifest.yaml, give its folder with `--path`, "
+      "and "
+      "name it differently",
+      saved.id.value);
+  return false;
+}
+
+bool Counterparts::knows(const std::string& id) const {
+  return std::ranges::any_of(library_.entities,
+                             [&](const auto& item) { return stands_for(item.second, id); });
 }
 
 bool Counterparts::stands_for(const Entity& entity, const std::string& id) {

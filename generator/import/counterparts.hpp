@@ -22,6 +22,11 @@ class Counterparts {
   /// it ("the node `smooth`").
   const Entity* find(const Spanned<std::string>& id, const YamlValue& config, Use use,
                      const std::string& user);
+  /// Whether any entity of ours stands for this one of EAGERx.
+  [[nodiscard]] bool knows(const std::string& id) const;
+  /// A class of `__main__` is any script's: our entity of that name may stand in for it if ports,
+  /// their spaces and parameters are the same, with a warning (E0806); else E0801 and false.
+  bool may_stand_in(const Entity& entity, const SavedEntity& saved, const std::string& user);
   /// Whether our entity stands for this one of EAGERx, whatever its parameters.
   [[nodiscard]] static bool stands_for(const Entity& entity, const std::string& id);
 

@@ -78,6 +78,7 @@ class EntityTranslator {
   void add(const SavedEntity& saved, Use use, const char* what) {
     const std::string user = fmt::format("the {} `{}`", what, saved.name.value);
     const Entity* entity = t_.counterparts.find(saved.id, saved.config, use, user);
+    if (entity != nullptr && !t_.counterparts.may_stand_in(*entity, saved, user)) entity = nullptr;
     t_.entities[saved.name.value] = entity;
     if (entity == nullptr) return;
     EntitySpec made;
@@ -226,6 +227,17 @@ class EntityTranslator {
     return false;
   }
 
+  /// What is said of an output's space besides the manifest. One that is like an input has a space
+  /// of its own if the input's was saved with another shape or type.
+  static std::optional<SpaceSpec> own_space(const SavedEntity& saved, const SpaceSpec& space,
+                                            const SpaceSpec& manifest) {
+    if (!manifest.like) return missing_of(space, manifest);
+    const SavedPort* input = saved.port("inputs", manifest.like->value);
+    const auto other = input != nullptr ? saved_space(*input) : std::nullopt;
+    if (!other || !missing_of(space, *other)) return std::nullopt;
+    return space;
+  }
+
   /// The selection, if it is not everything or something has to be said of one of them.
   Selection node_ports(const SavedEntity& saved, const Entity& entity, const char* section,
                        const std::vector<PortManifest>& known) {
@@ -241,7 +253,7 @@ class EntityTranslator {
           component.settings.processor =
               t_.counterparts.processor(*port, written(saved, name.value));
           const auto space = saved_space(*port);
-          if (space && !manifest->space.like) component.space = missing_of(*space, manifest->space);
+          if (space) component.space = own_space(saved, *space, manifest->space);
           if (component.space) check_space(*component.space, t_.diagnostics);
         }
         needed = needed || component.settings.processor || component.space;

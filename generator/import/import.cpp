@@ -42,6 +42,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
+  remove_pictures(*saved, counterparts, diagnostics);
   const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
   Translation t{*saved, counterparts, options, diagnostics, {}, {}, {}, {}, {}};
   t.result.spec.file = root.span.file;

@@ -82,6 +82,13 @@ class Rebuilder {
   void rebuild(const SavedObject& object) {
     const std::string& name = object.name.value;
     const SavedEntity* backup = find_named(saved_.backup, name);
+    if (backup == nullptr && object.nodes.empty() && object.states.empty()) {
+      diagnostics_.note(object.name.span,
+                        fmt::format("`{}`, an object that only the engine knows, is left out: it "
+                                    "has neither engine nodes nor states",
+                                    name));
+      return;
+    }
     if (backup == nullptr) {
       fail(object.name.span, fmt::format("the file does not say what the object `{}` is", name),
            "it is not under `backup:`; import the file that Graph.save wrote");
@@ -114,6 +121,7 @@ class Rebuilder {
     }
     rebuilt.object.selected["states"] = object.states;
     match_nodes(object, rebuilt);
+    take_states_of_nodes(rebuilt);
     take_ports(rebuilt);
     rebuilt_.push_back(std::move(rebuilt));
   }
@@ -163,6 +171,23 @@ class Rebuilder {
     diagnostics_.warning("E0806", entity.id.span,
                          fmt::format("`{}` is a `{}` in this file, but a `{}` here",
                                      entity.name.value, entity.id.value, type->id.value));
+  }
+
+  /// States of the object that an engine node has: the engine does not list them.
+  void take_states_of_nodes(Rebuilt& rebuilt) {
+    auto& states = rebuilt.object.selected["states"];
+    for (const auto& state : rebuilt.implementation->node_states) {
+      const PortName wanted = parse_port(state.node.value);
+      for (const auto& [node, local] : rebuilt.matches) {
+        const SavedEntity& saved = *saved_.find(node);
+        if (local != wanted.owner || !saved.is_selected("states", wanted.name)) continue;
+        if (std::ranges::find(states, state.name.value, &Spanned<std::string>::value) ==
+            states.end())
+          states.push_back({state.name.value, saved.port("states", wanted.name) != nullptr
+                                                  ? saved.port("states", wanted.name)->name.span
+                                                  : saved.name.span});
+      }
+    }
   }
 
   /// Rates and settings of sensors and actuators, from the engine nodes that they became.
@@ -278,7 +303,7 @@ class Rebuilder {
       check("window", window, value->text == window || window.starts_with("$("));
     if (const YamlValue* value = port->find("delay"))
       check("delay", delay.value_or(Rational()).to_string(),
-            !delay || Rational::parse(value->text) == delay);
+            !delay || meant_number(*value) == delay);
     if (const YamlValue* value = port->find("skip"))
       check("skip", skip ? "true" : "false", value->text == (skip ? "true" : "false"));
   }

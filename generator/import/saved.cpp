@@ -158,7 +158,9 @@ class SavedReader {
 
   std::vector<Spanned<std::string>> texts(const YamlValue* list) {
     std::vector<Spanned<std::string>> result;
-    if (list == nullptr || list->is_null()) return result;
+    // An empty Python dict where a list is meant: EngineSpec.add_object without engine nodes.
+    const bool empty = list != nullptr && list->is_map() && list->entries.empty();
+    if (list == nullptr || list->is_null() || empty) return result;
     if (!list->is_sequence()) {
       fail(list->span, fmt::format("expected a list of names, found {}", describe(*list)));
       return result;

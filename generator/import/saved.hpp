@@ -76,6 +76,9 @@ std::optional<SavedGraph> read_saved_graph(const YamlValue& root, Diagnostics& d
 YamlValue plain_values(const YamlValue& yaml);
 bool is_python_object(const YamlValue& yaml);
 
+/// The number that a double in the file stands for, exactly; nullopt if it is no number.
+std::optional<Rational> meant_number(const YamlValue& yaml);
+
 /// Our object in place of the engine nodes of each object, as Graph.save would have written it.
 /// False: it could not be done (E0801, E0805); the engine nodes are gone all the same.
 class Counterparts;

@@ -27,6 +27,10 @@ struct Translation {
   [[nodiscard]] const ObjectEngine* implementation(const Entity& object) const;
 };
 
+/// Nodes that only show or draw pictures, and their connections, with one note. What is left is a
+/// graph without them.
+void remove_pictures(SavedGraph& saved, const Counterparts& counterparts, Diagnostics& diagnostics);
+
 // In this order.
 void translate_names(Translation& t);  // and the name of the graph
 void translate_entities(Translation& t);

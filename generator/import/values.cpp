@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "generator/import/translate.hpp"
 #include "generator/read/scalar.hpp"
@@ -11,19 +12,40 @@
 namespace eagerx::gen {
 namespace {
 
-/// Exact where the decimals fit; a double printed with all its digits may not, and is rounded to
-/// the twelve digits that EAGERx itself keeps of a time.
-std::optional<Rational> decimal(const YamlValue& yaml) {
+/// The simplest fraction that rounds to `value`, if it is simple. By Legendre's theorem it is a
+/// convergent of the continued fraction, and convergents come in the order of their denominators.
+std::optional<Rational> simplest_fraction(double value) {
+  constexpr double kLargestDenominator = 1e6, kLargest = 1e9;
+  if (!(value > 0.0 && value < kLargest)) return std::nullopt;
+  double p = 1.0, q = 0.0, p_before = 0.0, q_before = 1.0, rest = value;
+  for (;;) {
+    const double whole = std::floor(rest);
+    p_before = std::exchange(p, whole * p + p_before);
+    q_before = std::exchange(q, whole * q + q_before);
+    if (q > kLargestDenominator) return std::nullopt;
+    if (p / q == value) return Rational(static_cast<std::int64_t>(p), static_cast<std::int64_t>(q));
+    if (rest == whole) return std::nullopt;
+    rest = 1.0 / (rest - whole);
+  }
+}
+
+/// What EAGERx meant: it wrote a double, and so 0.06666666666666667 for 2/30. A number that is no
+/// simple fraction is exact where its decimals fit, else rounded to the twelve digits that EAGERx
+/// itself keeps of a time.
+std::optional<Rational> meant(const YamlValue& yaml) {
   if (!yaml.is_scalar() || yaml.quoted) return std::nullopt;
-  if (const auto exact = Rational::parse(yaml.text)) return exact;
   const auto number = parse_number(yaml.text);
+  if (number) {
+    if (const auto fraction = simplest_fraction(*number)) return fraction;
+  }
+  if (const auto exact = Rational::parse(yaml.text)) return exact;
   return number && std::isfinite(*number) ? Rational::parse(fmt::format("{:.12g}", *number))
                                           : std::nullopt;
 }
 
 std::optional<Rational> checked(const YamlValue& yaml, const char* what, bool zero,
                                 Diagnostics& diagnostics) {
-  const auto value = decimal(yaml);
+  const auto value = meant(yaml);
   if (value && !value->overflowed() && (*value > Rational() || (zero && *value == Rational())))
     return value;
   const bool object = is_python_object(yaml);
@@ -114,6 +136,10 @@ std::optional<Rational> saved_delay(const YamlValue& yaml, Diagnostics& diagnost
   return checked(yaml, "a delay in seconds", true, diagnostics);
 }
 
+std::optional<Rational> meant_number(const YamlValue& yaml) {
+  return meant(yaml);
+}
+
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
                                       const std::vector<Setting>& settings) {
   if (!port.rate) return std::nullopt;
@@ -122,7 +148,7 @@ std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& 
   if (!text.starts_with(kPrefix) || !text.ends_with(')')) return Rational::parse(text);
   const std::string name = text.substr(kPrefix.size(), text.size() - kPrefix.size() - 1);
   for (const auto& setting : settings) {
-    if (setting.name == name) return Rational::parse(setting.value.text);
+    if (setting.name == name) return meant_number(setting.value);
   }
   for (const auto& parameter : entity.config) {
     if (parameter.name.value == name && parameter.fallback)

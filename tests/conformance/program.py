@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 import threading
+from fractions import Fraction
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -76,7 +77,9 @@ class Builder:
         """What a file of Graph.save does not say: the engine and the rates."""
         if recording is None or not re.search(r"^engine_id: null$", graph.read_text(), re.MULTILINE):
             return []
-        options = ["--rate", recording.rate, "--engine-rate", recording.content["engine"]["rate"]]
+        # A rate of 100/3 Hz is recorded as a double.
+        rates = [Fraction(rate).limit_denominator(10**6) for rate in (recording.rate, recording.content["engine"]["rate"])]
+        options = ["--rate", rates[0], "--engine-rate", rates[1]]
         engine = recording.nodes.get("engine")
         return options + (["--engine", self.engines()[engine["entity_id"]]] if engine else [])
 

@@ -229,6 +229,46 @@ TEST(ImportGraph, ADelayOfOurSensorIsTakenBackWhereTheFileHasAnother) {
   EXPECT_EQ(connection("0.0", "$(config late)"), "{from: obj.s0, to: observations.obs, delay: 0}");
 }
 
+TEST(ImportGraph, ADoubleIsTheSimplestFractionThatRoundsToIt) {
+  const auto number = [](const char* text) {
+    const auto value = meant_number(made_scalar(text, {}));
+    return value ? value->to_string() : "none";
+  };
+  EXPECT_EQ(number("0.06666666666666667"), "1/15");
+  EXPECT_EQ(number("142.85714285714286"), "1000/7");
+  EXPECT_EQ(number("33.333333333333336"), "100/3");
+  EXPECT_EQ(number("0.007"), "0.007");
+  EXPECT_EQ(number("30.0"), "30");
+  EXPECT_EQ(number("0"), "0");
+  EXPECT_EQ(number("0.3333333"), "0.3333333");  // what somebody wrote so
+  EXPECT_EQ(number("0.1234567"), "0.1234567");
+  EXPECT_EQ(number("1e-9"), "0.000000001");
+  EXPECT_EQ(number("x"), "none");
+}
+
+TEST(ImportGraph, AClassOfAScriptIsOnlyOursWithTheSameInterface) {
+  Library library;
+  Entity entity;
+  entity.id.value = "Own";
+  entity.inputs.resize(1);
+  entity.inputs[0].name.value = "i0";
+  Diagnostics diagnostics;
+  Counterparts counterparts(library, diagnostics);
+  SavedEntity saved;
+  saved.id.value = "__main__/Own";
+  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // no input i0
+  EXPECT_EQ(diagnostics.error_count(), 1U);
+  saved.ports["inputs"].push_back({{"i0", {}}, {}});
+  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
+  EXPECT_EQ(diagnostics.all().back().severity, Severity::warning);
+  saved.config.kind = YamlKind::map;
+  saved.config.entries.push_back({"gain", {}, made_scalar("2", {})});
+  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // an unknown parameter
+  saved.id.value = "own.module/Own";
+  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
+  EXPECT_EQ(diagnostics.error_count(), 2U);
+}
+
 TEST(ImportGraph, DifferencesWithinAnObjectAreWarnings) {
   const Import import(flattened("{skip: false, window: 2, delay: 0.0}"));
   ASSERT_TRUE(import.graph) << import.report();
