@@ -101,10 +101,17 @@ void check_cycles(Draft& draft) {
         "E0314", places.front(),
         fmt::format("connection `{}` closes a cycle without a delay of one tick", names.front()));
     problem.label = fmt::format("needs `{}` of the same tick", sources.front());
-    for (std::size_t i = 1; i < places.size(); ++i) {
+    constexpr std::size_t kMostNotes = 12;
+    const bool all = places.size() - 1 <= kMostNotes;
+    for (std::size_t i = 1; i < (all ? places.size() : kMostNotes); ++i) {
       problem.notes.push_back(
           {fmt::format("the cycle goes on with `{}`", names[i]), places[i], ""});
     }
+    if (!all)
+      problem.notes.push_back(
+          {fmt::format("and with {} more connections, the last of which is `{}`",
+                       places.size() - kMostNotes, names.back()),
+           places.back(), ""});
     problem.help =
         "add `skip: true` to one of these connections: it then takes the message of the tick "
         "before";
