@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "generator/cli/built.hpp"
 #include "generator/cli/next_steps.hpp"
@@ -16,6 +14,7 @@
 #include "generator/emit/emit.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/quote/quote.hpp"
+#include "generator/read/text.hpp"
 #include "generator/report/report.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -64,10 +63,11 @@ void check_filled(Run& run, const Target& target) {
   std::ranges::sort(files);
   std::vector<Diagnostic::Note> blanks;
   for (const std::string& file : files) {
-    std::ifstream in(file);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
+    const std::string text = load_file(file, ReadLimits().max_bytes).bytes;
+    if (text.find("FILL_IN") == text.npos && text.find("#error") == text.npos) continue;
     const FileId id = run.sources.add(file, text);
-    for (std::uint32_t line = 1; line <= std::ranges::count(text, '\n'); ++line) {
+    const auto lines = std::ranges::count(text, '\n');
+    for (std::uint32_t line = 1; line <= lines; ++line) {
       const std::string_view words = run.sources.line(id, line);
       for (const std::string_view mark : {"FILL_IN", "#error \"fill in"}) {
         const std::size_t at = words.find(mark);
@@ -91,11 +91,9 @@ void check_filled(Run& run, const Target& target) {
 
 std::vector<const Target*> find_targets(Run& run, const Options& options) {
   std::vector<const Target*> result;
-  const std::vector<std::string> wanted =
-      options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
   std::vector<std::string> known;
   for (const auto& [id, target] : run.library.targets) known.push_back(id);
-  for (const auto& id : wanted) {
+  for (const auto& id : wanted_targets(options)) {
     const auto found = run.library.targets.find(id);
     if (found != run.library.targets.end()) {
       result.push_back(&found->second);
@@ -114,6 +112,16 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
                  run.diagnostics);
   }
   return result;
+}
+
+/// The same; what is wrong with a target may list the others, so then the whole library is read.
+/// Nothing if there is no graph with it.
+std::optional<std::vector<const Target*>> find_targets_and_others(Run& run,
+                                                                  const Options& options) {
+  auto targets = find_targets(run, options);
+  if (!run.diagnostics.has_errors() || run.library.whole) return targets;
+  if (!make_again(run, options)) return std::nullopt;
+  return find_targets(run, options);
 }
 
 /// Refuses what CMake, or the ninja that it writes rules for, cannot have in the path of a project.
@@ -230,8 +238,9 @@ bool judge(Run& run, const std::vector<const Target*>& targets, const Options& o
 
 std::optional<Generated> generate_graph(Run& run, const Options& options, int& code) {
   Generated generated;
-  generated.targets = find_targets(run, options);
-  if (!judge(run, generated.targets, options)) return std::nullopt;
+  auto targets = find_targets_and_others(run, options);
+  if (!targets || !judge(run, *targets, options)) return std::nullopt;
+  generated.targets = std::move(*targets);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
   generated.folder = folder;
@@ -318,11 +327,8 @@ void compile_entities(Run& run, const std::vector<const Target*>& targets) {
 
 int check_command(const Options& options) {
   Run run;
-  if (make(run, options)) {
-    const std::vector<const Target*> targets = find_targets(run, options);
-    judge(run, targets, options);
-    if (options.compile && !run.diagnostics.has_errors()) compile_entities(run, targets);
-  }
+  const auto targets = make(run, options) ? find_targets_and_others(run, options) : std::nullopt;
+  if (targets && judge(run, *targets, options) && options.compile) compile_entities(run, *targets);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;

@@ -15,8 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// With `mentions`, what they need of the library; else all of it.
 void load_library_for(Run& run, const Options& options,
-                      const std::vector<Spanned<std::string>>& more) {
+                      const std::vector<Spanned<std::string>>& more,
+                      std::optional<Mentions> mentions) {
   run.root = data_root();
   if (run.root.empty()) {
     run.diagnostics.io_error("E0301", {}, "cannot find the folder with models and templates").help =
@@ -26,14 +28,34 @@ void load_library_for(Run& run, const Options& options,
   std::vector<Spanned<std::string>> folders;
   for (const auto& path : options.paths) folders.push_back({path, {}});
   folders.insert(folders.end(), more.begin(), more.end());
-  folders.push_back({(fs::path(run.root) / "models").string(), {}});
-  folders.push_back({(fs::path(run.root) / "targets").string(), {}});
+  std::vector<Spanned<std::string>> installed;
+  for (const char* part : {"models", "targets"})
+    installed.push_back({(fs::path(run.root) / part).string(), {}});
+  if (mentions) {
+    run.library =
+        load_mentioned(std::move(*mentions), folders, installed, run.sources, run.diagnostics);
+    return;
+  }
+  folders.insert(folders.end(), installed.begin(), installed.end());
   run.library = load_library(folders, run.sources, run.diagnostics);
 }
 
+/// What the graph and the command line mention.
+Mentions mentions_of(const YamlValue& graph, const Options& options) {
+  Mentions mentions;
+  mentions.add(graph);
+  mentions.add(options.engine);
+  for (const std::string& target : wanted_targets(options)) mentions.add(target);
+  for (const std::string& item : options.split) mentions.add(item.substr(item.rfind('=') + 1));
+  return mentions;
+}
+
+/// How much of the library is read.
+enum class Reading : std::uint8_t { mentioned, whole };
+
 /// The spec of a graph in our own form, with the rates of the command line, and its library.
-bool read_own_graph(Run& run, const YamlValue& tree, const Options& options) {
-  run.spec = read_graph_spec(tree, options.graph, run.diagnostics);
+bool read_own_graph(Run& run, const Options& options, Reading reading) {
+  run.spec = read_graph_spec(run.tree, options.graph, run.diagnostics);
   std::vector<Spanned<std::string>> folders;
   if (run.spec) {
     for (const auto& folder : run.spec->library) {
@@ -46,14 +68,16 @@ bool read_own_graph(Run& run, const YamlValue& tree, const Options& options) {
       run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
   }
   const std::size_t errors_before = run.diagnostics.error_count();
-  load_library_for(run, options, folders);
+  load_library_for(
+      run, options, folders,
+      reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
   return run.spec && run.diagnostics.error_count() == errors_before;
 }
 
 }  // namespace
 
 void load(Run& run, const Options& options) {
-  load_library_for(run, options, {});
+  load_library_for(run, options, {}, std::nullopt);
 }
 
 YamlValue read_graph_file(Run& run, const std::string& path) {
@@ -70,7 +94,7 @@ YamlValue read_graph_file(Run& run, const std::string& path) {
 }
 
 std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options) {
-  load_library_for(run, options, {});
+  load_library_for(run, options, {}, std::nullopt);
   if (run.diagnostics.has_errors()) return std::nullopt;
   return import_graph(tree, options.graph, run.library,
                       {options.engine, options.engine_rate_hz, options.rate_hz}, run.diagnostics);
@@ -106,16 +130,13 @@ void prepare_for_training(Run& run) {
       "5.0}, success: {upright: abs(th) < 0.15, over_last: 2.0}}`";
 }
 
-}  // namespace
-
-bool make(Run& run, const Options& options) {
-  const YamlValue tree = read_graph_file(run, options.graph);
-  if (run.diagnostics.has_errors()) return false;
-  if (is_saved_graph(tree)) {
-    auto imported = import_file(run, tree, options);
+/// From the tree of the graph's file on.
+bool make_of_tree(Run& run, const Options& options, Reading reading) {
+  if (is_saved_graph(run.tree)) {
+    auto imported = import_file(run, run.tree, options);
     if (!imported) return false;
     run.spec = std::move(imported->spec);
-  } else if (!read_own_graph(run, tree, options)) {
+  } else if (!read_own_graph(run, options, reading)) {
     return false;
   }
   if (options.training) prepare_for_training(run);
@@ -127,6 +148,27 @@ bool make(Run& run, const Options& options) {
   run.plan = make_plan(*run.graph, run.diagnostics);
   check_policies(*run.spec, *run.graph, run.policies, run.diagnostics);
   return !run.diagnostics.has_errors();
+}
+
+}  // namespace
+
+std::vector<std::string> wanted_targets(const Options& options) {
+  return options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
+}
+
+bool make(Run& run, const Options& options) {
+  run.tree = read_graph_file(run, options.graph);
+  if (run.diagnostics.has_errors()) return false;
+  return make_of_tree(run, options, Reading::mentioned) || make_again(run, options);
+}
+
+bool make_again(Run& run, const Options& options) {
+  if (run.library.whole || !run.diagnostics.has_errors()) return false;
+  Run whole;
+  whole.sources = std::move(run.sources);
+  whole.tree = std::move(run.tree);
+  run = std::move(whole);
+  return make_of_tree(run, options, Reading::whole);
 }
 
 int finish(Run& run, const Options& options) {

@@ -18,6 +18,7 @@ struct Run {
   Diagnostics diagnostics;
   std::string root;  // of the built-in models, targets, templates
   Library library;
+  YamlValue tree;  // of the graph's file
   std::optional<GraphSpec> spec;
   std::optional<Graph> graph;
   Policies policies;
@@ -30,8 +31,14 @@ void load(Run& run, const Options& options);
 YamlValue read_graph_file(Run& run, const std::string& path);
 /// EAGERx's file through the manifests of the library, which is loaded.
 std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options);
-/// read → spec (or import) → resolve → plan, and the policies. True if there was no problem.
+/// read → spec (or import) → resolve → plan, and the policies, with what the graph mentions of the
+/// library, or all of it if there is a problem. True if there was none.
 bool make(Run& run, const Options& options);
+/// Again from the graph's file, if there is an error and not the whole library was read: it may be
+/// another with all of it. False if nothing was done.
+bool make_again(Run& run, const Options& options);
+/// The targets that are generated for, as the command line says.
+std::vector<std::string> wanted_targets(const Options& options);
 /// Prints what was found to the standard error and returns the exit code.
 int finish(Run& run, const Options& options);
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "generator/library/condition.hpp"
+#include "generator/library/mentions.hpp"
 #include "generator/spec/graph_spec.hpp"
 
 namespace eagerx::gen {
@@ -139,6 +140,7 @@ struct Target {
 struct Library {
   std::map<std::string, Entity> entities;
   std::map<std::string, Target> targets;
+  bool whole = true;  // false: installed manifests were left unread
 
   [[nodiscard]] const Entity* find(const std::string& id) const;
   [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
@@ -154,6 +156,15 @@ std::string_view to_string(EntityKind kind);
 /// an implementation of an object that there is not, E02xx what is wrong in a manifest.
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics);
+
+/// The same for a graph with these mentions, in a third of the time. Of the `installed` folders,
+/// which come after the others, it reads only what graph and manifests mention, and what has no
+/// plain id. Everything is found in it that is found in the whole library; what is not found is an
+/// error, and an error may list what else there is. So with an error, and `whole` false, the whole
+/// library decides.
+Library load_mentioned(Mentions mentions, const std::vector<Spanned<std::string>>& folders,
+                       const std::vector<Spanned<std::string>>& installed, SourceMap& sources,
+                       Diagnostics& diagnostics);
 
 /// Typed form of one manifest.
 std::optional<Entity> read_entity_manifest(const YamlValue& root, const std::string& path,

@@ -128,33 +128,43 @@ YamlValue made_list(std::vector<YamlValue> items, Span span) {
   return yaml;
 }
 
+std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources,
+                                     Diagnostics& diagnostics, const ReadLimits& limits) {
+  LoadedFile file = load_file(path, limits.max_bytes);
+  switch (file.status) {
+    case LoadedFile::Status::loaded:
+      return sources.add(path, normalize_text(std::move(file.bytes)));
+    case LoadedFile::Status::too_large:
+      report_too_large(sources.add(path, {}), limits.max_bytes, diagnostics);
+      return std::nullopt;
+    case LoadedFile::Status::unreadable:
+      diagnostics.io_error("E0101", {sources.add(path, {}), 0, 0, 0},
+                           fmt::format("cannot read `{}`: {}", path, file.reason));
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+YamlValue read_loaded_yaml(FileId file, const SourceMap& sources, Diagnostics& diagnostics,
+                           Tags tags, const ReadLimits& limits) {
+  if (!check_text(sources.text(file), file, diagnostics)) return {};
+  return read_text(file, sources.text(file), diagnostics, tags, limits);
+}
+
 YamlValue read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
                          Diagnostics& diagnostics, Tags tags, const ReadLimits& limits) {
   if (text.size() > limits.max_bytes) {
     report_too_large(sources.add(name, {}), limits.max_bytes, diagnostics);
     return {};
   }
-  std::string normalized = normalize_text(std::move(text));
-  const FileId file = sources.add(name, std::move(normalized));
-  if (!check_text(sources.text(file), file, diagnostics)) return {};
-  return read_text(file, sources.text(file), diagnostics, tags, limits);
+  const FileId file = sources.add(name, normalize_text(std::move(text)));
+  return read_loaded_yaml(file, sources, diagnostics, tags, limits);
 }
 
 YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
                          Tags tags, const ReadLimits& limits) {
-  LoadedFile file = load_file(path, limits.max_bytes);
-  switch (file.status) {
-    case LoadedFile::Status::loaded:
-      return read_yaml_text(path, std::move(file.bytes), sources, diagnostics, tags, limits);
-    case LoadedFile::Status::too_large:
-      report_too_large(sources.add(path, {}), limits.max_bytes, diagnostics);
-      return {};
-    case LoadedFile::Status::unreadable:
-      diagnostics.io_error("E0101", {sources.add(path, {}), 0, 0, 0},
-                           fmt::format("cannot read `{}`: {}", path, file.reason));
-      return {};
-  }
-  return {};
+  const auto file = load_yaml_file(path, sources, diagnostics, limits);
+  return file ? read_loaded_yaml(*file, sources, diagnostics, tags, limits) : YamlValue();
 }
 
 }  // namespace eagerx::gen

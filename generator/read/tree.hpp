@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,13 @@ struct ReadLimits {
 enum class Tags : std::uint8_t { refuse, accept };
 YamlValue read_yaml_file(const std::string& path, SourceMap& sources, Diagnostics& diagnostics,
                          Tags tags = Tags::refuse, const ReadLimits& limits = {});
+/// The first half of it: the file's text is in `sources`; nullopt and an error where it cannot be
+/// loaded.
+std::optional<FileId> load_yaml_file(const std::string& path, SourceMap& sources,
+                                     Diagnostics& diagnostics, const ReadLimits& limits = {});
+/// The second half, of a file that is loaded.
+YamlValue read_loaded_yaml(FileId file, const SourceMap& sources, Diagnostics& diagnostics,
+                           Tags tags = Tags::refuse, const ReadLimits& limits = {});
 /// The same for text in memory; `name` stands for the file name in messages.
 YamlValue read_yaml_text(const std::string& name, std::string text, SourceMap& sources,
                          Diagnostics& diagnostics, Tags tags = Tags::refuse,

@@ -1,0 +1,60 @@
+#include "generator/cli/pipeline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Pipeline : public testing::Test {
+ protected:
+  void SetUp() override { setenv("EAGERX_HOME", EAGERX_SOURCE_DIR, 1); }
+  void TearDown() override { unsetenv("EAGERX_HOME"); }
+
+  static Options options_for(const std::string& graph) {
+    Options options;
+    options.graph = std::string(EAGERX_SOURCE_DIR) + "/" + graph;
+    return options;
+  }
+};
+
+TEST_F(Pipeline, GraphsWithoutAProblemNeedOnlyWhatTheyMention) {
+  std::size_t graphs = 0;
+  for (const auto& folder : fs::directory_iterator(fs::path(EAGERX_SOURCE_DIR) / "examples")) {
+    const fs::path graph = folder.path() / "graph.yaml";
+    if (!fs::exists(graph)) continue;
+    gen::Run run;
+    if (!make(run, options_for(fs::relative(graph, EAGERX_SOURCE_DIR).string()))) continue;
+    ++graphs;
+    EXPECT_FALSE(run.library.whole) << graph;
+  }
+  EXPECT_GT(graphs, 8U);
+}
+
+TEST_F(Pipeline, AProblemIsSaidOfTheWholeLibrary) {
+  Options options = options_for("examples/pendulum_swing_up/graph.yaml");
+  options.engine = "OdeEngin";
+  gen::Run run;
+  EXPECT_FALSE(make(run, options));
+  EXPECT_TRUE(run.library.whole);
+  ASSERT_EQ(run.diagnostics.all().size(), 1U);
+  EXPECT_EQ(run.diagnostics.all().front().help, "did you mean `OdeEngine`?");
+}
+
+TEST_F(Pipeline, TargetsAndEnginesOfTheCommandLineAreMentioned) {
+  Options options = options_for("examples/pendulum_swing_up/graph.yaml");
+  options.engine = "OpenDynamicsEngine";
+  options.targets = {"mps2-an500"};
+  gen::Run run;
+  EXPECT_TRUE(make(run, options));
+  EXPECT_FALSE(run.library.whole);
+  EXPECT_TRUE(run.library.targets.contains("mps2-an500"));
+  EXPECT_FALSE(make_again(run, options)) << "without a problem there is no reason";
+}
+
+}  // namespace
+}  // namespace eagerx::gen
