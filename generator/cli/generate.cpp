@@ -91,18 +91,17 @@ void check_filled(Run& run, const Target& target) {
 
 std::vector<const Target*> find_targets(Run& run, const Options& options) {
   std::vector<const Target*> result;
-  std::vector<std::string> known;
-  for (const auto& [id, target] : run.library.targets) known.push_back(id);
-  for (const auto& id : wanted_targets(options)) {
-    const auto found = run.library.targets.find(id);
-    if (found != run.library.targets.end()) {
-      result.push_back(&found->second);
-      check_target(run, found->second);
-      check_filled(run, found->second);
+  for (const auto& wanted : wanted_targets(options)) {
+    if (const Target* found = run.library.find_target(wanted)) {
+      result.push_back(found);
+      check_target(run, *found);
+      check_filled(run, *found);
       continue;
     }
-    auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", id));
-    const std::string near = nearest(id, known);
+    std::vector<std::string> known;
+    for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
+    auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted));
+    const std::string near = nearest(wanted, known);
     problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
                                 : fmt::format("did you mean `{}`?", near);
   }
@@ -114,12 +113,12 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
   return result;
 }
 
-/// The same; what is wrong with a target may list the others, so then the whole library is read.
-/// Nothing if there is no graph with it.
+/// The same; where others are listed, the whole library is read. Nothing if there is no graph with
+/// it.
 std::optional<std::vector<const Target*>> find_targets_and_others(Run& run,
                                                                   const Options& options) {
   auto targets = find_targets(run, options);
-  if (!run.diagnostics.has_errors() || run.library.whole) return targets;
+  if (!run.library.was_too_small()) return targets;
   if (!make_again(run, options)) return std::nullopt;
   return find_targets(run, options);
 }

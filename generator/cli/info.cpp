@@ -142,7 +142,7 @@ void print_all(const Library& library) {
     for (const auto& id : library.ids(kind)) say("  {:<22} {}\n", id, library.find(id)->summary);
   }
   say("targets\n");
-  for (const auto& [id, target] : library.targets) say("  {:<22} {}\n", id, target.summary);
+  for (const auto& [id, target] : library.all_targets()) say("  {:<22} {}\n", id, target.summary);
 }
 
 /// A family is no entity, only a name that manifests use. False if `name` is none.
@@ -165,10 +165,10 @@ bool print_family(const Library& library, const std::string& name) {
     return true;
   }
   std::vector<std::string> boards, entities;
-  for (const auto& [id, target] : library.targets) {
+  for (const auto& [id, target] : library.all_targets()) {
     if (target.family == name) boards.push_back(id);
   }
-  for (const auto& [id, entity] : library.entities) {
+  for (const auto& [id, entity] : library.all_entities()) {
     if (entity.family && entity.family->value == name) entities.push_back(id);
   }
   if (boards.empty() && entities.empty()) return false;
@@ -232,17 +232,16 @@ int info_command(const Options& options) {
     print_entity(*entity);
     return finish(run, options);
   }
-  if (const auto target = run.library.targets.find(options.entity);
-      target != run.library.targets.end()) {
-    say("{} (target)\n{}\n\n{}", target->first, target->second.summary, target->second.description);
-    if (!target->second.facts.empty()) say("\n");
-    for (const auto& [name, value] : target->second.facts) say("{}: {}\n", name, value);
+  if (const Target* target = run.library.find_target(options.entity)) {
+    say("{} (target)\n{}\n\n{}", target->id.value, target->summary, target->description);
+    if (!target->facts.empty()) say("\n");
+    for (const auto& [name, value] : target->facts) say("{}: {}\n", name, value);
     return finish(run, options);
   }
   if (print_family(run.library, options.entity)) return finish(run, options);
   std::vector<std::string> known;
-  for (const auto& [id, entity] : run.library.entities) known.push_back(id);
-  for (const auto& [id, target] : run.library.targets) known.push_back(id);
+  for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
+  for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
   auto& problem = run.diagnostics.error(
       "E0303", {}, fmt::format("unknown entity or target `{}`", options.entity));
   const std::string near = nearest(options.entity, known);

@@ -159,11 +159,11 @@ std::vector<std::string> wanted_targets(const Options& options) {
 bool make(Run& run, const Options& options) {
   run.tree = read_graph_file(run, options.graph);
   if (run.diagnostics.has_errors()) return false;
-  return make_of_tree(run, options, Reading::mentioned) || make_again(run, options);
+  const bool made = make_of_tree(run, options, Reading::mentioned);
+  return run.library.was_too_small() ? make_again(run, options) : made;
 }
 
 bool make_again(Run& run, const Options& options) {
-  if (run.library.whole || !run.diagnostics.has_errors()) return false;
   Run whole;
   whole.sources = std::move(run.sources);
   whole.tree = std::move(run.tree);

@@ -32,10 +32,9 @@ YamlValue read_graph_file(Run& run, const std::string& path);
 /// EAGERx's file through the manifests of the library, which is loaded.
 std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options);
 /// read → spec (or import) → resolve → plan, and the policies, with what the graph mentions of the
-/// library, or all of it if there is a problem. True if there was none.
+/// library, or all of it if that was too little. True if there was no problem.
 bool make(Run& run, const Options& options);
-/// Again from the graph's file, if there is an error and not the whole library was read: it may be
-/// another with all of it. False if nothing was done.
+/// Again from the graph's file, with the whole library.
 bool make_again(Run& run, const Options& options);
 /// The targets that are generated for, as the command line says.
 std::vector<std::string> wanted_targets(const Options& options);

@@ -123,7 +123,7 @@ std::string class_of(const std::string& id) {
 /// An entity that stands for a class of the same name in another module, if there is one.
 std::pair<const Entity*, std::string> namesake(const Library& library, const std::string& id,
                                                Use use) {
-  for (const auto& [name, entity] : library.entities) {
+  for (const auto& [name, entity] : library.all_entities()) {
     for (const auto& eagerx : entity.eagerx_ids) {
       if (is_kind(entity, use) && eagerx.id.value != id &&
           class_of(eagerx.id.value) == class_of(id))
@@ -159,7 +159,7 @@ const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue
   const Entity* best = nullptr;
   std::size_t conditions = 0;
   bool known = false, ambiguous = false;
-  for (const auto& [name, entity] : library_.entities) {
+  for (const auto& [name, entity] : library_.all_entities()) {
     for (const auto& eagerx : entity.eagerx_ids) {
       if (eagerx.id.value != id.value || !is_kind(entity, use)) continue;
       known = true;

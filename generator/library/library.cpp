@@ -46,12 +46,31 @@ const ObjectEngine* Entity::implementation(const Entity& engine) const {
 
 const Entity* Library::find(const std::string& id) const {
   const auto found = entities.find(id);
-  return found == entities.end() ? nullptr : &found->second;
+  if (found != entities.end()) return &found->second;
+  asked_for_more = true;
+  return nullptr;
+}
+
+const Target* Library::find_target(const std::string& id) const {
+  const auto found = targets.find(id);
+  if (found != targets.end()) return &found->second;
+  asked_for_more = true;
+  return nullptr;
+}
+
+const std::map<std::string, Entity>& Library::all_entities() const {
+  asked_for_more = true;
+  return entities;
+}
+
+const std::map<std::string, Target>& Library::all_targets() const {
+  asked_for_more = true;
+  return targets;
 }
 
 std::vector<std::string> Library::ids(EntityKind kind) const {
   std::vector<std::string> result;
-  for (const auto& [id, entity] : entities) {
+  for (const auto& [id, entity] : all_entities()) {
     if (entity.kind == kind) result.push_back(id);
   }
   return result;
@@ -60,7 +79,7 @@ std::vector<std::string> Library::ids(EntityKind kind) const {
 std::vector<std::string> Library::engines_of_family(const std::string& name) const {
   std::vector<std::string> result;
   if (find(name) != nullptr) return result;
-  for (const auto& [id, entity] : entities) {
+  for (const auto& [id, entity] : all_entities()) {
     if (contains(entity.runs, name)) result.push_back(id);
   }
   return result;

@@ -137,16 +137,25 @@ struct Target {
   std::string image;  // the file that is built, with `{name}`; empty: as CMake calls a program
 };
 
+/// What was read: everything, or what a graph mentions. The functions know of the difference.
 struct Library {
   std::map<std::string, Entity> entities;
   std::map<std::string, Target> targets;
   bool whole = true;  // false: installed manifests were left unread
+  mutable bool asked_for_more = false;
 
+  /// nullptr if there is none.
   [[nodiscard]] const Entity* find(const std::string& id) const;
+  [[nodiscard]] const Target* find_target(const std::string& id) const;
+  [[nodiscard]] const std::map<std::string, Entity>& all_entities() const;
+  [[nodiscard]] const std::map<std::string, Target>& all_targets() const;
   [[nodiscard]] std::vector<std::string> ids(EntityKind kind) const;
   /// A name that objects are implemented for and several engines run, but that is no engine itself.
   /// These engines; empty if `name` is none.
   [[nodiscard]] std::vector<std::string> engines_of_family(const std::string& name) const;
+  /// Whether an answer may have been another one with the whole library: something was not found,
+  /// or all of a kind were asked for.
+  [[nodiscard]] bool was_too_small() const { return !whole && asked_for_more; }
 };
 
 std::string_view to_string(EntityKind kind);
@@ -157,11 +166,9 @@ std::string_view to_string(EntityKind kind);
 Library load_library(const std::vector<Spanned<std::string>>& folders, SourceMap& sources,
                      Diagnostics& diagnostics);
 
-/// The same for a graph with these mentions, in a third of the time. Of the `installed` folders,
+/// The same for a graph with these mentions, in a quarter of the time. Of the `installed` folders,
 /// which come after the others, it reads only what graph and manifests mention, and what has no
-/// plain id. Everything is found in it that is found in the whole library; what is not found is an
-/// error, and an error may list what else there is. So with an error, and `whole` false, the whole
-/// library decides.
+/// plain id.
 Library load_mentioned(Mentions mentions, const std::vector<Spanned<std::string>>& folders,
                        const std::vector<Spanned<std::string>>& installed, SourceMap& sources,
                        Diagnostics& diagnostics);

@@ -39,7 +39,7 @@ void for_each_entity(const Graph& graph, Part part, F&& f) {
 std::string targets_help(const Library& library, std::string Target::*member,
                          const std::string& wanted) {
   std::vector<std::string> ids;
-  for (const auto& [id, target] : library.targets) {
+  for (const auto& [id, target] : library.all_targets()) {
     if (target.*member == wanted) ids.push_back("`--target " + id + "`");
   }
   return fmt::format("{}{}another engine: `--engine NAME`", fmt::join(ids, ", "),

@@ -30,34 +30,38 @@ class Placer {
 
  private:
   void find_board(const PlacementSpec& item) {
-    const auto& targets = draft_.library.targets;
-    std::vector<std::string> partners;
-    for (const auto& [id, target] : targets) {
-      if (!target.partner.empty()) partners.push_back(id);
-    }
-    const auto found = targets.find(item.board.value);
-    if (found == targets.end()) {
+    const Target* found = draft_.library.find_target(item.board.value);
+    if (found == nullptr) {
       draft_.diagnostics
           .error("E0316", item.board.span, fmt::format("unknown target `{}`", item.board.value))
-          .help = suggestion(item.board.value, partners, "no target can run a part of a graph");
+          .help = suggestion(item.board.value, partners(), "no target can run a part of a graph");
       return;
     }
-    if (found->second.partner.empty()) {
+    if (found->partner.empty()) {
       draft_.diagnostics
           .error("E0334", item.board.span,
                  fmt::format("target `{}` cannot run a part of a graph", item.board.value))
           .help = fmt::format("its manifest has no `partner`; these targets have one: {}",
-                              fmt::join(partners, ", "));
+                              fmt::join(partners(), ", "));
       return;
     }
     if (placement_.board == nullptr) {
-      placement_.board = &found->second;
+      placement_.board = found;
       placement_.span = item.name.span;
-    } else if (placement_.board != &found->second) {
+    } else if (placement_.board != found) {
       draft_.diagnostics.error("E0333", item.board.span,
                                fmt::format("parts on two boards, `{}` and `{}`: there can be one",
                                            placement_.board->id.value, item.board.value));
     }
+  }
+
+  /// The targets that can run a part of a graph.
+  [[nodiscard]] std::vector<std::string> partners() const {
+    std::vector<std::string> ids;
+    for (const auto& [id, target] : draft_.library.all_targets()) {
+      if (!target.partner.empty()) ids.push_back(id);
+    }
+    return ids;
   }
 
   void place(const PlacementSpec& item) {

@@ -10,7 +10,7 @@ namespace {
 
 std::string engines_with_a_clock(const Library& library) {
   std::vector<std::string> ids;
-  for (const auto& [id, entity] : library.entities) {
+  for (const auto& [id, entity] : library.all_entities()) {
     if (entity.kind == EntityKind::engine && entity.asynchronous) ids.push_back(id);
   }
   if (ids.empty()) return "leave `sync` out";
