@@ -50,6 +50,16 @@ def shuffled(start, item):
     return hashlib.sha256(f"{start} {item}".encode()).digest()
 
 
+def cost_of_gap(lines):
+    """Of lines from a column to one in the row below."""
+    total = 0.0
+    for i, (a, b) in enumerate(lines):
+        distance = abs(a - b)
+        total += distance + 0.3 * distance * distance
+        total += CROSSING * sum((a - c) * (b - d) < 0 for c, d in lines[:i])
+    return total
+
+
 class Search:
     """Moves boxes and bends between columns as long as that helps."""
 
@@ -64,6 +74,7 @@ class Search:
         for item in sorted(self.row, key=str):
             self.by_row[self.row[item]].append(item)
         self.fixed = {item: 0 for item in spine}
+        self.known = {}  # costs of gaps, by row and columns: most moves leave most gaps as another move had them
         self.column = {}
         for items in self.by_row.values():
             free = sorted(COLUMNS, key=lambda c: (abs(c), c))
@@ -74,11 +85,10 @@ class Search:
         """Of these rows and the gaps beside them."""
         at, total = self.column, 0.0
         for row in sorted(rows | {row - 1 for row in rows}):
-            lines = [(at[a], at[b]) for a, b in self.gaps[row]]
-            for i, (a, b) in enumerate(lines):
-                distance = abs(a - b)
-                total += distance + 0.3 * distance * distance
-                total += CROSSING * sum((a - c) * (b - d) < 0 for c, d in lines[:i])
+            lines = tuple([(at[a], at[b]) for a, b in self.gaps[row]])
+            if (row, lines) not in self.known:
+                self.known[row, lines] = cost_of_gap(lines)
+            total += self.known[row, lines]
         return total + BESIDE * sum(abs(at[item]) for row in rows for item in self.by_row[row])
 
     def moves(self):
@@ -108,10 +118,12 @@ class Search:
     def run(self):
         """Makes the best move until none helps; the cost that is left."""
         while True:
-            best, best_move = 0.0, None
+            best, best_move, costs = 0.0, None, {}
             for move in self.moves():
-                rows = {self.row[item] for item in move}
-                cost = self.cost(rows)
+                rows = frozenset(self.row[item] for item in move)
+                if rows not in costs:
+                    costs[rows] = self.cost(rows)
+                cost = costs[rows]
                 before = {item: self.column[item] for item in move}
                 self.column.update(move)
                 gain = cost - self.cost(rows)
