@@ -37,7 +37,7 @@ TEST_F(Pipeline, GraphsWithoutAProblemNeedOnlyWhatTheyMention) {
 
 TEST_F(Pipeline, AProblemThatListsNothingNeedsNoMore) {
   gen::Run run;
-  EXPECT_FALSE(make(run, options_for("examples/tutorial_4_nodes_and_graph_validity/loop.yaml")));
+  EXPECT_FALSE(make(run, options_for("tests/diagnostics/cases/cycle.yaml")));
   EXPECT_TRUE(run.diagnostics.has_errors());
   EXPECT_FALSE(run.library.whole);
 }
