@@ -208,7 +208,8 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   const auto& task = plan.graph->task;
   if (!task || !names.runs(task->node)) return View(false);
   View view = object();
-  view.set("real", plan.graph->double_precision ? "double" : "float");
+  view.set("real", names.real());
+  view.set("truth", std::string(element_type(Dtype::boolean, names.numbers)));
   view.set("place", names.place(task->span));
   view.set("count", fmt::format("{}", task->terms.size()));
   view.set("steps", fmt::format("{}", task->after));
