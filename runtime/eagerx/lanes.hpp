@@ -17,12 +17,14 @@
 
 namespace eagerx {
 
-/// Registers of a pack. The second is at work while the first waits; g++ on AVX2 has too few
-/// registers for that and spills (tests/bench/environments).
+/// Registers of a pack. The others are at work while the first waits; g++ on AVX2 has too few
+/// registers for that and spills. Measured with tests/bench/environments; bits do not depend on it.
 #if defined(EAGERX_PACK_REGISTERS)
 inline constexpr std::size_t kPackRegisters = EAGERX_PACK_REGISTERS;
-#elif defined(__AVX512F__) || defined(__clang__)
+#elif defined(__clang__)
 inline constexpr std::size_t kPackRegisters = 2;
+#elif defined(__AVX512F__)
+inline constexpr std::size_t kPackRegisters = 4;
 #else
 inline constexpr std::size_t kPackRegisters = 1;
 #endif
@@ -43,10 +45,10 @@ struct LaneSeq {
   LaneCounts<N> offset;
 };
 
-/// Ticks of a rate so far. All zero at first, when no lane holds an environment.
+/// Ticks of a rate so far. At first no lane holds an environment.
 template <std::size_t N>
 struct LaneClock {
-  Seq shared = 0;          // of the pack: where messages are
+  Seq shared = 1;          // of the pack: where messages are; tick 0 is of a reset, which is no step
   LaneCounts<N> offset{};  // shared - the environment's own, modulo 2^32
 
   LaneClock& operator++() { return ++shared, *this; }

@@ -3,7 +3,7 @@ if(EAGERX_SANITIZE)
   return() # the library is opened by programs without sanitizers
 endif()
 set(environments_programs)
-foreach(graph swing multi_rate rigid pushed_box)
+foreach(graph swing blocks multi_rate rigid pushed_box)
   set(environments_graph ${CMAKE_CURRENT_LIST_DIR}/${graph}.yaml)
   set(environments_alone $<TARGET_FILE:environments_${graph}_alone>)
   if(graph STREQUAL multi_rate)
