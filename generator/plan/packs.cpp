@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace eagerx::gen {
 namespace {
 
@@ -40,6 +42,9 @@ std::string why_not_in_time(const Plan& plan) {
                        node.rate_hz.to_string(), rate_hz.to_string());
   }
   if (plan.schedule.form != ScheduleForm::constants) return "a step has too many slots";
+  // Its tick 0, at which it does nothing, is then in a reset.
+  if (graph.has_engine() && std::ranges::find(plan.before, Graph::kEngine) == plan.before.end())
+    return "the engine waits for actions";
   for (const auto& node : plan.nodes) {
     for (const auto& reception : node.receptions) {
       if (reception.a >= kMostOfRatio || reception.b >= kMostOfRatio)

@@ -30,7 +30,8 @@ class SlewLimit {
     for (std::size_t i = 0; i < kSize; ++i) {
       // What has not come is like what is no number: it leaves the value as it is.
       const Real wanted = newest<Real>(in.signal, i, Real(FloatFormat<LaneOf<Real>>::nan));
-      limited = limited || (follow(i, wanted) && !in.signal.empty());
+      const TruthOf<Real> lags = follow(i, wanted);
+      limited = limited || (lags && !in.signal.empty());
       element(out.limited, i) = static_cast<ScalarOf<Result>>(value_[i]);
     }
     limited_ += one_if<Real>(limited);
