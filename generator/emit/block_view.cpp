@@ -50,7 +50,9 @@ class BlockView {
 
  private:
   /// Lanes have different ticks: what runs in packs does not look at it.
-  std::string tick() const { return names_.has_packs() ? "eagerx::Tick{n.shared}" : "eagerx::Tick{n}"; }
+  std::string tick() const {
+    return names_.has_packs() ? "eagerx::Tick{n.shared}" : "eagerx::Tick{n}";
+  }
   std::string channel(std::size_t output) const { return "channel::" + names_.channel[n_][output]; }
   MessagePlace place(std::size_t output) const {
     return message_place(plan_, names_, plan_.nodes[n_].rings[output], seq_);
@@ -103,8 +105,9 @@ class BlockView {
     }
     view_.set("has_simulated", simulated.is_non_empty_list());
     view_["simulated"] = std::move(simulated);
-    view_.set("tick_message", names_.has_packs() ? fmt::format("eagerx::lane_ticks({})", seq_)
-                                                 : fmt::format("static_cast<std::int64_t>({})", seq_));
+    view_.set("tick_message", names_.has_packs()
+                                  ? fmt::format("eagerx::lane_ticks({})", seq_)
+                                  : fmt::format("static_cast<std::int64_t>({})", seq_));
     view_["slots"] = slots_view({place(0)});
     view_.set("ring", place(0).expression);
     view_.set("channel", channel(0));

@@ -193,15 +193,15 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   View actions = list(), observations = list(), states = list();
   view["task"] = outcome_view(plan, names);
   for (const auto& action : graph.environment().outputs)
-    actions.push_back(
-        port_view(names.message(action.space), action.name, action.space, names.place(action.span)));
+    actions.push_back(port_view(names.message(action.space), action.name, action.space,
+                                names.place(action.span)));
   const bool observes = names.receives(Graph::kEnvironment);
   std::uint64_t numbers = 0;
   for (std::size_t i = 0; observes && i < graph.environment().inputs.size(); ++i) {
     const Input& input = graph.environment().inputs[i];
     numbers += input.window * input.space.size();
-    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i, names.numbers), input.name,
-                                     input.space, names.place(input.span)));
+    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i, names.numbers),
+                                     input.name, input.space, names.place(input.span)));
   }
   for (std::size_t i = 0; i < graph.objects.size(); ++i) {
     for (std::size_t s = 0; s < graph.objects[i].states.size(); ++s) {

@@ -55,8 +55,8 @@ struct ProgramNames {
   }
   /// What engines and nodes calculate in.
   [[nodiscard]] std::string real() const {
-    return std::string(element_type(
-        plan_.graph->double_precision ? Dtype::float64 : Dtype::float32, numbers));
+    return std::string(
+        element_type(plan_.graph->double_precision ? Dtype::float64 : Dtype::float32, numbers));
   }
   /// The number of the message that a node sends next.
   [[nodiscard]] std::string seq_of(std::size_t node) const {

@@ -94,7 +94,9 @@ class TaskView {
       if (used_.before[i]) {
         View member = local_view(input, variable, one);
         member.set("member", variable.before);
-        member.set("type", one ? "Real" : message_type(input.space));
+        member.set("type",
+                   one ? "Real"
+                       : fmt::format("typename decltype(Io::Inputs::{})::value_type", input.name));
         member.set("has_first", !input.skip);
         members.push_back(member);
         first = first || !input.skip;

@@ -9,14 +9,14 @@ std::string window_type(const Plan& plan, std::size_t node, std::size_t input, N
   const Ring& ring = plan.rings[reception.ring];
   const Input& port = plan.graph->nodes[node].inputs[input];
   const bool padded = node == Graph::kEnvironment && port.window > 0;
-  const std::string arguments = fmt::format(
-      "<{}, {}, {}, {}, {}>", message_type(ring.space, numbers),
-      rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity, reception.max_size,
-      reception.always_full);
+  const std::string arguments =
+      fmt::format("<{}, {}, {}, {}, {}>", message_type(ring.space, numbers),
+                  rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity,
+                  reception.max_size, reception.always_full);
   if (numbers == Numbers::plain)
     return fmt::format("eagerx::{}{}", padded ? "PaddedWindow" : "Window", arguments);
-  const bool scattered = reception.count == Reception::Count::delayed ||
-                         reception.count == Reception::Count::skipped;
+  const bool scattered =
+      reception.count == Reception::Count::delayed || reception.count == Reception::Count::skipped;
   const std::string window =
       fmt::format("eagerx::{}{}", scattered ? "ScatteredWindow" : "LaneWindow", arguments);
   return padded ? "eagerx::PaddedLanes<" + window + ">" : window;

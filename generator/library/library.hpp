@@ -98,7 +98,7 @@ struct Entity {
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<PortManifest> reset_targets;  // of a reset node; others have none
   std::vector<ObjectEngine> object_engines;
-  std::vector<std::string> counts;             // nodes: what for_each_count() counts
+  std::vector<std::string> counts;  // nodes: what for_each_count() counts
   Condition packs;  // where its class also calculates with packs of numbers; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
@@ -131,8 +131,8 @@ struct Target {
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
   bool packs = false;  // whether it also takes the program over packs of numbers
-  std::string system;                      // its operating system; empty: none
-  std::string family;                      // the family of boards it is of; empty: none
+  std::string system;  // its operating system; empty: none
+  std::string family;  // the family of boards it is of; empty: none
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;

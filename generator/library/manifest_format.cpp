@@ -122,7 +122,8 @@ Fields cpp() {
 /// Of what ticks or converts; a reset runs alone.
 Fields packs() {
   return {{"packs",
-           format::one_of("true, false or a condition", {format::boolean(), format::text("a condition")}),
+           format::one_of("true, false or a condition",
+                          {format::boolean(), format::text("a condition")}),
            false,
            "whether its class also calculates with packs of numbers, or the condition under which "
            "it does (default: false)"}};
@@ -247,27 +248,29 @@ std::vector<std::string> manifest_kinds() {
 
 const Format* manifest_format(std::string_view kind) {
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
-      {"node", format::record("a node", common("node") + cpp() + packs() + config() + node_ports(true))},
+      {"node",
+       format::record("a node", common("node") + cpp() + packs() + config() + node_ports(true))},
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,
                                                   "states that it can bring about"}})},
       {"engine",
-       format::record("an engine",
-                      common("engine") + cpp() + packs() + config() + states() +
-                          Fields{{"runs", texts(), false,
-                                  "other engines whose implementations of objects it can run"},
-                                 {"asynchronous", format::boolean(), false,
-                                  "whether its class has a clock, now_ns(), for `sync: false`"},
-                                 {"simulator",
-                                  format::record("a simulator",
-                                                 {{"class", format::text("a C++ class template"),
-                                                   true, "class template over a model"},
-                                                  {"header", header_format(), false,
-                                                   "header beside the manifest"}}),
-                                  true, "what holds an object's state"}})},
-      {"engine_node", format::record("an engine node", common("engine_node") + cpp() + packs() + engines() +
-                                                           config() + node_ports(false))},
+       format::record(
+           "an engine", common("engine") + cpp() + packs() + config() + states() +
+                            Fields{{"runs", texts(), false,
+                                    "other engines whose implementations of objects it can run"},
+                                   {"asynchronous", format::boolean(), false,
+                                    "whether its class has a clock, now_ns(), for `sync: false`"},
+                                   {"simulator",
+                                    format::record("a simulator",
+                                                   {{"class", format::text("a C++ class template"),
+                                                     true, "class template over a model"},
+                                                    {"header", header_format(), false,
+                                                     "header beside the manifest"}}),
+                                    true, "what holds an object's state"}})},
+      {"engine_node",
+       format::record("an engine node", common("engine_node") + cpp() + packs() + engines() +
+                                            config() + node_ports(false))},
       {"engine_state",
        format::record("an engine state",
                       common("engine_state") + cpp() + engines() + config() + space_of_state())},

@@ -12,13 +12,17 @@ constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes coun
 
 std::string why_not(const GraphNode& node) {
   if (node.entity != nullptr && !runs_in_packs(node))
-    return fmt::format("`{}` ({}) is not said to", node.name, node.entity->id.value);
+    return fmt::format(
+        "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold", node.name,
+        node.entity->id.value);
   const auto converts = [](const std::optional<Processor>& processor) {
     return !processor || runs_in_packs(*processor);
   };
   const auto of = [](const std::optional<Processor>& processor, const std::string& where) {
-    return fmt::format("the processor of `{}` ({}) is not said to", where,
-                       processor->entity->id.value);
+    return fmt::format(
+        "the processor of `{}` ({}) has no `packs: true` in its manifest, or its condition does "
+        "not hold",
+        where, processor->entity->id.value);
   };
   for (const auto& input : node.inputs) {
     if (!converts(input.processor)) return of(input.processor, input.written);
@@ -85,7 +89,9 @@ std::string why_no_packs(const Plan& plan) {
   }
   for (const auto& item : graph.objects) {
     if (!item.implementation->packs)
-      return fmt::format("`{}` ({}) is not said to", item.name, item.entity->id.value);
+      return fmt::format(
+          "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold",
+          item.name, item.entity->id.value);
   }
   if (std::string reason = why_not_in_time(plan); !reason.empty()) return reason;
   return why_not_in_memory(plan);

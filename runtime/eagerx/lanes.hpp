@@ -48,7 +48,7 @@ struct LaneSeq {
 /// Ticks of a rate so far. At first no lane holds an environment.
 template <std::size_t N>
 struct LaneClock {
-  Seq shared = 1;          // of the pack: where messages are; tick 0 is of a reset, which is no step
+  Seq shared = 1;  // of the pack: where messages are; tick 0 is of a reset, which is no step
   LaneCounts<N> offset{};  // shared - the environment's own, modulo 2^32
 
   LaneClock& operator++() { return ++shared, *this; }
@@ -57,7 +57,9 @@ struct LaneClock {
     clock.shared -= static_cast<Seq>(ticks);
     return clock;
   }
-  LaneCounts<N> counts() const { return LaneCounts<N>(static_cast<std::uint32_t>(shared)) - offset; }
+  LaneCounts<N> counts() const {
+    return LaneCounts<N>(static_cast<std::uint32_t>(shared)) - offset;
+  }
   /// So many messages, which end where this clock's would.
   LaneSeq<N> at(const LaneCounts<N>& count) const { return {count, offset}; }
 

@@ -204,7 +204,8 @@ class Batch {
   }
   unsigned blocks() const { return (size_ + block() - 1) / block(); }
 
-  /// f(first, end, member of the team) for all environments, by as many threads as the work is worth.
+  /// f(first, end, member of the team) for all environments, by as many threads as the work is
+  /// worth.
   template <class F>
   void each_block(Workload& workload, F&& f) {
     using Clock = std::chrono::steady_clock;
@@ -249,8 +250,7 @@ class Batch {
       if (episodes_[k].steps >= packs_.most_steps()) take_out(k);
       if (!episodes_[k].packed) continue;
       any = true;
-      packs_.action(member, k) =
-          applied_action(programs_[k], layout_.action(actions + k * acted));
+      packs_.action(member, k) = applied_action(programs_[k], layout_.action(actions + k * acted));
     }
     if (any) packs_.step(member, first);
     for (std::uint32_t k = first; k < end; ++k) {
@@ -374,8 +374,8 @@ class Batch {
   std::uint32_t longest_;
   std::uint32_t autoreset_;
   bool all_begun_ = false;
-  std::unique_ptr<Episode[]> episodes_;    // [size_]
-  std::unique_ptr<Program[]> programs_;    // [size_]
+  std::unique_ptr<Episode[]> episodes_;  // [size_]
+  std::unique_ptr<Program[]> programs_;  // [size_]
   PackMemory<Graph> packs_;
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;

@@ -66,10 +66,11 @@ class Library {
     std::string counts;
   };
 
-  static const char* describe(const char* generator) {
+  static const char* describe(const char* generator, const char* why_no_packs) {
     const char* result = "";
     attempt([&] {
-      static const std::string text = environments::describe<Graph>(generator);
+      static const std::string text =
+          environments::describe<Graph>(generator, packs(EAGERX_ENVIRONMENTS_MOST), why_no_packs);
       result = text.c_str();
     });
     return result;

@@ -15,6 +15,7 @@ struct PackKernel {
   using Program = typename Graph::template Program<NoTrace>;
   using Action = typename Graph::Action;
 
+  const char* isa = "";  // as EAGERX_PACKS names it
   std::uint32_t lanes = 0;
   std::size_t bytes = 0, alignment = 0;  // of a pack
   std::size_t columns = 0;               // that step() writes, [columns][lanes]

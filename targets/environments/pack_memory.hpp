@@ -34,7 +34,7 @@ class PackMemory {
     if (lanes() == 0) return;
     const std::size_t packs = (environments + lanes() - 1) / lanes();
     const auto alignment = std::align_val_t{kernel.alignment};
-    memory_ = {static_cast<std::byte*>(::operator new(packs * kernel.bytes, alignment)),
+    memory_ = {static_cast<std::byte*>(::operator new(packs* kernel.bytes, alignment)),
                Free{alignment}};
     for (std::size_t i = 0; i < packs; ++i) kernel.make(memory_.get() + i * kernel.bytes);
   }
@@ -49,9 +49,7 @@ class PackMemory {
     actions_.resize(std::size_t{members} * lanes(), Graph::zero());
   }
 
-  void load(std::uint32_t k, const Program& one) {
-    kernel_.load(pack(k), k % lanes(), one);
-  }
+  void load(std::uint32_t k, const Program& one) { kernel_.load(pack(k), k % lanes(), one); }
   void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), k % lanes(), one); }
 
   Action& action(unsigned member, std::uint32_t k) {

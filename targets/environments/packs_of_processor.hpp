@@ -31,14 +31,15 @@ PackKernel<Graph> packs_of_processor(std::uint32_t environments, FillPacks<Graph
                __builtin_cpu_supports("avx512vl");
 #endif
   struct Choice {
+    const char* isa;
     bool runs;
     FillPacks<Graph> fill;
   };
-  for (const Choice& choice : {Choice{has_avx512 && allows_packs("avx512"), avx512},
-                               Choice{has_avx2 && allows_packs("avx2"), avx2},
-                               Choice{allows_packs("plain"), plain}}) {
+  for (const Choice& choice : {Choice{"avx512", has_avx512, avx512}, Choice{"avx2", has_avx2, avx2},
+                               Choice{"plain", true, plain}}) {
     PackKernel<Graph> kernel;
-    if (choice.runs) choice.fill(kernel);
+    if (choice.runs && allows_packs(choice.isa)) choice.fill(kernel);
+    kernel.isa = choice.isa;
     if (kernel.lanes != 0 && 2 * std::uint64_t{environments} >= kernel.lanes) return kernel;
   }
   return {};

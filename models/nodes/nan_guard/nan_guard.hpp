@@ -60,9 +60,7 @@ class NanGuard {
   static_assert(is_one_or_each(Io::Config::safe, kSize),
                 "NanGuard: `safe` has one value, or one for each element");
 
-  static Scalar safe(std::size_t i) {
-    return value_for<Scalar>(Io::Config::safe, i);
-  }
+  static Scalar safe(std::size_t i) { return value_for<Scalar>(Io::Config::safe, i); }
   static Truth is_finite(const Message& message) {
     Truth finite = true;
     for (std::size_t i = 0; i < kSize; ++i)
