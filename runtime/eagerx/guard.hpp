@@ -48,7 +48,7 @@ class Takeover {
         });
   }
 
-  void see(bool is_finite) { seen_ = is_finite; }
+  void saw(bool is_finite) { seen_ = is_finite; }
 
   Action judge(Action action, std::uint64_t late_in_a_row) {
     const bool late = late_in_a_row >= kSafety.late;
@@ -154,8 +154,8 @@ class Guard {
     if constexpr (kTakesOver) takeover_.see(observation);
   }
   /// The same of an observation that is finite, or not.
-  void see(bool is_finite) {
-    if constexpr (kTakesOver) takeover_.see(is_finite);
+  void saw(bool is_finite) {
+    if constexpr (kTakesOver) takeover_.saw(is_finite);
   }
 
   /// What is applied in place of `action`. `late_in_a_row`: instants up to now that were later than

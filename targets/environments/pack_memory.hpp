@@ -66,7 +66,7 @@ class PackMemory {
   /// The guard looks at the observation of the step.
   void show_guard(const PackColumn& column, Program& program) const {
     if constexpr (requires { requires decltype(program.guard)::kTakesOver; }) {
-      if (kernel_.answers) program.guard.see(column.end(kFinite) != 0.0F);
+      if (kernel_.answers) program.guard.saw(column.end(kFinite) != 0.0F);
     }
   }
 
