@@ -26,6 +26,7 @@ class BlockView {
     view_.set("begin_mark", begin_mark(node_.name));
     view_.set("end_mark", end_mark());
     view_.set("is_engine", is_engine);
+    view_.set("tick", tick());
     view_.set("is_remote", !names_.runs(n_));
     view_.set("node", node_.name);
     view_.set("label", cpp_string(node_.name));
@@ -48,6 +49,10 @@ class BlockView {
   }
 
  private:
+  /// Lanes have different ticks: what runs in packs does not look at it.
+  std::string tick() const {
+    return names_.has_packs() ? "eagerx::Tick{n.shared}" : "eagerx::Tick{n}";
+  }
   std::string channel(std::size_t output) const { return "channel::" + names_.channel[n_][output]; }
   MessagePlace place(std::size_t output) const {
     return message_place(plan_, names_, plan_.nodes[n_].rings[output], seq_);
@@ -87,7 +92,7 @@ class BlockView {
   }
 
   void add_engine() {
-    std::vector<std::string> simulators = {"eagerx::Tick{n}"};
+    std::vector<std::string> simulators = {tick()};
     simulators.insert(simulators.end(), names_.simulator_member.begin(),
                       names_.simulator_member.end());
     view_.set("simulators", joined(simulators));
@@ -100,6 +105,9 @@ class BlockView {
     }
     view_.set("has_simulated", simulated.is_non_empty_list());
     view_["simulated"] = std::move(simulated);
+    view_.set("tick_message", names_.has_packs()
+                                  ? fmt::format("eagerx::lane_ticks({})", seq_)
+                                  : fmt::format("static_cast<std::int64_t>({})", seq_));
     view_["slots"] = slots_view({place(0)});
     view_.set("ring", place(0).expression);
     view_.set("channel", channel(0));
@@ -121,7 +129,7 @@ class BlockView {
       outputs.push_back(output.processor ? local : places.back().expression);
       if (!output.processor) continue;
       View variable = object();
-      variable.set("type", message_type(output.raw));
+      variable.set("type", names_.message(output.raw));
       variable.set("local", local);
       raw.push_back(variable);
     }
@@ -234,7 +242,7 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
     const bool action = ring.node == Graph::kEnvironment && names.runs(Graph::kEnvironment);
     view.set("space", text_or_false(action && input.actuator &&
                                             (!input.space.low.empty() || !input.space.high.empty())
-                                        ? "eagerx::Space<" + message_type(input.space) + ">" +
+                                        ? "eagerx::Space<" + names.message(input.space) + ">" +
                                               space_literal(input.space)
                                         : ""));
     views.push_back(view);

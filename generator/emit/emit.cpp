@@ -9,6 +9,8 @@
 #include "generator/emit/policy_answers.hpp"
 #include "generator/emit/policy_view.hpp"
 #include "generator/emit/wrap.hpp"
+#include "generator/plan/packs.hpp"
+#include "generator/quote/quote.hpp"
 #include "generator/resolve/needs.hpp"
 
 namespace eagerx::gen {
@@ -22,6 +24,9 @@ class Emitter {
           const std::vector<NodePolicy>& node_policies, const EmitOptions& options,
           Diagnostics& diagnostics)
       : plan_(plan), options_(options), diagnostics_(diagnostics), names_(plan, options.part) {
+    why_no_packs_ = why_no_packs(plan);
+    has_packs_ = why_no_packs_.empty() && options.part == Part::whole &&
+                 std::ranges::any_of(options.targets, &Target::packs);
     // Where the agent is, and on the host, which has everything of the graph's own sources.
     const bool decides = options.part != Part::board || names_.runs(Graph::kEnvironment);
     if (decides) network_ = network;
@@ -40,9 +45,11 @@ class Emitter {
     if (task && names_.runs(task->node))
       add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_, names_));
     add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
+    if (has_packs_) add_packs(folder, here);
     View program = program_view(plan_, names_);
     program.set("has_memory", network_ && network_->has_memory());
     program.set("indented", indented());
+    program.set("beside_packs", has_packs_);
     add_program(folder, std::move(program));
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
@@ -73,7 +80,11 @@ class Emitter {
     std::transform(upper.begin(), upper.end(), upper.begin(),
                    [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     view.set("upper_name", upper);
-    view.set("namespace", "graphs::" + plan_.graph->name);
+    const auto set_default = [&](const char* key, const std::string& value) {
+      if (view.get(key) == nullptr) view.set(key, value);
+    };
+    set_default("namespace", "graphs::" + plan_.graph->name);
+    set_default("headers", plan_.graph->name + "/");
     view.set("header", plan_.graph->name + "/graph.hpp");
     view.set("file",
              view.get("file") != nullptr ? *view.get("file") : View(plan_.graph->file_name));
@@ -86,6 +97,23 @@ class Emitter {
 
   void add(const std::string& path, const std::string& template_file, View view) {
     add_rendered(path, (fs::path(options_.templates) / template_file).string(), std::move(view));
+  }
+
+  /// The program once more, over packs of numbers.
+  void add_packs(const std::string& folder, const fs::path& here) {
+    const ProgramNames names(plan_, Part::whole, Numbers::packs);
+    const auto add_one = [&](const std::string& file, const std::string& template_file, View view) {
+      view.set("namespace", "graphs::" + plan_.graph->name + "::packs");
+      view.set("headers", plan_.graph->name + "/packs/");
+      add(folder + "packs/" + file, template_file, std::move(view));
+    };
+    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", messages_view(plan_, names));
+    add_one("io.hpp", "cpp/io.hpp.mustache",
+            io_view(plan_, names, {options_.builtin_root, (here / "packs").string()}));
+    View program = program_view(plan_, names);
+    program.set("indented", indented());
+    add_one("program.hpp", "cpp/packs_program.hpp.mustache", std::move(program));
+    if (!failed_) files_.back().text = take_marks(files_.back().text).text;
   }
 
   /// program.hpp, and what of it belongs to which node.
@@ -174,6 +202,8 @@ class Emitter {
          options_.part == Part::board ? target.partner : target.templates) {
       View view(View::type::object);
       view.set("target", target.id.value);
+      view.set("packs", has_packs_);
+      view.set("why_no_packs", why_no_packs_);
       add_rendered(target.id.value + "/" + output, file, std::move(view));
     }
   }
@@ -184,6 +214,8 @@ class Emitter {
   const EmitOptions& options_;
   Diagnostics& diagnostics_;
   ProgramNames names_;
+  bool has_packs_ = false;
+  std::string why_no_packs_;
   std::vector<GeneratedFile> files_;
   bool failed_ = false;
 };

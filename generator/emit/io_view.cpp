@@ -42,7 +42,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   for (std::size_t i = 0; i < node.inputs.size(); ++i) {
     const Input& input = node.inputs[i];
     View port = object();
-    port.set("type", window_type(plan, n, i));
+    port.set("type", window_type(plan, n, i, names.numbers));
     port.set("field", input.name);
     port.set("comment", text_or_false(input.space.describe()));
     port.set("longest", input.max_delay_s
@@ -53,7 +53,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   }
   for (const auto& target : node.reset_targets) {
     View port = object();
-    port.set("type", message_type(target.space));
+    port.set("type", names.message(target.space));
     port.set("field", target.name);
     port.set("comment", text_or_false(target.space.describe()));
     targets.push_back(port);
@@ -68,7 +68,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   View outputs = list();
   for (const auto& output : node.outputs) {
     View port = object();
-    port.set("type", message_type(output.raw));
+    port.set("type", names.message(output.raw));
     port.set("field", output.name);
     outputs.push_back(port);
   }
@@ -78,7 +78,7 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   for (const auto& state : node.states) {
     View field = object();
     field.set("field", state.name);
-    field.set("type", message_type(state.received()));
+    field.set("type", names.message(state.received()));
     states.push_back(field);
   }
   view.set("has_states", states.is_non_empty_list());
@@ -108,7 +108,8 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
 
 View engine_states_view(const Plan& plan, const ProgramNames& names) {
   View views = list();
-  for (std::size_t i = 0; names.has_engine() && i < plan.graph->objects.size(); ++i) {
+  const bool resets = !names.has_packs();
+  for (std::size_t i = 0; resets && names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s) {
       const State& state = item.states[s];
@@ -117,7 +118,7 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
       view.set("entity", state.engine_state->id.value);
       view.set("place", names.place(state.span));
       view.set("type", names.engine_state_type[i][s]);
-      view.set("message", message_type(state.received()));
+      view.set("message", names.message(state.received()));
       view.set("simulator", names.simulator_type[i]);
       view.set("class", state.engine_state->cpp.name);
       view.set("config", config_view(state.config));
@@ -135,8 +136,8 @@ View processor_view(const Processor& processor, const std::string& type, const s
   view.set("place", names.place(processor.span));
   view.set("type", type);
   view.set("class", processor.entity->cpp.name);
-  view.set("input", message_type(processor.input));
-  view.set("output", message_type(processor.output));
+  view.set("input", names.message(processor.input));
+  view.set("output", names.message(processor.output));
   view.set("config", config_view(processor.config));
   return view;
 }
@@ -147,7 +148,8 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
                        const std::string& where) {
     if (processor) views.push_back(processor_view(*processor, type, where, names));
   };
-  for (std::size_t i = 0; names.has_engine() && i < plan.graph->objects.size(); ++i) {
+  const bool resets = !names.has_packs();
+  for (std::size_t i = 0; resets && names.has_engine() && i < plan.graph->objects.size(); ++i) {
     const Object& item = plan.graph->objects[i];
     for (std::size_t s = 0; s < item.states.size(); ++s)
       add(item.states[s].processor, names.object_state_processor[i][s],
@@ -163,7 +165,7 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
       add(node.outputs[o].processor, names.output_processor[n][o],
           node.name + "." + node.outputs[o].name);
     }
-    for (std::size_t s = 0; names.runs(n) && s < node.states.size(); ++s)
+    for (std::size_t s = 0; resets && names.runs(n) && s < node.states.size(); ++s)
       add(node.states[s].processor, names.node_state_processor[n][s],
           node.name + ".states." + node.states[s].name);
     for (std::size_t t = 0; t < node.reset_targets.size(); ++t)
@@ -191,18 +193,20 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   View actions = list(), observations = list(), states = list();
   view["task"] = outcome_view(plan, names);
   for (const auto& action : graph.environment().outputs)
-    actions.push_back(
-        port_view(message_type(action.space), action.name, action.space, names.place(action.span)));
+    actions.push_back(port_view(names.message(action.space), action.name, action.space,
+                                names.place(action.span)));
   const bool observes = names.receives(Graph::kEnvironment);
+  std::uint64_t numbers = 0;
   for (std::size_t i = 0; observes && i < graph.environment().inputs.size(); ++i) {
     const Input& input = graph.environment().inputs[i];
-    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i), input.name,
-                                     input.space, names.place(input.span)));
+    numbers += input.window * input.space.size();
+    observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i, names.numbers),
+                                     input.name, input.space, names.place(input.span)));
   }
   for (std::size_t i = 0; i < graph.objects.size(); ++i) {
     for (std::size_t s = 0; s < graph.objects[i].states.size(); ++s) {
       const State& state = graph.objects[i].states[s];
-      states.push_back(port_view(message_type(state.space), names.object_state[i][s], state.space,
+      states.push_back(port_view(names.message(state.space), names.object_state[i][s], state.space,
                                  names.place(state.span)));
     }
   }
@@ -210,7 +214,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
     for (std::size_t s = 0; s < graph.nodes[n].states.size(); ++s) {
       const State& state = graph.nodes[n].states[s];
       if (!state.settable) continue;
-      states.push_back(port_view(message_type(state.space), names.node_state[n][s], state.space,
+      states.push_back(port_view(names.message(state.space), names.node_state[n][s], state.space,
                                  names.place(state.span)));
     }
   }
@@ -227,6 +231,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
     }
   }
   view["actions"] = std::move(actions);
+  view.set("numbers", fmt::format("{}", numbers));
   view.set("has_observations", observations.is_non_empty_list());
   view["observations"] = std::move(observations);
   view.set("has_states", states.is_non_empty_list());
@@ -240,7 +245,7 @@ View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& pa
   view.set("engine_states", engine_states_view(plan, names));
   view.set("processors", processors_view(plan, names));
   view.set("includes", includes_view(plan, names, paths));
-  view.set("real", plan.graph->double_precision ? "double" : "float");
+  view.set("real", names.real());
 
   View channels = list();
   for (std::size_t c = 0; c < plan.channels.size(); ++c) {

@@ -55,7 +55,9 @@ std::string rate_type(const Rational& rate_hz) {
                               : fmt::format("eagerx::Rate<{}, {}>", rate_hz.num(), rate_hz.den());
 }
 
-std::string_view element_type(Dtype dtype) {
+std::string_view element_type(Dtype dtype, Numbers numbers) {
+  if (numbers == Numbers::packs)  // others have none
+    return dtype == Dtype::boolean ? "Bool" : dtype == Dtype::int64 ? "I64" : "F32";
   switch (dtype) {
     case Dtype::float32:
       return "float";
@@ -83,8 +85,8 @@ std::string_view element_type(Dtype dtype) {
   return "";
 }
 
-std::string message_type(const Space& space) {
-  const std::string_view element = element_type(space.dtype);
+std::string message_type(const Space& space, Numbers numbers) {
+  const std::string_view element = element_type(space.dtype, numbers);
   return space.shape.empty()
              ? std::string(element)
              : fmt::format("eagerx::Array<{}, {}>", element, fmt::join(space.shape, ", "));

@@ -31,8 +31,11 @@ std::string rate_suffix(const Rational& rate_hz);
 
 /// "eagerx::Rate<30>", "eagerx::Rate<30, 7>"
 std::string rate_type(const Rational& rate_hz);
+/// What numbers are called: by their C++ types, or as packs of them, "F32".
+enum class Numbers : std::uint8_t { plain, packs };
+
 /// "float", "std::int8_t"
-std::string_view element_type(Dtype dtype);
+std::string_view element_type(Dtype dtype, Numbers numbers = Numbers::plain);
 /// "float", "eagerx::Array<float, 2>"
-std::string message_type(const Space& space);
+std::string message_type(const Space& space, Numbers numbers = Numbers::plain);
 }  // namespace eagerx::gen

@@ -4,8 +4,12 @@
 
 namespace eagerx::gen {
 
-ProgramNames::ProgramNames(const Plan& plan, Part part)
-    : io_owner(io_owners(plan, part)), plan_(plan), part_(part), file_name_(plan.graph->file_name) {
+ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
+    : numbers(of),
+      io_owner(io_owners(plan, part)),
+      plan_(plan),
+      part_(part),
+      file_name_(plan.graph->file_name) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
   // Each of these has a struct of its own that says what it is compiled for.

@@ -17,7 +17,9 @@
 namespace eagerx::gen {
 
 struct ProgramNames {
-  ProgramNames(const Plan& plan, Part part);
+  ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain);
+
+  Numbers numbers;
 
   std::vector<std::string> io;           // of nodes: "SmoothIo"; nodes of equal structure share one
   std::vector<std::size_t> io_owner;     // of nodes: the one that theirs is named after
@@ -46,6 +48,15 @@ struct ProgramNames {
   [[nodiscard]] bool runs(std::size_t node) const { return runs_here(*plan_.graph, part_, node); }
   [[nodiscard]] bool receives(std::size_t node) const {
     return receives_here(*plan_.graph, part_, node);
+  }
+  [[nodiscard]] bool has_packs() const { return numbers == Numbers::packs; }
+  [[nodiscard]] std::string message(const Space& space) const {
+    return message_type(space, numbers);
+  }
+  /// What engines and nodes calculate in.
+  [[nodiscard]] std::string real() const {
+    return std::string(
+        element_type(plan_.graph->double_precision ? Dtype::float64 : Dtype::float32, numbers));
   }
   /// The number of the message that a node sends next.
   [[nodiscard]] std::string seq_of(std::size_t node) const {

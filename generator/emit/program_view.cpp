@@ -28,6 +28,10 @@ class ProgramView {
     view_.set("engine", graph_.engine_id());
     view_.set("period", (Rational(1) / graph_.environment().rate_hz).to_string());
     view_.set("environment_due", names_.due[rate]);
+    view_.set("packs", names_.has_packs());
+    const Rational ticks = plan_.rates.front().rate_hz / graph_.environment().rate_hz;
+    view_.set("ticks", fmt::format("{}", ticks.ceil()));
+    view_.set("seq_type", names_.has_packs() ? "eagerx::LaneClock<kLanes>" : "eagerx::Seq");
     view_.set("environment_rate", rate_type(graph_.environment().rate_hz));
     view_.set("environment_counter", names_.counter[rate]);
     view_["schedule"] = schedule_view(plan_, names_);
@@ -159,8 +163,9 @@ class ProgramView {
       const Ring& ring = plan_.rings[r];
       if (!names_.has_ring(r)) continue;
       View item = object();
-      item.set("type", message_type(ring.space));
+      item.set("type", names_.message(ring.space));
       item.set("member", names_.ring_member[r]);
+      item.set("clock", names_.counter[plan_.nodes[ring.node].rate]);
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set(
           "comment",

@@ -152,12 +152,14 @@ class ResetView {
   /// How an input counts, if that is an object; what it starts with is a number of messages' quanta
   /// or, by the clock, of nanoseconds.
   std::string cursor_type(const Reception& reception) const {
+    const char* const kind = names_.has_packs() ? "Lanes" : "Cursor";
+    const char* const lanes = names_.has_packs() ? ", kLanes" : "";
     switch (reception.count) {
       case Reception::Count::delayed:
-        return fmt::format("eagerx::DelayCursor<{}, {}>", reception.a, reception.b);
+        return fmt::format("eagerx::Delay{}<{}, {}{}>", kind, reception.a, reception.b, lanes);
       case Reception::Count::skipped:
-        return fmt::format("eagerx::SkipCursor<{}, {}, {}>", reception.a, reception.b,
-                           reception.off);
+        return fmt::format("eagerx::Skip{}<{}, {}, {}{}>", kind, reception.a, reception.b,
+                           reception.off, lanes);
       case Reception::Count::arrived:
         return fmt::format("eagerx::ArrivalCursor<{}, {}>", plan_.rings[reception.ring].capacity,
                            reception.max_size);

@@ -94,7 +94,9 @@ class TaskView {
       if (used_.before[i]) {
         View member = local_view(input, variable, one);
         member.set("member", variable.before);
-        member.set("type", one ? "Real" : message_type(input.space));
+        member.set("type",
+                   one ? "Real"
+                       : fmt::format("typename decltype(Io::Inputs::{})::value_type", input.name));
         member.set("has_first", !input.skip);
         members.push_back(member);
         first = first || !input.skip;
@@ -208,7 +210,8 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   const auto& task = plan.graph->task;
   if (!task || !names.runs(task->node)) return View(false);
   View view = object();
-  view.set("real", plan.graph->double_precision ? "double" : "float");
+  view.set("real", names.real());
+  view.set("truth", std::string(element_type(Dtype::boolean, names.numbers)));
   view.set("place", names.place(task->span));
   view.set("count", fmt::format("{}", task->terms.size()));
   view.set("steps", fmt::format("{}", task->after));

@@ -4,15 +4,22 @@
 
 namespace eagerx::gen {
 
-std::string window_type(const Plan& plan, std::size_t node, std::size_t input) {
+std::string window_type(const Plan& plan, std::size_t node, std::size_t input, Numbers numbers) {
   const Reception& reception = plan.nodes[node].receptions[input];
   const Ring& ring = plan.rings[reception.ring];
   const Input& port = plan.graph->nodes[node].inputs[input];
   const bool padded = node == Graph::kEnvironment && port.window > 0;
-  return fmt::format("eagerx::{}<{}, {}, {}, {}, {}>", padded ? "PaddedWindow" : "Window",
-                     message_type(ring.space),
-                     rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity,
-                     reception.max_size, reception.always_full);
+  const std::string arguments =
+      fmt::format("<{}, {}, {}, {}, {}>", message_type(ring.space, numbers),
+                  rate_type(plan.graph->nodes[port.source_node].rate_hz), ring.capacity,
+                  reception.max_size, reception.always_full);
+  if (numbers == Numbers::plain)
+    return fmt::format("eagerx::{}{}", padded ? "PaddedWindow" : "Window", arguments);
+  const bool scattered =
+      reception.count == Reception::Count::delayed || reception.count == Reception::Count::skipped;
+  const std::string window =
+      fmt::format("eagerx::{}{}", scattered ? "ScatteredWindow" : "LaneWindow", arguments);
+  return padded ? "eagerx::PaddedLanes<" + window + ">" : window;
 }
 
 std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node,
@@ -34,6 +41,8 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
     case Reception::Count::delayed:
     case Reception::Count::skipped:
       total = names.cursor[node][input] + ".take()";
+      if (names.numbers == Numbers::packs)
+        total = fmt::format("{}.at({})", names.counter[rate], total);
       break;
     case Reception::Count::arrived:
       return fmt::format("{{{}, {}.{}({}, now_ns, arrivals_)}}", names.ring_member[reception.ring],

@@ -8,7 +8,8 @@
 namespace eagerx::gen {
 
 /// "eagerx::Window<float, eagerx::Rate<30>, 1, 1, true>"; observations are padded.
-std::string window_type(const Plan& plan, std::size_t node, std::size_t input);
+std::string window_type(const Plan& plan, std::size_t node, std::size_t input,
+                        Numbers numbers = Numbers::plain);
 /// The constructor arguments of that window at a tick: "{smooth_filtered_, n30Hz_}".
 std::string window_argument(const Plan& plan, const ProgramNames& names, std::size_t node,
                             std::size_t input);

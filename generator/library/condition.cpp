@@ -203,6 +203,12 @@ std::optional<Value> evaluate(const Condition& condition, const Facts& facts) {
   return stack.pop();
 }
 
+Condition always() {
+  ConditionStep step;
+  step.value = true;
+  return {step};
+}
+
 std::optional<bool> holds(const Condition& condition, const Facts& facts) {
   const auto value = evaluate(condition, facts);
   return value ? std::optional(Stack::is_true(*value)) : std::nullopt;

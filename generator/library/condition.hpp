@@ -88,6 +88,9 @@ std::optional<Condition> read_expression(const YamlValue& text, const KnownRefer
 /// facts.
 std::optional<ConditionValue> evaluate(const Condition& condition, const Facts& facts);
 
+/// A condition that always holds.
+Condition always();
+
 /// Whether the condition holds; nullopt if it speaks of something that is not among the facts.
 std::optional<bool> holds(const Condition& condition, const Facts& facts);
 

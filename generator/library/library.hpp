@@ -74,6 +74,7 @@ struct ObjectEngine {
   std::vector<ConnectionSpec> connections;
   std::vector<EntitySpec> states;  // name = the object's state, type = an engine state
   std::vector<NodeState> node_states;
+  bool packs = false;        // whether the model also calculates with packs of numbers
   std::string include_root;  // folder that the model's include is relative to
 };
 
@@ -98,7 +99,8 @@ struct Entity {
   std::vector<PortManifest> inputs, outputs, states, sensors, actuators;
   std::vector<PortManifest> reset_targets;  // of a reset node; others have none
   std::vector<ObjectEngine> object_engines;
-  std::vector<std::string> counts;             // nodes: what for_each_count() counts
+  std::vector<std::string> counts;  // nodes: what for_each_count() counts
+  Condition packs;  // where its class also calculates with packs of numbers; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs
   std::optional<Spanned<std::string>> family;  // the family of boards it needs
@@ -129,8 +131,9 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
-  std::string system;                      // its operating system; empty: none
-  std::string family;                      // the family of boards it is of; empty: none
+  bool packs = false;  // whether it also takes the program over packs of numbers
+  std::string system;  // its operating system; empty: none
+  std::string family;  // the family of boards it is of; empty: none
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;

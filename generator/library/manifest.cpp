@@ -140,6 +140,14 @@ std::vector<Requirement> read_requirements(const YamlValue& root, const Entity& 
   return result;
 }
 
+/// Afterwards, too: true, false or a condition.
+Condition read_packs(const YamlValue& root, const Entity& entity, Diagnostics& diagnostics) {
+  const YamlValue* packs = root.find("packs");
+  if (packs == nullptr || packs->text == "false") return {};
+  if (packs->text == "true") return always();
+  return read_condition(*packs, entity, diagnostics).value_or(Condition{});
+}
+
 std::vector<EagerxId> read_eagerx_ids(const YamlValue& root) {
   std::vector<EagerxId> result;
   const YamlValue* list = root.find("eagerx");
@@ -278,6 +286,7 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
   ObjectEngine result;
   result.engine = engine;
   result.model = read_cpp(*yaml.find("model"), folder, diagnostics);
+  result.packs = text_at(*yaml.find("model"), "packs") == "true";
   result.summary = text_at(yaml, "summary");
   result.description = text_at(yaml, "description");
   result.nodes = read_entities(yaml, "nodes", diagnostics);
@@ -392,6 +401,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
     diagnostics.error("E0206", entity.id.span,
                       "a reset node has at least one output and one target");
   entity.requirements = read_requirements(root, entity, diagnostics);
+  entity.packs = read_packs(root, entity, diagnostics);
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   return entity;
 }
@@ -429,6 +439,7 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   };
   read_templates("templates", target.templates);
   read_templates("partner", target.partner);
+  target.packs = text_at(root, "packs") == "true";
   target.cmake = text_at(root, "cmake");
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");

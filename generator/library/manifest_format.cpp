@@ -119,6 +119,16 @@ Fields cpp() {
            "the family of boards it needs (default: none)"}};
 }
 
+/// Of what ticks or converts; a reset runs alone.
+Fields packs() {
+  return {{"packs",
+           format::one_of("true, false or a condition",
+                          {format::boolean(), format::text("a condition")}),
+           false,
+           "whether its class also calculates with packs of numbers, or the condition under which "
+           "it does (default: false)"}};
+}
+
 Fields config() {
   return {{"config", format::map("parameters", parameter_format()), false, "parameters"},
           {"requires", requirements_format(), false, "conditions that they must meet together"}};
@@ -156,7 +166,10 @@ Fields implementation() {
       {"model",
        format::record("a model", {{"header", header_format(), true, "header beside the manifest"},
                                   {"class", format::text("a C++ class template"), true,
-                                   "what the engine simulates"}}),
+                                   "what the engine simulates"},
+                                  {"packs", format::boolean(), false,
+                                   "whether it also calculates with packs of numbers (default: "
+                                   "false)"}}),
        true, "what the engine simulates"},
       {"nodes", engine_nodes_format(), false, "engine nodes"},
       {"connections", connections_format(), false,
@@ -207,6 +220,8 @@ FormatPtr target_format() {
           Fields{{"templates", templates_format(), false, "files made for each graph"},
                  {"partner", templates_format(), false,
                   "files made for the board's half of a split graph"},
+                 {"packs", format::boolean(), false,
+                  "whether the program over packs of numbers is made, too (default: false)"},
                  {"cmake", format::path("a CMake file", true), true,
                   "the CMake file that defines eagerx_configure_target"},
                  {"toolchain", format::file_name("a toolchain file"), false, "in toolchains/"},
@@ -233,33 +248,35 @@ std::vector<std::string> manifest_kinds() {
 
 const Format* manifest_format(std::string_view kind) {
   static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
-      {"node", format::record("a node", common("node") + cpp() + config() + node_ports(true))},
+      {"node",
+       format::record("a node", common("node") + cpp() + packs() + config() + node_ports(true))},
       {"reset_node",
        format::record("a reset node", common("reset_node") + cpp() + config() + node_ports(true) +
                                           Fields{{"targets", ports("targets", port_fields()), true,
                                                   "states that it can bring about"}})},
       {"engine",
-       format::record("an engine",
-                      common("engine") + cpp() + config() + states() +
-                          Fields{{"runs", texts(), false,
-                                  "other engines whose implementations of objects it can run"},
-                                 {"asynchronous", format::boolean(), false,
-                                  "whether its class has a clock, now_ns(), for `sync: false`"},
-                                 {"simulator",
-                                  format::record("a simulator",
-                                                 {{"class", format::text("a C++ class template"),
-                                                   true, "class template over a model"},
-                                                  {"header", header_format(), false,
-                                                   "header beside the manifest"}}),
-                                  true, "what holds an object's state"}})},
-      {"engine_node", format::record("an engine node", common("engine_node") + cpp() + engines() +
-                                                           config() + node_ports(false))},
+       format::record(
+           "an engine", common("engine") + cpp() + packs() + config() + states() +
+                            Fields{{"runs", texts(), false,
+                                    "other engines whose implementations of objects it can run"},
+                                   {"asynchronous", format::boolean(), false,
+                                    "whether its class has a clock, now_ns(), for `sync: false`"},
+                                   {"simulator",
+                                    format::record("a simulator",
+                                                   {{"class", format::text("a C++ class template"),
+                                                     true, "class template over a model"},
+                                                    {"header", header_format(), false,
+                                                     "header beside the manifest"}}),
+                                    true, "what holds an object's state"}})},
+      {"engine_node",
+       format::record("an engine node", common("engine_node") + cpp() + packs() + engines() +
+                                            config() + node_ports(false))},
       {"engine_state",
        format::record("an engine state",
                       common("engine_state") + cpp() + engines() + config() + space_of_state())},
       {"object", format::record("an object", common("object") + config() + object_ports())},
       {"processor",
-       format::record("a processor", common("processor") + cpp() + config() +
+       format::record("a processor", common("processor") + cpp() + packs() + config() +
                                          Fields{{"input", space_format(Reference::accept, false),
                                                  false, "what it takes"},
                                                 {"output", space_format(Reference::accept, true),

@@ -1,5 +1,6 @@
 #include "generator/json/json.hpp"
 
+#include "generator/plan/packs.hpp"
 #include "generator/report/report.hpp"
 
 namespace eagerx::gen {
@@ -46,6 +47,8 @@ Json report_json(const PlanReport& report) {
                          {"output", plan.graph->nodes[ring.node].outputs[ring.output].name},
                          {"messages", ring.capacity},
                          {"bytes", ring.capacity * bytes_of(ring.space)}});
+  const std::string reason = why_no_packs(plan);
+  json["why_no_packs"] = reason.empty() ? Json(nullptr) : Json(reason);
   json["delays"] = Json::list();
   for (const auto& node : plan.graph->nodes) {
     for (const auto& input : node.inputs) {

@@ -22,6 +22,8 @@ PlanReport report_of(const Plan& plan);
 std::string plan_text(const PlanReport& report);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanReport& report);
+/// Whether target environments steps environments of the graph in packs.
+std::string packs_text(const Plan& plan);
 /// What the graph's task sees and gives; empty without one.
 std::string task_text(const Graph& graph);
 Json task_json(const Graph& graph);

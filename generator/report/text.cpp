@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "generator/plan/packs.hpp"
 #include "generator/report/report.hpp"
 
 namespace eagerx::gen {
@@ -72,6 +73,13 @@ std::string plan_text(const PlanReport& report) {
          fmt::format("{} buffers with room for {} messages, {} bytes\n", plan.rings.size(),
                      messages, bytes) +
          delays_text(*plan.graph);
+}
+
+std::string packs_text(const Plan& plan) {
+  const std::string reason = why_no_packs(plan);
+  return reason.empty()
+             ? "\nmany environments at once run in packs of SIMD lanes\n"
+             : fmt::format("\nmany environments at once run one by one, no packs: {}\n", reason);
 }
 
 std::string timing_text(const PlanReport& report) {

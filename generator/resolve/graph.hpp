@@ -231,6 +231,11 @@ struct Graph {
   }
 };
 
+/// Whether the classes of these also calculate with packs of numbers, as their manifests say for
+/// these parameters.
+bool runs_in_packs(const GraphNode& node);
+bool runs_in_packs(const Processor& processor);
+
 /// Where an input's messages come from, as the graph calls it: "pendulum.theta",
 /// "actions.voltage".
 std::string name_of_source(const Graph& graph, const Input& input);

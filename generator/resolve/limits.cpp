@@ -68,11 +68,21 @@ Span place_of(const Condition& condition, const Config& config, Span entity) {
   return entity;
 }
 
+void add_config(Facts& facts, const Config& config) {
+  for (const auto& item : config)
+    facts[item.parameter->name.value] = std::visit(FactOf{}, item.value);
+}
+
+bool runs_in_packs(const Entity& entity, const Config& config, Facts facts) {
+  if (entity.packs.empty()) return false;
+  add_config(facts, config);
+  return holds(entity.packs, facts).value_or(false);
+}
+
 void check(const Entity& entity, const Config& config, Facts facts, Span span,
            Diagnostics& diagnostics) {
   if (entity.requirements.empty()) return;
-  for (const auto& item : config)
-    facts[item.parameter->name.value] = std::visit(FactOf{}, item.value);
+  add_config(facts, config);
   for (const auto& requirement : entity.requirements) {
     if (holds(requirement.that, facts).value_or(true)) continue;
     auto& problem = diagnostics.error(
@@ -112,6 +122,13 @@ void check(const Object& object, Diagnostics& diagnostics) {
 }
 
 }  // namespace
+
+bool runs_in_packs(const GraphNode& node) {
+  return runs_in_packs(*node.entity, node.config, facts_of(node));
+}
+bool runs_in_packs(const Processor& processor) {
+  return runs_in_packs(*processor.entity, processor.config, facts_of(processor));
+}
 
 bool check_limits(const Processor& processor, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();

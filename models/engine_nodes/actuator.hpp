@@ -21,7 +21,7 @@ class Actuator {
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out,
                 Simulator& simulator) {
-    const Message action = in.action.empty() ? kDefault : in.action.back();
+    const Message action = in.action.back_or(kDefault);
     Derived::apply(simulator, action);
     out.action_applied = action;
   }

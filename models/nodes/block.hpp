@@ -29,7 +29,12 @@ inline constexpr std::size_t elements_of = size_of<typename PortMessage<Port>::t
 template <class Real, class Window>
 constexpr Real newest(const Window& window, std::size_t i,
                       const std::type_identity_t<Real>& otherwise = Real(0)) {
-  return window.empty() ? otherwise : static_cast<Real>(element(window.back(), i));
+  const auto empty = window.empty();
+  if constexpr (std::is_same_v<decltype(empty), const bool>) {
+    return empty ? otherwise : static_cast<Real>(element(window.back(), i));
+  } else {  // in each lane
+    return select(empty, otherwise, static_cast<Real>(element(window.back(), i)));
+  }
 }
 
 /// Element `i` of a message becomes `value`, in the message's type.

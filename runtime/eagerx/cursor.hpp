@@ -3,6 +3,7 @@
 // x = ceil(B · source rate · delay).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <eagerx/rate.hpp>
 #include <type_traits>
@@ -34,6 +35,9 @@ class FloorSequence {
   }
   constexpr std::int64_t value() const { return value_; }
 
+  template <std::int64_t, std::int64_t, std::size_t>
+  friend class FloorLanes;  // lanes.hpp
+
  private:
   // Below 2 B; half the instructions on a 32-bit core.
   using Rest = std::conditional_t<(B < (std::int64_t{1} << 30)), std::int32_t, std::int64_t>;
@@ -53,6 +57,9 @@ class DelayCursor {
     sent_.advance();
     return total < 1 ? 1 : static_cast<Seq>(total);
   }
+
+  template <std::int64_t, std::int64_t, std::size_t>
+  friend class DelayLanes;
 
  private:
   FloorSequence<A, B> sent_;
@@ -78,6 +85,9 @@ class SkipCursor {
     if (arriving > 0) total_ += static_cast<Seq>(arriving);
     return now;
   }
+
+  template <std::int64_t, std::int64_t, std::int64_t, std::size_t>
+  friend class SkipLanes;
 
  private:
   FloorSequence<A, B> sent_;

@@ -48,6 +48,8 @@ class Takeover {
         });
   }
 
+  void saw(bool is_finite) { seen_ = is_finite; }
+
   Action judge(Action action, std::uint64_t late_in_a_row) {
     const bool late = late_in_a_row >= kSafety.late;
     overruns_ += late;
@@ -151,6 +153,10 @@ class Guard {
   void see(const Observation& observation) {
     if constexpr (kTakesOver) takeover_.see(observation);
   }
+  /// The same of an observation that is finite, or not.
+  void saw(bool is_finite) {
+    if constexpr (kTakesOver) takeover_.saw(is_finite);
+  }
 
   /// What is applied in place of `action`. `late_in_a_row`: instants up to now that were later than
   /// `max_lateness`; without `safety:` nothing is too late.
@@ -188,6 +194,9 @@ class Guard {
     f("safe: action beyond its actuator", beyond_);
     if constexpr (!kTakesOver) f("safe: action out of limits", limits_);
   }
+
+  template <std::size_t>
+  friend class LaneGuard;
 
  private:
   /// Whether nothing needs to be done, which is one comparison where bounds are symmetric.

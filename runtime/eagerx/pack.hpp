@@ -63,7 +63,7 @@ struct SignedOf<8> {
 /// f(0), f(1), …, f(Count - 1). No loop: compilers keep arrays in registers only if they know every
 /// index from the start.
 template <std::size_t Count, class F>
-[[gnu::always_inline]] inline void unrolled(F&& f) {
+[[gnu::always_inline]] inline constexpr void unrolled(F&& f) {
   [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
     (f(std::integral_constant<std::size_t, I>{}), ...);
   }
@@ -125,7 +125,8 @@ struct Pack {
 
   Pack() = default;
   /// `x` in every lane. x - 0 is x for every x; x + 0 would lose the sign of -0.
-  [[gnu::always_inline]] Pack(T x) {  // NOLINT(google-explicit-constructor): numbers broadcast
+  [[gnu::always_inline]] constexpr Pack(
+      T x) {  // NOLINT(google-explicit-constructor): numbers broadcast
     detail::unrolled<kCount>([&](auto i) { v[i] = x - Vector{}; });
   }
   /// The numbers of another pack as T, lane by lane as `static_cast` does.
@@ -213,9 +214,17 @@ struct LaneTraits<Pack<T, N>> {
   static constexpr int kLanes = static_cast<int>(N);
 };
 
-/// Messages consist of packs as well as of numbers.
+template <std::size_t Bytes, std::size_t N>
+struct LaneTraits<Mask<Bytes, N>> {
+  using Lane = bool;
+  static constexpr int kLanes = static_cast<int>(N);
+};
+
+/// Messages consist of packs and masks as well as of numbers.
 template <class T, std::size_t N>
 inline constexpr bool is_number<Pack<T, N>> = true;
+template <std::size_t Bytes, std::size_t N>
+inline constexpr bool is_number<Mask<Bytes, N>> = true;
 
 /// `when_true` in the lanes where `mask` holds, `when_false` elsewhere; both are computed.
 template <class T, std::size_t N>

@@ -1,5 +1,5 @@
 // Many environments of one graph: their episodes, on all cores. Environment k has the same bits
-// alone, in any batch and on any number of threads.
+// alone, in a pack, in any batch and on any number of threads.
 #pragma once
 
 #include <targets/environments/eagerx_environments.h>
@@ -15,6 +15,7 @@
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/layout.hpp>
+#include <targets/environments/pack_memory.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/environments/task.hpp>
 #include <targets/environments/team.hpp>
@@ -49,14 +50,16 @@ class Batch {
  public:
   using Program = typename Graph::template Program<NoTrace>;
 
-  /// `options` are in range.
-  explicit Batch(const eagerx_options& options)
+  /// `options` are in range; `kernel` has lanes where environments can run in packs.
+  Batch(const eagerx_options& options, const PackKernel<Graph>& kernel)
       : size_(options.environments),
         longest_(options.longest),
         autoreset_(options.autoreset),
         episodes_(std::make_unique<Episode[]>(size_)),
         programs_(std::make_unique<Program[]>(size_)),
+        packs_(kernel, size_),
         team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
+    packs_.make_room(team_.size());
     if (target::is_real(programs_[0])) {
       throw Problem("engine `" + std::string(Graph::kEngine) +
                     "` moves real hardware, of which there is one: generate the library with "
@@ -83,7 +86,7 @@ class Batch {
   std::uint32_t size() const { return size_; }
 
   void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
-    each_block(resets_, [&](std::uint32_t first, std::uint32_t end) {
+    each_block(resets_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
       for (std::uint32_t k = first; k < end; ++k) {
         if (mask != nullptr && mask[k] == 0) continue;
         Episode& episode = episodes_[k];
@@ -104,8 +107,8 @@ class Batch {
 
   void step(const float* actions, const eagerx_rows& rows) {
     require_begun();
-    each_block(steps_, [&](std::uint32_t first, std::uint32_t end) {
-      step_block(first, end, actions, rows);
+    each_block(steps_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
+      step_block(first, end, member, actions, rows);
     });
     for (auto& [k, traces] : traces_) {
       if (traces.now) traces.now->hand_on();
@@ -162,7 +165,10 @@ class Batch {
     const auto add = [&](const char* name, std::uint64_t count) {
       if (count != 0) sums[name] += count;
     };
-    for (std::uint32_t k = 0; k < size_; ++k) target::for_each_fault(programs_[k], add);
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      if (episodes_[k].packed) packs_.store(k, programs_[k]);
+      target::for_each_fault(programs_[k], add);
+    }
     for (const auto& [k, traces] : traces_) {
       if (traces.now) target::for_each_fault(traces.now->program, add);
     }
@@ -180,6 +186,7 @@ class Batch {
     bool begun = false;
     bool ended = false;
     bool traced = false;
+    bool packed = false;  // in its lane of a pack, and not in its program
   };
 
   struct Traces {
@@ -190,23 +197,28 @@ class Batch {
   // Environments that a thread takes at a time: few, so that none waits for another's block.
   static constexpr std::uint32_t kBlocks = 64;
   static constexpr std::uint32_t kLargestBlock = 128;
-  std::uint32_t block() const { return std::clamp(size_ / kBlocks, 1U, kLargestBlock); }
+  std::uint32_t block() const {
+    const std::uint32_t wanted = std::clamp(size_ / kBlocks, 1U, kLargestBlock);
+    const std::uint32_t lanes = std::max(1U, packs_.lanes());
+    return (wanted + lanes - 1) / lanes * lanes;
+  }
   unsigned blocks() const { return (size_ + block() - 1) / block(); }
 
-  /// f(first, end) for all environments, by as many threads as the work is worth.
+  /// f(first, end, member of the team) for all environments, by as many threads as the work is
+  /// worth.
   template <class F>
   void each_block(Workload& workload, F&& f) {
     using Clock = std::chrono::steady_clock;
-    if (team_.size() == 1) return f(0U, size_);
+    if (team_.size() == 1) return f(0U, size_, 0U);
     const unsigned members = workload.members(team_.size());
     const auto start = Clock::now();
     std::atomic<std::uint32_t> next{0};
     const std::uint32_t block = members == 1 ? size_ : this->block();
-    team_.run(members, [&](unsigned) {
+    team_.run(members, [&](unsigned member) {
       for (;;) {
         const std::uint32_t first = next.fetch_add(block, std::memory_order_relaxed);
         if (first >= size_) return;
-        f(first, std::min(size_, first + block));
+        f(first, std::min(size_, first + block), member);
       }
     });
     const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
@@ -219,41 +231,78 @@ class Batch {
     return episodes_[k].traced ? f(traces_.find(k)->second.now->program) : f(programs_[k]);
   }
 
-  void step_block(std::uint32_t first, std::uint32_t end, const float* actions,
+  void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                   const eagerx_rows& rows) {
+    const std::uint32_t lanes = packs_.lanes();
+    if (lanes == 0) {
+      for (std::uint32_t k = first; k < end; ++k) step_alone(k, actions, rows);
+    } else {
+      for (; first < end; first += lanes)
+        step_pack(first, std::min(end, first + lanes), member, actions, rows);
+    }
+  }
+
+  void step_pack(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
+                 const eagerx_rows& rows) {
+    const std::size_t acted = layout_.actions.numbers();
+    bool any = false;
     for (std::uint32_t k = first; k < end; ++k) {
-      if (episodes_[k].ended) {
-        stay_or_begin(k, rows);
-      } else {
-        with(k, [&](auto& program) { step_one(k, program, actions, rows); });
+      if (episodes_[k].steps >= packs_.most_steps()) take_out(k);
+      if (!episodes_[k].packed) continue;
+      any = true;
+      packs_.action(member, k) = applied_action(programs_[k], layout_.action(actions + k * acted));
+    }
+    if (any) packs_.step(member, first);
+    for (std::uint32_t k = first; k < end; ++k) {
+      if (!episodes_[k].packed) {
+        step_alone(k, actions, rows);
+        continue;
       }
+      const PackColumn column = packs_.column(member, k);
+      packs_.show_guard(column, programs_[k]);
+      const Ends ends = write_outcome<Graph>(column, k, rows);
+      end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
+    }
+  }
+
+  void step_alone(std::uint32_t k, const float* actions, const eagerx_rows& rows) {
+    if (episodes_[k].ended) {
+      stay_or_begin(k, rows);
+    } else {
+      with(k, [&](auto& program) { step_one(k, program, actions, rows); });
     }
   }
 
   template <class AnyProgram>
   void step_one(std::uint32_t k, AnyProgram& program, const float* actions,
                 const eagerx_rows& rows) {
-    Episode& episode = episodes_[k];
     const std::size_t acted = layout_.actions.numbers();
-    const std::size_t observed = layout_.observations.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
+    const Ends ends = write_outcome<Graph>(program, k, rows);
+    end_step(k, ends, rows, [&](float* row) { layout_.write(observation, row); });
+  }
+
+  /// write(row) writes the observation of the step.
+  template <class Write>
+  void end_step(std::uint32_t k, Ends ends, const eagerx_rows& rows, Write&& write) {
+    Episode& episode = episodes_[k];
+    const std::size_t observed = layout_.observations.numbers();
     ++episode.steps;
-    Ends ends = write_outcome<Graph>(program, k, rows);
     ends.truncated = ends.truncated || (longest_ != 0 && episode.steps >= longest_);
     if (rows.terminated != nullptr) rows.terminated[k] = ends.terminated ? 1 : 0;
     if (rows.truncated != nullptr) rows.truncated[k] = ends.truncated ? 1 : 0;
     if (!ends.terminated && !ends.truncated) {
-      if (rows.observation != nullptr) layout_.write(observation, rows.observation + k * observed);
+      if (rows.observation != nullptr) write(rows.observation + k * observed);
       return;
     }
     if (autoreset_ == EAGERX_SAME_STEP) {
-      if (rows.final_observation != nullptr)
-        layout_.write(observation, rows.final_observation + k * observed);
+      if (rows.final_observation != nullptr) write(rows.final_observation + k * observed);
       ++episode.index;
       begin(k, rows.observation);
     } else {
-      if (rows.observation != nullptr) layout_.write(observation, rows.observation + k * observed);
+      if (rows.observation != nullptr) write(rows.observation + k * observed);
       episode.ended = true;
+      take_out(k);
     }
   }
 
@@ -272,6 +321,7 @@ class Batch {
       std::copy_n(set_next_.data() + k * numbers, numbers, set_now_.data() + k * numbers);
       std::fill_n(set_next_.data() + k * numbers, numbers, std::numeric_limits<float>::quiet_NaN());
     }
+    take_out(k);
     const EpisodeKey key = key_of(episode);
     const auto states = states_of(k);
     const auto observation = reset_program(k, key, states);
@@ -280,6 +330,15 @@ class Batch {
     episode.steps = 0;
     episode.begun = true;
     episode.ended = false;
+    if (packs_.lanes() == 0 || episode.traced) return;
+    packs_.load(k, programs_[k]);
+    episode.packed = true;
+  }
+
+  /// Back into its own program.
+  void take_out(std::uint32_t k) {
+    if (episodes_[k].packed) packs_.store(k, programs_[k]);
+    episodes_[k].packed = false;
   }
 
   typename Graph::Observation reset_program(std::uint32_t k, EpisodeKey key,
@@ -315,8 +374,9 @@ class Batch {
   std::uint32_t longest_;
   std::uint32_t autoreset_;
   bool all_begun_ = false;
-  std::unique_ptr<Episode[]> episodes_;    // [size_]
-  std::unique_ptr<Program[]> programs_;    // [size_]
+  std::unique_ptr<Episode[]> episodes_;  // [size_]
+  std::unique_ptr<Program[]> programs_;  // [size_]
+  PackMemory<Graph> packs_;
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;
   Workload resets_, steps_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <targets/environments/json.hpp>
 #include <targets/environments/layout.hpp>
+#include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/task.hpp>
 #include <type_traits>
 #include <vector>
@@ -139,9 +140,10 @@ std::string describe_task() {
   }
 }
 
-/// `generator`: the version that wrote the graph's code.
+/// `generator`: the version that wrote the graph's code. `kernel`: of the widest packs that this
+/// processor runs, or `why_not`.
 template <class Graph>
-std::string describe(const char* generator) {
+std::string describe(const char* generator, const PackKernel<Graph>& kernel, const char* why_not) {
   const std::string observations = describe_observations<Graph>();
   const std::string actions = describe_actions<Graph>();
   Json json;
@@ -150,8 +152,11 @@ std::string describe(const char* generator) {
   json.key("engine").text(Graph::kEngine);
   json.key("rate_hz").number(static_cast<double>(Graph::Rate::num) / Graph::Rate::den);
   const std::string contract = json.str() + observations + actions;
-  json.key("hash").text(hash_of(contract)).key("isa").text(instruction_set());
-  json.key("lanes").whole(1).key("why_no_lanes").text("environments run one by one");
+  const bool in_packs = kernel.lanes != 0;
+  json.key("hash").text(hash_of(contract));
+  json.key("isa").text(in_packs ? kernel.isa : instruction_set());
+  json.key("lanes").whole(in_packs ? kernel.lanes : 1);
+  if (!in_packs) json.key("why_no_lanes").text(why_not);
   return json.str() + ", \"observations\": " + observations + ", \"actions\": " + actions +
          ", \"states\": " + describe_states<Graph>() + ", \"task\": " + describe_task<Graph>() +
          "}";

@@ -60,7 +60,7 @@ uint32_t eagerx_version(void);
 
 /* JSON, valid as long as the library is loaded:
    {"version": 1, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
-    "isa": "x86-64", "lanes": 1, "why_no_lanes": "…", "threads": true,
+    "isa": "avx512", "lanes": 64,            of packs; else 1 and "why_no_lanes"
     "observations": [{"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": […], "high": […],
                       "first": 0}, …],   in the order of the columns; `first`: column of the first number; a window of
                                          w > 1 messages is the shape's first number; bounds that are infinite: null

@@ -15,6 +15,7 @@
 #include <targets/environments/batch.hpp>
 #include <targets/environments/describe.hpp>
 #include <targets/environments/json.hpp>
+#include <targets/environments/packs_of_processor.hpp>
 #include <targets/environments/problem.hpp>
 
 namespace eagerx::environments {
@@ -53,20 +54,23 @@ class RightFloats {
   bool changed_ = false;
 };
 
-template <class Graph>
+/// `packs` gives the functions of packs for so many environments.
+template <class Graph, PackKernel<Graph> (*packs)(std::uint32_t)>
 class Library {
  public:
   struct Environments {
-    explicit Environments(const eagerx_options& options) : batch(options) {}
+    explicit Environments(const eagerx_options& options)
+        : batch(options, packs(options.environments)) {}
     Batch<Graph> batch;
     std::atomic_flag busy;
     std::string counts;
   };
 
-  static const char* describe(const char* generator) {
+  static const char* describe(const char* generator, const char* why_no_packs) {
     const char* result = "";
     attempt([&] {
-      static const std::string text = environments::describe<Graph>(generator);
+      static const std::string text =
+          environments::describe<Graph>(generator, packs(EAGERX_ENVIRONMENTS_MOST), why_no_packs);
       result = text.c_str();
     });
     return result;

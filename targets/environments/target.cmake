@@ -16,6 +16,7 @@ function(eagerx_configure_target library)
     target_compile_options(eagerx_environments PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   endif()
   target_link_libraries(${library} PRIVATE eagerx_environments)
+  _eagerx_add_packs(${library})
   # Nobody puts another function in place of one of these.
   target_compile_options(${library} PRIVATE -fvisibility-inlines-hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   # Without a build type CMake would not optimise at all.
@@ -26,4 +27,58 @@ function(eagerx_configure_target library)
   file(CONFIGURE OUTPUT ${visible} CONTENT "{ global: @functions@; local: *; };\n" @ONLY)
   target_link_options(${library} PRIVATE -Wl,--version-script=${visible} -Wl,--no-undefined)
   set_target_properties(${library} PROPERTIES OUTPUT_NAME ${library}_environments)
+endfunction()
+
+# Packs of environments: main.cpp once more for each instruction set, of which the library chooses one when it runs.
+# Inline functions that several of these objects have would become one, and the linker could take the one that has
+# instructions which the processor lacks. So nothing can be seen of such an object but the one function that gives the
+# others: `ld -r` ends its groups of functions that are the same elsewhere, objcopy hides them.
+function(_eagerx_add_packs library)
+  get_target_property(sources ${library} SOURCES)
+  set(kinds plain)
+  target_compile_definitions(${library} PRIVATE EAGERX_WITH_PACKS)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND CMAKE_OBJCOPY AND CMAKE_LINKER AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+    list(APPEND kinds avx2 avx512)
+    target_compile_definitions(${library} PRIVATE EAGERX_WITH_X86_PACKS)
+  endif()
+  # GCC leaves functions on packs out of line that it would inline for plain numbers.
+  set(inline_flags -fno-gnu-unique)
+  foreach(limit max-inline-insns-single=3000 max-inline-insns-auto=3000 large-function-growth=3000 inline-unit-growth=1000
+                large-stack-frame=100000 large-stack-frame-growth=10000)
+    list(APPEND inline_flags --param=${limit})
+  endforeach()
+  set(flags_avx2 -mavx2)
+  set(flags_avx512 -mavx512f -mavx512bw -mavx512dq -mavx512vl)
+  # The sources are made once, however many targets wait for them.
+  set(stamps ${sources})
+  list(FILTER stamps INCLUDE REGEX "\\.stamp$")
+  add_custom_target(${library}.sources DEPENDS ${stamps})
+  add_dependencies(${library} ${library}.sources)
+  foreach(kind IN LISTS kinds)
+    set(object ${library}.packs_${kind})
+    add_library(${object} OBJECT EXCLUDE_FROM_ALL ${sources})
+    add_dependencies(${object} ${library}.sources)
+    set_target_properties(${object} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_definitions(${object} PRIVATE EAGERX_PACKS=eagerx_packs_${kind})
+    target_include_directories(${object} PRIVATE $<TARGET_PROPERTY:${library},INCLUDE_DIRECTORIES>)
+    target_link_libraries(${object} PRIVATE eagerx::runtime)
+    # Vectors are passed between functions of the object alone.
+    target_compile_options(${object} PRIVATE -Wall -Wextra -Wno-psabi -fno-exceptions -fno-rtti ${flags_${kind}})
+    # Loops over registers are only registers once they are unrolled and in one function: -O2 makes half of the speed.
+    target_compile_options(${object} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O3> $<$<CXX_COMPILER_ID:GNU>:${inline_flags}>)
+    set(hidden ${CMAKE_CURRENT_BINARY_DIR}/${object}.o)
+    if(kind STREQUAL plain)
+      target_link_libraries(${library} PRIVATE $<TARGET_OBJECTS:${object}>)
+      add_dependencies(${library} ${object})
+    else()
+      add_custom_command(
+        OUTPUT ${hidden}
+        COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${hidden}.whole $<TARGET_OBJECTS:${object}>
+        COMMAND ${CMAKE_OBJCOPY} --keep-global-symbol=eagerx_packs_${kind} ${hidden}.whole ${hidden}
+        DEPENDS ${object} $<TARGET_OBJECTS:${object}>
+        COMMAND_EXPAND_LISTS VERBATIM)
+      set_source_files_properties(${hidden} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
+      target_sources(${library} PRIVATE ${hidden})
+    endif()
+  endforeach()
 endfunction()

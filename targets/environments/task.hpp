@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <iterator>
+#include <targets/environments/pack_kernel.hpp>
 
 namespace eagerx::environments {
 
@@ -59,6 +60,19 @@ Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
     if (rows.success != nullptr) rows.success[k] = 0;
     return {};
   }
+}
+
+/// The same of a step in a pack.
+template <class Graph>
+Ends write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
+  if (rows.reward != nullptr) rows.reward[k] = has_task<Graph> ? column.end(kReward) : 0.0F;
+  const auto is_true = [&](PackColumns end) { return has_task<Graph> && column.end(end) != 0.0F; };
+  if (rows.success != nullptr) rows.success[k] = is_true(kSuccess) ? 1 : 0;
+  if (rows.terms != nullptr) {
+    for (std::size_t i = 0; i < terms_of<Graph>; ++i)
+      rows.terms[k * terms_of<Graph> + i] = column.end(kTerms + i);
+  }
+  return {is_true(kTerminated), is_true(kTruncated)};
 }
 
 /// The same where there was no step.

@@ -18,7 +18,7 @@ class ActionApplied {
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out,
                 Simulator& /*simulator*/) {
     using Message = std::remove_cvref_t<decltype(out.action_applied)>;
-    out.action_applied = in.action_applied.empty() ? Message{} : in.action_applied.back();
+    out.action_applied = in.action_applied.back_or(Message{});
   }
 };
 

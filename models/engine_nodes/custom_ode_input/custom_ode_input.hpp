@@ -9,23 +9,20 @@ namespace eagerx::models {
 /// OdeInput; at a reset that sets the state `delay` [s], that becomes the delay of `action`.
 /// Source: eagerx_dcsc_setups, pendulum/ode/engine_nodes.py.
 template <class Io>
-class CustomOdeInput {
+class CustomOdeInput : OdeInput<Io> {
  public:
   using Simulator = typename Io::Simulator;
 
   void reset(const typename Io::States& states, const typename Io::Delays& delays,
              Simulator& simulator) {
     if (states.delay) delays.action = static_cast<double>(*states.delay);
-    input_.reset(states, simulator);
+    OdeInput<Io>::reset(states, simulator);
   }
 
   void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out,
                 Simulator& simulator) {
-    input_.callback(tick, in, out, simulator);
+    OdeInput<Io>::callback(tick, in, out, simulator);
   }
-
- private:
-  OdeInput<Io> input_{};
 };
 
 }  // namespace eagerx::models

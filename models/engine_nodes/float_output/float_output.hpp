@@ -24,9 +24,7 @@ class FloatOutput {
     static_assert(kIndex < size_of<Source>,
                   "FloatOutput: `idx` is beyond the end of `observation_array`");
     element(out.observation, 0) =
-        in.observation_array.empty()
-            ? ScalarOf<Message>{}
-            : static_cast<ScalarOf<Message>>(element(in.observation_array.back(), kIndex));
+        static_cast<ScalarOf<Message>>(element(in.observation_array.back_or(Source{}), kIndex));
   }
 
  private:

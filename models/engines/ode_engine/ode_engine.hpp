@@ -57,7 +57,7 @@ class OdeEngine {
     auto x = simulator.state;
     for (int i = 0; i < Config::substeps; ++i) x = rk4_step(derivative, x, kStep);
     simulator.state = x;
-    if (!all_finite(x)) simulator.add_fault();
+    simulator.add_fault_if(!all_finite(x));
   }
 
   template <class Derivative, class Simulator>
@@ -66,7 +66,7 @@ class OdeEngine {
     constexpr Real kPeriod = static_cast<Real>(Io::Rate::period_s);
     constexpr auto kSettings = dopri5_settings<Real>();
     const auto outcome = dopri5(derivative, simulator.state, kPeriod, simulator.step_s, kSettings);
-    if (outcome != Dopri5Outcome::done) simulator.add_fault();
+    simulator.add_fault_if(outcome != Dopri5Outcome::done);
   }
 
   /// The configuration with odeint's meaning of 0, and tolerances that Real can resolve.
@@ -91,8 +91,8 @@ class OdeEngine {
   }
 
   template <class Real, std::size_t N>
-  static constexpr bool all_finite(const Array<Real, N>& x) {
-    bool finite = true;
+  static constexpr TruthOf<Real> all_finite(const Array<Real, N>& x) {
+    TruthOf<Real> finite = true;
     for (std::size_t i = 0; i < N; ++i) finite = finite && eagerx::isfinite(x[i]);
     return finite;
   }

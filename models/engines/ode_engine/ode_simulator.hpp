@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <eagerx/math/vocabulary.hpp>
 #include <limits>
 #include <models/engines/ode_engine/ode_model.hpp>
 
@@ -29,18 +30,19 @@ class OdeSimulator {
 
   /// Engine ticks that could not be integrated as asked, since the start of the program; saturates.
   /// See OdeEngine for what happens to the state.
-  std::uint32_t faults() const { return faults_; }
+  CountOf<Real> faults() const { return faults_; }
   /// f(name, count) for the summary.
   template <class F>
   void for_each_count(F&& f) const {
     f("integration faults", std::uint64_t{faults_});
   }
-  void add_fault() {
-    if (faults_ != std::numeric_limits<std::uint32_t>::max()) ++faults_;
+  void add_fault_if(TruthOf<Real> wrong) {
+    const CountOf<Real> most(std::numeric_limits<std::uint32_t>::max());
+    faults_ += one_if<Real>(wrong && faults_ != most);
   }
 
  private:
-  std::uint32_t faults_ = 0;
+  CountOf<Real> faults_{};
 };
 
 }  // namespace eagerx::models

@@ -7,6 +7,7 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <models/nodes/action_limits/per_element.hpp>
+#include <models/nodes/block.hpp>
 #include <type_traits>
 
 namespace eagerx::models {
@@ -22,17 +23,16 @@ class ActionLimits {
     using Result = std::remove_cvref_t<decltype(out.limited)>;
     static_assert(size_of<Result> == kSize,
                   "ActionLimits: `limited` must have as many elements as `action`");
-    bool changed = false;
+    TruthOf<Real> changed = false;
     for (std::size_t i = 0; i < kSize; ++i) {
-      const Real wanted =
-          in.action.empty() ? Real(0) : static_cast<Real>(element(in.action.back(), i));
-      const Real number = eagerx::isnan(wanted) ? Real(0) : wanted;
+      const Real wanted = newest<Real>(in.action, i);
+      const Real number = select(eagerx::isnan(wanted), Real(0), wanted);
       const Real limited = eagerx::clamp(number, value_for<Real>(Io::Config::low, i),
                                          value_for<Real>(Io::Config::high, i));
       changed = changed || limited != wanted;
       element(out.limited, i) = static_cast<ScalarOf<Result>>(limited);
     }
-    limited_ += changed && !in.action.empty();
+    limited_ += one_if<Real>(changed && !in.action.empty());
   }
 
   /// f(name, count) for each; they go on over episodes.
@@ -48,7 +48,7 @@ class ActionLimits {
   static_assert(is_one_or_each(Io::Config::low, kSize) && is_one_or_each(Io::Config::high, kSize),
                 "ActionLimits: `low` and `high` have one value, or one for each element");
 
-  std::uint64_t limited_ = 0;
+  CountOf<Real> limited_{};
 };
 
 }  // namespace eagerx::models

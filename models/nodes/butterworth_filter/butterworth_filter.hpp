@@ -59,7 +59,7 @@ class ButterworthFilter {
   void reset(const typename Io::States& /*states*/) { memory_ = {}; }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
-    const Message signal = in.signal.empty() ? Message{} : in.signal.back();
+    const Message signal = in.signal.back_or(Message{});
     for (std::size_t i = 0; i < kElements; ++i) {
       const auto sample = static_cast<Real>(element(signal, i));
       element(out.filtered, i) = static_cast<ScalarOf<Message>>(filter(sample, memory_[i]));

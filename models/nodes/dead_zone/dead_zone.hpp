@@ -19,7 +19,7 @@ class DeadZone {
     for (std::size_t i = 0; i < kSize; ++i) {
       const Real low = each<Real>(kLow, i);
       const Real high = each<Real>(kHigh, i);
-      const Real none = in.signal.empty() ? low : Real(0);
+      const Real none = select(TruthOf<Real>(in.signal.empty()), low, Real(0));
       const Real x = newest<Real>(in.signal, i, none);
       put(out.y, i, x - eagerx::clamp(x, low, high));
     }

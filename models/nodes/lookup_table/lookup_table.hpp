@@ -21,7 +21,8 @@ class LookupTable {
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     for (std::size_t i = 0; i < elements_of<decltype(out.y)>; ++i) {
-      put(out.y, i, in.signal.empty() ? Real(0) : value(newest<Real>(in.signal, i)));
+      const TruthOf<Real> missing = in.signal.empty();
+      put(out.y, i, select(missing, Real(0), value(newest<Real>(in.signal, i))));
     }
   }
 

@@ -21,13 +21,12 @@ class LookupTable2d {
     static_assert(elements_of<decltype(in.a)> == kSize && elements_of<decltype(in.b)> == kSize,
                   "LookupTable2d: `a` and `b` have the same number of elements");
     for (std::size_t i = 0; i < kSize; ++i) {
+      const Real a = newest<Real>(in.a, i);
+      const Real b = newest<Real>(in.b, i);
       Real y(0);
-      if (!in.a.empty() && !in.b.empty()) {
-        const Real a = newest<Real>(in.a, i);
-        const Real b = newest<Real>(in.b, i);
-        for (int k = 0; k < lanes<Real>; ++k) set_lane(y, k, value(lane(a, k), lane(b, k)));
-      }
-      put(out.y, i, y);
+      for (int k = 0; k < lanes<Real>; ++k) set_lane(y, k, value(lane(a, k), lane(b, k)));
+      const TruthOf<Real> missing = in.a.empty() || in.b.empty();
+      put(out.y, i, select(missing, Real(0), y));
     }
   }
 

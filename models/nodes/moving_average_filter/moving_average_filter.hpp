@@ -22,7 +22,7 @@ class MovingAverageFilter {
     static_assert(size_of<Result> == kElements,
                   "MovingAverageFilter: `filtered` must have as many elements as `signal`");
     constexpr auto kCount = static_cast<Real>(Io::Config::n);
-    const Message signal = in.signal.empty() ? Message{} : in.signal.back();
+    const Message signal = in.signal.back_or(Message{});
     for (std::size_t i = 0; i < kElements; ++i) {
       mean_[i] = ((kCount - Real(1)) * mean_[i] + static_cast<Real>(element(signal, i))) / kCount;
       element(out.filtered, i) = static_cast<ScalarOf<Result>>(mean_[i]);

@@ -22,8 +22,9 @@ class MovingMedian {
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     for (std::size_t i = 0; i < kSize; ++i) {
       Real y(0);
+      const Real x = newest<Real>(in.signal, i, Real(FloatFormat<LaneOf<Real>>::nan));
       for (int k = 0; k < lanes<Real>; ++k) {
-        if (!in.signal.empty()) take(i, k, lane(newest<Real>(in.signal, i), k));
+        take(i, k, lane(x, k));
         set_lane(y, k, median(i, k));
       }
       put(out.y, i, y);

@@ -17,7 +17,7 @@ template <class Io>
 class NanGuard {
  public:
   void reset(const typename Io::States& /*states*/) {
-    held_ = kHold;
+    held_ = Count(kHold);
     for (std::size_t i = 0; i < kSize; ++i) element(last_, i) = safe(i);
   }
 
@@ -25,17 +25,17 @@ class NanGuard {
     using Result = std::remove_cvref_t<decltype(out.guarded)>;
     static_assert(size_of<Result> == kSize,
                   "NanGuard: `guarded` must have as many elements as `signal`");
-    if (!in.signal.empty() && is_finite(in.signal.back())) {
-      last_ = in.signal.back();
-      held_ = 0;
-    } else if (held_ < kHold) {
-      ++held_;
-      ++replaced_;
-    } else {
-      for (std::size_t i = 0; i < kSize; ++i) element(last_, i) = safe(i);
-      replaced_ += !in.signal.empty();
-      safe_ += !in.signal.empty();
+    const Message signal = in.signal.back_or(filled<Message>(kNan));
+    const Truth right = is_finite(signal);
+    const Truth holds = !right && held_ < Count(kHold);
+    const Truth becomes_safe = !right && !holds && !in.signal.empty();
+    for (std::size_t i = 0; i < kSize; ++i) {
+      element(last_, i) =
+          select(right, element(signal, i), select(holds, element(last_, i), safe(i)));
     }
+    held_ = select(right, Count(0U), held_ + one_if<Scalar>(holds));
+    replaced_ += one_if<Scalar>(holds || becomes_safe);
+    safe_ += one_if<Scalar>(becomes_safe);
     for (std::size_t i = 0; i < kSize; ++i) {
       element(out.guarded, i) = static_cast<ScalarOf<Result>>(element(last_, i));
     }
@@ -51,25 +51,27 @@ class NanGuard {
  private:
   using Real = typename Io::Real;
   using Message = typename decltype(Io::Inputs::signal)::value_type;
+  using Scalar = ScalarOf<Message>;
+  using Truth = TruthOf<Scalar>;
+  using Count = CountOf<Scalar>;
   static constexpr std::size_t kSize = size_of<Message>;
   static constexpr auto kHold = static_cast<std::uint32_t>(Io::Config::hold);
+  static constexpr auto kNan = FloatFormat<LaneOf<Scalar>>::nan;
   static_assert(is_one_or_each(Io::Config::safe, kSize),
                 "NanGuard: `safe` has one value, or one for each element");
 
-  static ScalarOf<Message> safe(std::size_t i) {
-    return value_for<ScalarOf<Message>>(Io::Config::safe, i);
-  }
-  static bool is_finite(const Message& message) {
-    bool finite = true;
+  static Scalar safe(std::size_t i) { return value_for<Scalar>(Io::Config::safe, i); }
+  static Truth is_finite(const Message& message) {
+    Truth finite = true;
     for (std::size_t i = 0; i < kSize; ++i)
       finite = finite && eagerx::isfinite(element(message, i));
     return finite;
   }
 
   Message last_{};
-  std::uint32_t held_ = 0;
-  std::uint64_t replaced_ = 0;
-  std::uint64_t safe_ = 0;
+  Count held_{};
+  Count replaced_{};
+  Count safe_{};
 };
 
 }  // namespace eagerx::models

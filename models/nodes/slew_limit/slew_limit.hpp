@@ -8,6 +8,7 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <models/nodes/action_limits/per_element.hpp>
+#include <models/nodes/block.hpp>
 #include <type_traits>
 
 namespace eagerx::models {
@@ -25,14 +26,15 @@ class SlewLimit {
     using Result = std::remove_cvref_t<decltype(out.limited)>;
     static_assert(size_of<Result> == kSize,
                   "SlewLimit: `limited` must have as many elements as `signal`");
-    bool limited = false;
+    TruthOf<Real> limited = false;
     for (std::size_t i = 0; i < kSize; ++i) {
-      if (!in.signal.empty()) {
-        limited = follow(i, static_cast<Real>(element(in.signal.back(), i))) || limited;
-      }
+      // What has not come is like what is no number: it leaves the value as it is.
+      const Real wanted = newest<Real>(in.signal, i, Real(FloatFormat<LaneOf<Real>>::nan));
+      const TruthOf<Real> lags = follow(i, wanted);
+      limited = limited || (lags && !in.signal.empty());
       element(out.limited, i) = static_cast<ScalarOf<Result>>(value_[i]);
     }
-    limited_ += limited;
+    limited_ += one_if<Real>(limited);
   }
 
   /// f(name, count) for each; they go on over episodes.
@@ -50,23 +52,19 @@ class SlewLimit {
                 "SlewLimit: `per_second` and `initial` have one value, or one for each element");
 
   /// True if element `i` could not follow. A signal within reach is taken as it is, to the bit.
-  bool follow(std::size_t i, Real wanted) {
+  TruthOf<Real> follow(std::size_t i, Real wanted) {
     const Real step =
         value_for<Real>(Io::Config::per_second, i) * static_cast<Real>(Io::Rate::period_s);
-    if (eagerx::isnan(wanted)) return true;
-    if (wanted > value_[i] + step) {
-      value_[i] += step;
-    } else if (wanted < value_[i] - step) {
-      value_[i] -= step;
-    } else {
-      value_[i] = wanted;
-      return false;
-    }
-    return true;
+    const Real up = value_[i] + step;
+    const Real down = value_[i] - step;
+    const TruthOf<Real> within = !(wanted > up || wanted < down || eagerx::isnan(wanted));
+    const Real beyond = select(wanted > up, up, select(wanted < down, down, value_[i]));
+    value_[i] = select(within, wanted, beyond);
+    return !within;
   }
 
   std::array<Real, kSize> value_{};
-  std::uint64_t limited_ = 0;
+  CountOf<Real> limited_{};
 };
 
 }  // namespace eagerx::models

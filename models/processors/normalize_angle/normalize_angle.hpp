@@ -23,7 +23,7 @@ template <class Io>
 struct NormalizeAngle {
   static typename Io::Output convert(const typename Io::Input& in) {
     using Scalar = ScalarOf<typename Io::Output>;
-    static_assert(std::is_floating_point_v<Scalar>, "NormalizeAngle: angles are floating-point");
+    static_assert(Floating<Scalar>, "NormalizeAngle: angles are floating-point");
     typename Io::Output out{};
     for (std::size_t i = 0; i < size_of<typename Io::Input>; ++i) {
       const auto angle = static_cast<typename Io::Real>(element(in, i));

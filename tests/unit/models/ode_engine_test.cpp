@@ -50,7 +50,7 @@ TEST(OdeSimulator, IsZeroBytesBeforeAndDefaultsAfterReset) {
   simulator.state = {{1.0, 2.0}};
   simulator.input = {{3.0}};
   simulator.step_s = 4.0;
-  simulator.add_fault();
+  simulator.add_fault_if(true);
   simulator.reset();
   EXPECT_EQ(simulator.state, (Array<double, 2>{}));
   EXPECT_EQ(simulator.input, (Array<double, 1>{}));

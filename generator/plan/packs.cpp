@@ -1,0 +1,100 @@
+#include "generator/plan/packs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kMostNodes = 100;                       // one function holds all of them
+constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
+
+std::string why_not(const GraphNode& node) {
+  if (node.entity != nullptr && !runs_in_packs(node))
+    return fmt::format(
+        "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold", node.name,
+        node.entity->id.value);
+  const auto converts = [](const std::optional<Processor>& processor) {
+    return !processor || runs_in_packs(*processor);
+  };
+  const auto of = [](const std::optional<Processor>& processor, const std::string& where) {
+    return fmt::format(
+        "the processor of `{}` ({}) has no `packs: true` in its manifest, or its condition does "
+        "not hold",
+        where, processor->entity->id.value);
+  };
+  for (const auto& input : node.inputs) {
+    if (!converts(input.processor)) return of(input.processor, input.written);
+    if (input.window == 0)
+      return fmt::format("`{}` has `window: 0`, so lanes would get different numbers of messages",
+                         input.written);
+  }
+  for (const auto& output : node.outputs) {
+    if (!converts(output.processor)) return of(output.processor, node.name + "." + output.name);
+  }
+  return {};
+}
+
+/// Rates and delays.
+std::string why_not_in_time(const Plan& plan) {
+  const Graph& graph = *plan.graph;
+  const Rational& rate_hz = graph.environment().rate_hz;
+  for (const auto& node : graph.nodes) {
+    if ((node.rate_hz / rate_hz).is_integer()) continue;
+    return fmt::format("`{}` runs at {} Hz, no multiple of the environment's {} Hz", node.name,
+                       node.rate_hz.to_string(), rate_hz.to_string());
+  }
+  if (plan.schedule.form != ScheduleForm::constants) return "a step has too many slots";
+  // Its tick 0, at which it does nothing, is then in a reset.
+  if (graph.has_engine() && std::ranges::find(plan.before, Graph::kEngine) == plan.before.end())
+    return "the engine waits for actions";
+  for (const auto& node : plan.nodes) {
+    for (const auto& reception : node.receptions) {
+      if (reception.a >= kMostOfRatio || reception.b >= kMostOfRatio)
+        return "a ratio of rates is too large";
+    }
+  }
+  return {};
+}
+
+/// Messages are numbers of 32 bits, truth values or the engine's tick.
+std::string why_not_in_memory(const Plan& plan) {
+  for (const auto& ring : plan.rings) {
+    const GraphNode& node = plan.graph->nodes[ring.node];
+    const std::string name = node.name + "." + node.outputs[ring.output].name;
+    const Dtype raw = node.outputs[ring.output].raw.dtype;
+    const bool tick = node.role == NodeRole::engine && ring.capacity == 1;
+    for (const Dtype dtype : {ring.space.dtype, raw}) {
+      if (dtype != Dtype::float32 && dtype != Dtype::boolean && !tick)
+        return fmt::format("`{}` is {}", name, to_string(dtype));
+    }
+    if ((ring.capacity & (ring.capacity - 1)) != 0)
+      return fmt::format("the messages of `{}` are too long", name);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string why_no_packs(const Plan& plan) {
+  const Graph& graph = *plan.graph;
+  if (graph.asynchronous) return "`sync: false` reads inputs by the clock";
+  if (graph.placement) return "the graph is split";
+  if (graph.double_precision) return "`real: double`";
+  if (graph.has_reset_nodes()) return "the graph has reset nodes";
+  if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
+  for (const auto& node : graph.nodes) {
+    if (std::string reason = why_not(node); !reason.empty()) return reason;
+  }
+  for (const auto& item : graph.objects) {
+    if (!item.implementation->packs)
+      return fmt::format(
+          "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold",
+          item.name, item.entity->id.value);
+  }
+  if (std::string reason = why_not_in_time(plan); !reason.empty()) return reason;
+  return why_not_in_memory(plan);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,54 @@
+// The guard of actions on their way to the actuators of a pack of environments.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/guard.hpp>
+#include <eagerx/lanes.hpp>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/space.hpp>
+
+namespace eagerx {
+
+/// Guard::within() lane by lane, and what it counts. The rest of a guard stays with the
+/// environment's own program.
+template <std::size_t N>
+class LaneGuard {
+ public:
+  template <class Message>
+  Message within(const Space<Message>& space, const Message& message) {
+    using Real = ScalarOf<Message>;
+    TruthOf<Real> finite = true;
+    TruthOf<Real> contained = true;
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      const Real& x = element(message, i);
+      finite = finite && eagerx::isfinite(x);
+      contained = contained && x >= element(space.low, i) && x <= element(space.high, i);
+    }
+    Message result;
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      const Real& low = element(space.low, i);
+      const Real& high = element(space.high, i);
+      const Real x = select(finite, element(message, i), Real(0));
+      const Real raised = select(x >= low, x, low);
+      element(result, i) = select(raised > high, high, raised);
+    }
+    beyond_ += one_if<Real>(!(finite && contained));
+    return result;
+  }
+
+  template <class Limits>
+  void load(std::size_t lane, const Guard<Limits>& one) {
+    set_lane(beyond_, static_cast<int>(lane), one.beyond_);
+  }
+  template <class Limits>
+  void store(std::size_t lane, Guard<Limits>& one) const {
+    one.beyond_ = eagerx::lane(beyond_, static_cast<int>(lane));
+  }
+
+ private:
+  LaneCounts<N> beyond_{};
+};
+
+}  // namespace eagerx

@@ -1,0 +1,54 @@
+// What a batch does with packs of environments, compiled once for each instruction set.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/trace.hpp>
+
+namespace eagerx::environments {
+
+/// The functions of packs for one instruction set. Nothing but plain numbers and objects of the
+/// program for one environment passes through them, so that the rest of the library knows no
+/// vectors. Without lanes there are none.
+template <class Graph>
+struct PackKernel {
+  using Program = typename Graph::template Program<NoTrace>;
+  using Action = typename Graph::Action;
+
+  const char* isa = "";  // as EAGERX_PACKS names it
+  std::uint32_t lanes = 0;
+  std::size_t bytes = 0, alignment = 0;  // of a pack
+  std::size_t columns = 0;               // that step() writes, [columns][lanes]
+  std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
+  bool answers = false;                  // whether guards look at observations
+
+  /// No environment is in any lane.
+  void (*make)(void* pack) = nullptr;
+  void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
+  void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
+  /// `actions` [lanes] have gone through the guards. Columns: observations in the graph's order,
+  /// then those of PackColumns.
+  void (*step)(void* pack, const Action* actions, float* columns) = nullptr;
+};
+
+/// Columns behind the observations: truth values are 0 or 1.
+enum PackColumns : std::size_t {
+  kFinite,  // whether the observation is
+  kReward,
+  kTerminated,
+  kTruncated,
+  kSuccess,
+  kTerms  // and the weighted terms of the reward
+};
+
+/// What a step of a pack wrote of one environment.
+struct PackColumn {
+  const float* first = nullptr;
+  std::size_t lanes = 0;     // from one number to the next
+  std::size_t observed = 0;  // numbers of an observation
+
+  float number(std::size_t i) const { return first[i * lanes]; }
+  float end(std::size_t column) const { return number(observed + column); }
+};
+
+}  // namespace eagerx::environments

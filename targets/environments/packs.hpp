@@ -1,0 +1,84 @@
+// The functions of PackKernel, for the instruction set that this is compiled for.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/lanes.hpp>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <new>
+#include <targets/environments/pack_kernel.hpp>
+#include <targets/environments/task.hpp>
+#include <type_traits>
+
+namespace eagerx::environments {
+
+/// `Program` is the graph's over packs of `Lanes`, `Action` and `Observation` are its messages.
+template <class Graph, class Program, class Action, class Observation, std::size_t Lanes>
+class Packs {
+ public:
+  using Kernel = PackKernel<Graph>;
+
+  static void fill(Kernel& kernel) {
+    kernel.lanes = Lanes;
+    kernel.bytes = sizeof(Program);
+    kernel.alignment = alignof(Program);
+    kernel.columns = Observation::kNumbers + kTerms + terms_of<Graph>;
+    kernel.most_steps = kMostTicks / Program::kTicks;
+    kernel.answers = Program::kAnswers;
+    kernel.make = [](void* pack) { ::new (pack) Program{}; };
+    kernel.load = [](void* pack, std::uint32_t lane, const typename Kernel::Program& one) {
+      static_cast<Program*>(pack)->load(lane, one);
+    };
+    kernel.store = [](const void* pack, std::uint32_t lane, typename Kernel::Program& one) {
+      static_cast<const Program*>(pack)->store(lane, one);
+    };
+    kernel.step = step;
+  }
+
+ private:
+  using Real = Pack<float, Lanes>;
+  using Truth = typename Real::Truth;
+  static constexpr std::uint32_t kMostTicks = 2'000'000'000;  // below 2^31
+
+  static void step(void* pack, const typename Kernel::Action* actions, float* columns) {
+    Action action;
+    for (std::size_t k = 0; k < Lanes; ++k) action.load(k, actions[k]);
+    Program& program = *static_cast<Program*>(pack);
+    write(program.step(action), columns);
+    if constexpr (has_task<Graph>) {
+      const auto outcome = program.outcome();
+      float* const ends = columns + Observation::kNumbers * Lanes;
+      outcome.reward.store(ends + kReward * Lanes);
+      put(outcome.terminated, ends + kTerminated * Lanes);
+      put(outcome.truncated, ends + kTruncated * Lanes);
+      put(outcome.success, ends + kSuccess * Lanes);
+      for (std::size_t i = 0; i < terms_of<Graph>; ++i)
+        outcome.terms[i].store(ends + (kTerms + i) * Lanes);
+    }
+  }
+
+  static void write(const Observation& observation, float* columns) {
+    Truth finite = true;
+    observation.for_each([&](const char* /*name*/, const auto& window) {
+      using Message = typename std::remove_cvref_t<decltype(window)>::value_type;
+      for (std::uint32_t w = 0; w < window.size(); ++w) {
+        const Message message = window[w];
+        for (std::size_t i = 0; i < size_of<Message>; ++i, columns += Lanes) {
+          const auto& x = element(message, i);
+          put(x, columns);
+          if constexpr (std::is_same_v<ScalarOf<Message>, Real>)
+            finite = finite && eagerx::isfinite(x);
+        }
+      }
+    });
+    put(finite, columns + kFinite * Lanes);
+  }
+
+  static void put(const Real& x, float* column) { x.store(column); }
+  static void put(const Truth& truth, float* column) {
+    select(truth, Real(1), Real(0)).store(column);
+  }
+};
+
+}  // namespace eagerx::environments
