@@ -6,7 +6,7 @@
 #include <eagerx/rate.hpp>
 #include <eagerx/scene.hpp>
 
-namespace rendering {
+namespace drawn {
 
 /// The last `base` with the time since the reset and the last `u` [V], as numbers and as a bar.
 template <class Io>
@@ -34,4 +34,4 @@ class Overlay {
   static constexpr std::uint32_t kText = 0x3a4650;
 };
 
-}  // namespace rendering
+}  // namespace drawn
