@@ -28,6 +28,8 @@ class BlockView {
     view_.set("is_engine", is_engine);
     view_.set("tick", tick());
     view_.set("is_remote", !names_.runs(n_));
+    view_.set("is_drawn", node_.drawn);
+    view_.set("trace_argument", is_render(n_) ? ", trace" : "");
     view_.set("node", node_.name);
     view_.set("label", cpp_string(node_.name));
     view_.set("entity", node_.entity->id.value);
@@ -68,6 +70,8 @@ class BlockView {
     }
     view_["reached"] = std::move(reached);
   }
+
+  bool is_render(std::size_t n) const { return graph_.render && graph_.render->node == n; }
 
   View message(std::size_t output, const MessagePlace& place) const {
     View view = object();

@@ -38,10 +38,19 @@ class GraphView {
     add_policy();
     add_split();
     view_["task"] = outcome_view(plan_, names_);
+    view_["render"] = render_view();
     return std::move(view_);
   }
 
  private:
+  View render_view() const {
+    if (!graph_.render || !names_.runs(graph_.render->node)) return View(false);
+    View view = object();
+    view.set("place", names_.place(graph_.render->span));
+    view.set("rate_type", rate_type(graph_.nodes[graph_.render->node].rate_hz));
+    return view;
+  }
+
   std::string agent_name() const {
     switch (graph_.agent.kind) {
       case AgentSpec::Kind::zero:

@@ -3,6 +3,18 @@
 #include <fmt/format.h>
 
 namespace eagerx::gen {
+namespace {
+
+/// What only pictures need is in a member of its own.
+std::string within_drawing(const std::string& member) {
+  return "drawing_." + member;
+}
+
+}  // namespace
+
+bool is_drawn(const Plan& plan, const Ring& ring) {
+  return plan.graph->nodes[ring.node].drawn;
+}
 
 ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     : numbers(of),
@@ -18,12 +30,14 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     due.push_back("k" + rate_suffix(rate.rate_hz));
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
-  for (const char* taken : {"slot_", "due_", "kind_", "countdown_", "warm_", "started_",
-                            "resetting_", "reset_timeouts_", "refused_delays_", "arrivals_"})
+  for (const char* taken :
+       {"slot_", "due_", "kind_", "countdown_", "warm_", "started_", "resetting_",
+        "reset_timeouts_", "refused_delays_", "arrivals_", "drawing_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
     node_member.push_back(members.unique(snake(node.name) + "_"));
+    if (node.drawn) node_member.back() = within_drawing(node_member.back());
     const std::string owner = node.role == NodeRole::environment ? "action" : snake(node.name);
     sent.push_back(graph.asynchronous ? members.unique(owner + "_sent_") : "");
   }
@@ -41,6 +55,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
              (reader.inputs[*ring.reader_input].feedthrough ? "_feedthrough" : "");
     }
     ring_member.push_back(members.unique(name + "_"));
+    if (node.drawn) ring_member.back() = within_drawing(ring_member.back());
   }
   for (const auto& object : graph.objects) {
     simulator_type.push_back(type(camel(object.name) + "Simulator"));

@@ -78,6 +78,10 @@ struct ProgramNames {
   std::string file_name_;
 };
 
+/// Whether only pictures need what is in a ring; the names of its member and of its node's then
+/// begin with that of the member that has all of it.
+bool is_drawn(const Plan& plan, const Ring& ring);
+
 /// What the templates of one program are rendered with.
 View messages_view(const Plan& plan, const ProgramNames& names);
 /// Where headers are: those below `builtin_root` in angle brackets, others relative to `here`.

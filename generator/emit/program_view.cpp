@@ -157,33 +157,45 @@ class ProgramView {
     view_.set("observation_asks", asks);
   }
 
+  /// "drawing_.overlay_" as the struct itself calls it.
+  static std::string without_owner(const std::string& member) {
+    return member.substr(member.find('.') + 1);
+  }
+
   void add_memory() {
     View rings = list(), members = list(), counters = list();
+    View drawn_rings = list(), drawn_members = list();
     for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
       const Ring& ring = plan_.rings[r];
       if (!names_.has_ring(r)) continue;
       View item = object();
       item.set("type", names_.message(ring.space));
-      item.set("member", names_.ring_member[r]);
+      const bool drawn = is_drawn(plan_, ring);
+      item.set("member", drawn ? without_owner(names_.ring_member[r]) : names_.ring_member[r]);
       item.set("clock", names_.counter[plan_.nodes[ring.node].rate]);
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set(
           "comment",
           text_or_false(ring.needed > 1 ? fmt::format("{} needs {}", ring.why, ring.needed) : ""));
-      rings.push_back(item);
+      (drawn ? drawn_rings : rings).push_back(item);
     }
-    const auto add = [&](const std::string& type, const std::string& member) {
+    const auto add = [](View& to, const std::string& type, const std::string& member) {
       View item = object();
       item.set("type", type);
       item.set("member", member);
-      members.push_back(item);
+      to.push_back(item);
     };
     for (std::size_t i = 0; names_.has_engine() && i < graph_.objects.size(); ++i)
-      add(names_.simulator_type[i], names_.simulator_member[i]);
+      add(members, names_.simulator_type[i], names_.simulator_member[i]);
     for (const std::size_t n : nodes_in_order(plan_)) {
       if (!names_.runs(n)) continue;
       const Entity& entity = *graph_.nodes[n].entity;
-      add(fmt::format("{}<{}>", entity.cpp.name, names_.io[n]), names_.node_member[n]);
+      const std::string type = fmt::format("{}<{}>", entity.cpp.name, names_.io[n]);
+      if (graph_.nodes[n].drawn) {
+        add(drawn_members, type, without_owner(names_.node_member[n]));
+        continue;
+      }
+      add(members, type, names_.node_member[n]);
       if (entity.counts.empty()) continue;
       View item = object();
       item.set("node", graph_.nodes[n].name);
@@ -194,6 +206,12 @@ class ProgramView {
     view_["node_counts"] = std::move(counters);
     view_["rings"] = std::move(rings);
     view_["members"] = std::move(members);
+    view_["drawing"] = View(false);
+    if (!drawn_members.is_non_empty_list()) return;
+    View drawing = object();
+    drawing["drawn_rings"] = std::move(drawn_rings);
+    drawing["drawn_members"] = std::move(drawn_members);
+    view_["drawing"] = std::move(drawing);
   }
 
   const Plan& plan_;

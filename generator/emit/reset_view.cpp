@@ -91,6 +91,7 @@ class ResetView {
       }
       if (!delays.empty()) arguments.push_back(braced(delays));
       View reset = object();
+      reset.set("is_drawn", node.drawn);
       reset.set("call", fmt::format("{}.reset({}{})", names_.node_member[n], joined(arguments),
                                     simulator_argument(plan_, names_, n)));
       resets.push_back(reset);

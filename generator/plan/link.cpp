@@ -34,6 +34,7 @@ class LinkReader {
  private:
   void read(std::size_t reader) {
     const auto& nodes = plan_.graph->nodes;
+    if (nodes[reader].drawn) return;  // no part of a controller
     for (const Input& input : nodes[reader].inputs) {
       const GraphNode& source = nodes[input.source_node];
       if (is_behind_engine(source) == is_behind_engine(nodes[reader])) continue;

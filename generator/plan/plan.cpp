@@ -70,7 +70,9 @@ class Planner {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) {
       for (std::size_t o = 0; o < graph_.nodes[n].outputs.size(); ++o) {
         const Output& output = graph_.nodes[n].outputs[o];
-        plan_.channels.push_back({graph_.nodes[n].name + "/" + output.name, n, o});
+        // What only pictures need is left out of programs without pictures, and so of all traces.
+        if (!graph_.nodes[n].drawn)
+          plan_.channels.push_back({graph_.nodes[n].name + "/" + output.name, n, o});
         plan_.nodes[n].rings.push_back(plan_.rings.size());
         Ring ring;
         ring.node = n;

@@ -46,6 +46,7 @@ Buffers buffers_of(const Judged& judged) {
   const auto& rings = judged.plan.rings;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     if (placement && !placement->on_board[rings[r].node]) continue;
+    if (judged.graph.nodes[rings[r].node].drawn) continue;  // a board has none of them
     const std::uint64_t bytes = bytes_of_ring(judged, rings[r]);
     result.bytes += bytes;
     if (!result.largest || bytes_of_ring(judged, rings[*result.largest]) < bytes)

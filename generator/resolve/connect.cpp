@@ -251,8 +251,8 @@ class Connector {
       excused_.insert({Side::from, source.node, source.port});
       return;
     }
-    // A sensor's delay is that of who decides: a reward is about what is.
-    if (sink.node != draft_.task)
+    // A sensor's delay is that of who decides: a reward, or a picture, is about what is.
+    if (!draft_.is_added(sink.node))
       input.settings = overlay(input.settings, delay_of_sensor(connection));
     input.settings = overlay(input.settings, input.said);
     if (input.settings.processor && connection.settings.processor) {

@@ -90,7 +90,10 @@ struct Draft {
                                    // what follows from it is not said
   References safety = {};          // `$(safety KEY)`, in defaults of parameters
   std::optional<std::size_t> task = {};  // its node
+  std::optional<std::size_t> render = {};
 
+  /// A node that no entity of the graph is: what the generator itself adds.
+  [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }
   /// Whether a node, or the object that an engine node is of, has such a problem.
   [[nodiscard]] bool is_doubtful(const DraftNode& node) const;
 };
@@ -172,6 +175,7 @@ void add_engine(Draft& draft, const ResolveOptions& options);
 void add_nodes(Draft& draft);
 void add_objects(Draft& draft);
 void add_task(Draft& draft);       // its node
+void add_render(Draft& draft);     // its node
 void let_task_skip(Draft& draft);  // its inputs that wait for the action of the same tick
 void check_cycles(Draft& draft);
 void connect(Draft& draft);         // the user's connections; unconnected ports
@@ -181,6 +185,8 @@ void find_applied_spaces(Graph& graph);
 /// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
 /// steps, E0339 an expression.
 void resolve_task(Draft& draft);
+/// Whether the source of `render:` can be shown (E0360), and which nodes only pictures need.
+void resolve_render(Draft& draft);
 void resolve_states(Draft& draft);         // how states are drawn
 void resolve_reset_targets(Draft& draft);  // which states the reset nodes bring about
 /// `sync: false` (E0338 what does not go together with it).

@@ -123,6 +123,7 @@ struct GraphNode {
   std::vector<State> states;
   std::vector<ResetTarget> reset_targets;  // of a reset node; others have none
   bool waits_during_reset = false;         // needs the environment's actions, which a reset has not
+  bool drawn = false;                      // only pictures need it
   std::optional<std::size_t> object;       // engine nodes: whose
   Span span;
 
@@ -190,6 +191,13 @@ struct Task {
   enum Output : std::uint8_t { reward, terminated_output, truncated_output, success_output, term };
 };
 
+/// What a program shows: a node without outputs.
+struct Render {
+  std::size_t node = 0;
+  std::shared_ptr<const Entity> entity;
+  Span span;
+};
+
 /// What runs on a board, linked with the rest, which runs on Linux.
 struct Placement {
   const Target* board = nullptr;
@@ -209,6 +217,7 @@ struct Graph {
   std::vector<AppliedAction> applied;  // of each action
   std::optional<Placement> placement;  // without: one program
   std::optional<Task> task;
+  std::optional<Render> render;
   bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from

@@ -69,7 +69,7 @@ class Placer {
     const auto& nodes = draft_.nodes;
     std::vector<std::string> known = {"controller", "agent"};
     for (std::size_t n = 0; n < nodes.size(); ++n) {
-      if (nodes[n].node.role != NodeRole::node || n == draft_.task) continue;
+      if (nodes[n].node.role != NodeRole::node || draft_.is_added(n)) continue;
       known.push_back(nodes[n].node.name);
       // A node that is called so comes before the word.
       if (nodes[n].node.name != name) continue;
@@ -79,7 +79,8 @@ class Placer {
     if (name == "agent" || name == "controller") {
       placement_.on_board[Graph::kEnvironment] = true;
       for (std::size_t n = 0; name == "controller" && n < nodes.size(); ++n)
-        if (nodes[n].node.role == NodeRole::node && n != draft_.task) placement_.on_board[n] = true;
+        if (nodes[n].node.role == NodeRole::node && !draft_.is_added(n))
+          placement_.on_board[n] = true;
       return;
     }
     const bool simulated = name == "engine" || find_named(draft_.objects, name) != nullptr;

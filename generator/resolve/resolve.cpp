@@ -42,6 +42,11 @@ void check_names(Draft& draft) {
             .notes.push_back({"the task of the graph", spec.task->span, ""});
         draft.doubtful.insert(entity.name.value);
       }
+      if (spec.render && entity.name.value == kRender) {
+        draft.diagnostics.error("E0315", entity.name.span, "the name `render` is taken")
+            .notes.push_back({"what the graph shows", spec.render->span, ""});
+        draft.doubtful.insert(entity.name.value);
+      }
       if (std::ranges::find(kTaken, entity.name.value) != kTaken.end()) {
         draft.diagnostics
             .error("E0315", entity.name.span,
@@ -155,6 +160,7 @@ void drop_engine(Graph& graph) {
     for (auto& target : node.reset_targets) moved(target.node);
   }
   if (graph.task) moved(graph.task->node);
+  if (graph.render) moved(graph.render->node);
   if (!graph.placement) return;
   auto& on_board = graph.placement->on_board;
   on_board.erase(on_board.begin() + Graph::kEngine);
@@ -185,6 +191,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   add_nodes(draft);
   add_objects(draft);
   add_task(draft);
+  add_render(draft);
   connect(draft);
   let_task_skip(draft);
   resolve_states(draft);
@@ -194,6 +201,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   place_on_board(draft, options.placement.empty() ? spec.placement : options.placement);
   resolve_spaces(draft);
   resolve_task(draft);
+  resolve_render(draft);
   resolve_safety(draft);
   if (!diagnostics.has_errors()) find_applied_spaces(draft.graph);
   check_random_agent(draft);

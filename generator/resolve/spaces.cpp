@@ -79,7 +79,7 @@ class SpaceResolver {
     };
     const DraftInput* first = nullptr;
     for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
-      if (n == draft_.task) continue;  // it takes whatever comes
+      if (draft_.is_added(n)) continue;  // it takes whatever comes
       for (const auto& input : draft_.nodes[n].inputs) {
         if (!input.edge || input.edge->node != Graph::kEnvironment || input.edge->output != action)
           continue;

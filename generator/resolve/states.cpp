@@ -282,7 +282,7 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
 void resolve_states(Draft& draft) {
   for (std::size_t n = 0; n < draft.nodes.size(); ++n) {
     DraftNode& node = draft.nodes[n];
-    if (node.node.entity == nullptr || n == draft.task) continue;
+    if (node.node.entity == nullptr || draft.is_added(n)) continue;
     if (node.node.role == NodeRole::engine_node) {
       add_unnamed_states(node.node, {}, draft.diagnostics);
       continue;

@@ -315,6 +315,13 @@ const Format& graph_format() {
        {"agent", agent_format(), false, "what decides (default: zero)"},
        {"task", task_format(), false,
         "reward and end of an episode, for training and for measuring success"},
+       {"render",
+        format::record(
+            "`render`",
+            {{"source", format::port("a port such as `pendulum.scene` or `overlay.scene`"), true,
+              "what is shown: a sensor or an output with a scene, or with an image"},
+             rate_field(false, "pictures a second (default: the graph's rate)")}),
+        false, "what `--render` of a program shows; without it nothing is drawn"},
        {"safety", safety_format(), false,
         "which actions are safe, and when they take the agent's place"},
        {"placement",

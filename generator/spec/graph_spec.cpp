@@ -154,6 +154,20 @@ void read_task(const YamlValue::Entry& entry, GraphSpec& spec, Diagnostics& diag
   }
 }
 
+/// What is shown; its source becomes a connection, as an input of the task does.
+void read_render(const YamlValue::Entry& entry, GraphSpec& spec) {
+  RenderSpec render;
+  render.span = entry.key_span;
+  render.source = text_of(*entry.value.find("source"));
+  render.rate = optional_of<Rational>(entry.value, "rate", rational_of);
+  ConnectionSpec connection;
+  connection.span = entry.key_span;
+  connection.from = render.source;
+  connection.to = {fmt::format("{}.source", kRender), render.source.span};
+  spec.connections.push_back(std::move(connection));
+  spec.render = std::move(render);
+}
+
 }  // namespace
 
 SpaceSpec read_space(const YamlValue& yaml) {
@@ -243,6 +257,8 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   spec.safety = read_safety(root.find("safety"));
   const auto task = std::ranges::find(root.entries, kTask, &YamlValue::Entry::key);
   if (task != root.entries.end()) read_task(*task, spec, diagnostics);
+  const auto render = std::ranges::find(root.entries, kRender, &YamlValue::Entry::key);
+  if (render != root.entries.end()) read_render(*render, spec);
   spec.budget = value_at(root, "budget");
   if (const YamlValue* allow = root.find("allow")) {
     for (const auto& item : allow->items) spec.allow.push_back(text_of(item));

@@ -8,6 +8,7 @@
 #include "generator/read/rational.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/spec/format.hpp"
+#include "generator/spec/render_spec.hpp"
 #include "generator/spec/settings.hpp"
 #include "generator/spec/task_spec.hpp"
 
@@ -108,7 +109,8 @@ struct GraphSpec {
   std::vector<ConnectionSpec> connections;
   AgentSpec agent;
   std::optional<SafetySpec> safety;
-  std::optional<TaskSpec> task;  // its inputs are among the connections
+  std::optional<TaskSpec> task;      // its inputs are among the connections
+  std::optional<RenderSpec> render;  // its source is among the connections
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
   std::vector<Spanned<std::string>> allow;  // codes of warnings

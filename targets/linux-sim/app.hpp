@@ -19,6 +19,7 @@
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/split.hpp>
 #include <targets/linux-sim/state_record.hpp>
 #include <targets/linux-sim/state_settings.hpp>
@@ -143,6 +144,34 @@ inline std::string place_of(const Summary& summary) {
          std::to_string(summary.episodes) + ", counted from 1; files are complete up to there";
 }
 
+/// What `--render` wants; empty, or what is wrong.
+template <class Graph>
+std::string open_pictures(const Options& options) {
+  if constexpr (requires { Graph::kRenders; }) {
+    return pictures_of_run.open(options.rendering, Graph::kName,
+                                text_of_rate<typename Graph::RenderRate>());
+  } else if (!options.rendering.to.empty()) {
+    return "error: this program has nothing to show\nhelp: write it into the graph, such as "
+           "`render: {source: OBJECT.scene}`, and generate the program again";
+  }
+  return {};
+}
+/// Finishes them, and tells what they were.
+template <class Graph>
+std::string close_pictures(Summary& summary) {
+  if constexpr (requires { Graph::kRenders; }) {
+    if (pictures_of_run.is_on()) {
+      summary.more.emplace_back("pictures", std::to_string(pictures_of_run.count()));
+      std::string hash = hash_line(pictures_of_run.hash());
+      hash = hash.substr(hash.find("0x"), 18);
+      summary.more.emplace_back("hash of the pictures", hash);
+    }
+    return pictures_of_run.close();
+  } else {
+    return static_cast<void>(summary), std::string();
+  }
+}
+
 /// Runs with everything checked and read; writes files and summary.
 template <class Graph>
 int run_with(const Options& options, const ActionTable<Graph>& table,
@@ -160,6 +189,8 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     keep_earlier_files(csv, trace);
     return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
   }
+  if (const std::string problem = open_pictures<Graph>(options); !problem.empty())
+    return keep_earlier_files(csv, trace), fail(problem, kBadUsage);
   const std::string_view agent = target::name_of(options.agent);
 
   Watch<Graph> watch(options, settings, csv, trace, link);
@@ -199,6 +230,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     summary.faults.emplace_back(name, count);
   });
   watch.finish(summary);
+  const std::string problem_of_pictures = close_pictures<Graph>(summary);
   std::string broken;
   if constexpr (is_split<Graph>) {
     link::Report report;
@@ -219,6 +251,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   if (options.hash && broken.empty() && is_right) text += hash_line(hash);
   const bool printed = text.empty() || print(out, text);
   if (!broken.empty()) fail(broken + "\n" + place_of(summary), kBadFile);
+  if (!problem_of_pictures.empty()) fail(problem_of_pictures, kBadFile);
   if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
   if (watch.left_space())
     fail("error: " + spaces_of_run<Graph>.first() + "\n" + place_of(summary), kLeftSpace);
@@ -226,6 +259,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   if (!broken.empty()) return kBadFile;
   if (!is_right) return kSelfTestFailed;
   if (watch.left_space()) return kLeftSpace;
+  if (!problem_of_pictures.empty()) return kBadFile;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;
 }
 
@@ -310,7 +344,9 @@ int run(int argc, char** argv) {
   if (const auto* wrong = std::get_if<UsageError>(&parsed)) {
     return fail("error: " + wrong->problem + "\nhelp: " + wrong->help, kBadUsage);
   }
-  const Options& options = *std::get_if<Options>(&parsed);
+  Options options = *std::get_if<Options>(&parsed);
+  // Somebody looks on, so time goes as it does.
+  if (options.rendering.to == "window" && !options.real_time_given) options.real_time_factor = 1.0;
   if (options.help) return show_help<Graph>(argv[0], defaults);
   if (options.version) {
     const std::string text = std::string(Graph::kName) + " on " + Graph::kEngine + ", eagerx-gen " +

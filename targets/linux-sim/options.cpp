@@ -94,7 +94,20 @@ bool set_real_time_factor(Options& options, std::string_view value) {
   if (!parse_number(value, 0.0, factor) || factor > kFastest) return false;
   if (factor > 0.0 && factor < kSlowest) return false;
   options.real_time_factor = factor;
+  options.real_time_given = true;
   return true;
+}
+bool set_render(Options& options, std::string_view value) {
+  options.rendering.to = value;
+  return !value.empty();
+}
+bool set_size(Options& options, std::string_view value) {
+  constexpr int kLeast = 16, kMost = 4096;
+  const std::size_t x = value.find('x');
+  Rendering& to = options.rendering;
+  return x != std::string_view::npos && parse_number(value.substr(0, x), kLeast, to.width) &&
+         parse_number(value.substr(x + 1), kLeast, to.height) && to.width <= kMost &&
+         to.height <= kMost;
 }
 bool set_link(Options& options, std::string_view value) {
   options.link = value;
@@ -191,6 +204,11 @@ constexpr std::array kOptions{
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
+    Option{"--render", "TO", "`window`, a film, pictures such as `frames/%04d.png`, or `hash`",
+           "show what the graph's `render:` says: window, FILM.mp4, frames/%04d.png, or hash",
+           set_render},
+    Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
+           "size of the pictures in pixels (480x480)", set_size},
     Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
            "where the board is: a serial line (ours alone), HOST:PORT or unix:PATH", set_link,
            true},
@@ -219,9 +237,10 @@ constexpr std::array kOptions{
 };
 
 /// The first option does nothing without the second.
-constexpr std::array<std::array<std::string_view, 2>, 7> kNeeds{{
+constexpr std::array<std::array<std::string_view, 2>, 8> kNeeds{{
     {"--csv-states", "--csv"},
     {"--trace-time", "--trace"},
+    {"--size", "--render"},
     {"--replay-given", "--replay"},
     {"--identify-out", "--identify"},
     {"--identify-sensors", "--identify"},
@@ -230,9 +249,9 @@ constexpr std::array<std::array<std::string_view, 2>, 7> kNeeds{{
 }};
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
-constexpr std::array<std::string_view, 10> kNotWithLogs{
-    "--set",   "--until", "--measure",  "--summary",     "--csv",
-    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor"};
+constexpr std::array<std::string_view, 11> kNotWithLogs{
+    "--set",  "--until",    "--measure",     "--summary",          "--csv",   "--trace",
+    "--seed", "--episodes", "--environment", "--real-time-factor", "--render"};
 
 std::string nearest_option(std::string_view name) {
   constexpr std::size_t kLongestTypo = 3;

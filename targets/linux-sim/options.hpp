@@ -21,6 +21,12 @@ inline constexpr int kBadFile = 3;
 
 inline constexpr std::uint32_t kDefaultBaud = 115'200;
 
+/// What `--render` and `--size` say.
+struct Rendering {
+  std::string to;  // `window`, `hash`, a film or files; empty: nothing is shown
+  int width = 480, height = 480;
+};
+
 struct Options {
   target::RunPlan plan;
   target::Agent agent = target::Agent::zero;
@@ -37,6 +43,8 @@ struct Options {
   double identify_horizon_s = 0.5;
   double identify_delay_s = 0.1;
   double real_time_factor = 0.0;
+  bool real_time_given = false;
+  Rendering rendering;
   bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
   std::string link;
   std::uint32_t baud = kDefaultBaud;

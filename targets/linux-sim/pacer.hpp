@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <eagerx/safety.hpp>
 
@@ -53,6 +54,17 @@ class PacerOn {
     late_in_a_row_ = now - due_ns_ > max_lateness_ns_ ? late_in_a_row_ + 1 : 0;
   }
 
+  /// Time has stood still for so long.
+  void pause(std::int64_t ns) { start_ns_ += ns; }
+  /// 2^`power` times as fast as it was told, from step `n` on.
+  void set_speed(std::uint64_t n, int power) {
+    if (power == speed_) return;
+    const double period_ns = period_ns_ * std::ldexp(1.0, speed_ - power);
+    start_ns_ += static_cast<std::int64_t>(static_cast<double>(n) * (period_ns_ - period_ns));
+    period_ns_ = period_ns;
+    speed_ = power;
+  }
+
   std::int64_t start_ns() const { return start_ns_; }
   std::uint64_t overruns() const { return overruns_; }
   /// Steps in a row that were too late, now that the latest action is about to be applied.
@@ -71,6 +83,7 @@ class PacerOn {
 
   double period_ns_;
   std::int64_t max_lateness_ns_;
+  int speed_ = 0;
   std::int64_t start_ns_ = 0;
   std::int64_t due_ns_ = 0;  // of the latest instant
   std::int64_t worst_ns_ = 0;

@@ -15,7 +15,14 @@ function(eagerx_configure_target executable)
     # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
     target_compile_options(eagerx_linux_sim PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
   endif()
-  target_link_libraries(${executable} PRIVATE eagerx_linux_sim)
+  # A library of its own: nothing of it is in the program of a graph that shows nothing.
+  if(NOT TARGET eagerx_pictures)
+    set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/pictures)
+    add_library(eagerx_pictures STATIC EXCLUDE_FROM_ALL ${here}/film.cpp ${here}/pictures.cpp ${here}/png.cpp ${here}/window.cpp)
+    target_link_libraries(eagerx_pictures PUBLIC eagerx_linux_sim ${CMAKE_DL_LIBS})
+    target_compile_options(eagerx_pictures PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
+  endif()
+  target_link_libraries(${executable} PRIVATE eagerx_pictures eagerx_linux_sim)
   # Without a build type CMake would not optimise at all.
   target_compile_options(${executable} PRIVATE -Wall -Wextra $<$<CONFIG:>:-O2>)
 endfunction()

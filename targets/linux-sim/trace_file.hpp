@@ -12,6 +12,7 @@
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
@@ -20,7 +21,7 @@ namespace eagerx::linux_sim {
 /// No trace, but messages out of their spaces are counted, and a reset that waits ends when there
 /// was a signal, or a stop.
 template <class Graph>
-struct Untraced : NoTrace {
+struct Untraced : NoTrace, Shows<Graph> {
   static bool is_interrupted() { return stop_if_told(), interrupted(); }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
@@ -31,7 +32,7 @@ struct Untraced : NoTrace {
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
 /// compares them with a log or takes them from it.
 template <class Graph>
-class TraceRecorder {
+class TraceRecorder : public Shows<Graph> {
  public:
   static constexpr bool kSimulators = true;
   using Text = TraceText<Graph, TextFile>;

@@ -10,6 +10,7 @@
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
 #include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/split.hpp>
@@ -71,6 +72,9 @@ class Watch {
   bool is_over() const { return measures_of_run.is_over(); }
   bool go_on() const {
     stop_if_told();
+    if constexpr (requires { Graph::kRenders; }) {
+      if (pictures_of_run.ends_run()) return false;
+    }
     return !interrupted() && !csv_.failed() && !trace_.failed() && !left_space();
   }
 
@@ -103,6 +107,10 @@ class Watch {
     hand_on(step == steps_an_episode_ || is_over() || target::has_ended(outcome) ||
             pacer_.is_slow());
     progress_.step(steps_);
+    if constexpr (requires { Graph::kRenders; }) {
+      pacer_.pause(pictures_of_run.take_paused_ns());
+      pacer_.set_speed(step, pictures_of_run.speed());
+    }
     if (pacer_.paces()) pacer_.wait_for(step);
   }
 

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <eagerx/picture.hpp>
+#include <filesystem>
+#include <memory>
+#include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/pictures/film.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
+#include <targets/linux-sim/pictures/png.hpp>
+#include <targets/linux-sim/pictures/window.hpp>
+#include <vector>
+
+namespace eagerx::linux_sim {
+namespace {
+
+constexpr int kWidest = 4096;
+
+/// `frames/%04d.png` with the number of the picture in it; without a `%` one file for the last.
+struct FileNames {
+  std::string before, after;
+  int digits = 0;
+  bool numbered = false;
+
+  std::string of(std::uint64_t number) const {
+    if (!numbered) return before;
+    std::string text = std::to_string(number);
+    if (static_cast<int>(text.size()) < digits)
+      text.insert(0, static_cast<std::size_t>(digits) - text.size(), '0');
+    return before + text + after;
+  }
+};
+
+/// False if there is something else than one %d, or one such as %04d.
+bool read_names(const std::string& path, FileNames& names) {
+  const std::size_t percent = path.find('%');
+  names.before = path.substr(0, percent);
+  if (percent == std::string::npos) return true;
+  const std::size_t end = path.find_first_not_of("0123456789", percent + 1);
+  if (end == std::string::npos || path[end] != 'd' || end - percent > 3) return false;
+  const std::string digits = path.substr(percent + 1, end - percent - 1);
+  names.digits = digits.empty() ? 0 : std::stoi(digits);
+  names.numbered = true;
+  names.after = path.substr(end + 1);
+  return names.after.find('%') == std::string::npos;
+}
+
+/// All that needs memory; made when there is something to show.
+struct Studio {
+  picture::Painter<kWidest> painter{};
+  std::vector<std::uint8_t> pixels;
+  int width = 0, height = 0;
+  bool to_files = false, to_film = false, to_window = false;
+  FileNames names;
+  Film film;
+  Window window;
+  std::string problem;  // the first
+};
+std::unique_ptr<Studio> studio;
+
+bool is_film(const std::string& path) {
+  constexpr std::array kEndings = {".mp4", ".mkv", ".mov", ".webm", ".gif", ".avi"};
+  return std::any_of(kEndings.begin(), kEndings.end(),
+                     [&](const char* ending) { return path.ends_with(ending); });
+}
+
+void write_png(const std::string& path) {
+  const std::string png = png_of(studio->pixels.data(), studio->width, studio->height);
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  bool good = file != nullptr;
+  if (good) good = std::fwrite(png.data(), 1, png.size(), file) == png.size();
+  if (file != nullptr && std::fclose(file) != 0) good = false;
+  if (good) return;
+  studio->problem = "error: cannot write `" + path + "`: " + std::strerror(errno);
+  if (file != nullptr) std::remove(path.c_str());
+}
+
+std::string open_files(const std::string& path) {
+  if (!read_names(path, studio->names))
+    return "error: `" + path +
+           "` is no name of pictures\nhelp: write one `%d` or such as `%04d` "
+           "where their numbers are to stand";
+  studio->to_files = true;
+  const auto folder = std::filesystem::path(path).parent_path();
+  std::error_code error;
+  if (!folder.empty()) std::filesystem::create_directories(folder, error);
+  return error ? "error: cannot make `" + folder.string() + "`: " + error.message() : std::string();
+}
+
+}  // namespace
+
+std::string Pictures::open(const Rendering& wanted, const std::string& title,
+                           const std::string& rate) {
+  if (wanted.to.empty()) return {};
+  studio = std::make_unique<Studio>();
+  studio->width = wanted.width;
+  studio->height = wanted.height;
+  studio->pixels.resize(static_cast<std::size_t>(wanted.width) *
+                        static_cast<std::size_t>(wanted.height) * 3);
+  std::string problem;
+  if (wanted.to == "window") {
+    studio->to_window = true;
+    problem = studio->window.open(title, wanted.width, wanted.height);
+  } else if (is_film(wanted.to)) {
+    studio->to_film = true;
+    problem = studio->film.open(wanted.to, wanted.width, wanted.height, rate);
+  } else if (wanted.to.ends_with(".png")) {
+    problem = open_files(wanted.to);
+  } else if (wanted.to != "hash") {
+    problem = "error: `" + wanted.to +
+              "` is not a value of `--render`\nhelp: it is `window`, a film "
+              "such as `film.mp4`, pictures such as `frames/%04d.png`, or `hash`";
+  }
+  is_on_ = problem.empty();
+  return problem;
+}
+
+bool Pictures::has_window() const {
+  return studio && studio->to_window;
+}
+
+void Pictures::show_scene(const float* scene, std::size_t rows) {
+  studio->painter.paint(scene, rows, {studio->pixels.data(), studio->width, studio->height, 3});
+  hand_on();
+}
+
+/// The nearest pixel of an image of another size.
+void Pictures::show_image(const std::uint8_t* image, int width, int height, int channels) {
+  std::uint8_t* to = studio->pixels.data();
+  for (int y = 0; y < studio->height; ++y) {
+    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y) * height / studio->height * width;
+    for (int x = 0; x < studio->width; ++x, to += 3) {
+      const std::uint8_t* const from =
+          image + (row + static_cast<std::ptrdiff_t>(x) * width / studio->width) * channels;
+      for (int c = 0; c < 3; ++c) to[c] = from[channels == 1 ? 0 : c];
+    }
+  }
+  hand_on();
+}
+
+void Pictures::hand_on() {
+  const std::vector<std::uint8_t>& pixels = studio->pixels;
+  for (std::size_t i = 0; i < pixels.size(); i += 8) {
+    std::uint64_t word = 0;
+    for (std::size_t k = 0; k < 8 && i + k < pixels.size(); ++k)
+      word |= std::uint64_t{pixels[i + k]} << (8 * k);
+    const std::uint64_t h = (hash_ ^ word) * 0x9e3779b97f4a7c15U;
+    hash_ = h ^ h >> 32U;
+  }
+  if (!studio->problem.empty()) return;
+  if (studio->to_files && studio->names.numbered) write_png(studio->names.of(count_));
+  if (studio->to_film && !studio->film.write(pixels.data(), pixels.size())) ends_run_ = true;
+  ++count_;
+  if (!studio->problem.empty()) ends_run_ = true;
+  if (studio->to_window) look_at_window();
+}
+
+void Pictures::look_at_window() {
+  constexpr int kWaitMs = 20;
+  constexpr int kFastest = 6;
+  studio->window.show(studio->pixels.data());
+  const std::int64_t begin_ns = now_ns();
+  bool waited = false;
+  for (;;) {
+    const Wishes wishes = studio->window.wishes(paused_ ? kWaitMs : 0);
+    ends_run_ = ends_run_ || wishes.ends;
+    if (wishes.pauses) paused_ = !paused_;
+    speed_ = std::clamp(speed_ + wishes.speeds, -kFastest, kFastest);
+    if (!paused_ || ends_run_ || interrupted()) break;
+    waited = true;
+    if (wishes.steps) break;
+  }
+  if (waited) paused_ns_ += now_ns() - begin_ns;
+}
+
+std::int64_t Pictures::take_paused_ns() {
+  const std::int64_t paused_ns = paused_ns_;
+  paused_ns_ = 0;
+  return paused_ns;
+}
+
+std::string Pictures::close() {
+  if (!studio) return {};
+  if (studio->to_files && !studio->names.numbered && count_ > 0 && studio->problem.empty())
+    write_png(studio->names.of(0));
+  std::string problem = studio->problem;
+  if (studio->to_film) {
+    const std::string film = studio->film.finish();
+    if (problem.empty()) problem = film;
+  }
+  studio.reset();
+  is_on_ = false;
+  return problem;
+}
+
+}  // namespace eagerx::linux_sim
