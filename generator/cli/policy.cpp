@@ -17,13 +17,14 @@ std::optional<Network> read(Run& run, const Options& options) {
   PolicyRequest request;
   request.path = request.name = options.policy;
   request.normalize_path = request.normalize_name = options.normalize;
-  if (!options.activation.empty()) {
-    request.activation = activation_of(options.activation);
-    if (!request.activation) {
-      run.diagnostics.error("E0303", {},
-                            fmt::format("unknown activation `{}`", options.activation));
-      return std::nullopt;
-    }
+  for (const auto& [name, said] :
+       {std::pair{&options.activation, &request.context.activation},
+        std::pair{&options.output_activation, &request.context.output_activation}}) {
+    if (name->empty()) continue;
+    *said = activation_of(*name);
+    if (*said) continue;
+    run.diagnostics.error("E0303", {}, fmt::format("unknown activation `{}`", *name));
+    return std::nullopt;
   }
   return read_policy(request, run.diagnostics);
 }

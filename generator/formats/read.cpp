@@ -64,9 +64,10 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
     return refuse(problem, "E0603", fmt::format("is {}", other), kKnownFormats);
   }
   auto network = read_onnx(bytes, problem);
-  if (network && context.activation) {
+  if (network && (context.activation || context.output_activation)) {
     return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
-                  "leave the graph's `activation` out");
+                  fmt::format("leave the graph's `{}` out",
+                              context.activation ? "activation" : "output_activation"));
   }
   // The reader of ONNX is the last one: what it does not know, nobody knows.
   if (!network && problem.code == "E0603") problem = none_of_the_formats();
@@ -147,8 +148,8 @@ std::optional<Network> read_policy_bytes(std::string_view bytes, const std::stri
 std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics) {
   const auto bytes = read_bytes(request.path, request.name, request.span, "policy", diagnostics);
   if (!bytes) return std::nullopt;
-  auto network = read_policy_bytes(*bytes, request.name, request.span, diagnostics,
-                                   ReadContext{request.activation});
+  auto network =
+      read_policy_bytes(*bytes, request.name, request.span, diagnostics, request.context);
   if (!network) return std::nullopt;
   if (!request.normalize_path.empty() && !add_normalization(request, *network, diagnostics)) {
     return std::nullopt;

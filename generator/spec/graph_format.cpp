@@ -134,6 +134,12 @@ std::vector<Field> policy_settings() {
        format::keyword({"identity", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu",
                         "gelu_tanh", "softplus", "sigmoid"}),
        false, "activation after the hidden layers, for files that do not say it"},
+      {"output_activation",
+       format::keyword({"none", "relu", "tanh", "elu", "leaky_relu", "silu", "gelu", "gelu_tanh",
+                        "softplus", "sigmoid"}),
+       false,
+       "what follows the last layer, for files that do not say it: state dicts of modules that no "
+       "known library made"},
       {"golden", format::text("a file name"), false,
        "observations with known answers (CSV or npz); the generator and every program check them"},
       {"weights", format::keyword({"float32", "int8"}), false,

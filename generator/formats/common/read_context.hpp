@@ -8,7 +8,8 @@
 namespace eagerx::gen {
 
 struct ReadContext {
-  std::optional<Activation> activation;  // of hidden layers, as the graph says
+  std::optional<Activation> activation{};         // of hidden layers, as the graph says
+  std::optional<Activation> output_activation{};  // after the last layer, as the graph says
 };
 
 }  // namespace eagerx::gen

@@ -35,7 +35,7 @@ Network read_library(const std::string& name) {
   request.path = kLibraries + name;
   request.name = name;
   const bool says_it = name.ends_with(".zip") || name.starts_with("cleanrl");
-  if (!says_it) request.activation = Activation::elu;
+  if (!says_it) request.context.activation = Activation::elu;
   Diagnostics diagnostics;
   auto network = read_policy(request, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << name << ": " << problem.message;
@@ -130,7 +130,7 @@ TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {
   PolicyRequest request;
   request.path = EAGERX_SOURCE_DIR "/tests/data/policy/ppo_64.zip";
   request.name = "ppo_64.zip";
-  request.activation = Activation::relu;
+  request.context.activation = Activation::relu;
   Diagnostics diagnostics;
   EXPECT_FALSE(read_policy(request, diagnostics).has_value());
   EXPECT_EQ(diagnostics.all().front().code, "E0626") << "Stable-Baselines3's own is tanh";
@@ -238,7 +238,7 @@ TEST(Statistics, OfABatchNormFitItsLayer) {
   tensors.push_back({"net.1.running_mean", {2}, {0, 0}});
   tensors.push_back({"net.1.running_var", {2}, {1, 1}});
   add_linear(tensors, "net.3", 3, 1);
-  const char* relu = R"("activation":"relu")";
+  const char* relu = R"("activation":"relu","output_activation":"none")";
   Diagnostic diagnostic = read_bad(safetensors(tensors, relu));
   EXPECT_EQ(diagnostic.code, "E0618");
   EXPECT_THAT(diagnostic.message, HasSubstr("`net.1.running_mean` of shape [2] for 3"));

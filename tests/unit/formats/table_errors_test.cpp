@@ -144,7 +144,8 @@ TEST(TableErrors, ActivationThatNobodySays) {
   add_linear(tensors, "actor.0", 3, 4);
   add_linear(tensors, "actor.2", 4, 1);
   expect_problem(read_bad(safetensors(tensors)), "E0629", "which activation");
-  const Network network = read_good(safetensors(tensors, R"("activation":"elu")"));
+  const Network network =
+      read_good(safetensors(tensors, R"("activation":"elu","output_activation":"none")"));
   EXPECT_EQ(network.layers[0].activation, Activation::elu);
   EXPECT_EQ(network.layers[0].slope, 1.0F);
   EXPECT_EQ(network.layers[1].activation, Activation::identity);
@@ -165,7 +166,8 @@ TEST(TableErrors, LayerNormBetweenLinearAndActivation) {
   tensors.push_back({"net.1.weight", {4}, {1, 2, 3, 4}});
   tensors.push_back({"net.1.bias", {4}, {0, 0, 0, 1}});
   add_linear(tensors, "net.3", 4, 1);
-  const Network network = read_good(safetensors(tensors, R"("activation":"relu")"));
+  const Network network =
+      read_good(safetensors(tensors, R"("activation":"relu","output_activation":"none")"));
   ASSERT_EQ(network.layers.size(), 2U);
   ASSERT_TRUE(network.layers[0].norm.has_value());
   EXPECT_THAT(network.layers[0].norm->gamma, testing::ElementsAre(1, 2, 3, 4));
@@ -244,7 +246,7 @@ TEST(TableErrors, CriticsAreNoActors) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "critic.qf0.0", 3, 4);
   add_linear(tensors, "critic.qf0.2", 4, 1);
-  const std::string relu = R"("activation":"relu")";
+  const std::string relu = R"("activation":"relu","output_activation":"none")";
   expect_problem(read_bad(safetensors(tensors, relu)), "E0624",
                  "a critic (`critic.qf0.…`) and no actor");
   add_linear(tensors, "net.0", 3, 2);
@@ -260,18 +262,54 @@ TEST(TableErrors, NormsWithoutABiasMayBeOfTwoKinds) {
                  "an RMSNorm: `net.1");
 }
 
-TEST(TableErrors, OneLayerOfArs) {
+TEST(TableErrors, NamesLikeThoseOfArsAreNotItsZip) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "action_net.0", 3, 1);
-  expect_problem(read_bad(safetensors(tensors)), "E0626", "LinearPolicy or MlpPolicy");
+  expect_problem(read_bad(safetensors(tensors)), "E0750", "what follows its last layer");
   EXPECT_EQ(read_good(safetensors(tensors, R"("squash":"false")")).action_kind(), ActionKind::raw);
-  tensors.pop_back();
-  EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::raw) << "no bias";
-  tensors.clear();
-  add_linear(tensors, "action_net.0", 3, 4);
-  add_linear(tensors, "action_net.2", 4, 1);
-  tensors.pop_back();
+  EXPECT_EQ(read_good(safetensors(tensors, R"("output_activation":"tanh")")).action_kind(),
+            ActionKind::squashed);
+  expect_problem(read_bad(safetensors(tensors, R"("output_activation":"snake")")), "E0626",
+                 "`output_activation: snake`");
+}
+
+TEST(TableErrors, NothingIsAssumedAfterTheLastLayer) {
+  for (const char* base : {"net.0", "actor.0", "actor_mean.0", "actor.mu.0"}) {
+    std::vector<NamedValues> tensors;
+    add_linear(tensors, base, 3, 1);
+    expect_problem(read_bad(safetensors(tensors)), "E0750", "what follows its last layer");
+    const Network none = read_good(safetensors(tensors, R"("output_activation":"none")"));
+    EXPECT_EQ(none.layers.back().activation, Activation::identity) << base;
+    EXPECT_FALSE(none.action.has_value()) << "the file does not say what becomes of its output";
+    EXPECT_THAT(none.format, HasSubstr("a torch ")) << "and not who made it: " << base;
+    const Network tanh = read_good(safetensors(tensors, R"("output_activation":"tanh")"));
+    EXPECT_EQ(tanh.layers.back().activation, Activation::tanh) << base;
+    EXPECT_EQ(tanh.action_kind(), ActionKind::squashed) << base;
+  }
+}
+
+TEST(TableErrors, LibrariesAreNamedByTheirMarks) {
+  const auto network = [](const char* base, const char* mark, const char* notes) {
+    std::vector<NamedValues> tensors;
+    add_linear(tensors, base, 3, 1);
+    tensors.push_back({mark, {1}, {1.0F}});
+    return read_good(safetensors(tensors, notes));
+  };
+  for (const char* mark : {"std", "log_std"}) {
+    const Network usual = network("actor.0", mark, "");
+    EXPECT_THAT(usual.format, HasSubstr("rsl_rl"));
+    EXPECT_THAT(usual.assumed, testing::ElementsAre(HasSubstr("nothing after the last layer")));
+    const Network told = network("actor.0", mark, R"("output_activation":"tanh")");
+    EXPECT_EQ(told.action_kind(), ActionKind::squashed) << "the library lets one choose";
+    EXPECT_TRUE(told.assumed.empty());
+  }
+  EXPECT_THAT(network("actor_mean.0", "actor_logstd", "").format, HasSubstr("CleanRL's PPO"));
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "actor.mu.0", 3, 1);
+  add_linear(tensors, "critic.qf0.0", 3, 1);
   EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::squashed);
+  expect_problem(read_bad(safetensors(tensors, R"("output_activation":"none")")), "E0626",
+                 "after whose last layer comes tanh, but the graph says nothing");
 }
 
 }  // namespace
