@@ -110,7 +110,9 @@ Arguments policy(Options& options) {
         text("--activation", options.activation,
              "activation of the hidden layers, if the file does not say it", "NAME"),
         text("--output-activation", options.output_activation,
-             "what follows the last layer (none, tanh …), if the file does not say it", "NAME")},
+             "what follows the last layer (none, tanh …), if the file does not say it", "NAME"),
+        text("--output", options.output_name, "which output of an ONNX file is the action",
+             "NAME")},
        diagnostics(options)});
 }
 

@@ -58,12 +58,17 @@ PolicyProblem none_of_the_formats() {
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
                                 PolicyProblem& problem) {
   if (bytes.empty()) return refuse(problem, "E0603", "is empty", kKnownFormats);
-  if (bytes.starts_with("PK\x03\x04")) return read_zip_policy(bytes, context, problem);
+  const bool is_zip = bytes.starts_with("PK\x03\x04");
+  if ((is_zip || is_safetensors(bytes)) && !context.output_name.empty()) {
+    return refuse(problem, "E0751", "is a table of tensors, which has no outputs with names",
+                  "leave the graph's `output_name` out: only ONNX has such");
+  }
+  if (is_zip) return read_zip_policy(bytes, context, problem);
   if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
   if (const std::string_view other = known_other_format(bytes); !other.empty()) {
     return refuse(problem, "E0603", fmt::format("is {}", other), kKnownFormats);
   }
-  auto network = read_onnx(bytes, problem);
+  auto network = read_onnx(bytes, context.output_name, problem);
   if (network && (context.activation || context.output_activation)) {
     return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
                   fmt::format("leave the graph's `{}` out",
