@@ -45,7 +45,7 @@ class Assembly {
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kSaveAgain) {
+  bool fail(const char* code, std::string message, std::string help = kOtherActor) {
     problem_ = {code, std::move(message), std::move(help)};
     return false;
   }
@@ -232,7 +232,7 @@ class Assembly {
       return refuse(problem_, "E0618",
                     fmt::format("has tensor `{}` of shape {} for {} outputs", printable(name),
                                 show(bias->shape), count),
-                    kMisfit);
+                    kOtherActor);
     }
     used_.insert(name);
     return floats_of(name, *bias, problem_);
@@ -251,7 +251,7 @@ class Assembly {
       return fail("E0618",
                   fmt::format("multiplies {} values by tensor `{}`, which takes {}",
                               network_.outputs(), printable(name), inputs),
-                  kMisfit);
+                  kOtherActor);
     }
     auto weights = floats_of(name, weight, problem_);
     if (!weights) return false;
@@ -423,7 +423,7 @@ class Assembly {
 
 bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
   const auto fail = [&](const char* how) {
-    problem = {"E0627", fmt::format("has statistics {}", how), kSaveAgain};
+    problem = {"E0627", fmt::format("has statistics {}", how), kOtherActor};
     return false;
   };
   if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {

@@ -7,6 +7,16 @@
 #include "generator/formats/tensors/containers.hpp"
 
 namespace eagerx::gen {
+namespace {
+
+/// What torch.save wrote, in either of its formats.
+bool read_torch_bytes(std::string_view bytes, TensorTable& table, PolicyProblem& problem) {
+  if (is_legacy_torch(bytes)) return read_legacy_torch(bytes, table, problem);
+  const auto archive = Archive::open(bytes, problem);
+  return archive && read_torch(*archive, table, problem);
+}
+
+}  // namespace
 
 std::optional<Network> read_safetensors(std::string_view bytes, const ReadContext& context,
                                         PolicyProblem& problem) {
@@ -15,6 +25,16 @@ std::optional<Network> read_safetensors(std::string_view bytes, const ReadContex
   auto facts = facts_of_notes(table, problem);
   if (!facts) return std::nullopt;
   facts->format = "safetensors";
+  return make_actor(table, *facts, context, problem);
+}
+
+std::optional<Network> read_legacy_torch_policy(std::string_view bytes, const ReadContext& context,
+                                                PolicyProblem& problem) {
+  TensorTable table;
+  if (!read_legacy_torch(bytes, table, problem)) return std::nullopt;
+  auto facts = facts_of_notes(table, problem);
+  if (!facts) return std::nullopt;
+  facts->format = "torch.save before 1.6";
   return make_actor(table, *facts, context, problem);
 }
 
@@ -28,8 +48,7 @@ std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext
   if (archive->has("policy.pth")) {
     const auto inner_bytes = archive->read("policy.pth", policy_buffer, problem);
     if (!inner_bytes) return std::nullopt;
-    const auto inner = Archive::open(*inner_bytes, problem);
-    if (!inner || !read_torch(*inner, table, problem)) return std::nullopt;
+    if (!read_torch_bytes(*inner_bytes, table, problem)) return std::nullopt;
     std::string data_buffer;
     const auto data = archive->read("data", data_buffer, problem);
     if (!data) return std::nullopt;

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "generator/formats/actor/parts.hpp"
+#include "generator/formats/common/foreign.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -276,7 +277,7 @@ class Layouts {
   }
   std::nullopt_t missing(const std::string& what) {
     return refuse(problem_, "E0624",
-                  fmt::format("has an actor without tensor `{}`", printable(what)), kSaveAgain);
+                  fmt::format("has an actor without tensor `{}`", printable(what)), kOtherActor);
   }
 
   /// Appends the modules of a sequence; `last_activates`: an activation follows the last one too.
@@ -391,10 +392,23 @@ class Layouts {
     return layout;
   }
 
+  /// Whose names the tensors have, if it is no library of torch.
+  std::optional<std::string> other_library() const {
+    for (const auto& [name, tensor] : table_.tensors) {
+      const std::string_view last = std::string_view(name).substr(name.find_last_of("./") + 1);
+      if (last == "kernel" || last == "kernel:0") {
+        return fmt::format("names its weights as Flax and Keras do: `{}`", printable(name));
+      }
+      if (last == "Wx") return fmt::format("has a memory of MLX: `{}`", printable(name));
+    }
+    return std::nullopt;
+  }
+
   /// A file of nothing but one network.
   std::optional<ActorLayout> only_sequence() {
     if (auto layout = around_memory()) return layout;
     if (sequences_.empty()) {
+      if (const auto other = other_library()) return refuse(problem_, "E0624", *other, kJaxWay);
       return refuse(
           problem_, "E0624",
           fmt::format("has no actor among its {} tensors", table_.tensors.size()),

@@ -146,8 +146,9 @@ std::string damaged_archive(const std::string& bytes, std::mt19937& random) {
 
 TEST(Mutation, DamagedEntriesOfArchives) {
   std::mt19937 random(5);
-  for (const char* name : {"ppo_cnn.zip", "crossq.zip", "qrdqn.zip", "ars_linear.zip", "rsl_rl.pt",
-                           "rl_games.pth", "skrl.pt", "cleanrl_td3.pth"}) {
+  for (const char* name :
+       {"ppo_cnn.zip", "crossq.zip", "qrdqn.zip", "ars_linear.zip", "rsl_rl.pt", "rl_games.pth",
+        "skrl.pt", "cleanrl_td3.pth", "rsl_rl_legacy.pt", "td3_legacy.zip"}) {
     const std::string good = file_bytes((std::string("libraries/") + name).c_str());
     ASSERT_GT(good.size(), 1000U);
     ReadContext context;

@@ -236,12 +236,6 @@ TEST(TableErrors, ModuleListsDoNotSayWhatStandsBetween) {
                  "nothing between the layers `layers.0` and `layers.1`");
 }
 
-TEST(TableErrors, OtherFiles) {
-  expect_problem(read_bad("{\"mean\": [0]}"), "E0603", "is a text file");
-  expect_problem(read_bad("version https://git-lfs.github.com/spec/v1\n"), "E0603", "git lfs pull");
-  expect_problem(read_bad("\x80\x04\x95"), "E0603", "named as `normalize`");
-}
-
 TEST(TableErrors, CriticsAreNoActors) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "critic.qf0.0", 3, 4);
