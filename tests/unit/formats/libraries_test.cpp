@@ -62,7 +62,7 @@ TEST_P(Libraries, AnswerAsTorch) {
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
   ASSERT_TRUE(result.has_value());
   EXPECT_TRUE(result->passed());
-  EXPECT_EQ(result->action.has_value(), !rows->actions.empty());
+  EXPECT_EQ(result->actions.has_value(), !rows->actions.empty());
 }
 
 constexpr ActionKind kRaw = ActionKind::raw;
