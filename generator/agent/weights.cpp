@@ -76,6 +76,7 @@ std::optional<Network> read_weights(const AgentSpec& policy, const std::string& 
   if (policy.output_activation) {
     said.output_activation = activation_of(policy.output_activation->value);
   }
+  if (policy.actor) said.actor = policy.actor->value;
   if (policy.output_name) said.output_name = policy.output_name->value;
   auto network = read_policy(request, diagnostics);
   if (!network) return network;

@@ -111,6 +111,8 @@ Arguments policy(Options& options) {
              "activation of the hidden layers, if the file does not say it", "NAME"),
         text("--output-activation", options.output_activation,
              "what follows the last layer (none, tanh …), if the file does not say it", "NAME"),
+        text("--actor", options.actor,
+             "of a file with several actors: how the names of its tensors begin", "NAME"),
         text("--output", options.output_name, "which output of an ONNX file is the action",
              "NAME")},
        diagnostics(options)});

@@ -18,6 +18,7 @@ std::optional<Network> read(Run& run, const Options& options) {
   request.path = request.name = options.policy;
   request.normalize_path = request.normalize_name = options.normalize;
   request.context.output_name = options.output_name;
+  request.context.actor = options.actor;
   for (const auto& [name, said] :
        {std::pair{&options.activation, &request.context.activation},
         std::pair{&options.output_activation, &request.context.output_activation}}) {

@@ -41,6 +41,10 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
     problem = std::move(*other);
     return std::nullopt;
   }
+  if (!context.actor.empty()) {
+    return refuse(problem, "E0625", "is no table of tensors, which may hold several actors",
+                  "leave the graph's `actor` out; of ONNX say `output_name`");
+  }
   auto network = read_onnx(bytes, context.output_name, problem);
   if (network && (context.activation || context.output_activation)) {
     return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",

@@ -140,6 +140,8 @@ std::vector<Field> policy_settings() {
        false,
        "what follows the last layer, for files that do not say it: state dicts of modules that no "
        "known library made"},
+      {"actor", format::text("a name"), false,
+       "of a file with several actors: how the names of its tensors begin"},
       {"output_name", format::text("a name"), false,
        "of an ONNX file with several outputs: the one that is the action"},
       {"golden", format::text("a file name"), false,

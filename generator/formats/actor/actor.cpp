@@ -379,6 +379,13 @@ class Assembly {
     }
     network_.action = facts_.action;
     if (network_.action || layout_.output_rule == OutputRule::unknown) return true;
+    // rl_games' `clip_actions` maps -1…1 to the bounds, and is not in its checkpoints.
+    if (layout_.about == "rl_games") {
+      network_.assumed.push_back(
+          "actions are clipped to the bounds; with rl_games' `clip_actions` and bounds other than "
+          "-1…1 say `output: squashed`");
+      return true;
+    }
     network_.action = *output == Activation::tanh ? ActionKind::squashed : layout_.action;
     network_.action_of = layout_.about;
     return true;

@@ -64,6 +64,7 @@ struct KnownLayout {
   Squash squash = Squash::never;
   bool has_quantiles = false;
   OutputRule output_rule = OutputRule::fixed;
+  bool is_alone = false;  // the file has one tensor
 };
 constexpr std::array kKnownLayouts = {
     KnownLayout{.about = "eagerx-gen train",
@@ -140,6 +141,17 @@ constexpr std::array kKnownLayouts = {
                 .activation = Activation::relu,
                 .extractors = {"features_extractor."},
                 .squash = Squash::unless_linear},
+    KnownLayout{.about = "sb3-contrib's ARS",  // its LinearPolicy before 2.0
+                .algorithms = "ARS",
+                .bodies = {},
+                .head = "action_net",
+                .head_is_sequence = false,
+                .must_have = {"action_net.weight"},
+                .must_not_have = nullptr,
+                .marks = {""},  // its zip only
+                .action = ActionKind::raw,
+                .activation = Activation::relu,
+                .is_alone = true},
     KnownLayout{.about = "Stable-Baselines3's DQN",
                 .algorithms = "DQN",
                 .bodies = {},
@@ -257,6 +269,8 @@ class Layouts {
     return next != table_.tensors.end() && std::string_view(next->first).starts_with(start);
   }
   bool matches(const KnownLayout& known) const {
+    const bool is_alone = table_.tensors.size() == 1 && table_.find("action_net.weight") != nullptr;
+    if (known.is_alone != is_alone) return false;
     if (known.must_not_have != nullptr && any_starts_with(known.must_not_have)) return false;
     return std::any_of(known.must_have.begin(), known.must_have.end(),
                        [&](const char* name) { return name != nullptr && any_starts_with(name); });
@@ -272,8 +286,10 @@ class Layouts {
   }
 
   std::nullopt_t ambiguous(const std::string& a, const std::string& b) {
-    return refuse(problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
-                  "save a file with the tensors of one of them");
+    return refuse(
+        problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
+        "say which one by how its tensors' names begin: `agent: {policy: …, actor: NAME}`; "
+        "for `policy` with `--actor NAME`");
   }
   std::nullopt_t missing(const std::string& what) {
     return refuse(problem_, "E0624",

@@ -21,8 +21,8 @@ constexpr std::size_t kLongestName = 4096;
 class TorchReader {
  public:
   /// `archive`: nullptr for the format before torch 1.6.
-  TorchReader(const Archive* archive, TensorTable& table, PolicyProblem& problem)
-      : archive_(archive), table_(table), problem_(problem) {}
+  TorchReader(const Archive* archive, bool all, TensorTable& table, PolicyProblem& problem)
+      : archive_(archive), all_(all), table_(table), problem_(problem) {}
 
   /// Five pickles (a magic number, a version, the machine, the object, names of its storages), then
   /// each storage: how many elements, and they.
@@ -64,6 +64,7 @@ class TorchReader {
       dictionary = &pickle_.at(dictionary->items.front());
     }
     const PickleValue& top = *dictionary;
+    if (all_) return add_all(top, "", 0);
     for (const char* key :
          {"actor_state_dict", "model_state_dict", "state_dict", "model", "policy"}) {
       const PickleValue* inner = pickle_.find(*dictionary, key);
@@ -207,6 +208,7 @@ class TorchReader {
   }
 
   const Archive* archive_;
+  bool all_;  // not only what is known to be the actor
   TensorTable& table_;
   PolicyProblem& problem_;
   Pickle pickle_;
@@ -218,7 +220,7 @@ class TorchReader {
 
 }  // namespace
 
-bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& problem) {
+bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem) {
   for (const std::string& name : archive.names()) {
     if (!name.ends_with("/constants.pkl")) continue;
     problem = {"E0603", "is a TorchScript program, not its tensors",
@@ -227,7 +229,7 @@ bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& probl
   }
   for (const std::string& name : archive.names()) {
     if (name != kPickleName && !name.ends_with("/data.pkl")) continue;
-    return TorchReader(&archive, table, problem)
+    return TorchReader(&archive, all, table, problem)
         .run(name.substr(0, name.size() - kPickleName.size()));
   }
   problem = foreign_archive(archive.names());
@@ -239,8 +241,9 @@ bool is_legacy_torch(std::string_view bytes) {
   return bytes.starts_with("\x80\x02\x8a\x0a\x6c\xfc\x9c\x46\xf9\x20\x6a\xa8\x50\x19."sv);
 }
 
-bool read_legacy_torch(std::string_view bytes, TensorTable& table, PolicyProblem& problem) {
-  return TorchReader(nullptr, table, problem).run_legacy(bytes);
+bool read_legacy_torch(std::string_view bytes, bool all, TensorTable& table,
+                       PolicyProblem& problem) {
+  return TorchReader(nullptr, all, table, problem).run_legacy(bytes);
 }
 
 }  // namespace eagerx::gen

@@ -272,6 +272,19 @@ TEST(Squash, FollowsTheMeanOfRecurrentPpoToo) {
   EXPECT_EQ(network->layers.back().activation, Activation::tanh);
 }
 
+TEST(Torch, StatisticsOfEarlyVersionsHaveSets) {
+  PolicyProblem problem;
+  for (const char* module : {"__builtin__", "builtins"}) {
+    const std::string bytes = fmt::format(
+        "\x80\x02"
+        "c{}\nset\n]\x85R.",
+        module);
+    EXPECT_TRUE(read_pickle(bytes, PickleNames::statistics, problem).has_value())
+        << problem.message;
+    EXPECT_FALSE(read_pickle(bytes, PickleNames::tensors, problem).has_value());
+  }
+}
+
 TEST(Torch, AProgramIsNotItsTensors) {
   const Diagnostic diagnostic =
       read_bad(test::zip({{"policy/data.pkl", "x"}, {"policy/constants.pkl", "x"}}));

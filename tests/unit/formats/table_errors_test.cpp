@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/formats/actor/actor.hpp"
+#include "generator/formats/tensors/containers.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 
@@ -102,6 +104,60 @@ TEST(TableErrors, TwoActors) {
   add_linear(tensors, "first.0", 3, 1);
   add_linear(tensors, "second.0", 3, 1);
   expect_problem(read_bad(safetensors(tensors)), "E0625", "`first.…` and `second.…`");
+}
+
+std::optional<Network> read_actor(const std::string& bytes, const char* actor,
+                                  Diagnostics& diagnostics) {
+  ReadContext context;
+  context.actor = actor;
+  context.output_activation = Activation::identity;
+  return read_policy_bytes(bytes, "policy.pt", {}, diagnostics, context);
+}
+
+TEST(TableErrors, OneOfSeveralActorsMayBeSaid) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "first.0", 3, 1);
+  add_linear(tensors, "agents.second.actor.0", 3, 2);
+  tensors.push_back({"agents.second.std", {1}, {1.0F}});
+  const std::string bytes = safetensors(tensors);
+  expect_problem(read_bad(bytes), "E0625", "two actors");
+  Diagnostics diagnostics;
+  EXPECT_EQ(read_actor(bytes, "first", diagnostics)->outputs(), 1U);
+  const auto second = read_actor(bytes, "agents.second", diagnostics);
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->outputs(), 2U);
+  EXPECT_THAT(second->format, HasSubstr("rsl_rl")) << "its names are those behind the prefix";
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_FALSE(read_actor(bytes, "third", diagnostics).has_value());
+  expect_problem(diagnostics.all().back(), "E0625", "begins with `third.`; its first one is `agen");
+  EXPECT_FALSE(read_actor(test::two_layers().bytes(), "first", diagnostics).has_value());
+  expect_problem(diagnostics.all().back(), "E0625", "no table of tensors");
+}
+
+TEST(TableErrors, OneTensorOfArsIsItsOldLinearPolicy) {
+  const std::string bytes = safetensors({{"action_net.weight", {1, 2}, {1, 2}}});
+  expect_problem(read_bad(bytes), "E0750", "what follows its last layer");
+  TensorTable table;
+  PolicyProblem problem;
+  ASSERT_TRUE(read_safetensors_table(bytes, table, problem));
+  PolicyFacts facts;
+  facts.format = "Stable-Baselines3 1.3.0";
+  facts.contract.algorithm = "ARS";
+  facts.squash = true;  // of the class ARSPolicy, whose name the LinearPolicy's has in it
+  const auto network = make_actor(table, facts, {}, problem);
+  ASSERT_TRUE(network.has_value()) << problem.message;
+  EXPECT_EQ(network->action_kind(), ActionKind::raw);
+  EXPECT_EQ(network->layers.back().activation, Activation::identity);
+}
+
+TEST(TableErrors, RlGamesMayScaleItsActions) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "a2c_network.actor_mlp.0", 2, 3);
+  add_linear(tensors, "a2c_network.mu", 3, 1);
+  const Network network = read_good(safetensors(tensors, R"("activation":"elu")"));
+  EXPECT_FALSE(network.action.has_value()) << "the graph may say `output: squashed`";
+  EXPECT_EQ(network.action_kind(), ActionKind::raw);
+  EXPECT_THAT(network.assumed, testing::Contains(HasSubstr("`clip_actions`")));
 }
 
 TEST(TableErrors, NoActor) {
