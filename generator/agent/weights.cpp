@@ -71,7 +71,13 @@ std::optional<Network> read_weights(const AgentSpec& policy, const std::string& 
     request.normalize_name = policy.normalize->value;
     request.normalize_span = policy.normalize->span;
   }
-  if (policy.activation) request.activation = activation_of(policy.activation->value);
+  ReadContext& said = request.context;
+  if (policy.activation) said.activation = activation_of(policy.activation->value);
+  if (policy.output_activation) {
+    said.output_activation = activation_of(policy.output_activation->value);
+  }
+  if (policy.actor) said.actor = policy.actor->value;
+  if (policy.output_name) said.output_name = policy.output_name->value;
   auto network = read_policy(request, diagnostics);
   if (!network) return network;
   for (const auto& what : network->assumed) {

@@ -34,8 +34,12 @@ class WorldCheck {
 
   void check_output() {
     if (!network_.action || *network_.action == kind()) return;
-    error("E0704", fmt::format("the graph says that the policy's output is {}, but `{}` says {}",
-                               to_string(kind()), use_.file, to_string(*network_.action)))
+    const std::string& library = network_.action_of;
+    const std::string theirs = library.empty() ? fmt::format("says {}", to_string(*network_.action))
+                                               : fmt::format("is {}, whose output is {}", library,
+                                                             to_string(*network_.action));
+    error("E0704", fmt::format("the graph says that the policy's output is {}, but `{}` {}",
+                               to_string(kind()), use_.file, theirs))
         .help = "leave `output` out";
   }
 

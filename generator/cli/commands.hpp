@@ -37,6 +37,8 @@ struct Options {
   bool engine_graph = false;                        // graph
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy
+  std::string output_activation;                    // policy
+  std::string output_name, actor;                   // policy
   bool json = false;                                // --diagnostics=json
   bool quiet = false;
   bool warnings_as_errors = false;

@@ -103,12 +103,19 @@ Argument warnings(Options& options) {
 }
 
 Arguments policy(Options& options) {
-  return joined({{required(text("file", options.policy, "the weight file", "FILE")),
-                  text("--normalize", options.normalize,
-                       "statistics of the observations: VecNormalize.save, npz or JSON", "FILE"),
-                  text("--activation", options.activation,
-                       "activation of the hidden layers, if the file does not say it", "NAME")},
-                 diagnostics(options)});
+  return joined(
+      {{required(text("file", options.policy, "the weight file", "FILE")),
+        text("--normalize", options.normalize,
+             "statistics of the observations: VecNormalize.save, npz or JSON", "FILE"),
+        text("--activation", options.activation,
+             "activation of the hidden layers, if the file does not say it", "NAME"),
+        text("--output-activation", options.output_activation,
+             "what follows the last layer (none, tanh …), if the file does not say it", "NAME"),
+        text("--actor", options.actor,
+             "of a file with several actors: how the names of its tensors begin", "NAME"),
+        text("--output", options.output_name, "which output of an ONNX file is the action",
+             "NAME")},
+       diagnostics(options)});
 }
 
 Command generate(Options& options) {

@@ -17,13 +17,16 @@ std::optional<Network> read(Run& run, const Options& options) {
   PolicyRequest request;
   request.path = request.name = options.policy;
   request.normalize_path = request.normalize_name = options.normalize;
-  if (!options.activation.empty()) {
-    request.activation = activation_of(options.activation);
-    if (!request.activation) {
-      run.diagnostics.error("E0303", {},
-                            fmt::format("unknown activation `{}`", options.activation));
-      return std::nullopt;
-    }
+  request.context.output_name = options.output_name;
+  request.context.actor = options.actor;
+  for (const auto& [name, said] :
+       {std::pair{&options.activation, &request.context.activation},
+        std::pair{&options.output_activation, &request.context.output_activation}}) {
+    if (name->empty()) continue;
+    *said = activation_of(*name);
+    if (*said) continue;
+    run.diagnostics.error("E0303", {}, fmt::format("unknown activation `{}`", *name));
+    return std::nullopt;
   }
   return read_policy(request, run.diagnostics);
 }
@@ -105,13 +108,19 @@ int test(Run& run, const Options& options, const Network& network) {
   if (!network.normalization && !rows->normalized.empty()) {
     say("normalised     taken from the rows, because there is no `--normalize`\n");
   }
-  say("largest error  {:.3g} (against float64, row {})\n", result->ours, result->worst + 1);
-  say("file's own     {:.3g}; at most {:.3g} is allowed\n", result->theirs, result->limit);
+  const GoldenErrors& outputs = result->outputs;
+  say("largest error  {:.3g} (against float64)\n", outputs.ours);
+  if (result->has_outputs) {
+    say("file's own     {:.3g}; in row {} at most {:.3g} is allowed\n", outputs.theirs,
+        outputs.worst + 1, outputs.limit);
+  } else {
+    say("file's own     not compared: the file has no outputs\n");
+  }
   say("with int8      off by {}\n",
       to_string(rounding_error(network, with_int8_weights(network), &*rows)));
-  if (result->action) {
-    say("actions        {:.3g} off; at most {:.3g} is allowed\n", *result->action,
-        result->action_limit);
+  if (result->actions) {
+    say("actions        {:.3g} off; in row {} at most {:.3g} is allowed\n", result->actions->off,
+        result->actions->worst + 1, result->actions->limit);
   } else if (!rows->actions.empty()) {
     say("actions        not compared: the file does not say their bounds\n");
   }

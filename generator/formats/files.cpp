@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,20 @@ void report_problem(const PolicyProblem& problem, const char* what, const std::s
                     Span mention, Diagnostics& diagnostics) {
   diagnostics.error(problem.code, mention, fmt::format("{} `{}` {}", what, name, problem.message))
       .help = problem.help;
+}
+
+std::vector<std::string> entries_of_folder(const std::string& path) {
+  constexpr std::size_t kMostEntries = 1000;
+  std::vector<std::string> names;
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return names;
+  for (auto entry = std::filesystem::directory_iterator(path, error);
+       !error && entry != std::filesystem::directory_iterator() && names.size() < kMostEntries;
+       entry.increment(error)) {
+    names.push_back(entry->path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
 }
 
 std::optional<std::string> read_bytes(const std::string& path, const std::string& name,

@@ -74,6 +74,14 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
+/// Digits behind the point; as many as can be for a number with an exponent.
+std::size_t decimals_of(std::string_view cell) {
+  constexpr std::size_t kMost = 17;
+  if (cell.find_first_of("eE") != cell.npos) return kMost;
+  const std::size_t point = cell.find('.');
+  return point == cell.npos ? 0 : cell.size() - point - 1;
+}
+
 std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& problem) {
   const auto fail = [&](const std::string& how) {
     return refuse(problem, "E0632", how, kGoldenHelp);
@@ -81,6 +89,7 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
   GoldenRows golden;
   std::vector<Column> columns;
   std::size_t number = 0;
+  std::size_t digits = 0;
   while (!text.empty()) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
@@ -119,8 +128,13 @@ std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& prob
                                 printable(cells[i]), number, i + 1));
       }
       rows->back().push_back(value);
+      if (columns[i] == Column::observation || columns[i] == Column::normalized) continue;
+      digits = std::max(digits, decimals_of(cells[i]));
     }
   }
+  constexpr double kHalf = 0.5000001;  // and the rounding of the digits themselves
+  constexpr std::size_t kOfFloat = 9;
+  if (digits < kOfFloat) golden.printed = kHalf * std::pow(10.0, -static_cast<double>(digits));
   return golden;
 }
 

@@ -7,48 +7,18 @@
 #include <string>
 
 #include "generator/formats/actor/files.hpp"
+#include "generator/formats/common/foreign.hpp"
 #include "generator/formats/files.hpp"
 #include "generator/formats/onnx/read_onnx.hpp"
 #include "generator/formats/statistics.hpp"
+#include "generator/formats/tensors/containers.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-constexpr const char* kKnownFormats =
-    "the formats are Stable-Baselines3's zip, ONNX, safetensors, npz and torch.save";
-
 bool is_safetensors(std::string_view bytes) {
   constexpr std::size_t kLength = 8;
   return bytes.size() > kLength && bytes[kLength] == '{' && bytes[kLength - 1] == '\0';
-}
-
-/// By its beginning: no format that is read has only letters, blanks and line ends there.
-bool is_text(std::string_view bytes) {
-  constexpr std::size_t kLooked = 512;
-  constexpr unsigned char kFirstLetter = ' ';
-  constexpr unsigned char kDelete = 0x7f;
-  return std::ranges::all_of(bytes.substr(0, kLooked),
-                             [](unsigned char c) {
-                               return (c >= kFirstLetter && c != kDelete) || c == '\n' ||
-                                      c == '\r' || c == '\t';
-                             }) &&
-         std::ranges::none_of(bytes.substr(0, kLooked), [](unsigned char c) { return c >= 0xf8; });
-}
-
-/// What `bytes` are by their first few, or empty when only a parser can tell.
-std::string_view known_other_format(std::string_view bytes) {
-  if (bytes.starts_with("version https://git-lfs")) {
-    return "a Git LFS pointer, not the file itself: run `git lfs pull`";
-  }
-  if (bytes.starts_with("\x93NUMPY")) return "one NumPy array, not an archive of them (npz)";
-  if (bytes.starts_with("\x89HDF")) return "an HDF5 file";
-  if (bytes.starts_with("\x80\x02") || bytes.starts_with("\x80\x04") ||
-      bytes.starts_with("\x80\x05")) {
-    return "a Python pickle without tensors' files (torch before 1.6, or VecNormalize's "
-           "statistics, which are named as `normalize`)";
-  }
-  if (is_text(bytes)) return "a text file";
-  return {};
 }
 
 PolicyProblem none_of_the_formats() {
@@ -58,15 +28,28 @@ PolicyProblem none_of_the_formats() {
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
                                 PolicyProblem& problem) {
   if (bytes.empty()) return refuse(problem, "E0603", "is empty", kKnownFormats);
-  if (bytes.starts_with("PK\x03\x04")) return read_zip_policy(bytes, context, problem);
-  if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
-  if (const std::string_view other = known_other_format(bytes); !other.empty()) {
-    return refuse(problem, "E0603", fmt::format("is {}", other), kKnownFormats);
+  const bool is_zip = bytes.starts_with("PK\x03\x04");
+  const bool is_table = is_zip || is_safetensors(bytes) || is_legacy_torch(bytes);
+  if (is_table && !context.output_name.empty()) {
+    return refuse(problem, "E0751", "is a table of tensors, which has no outputs with names",
+                  "leave the graph's `output_name` out: only ONNX has such");
   }
-  auto network = read_onnx(bytes, problem);
-  if (network && context.activation) {
+  if (is_zip) return read_zip_policy(bytes, context, problem);
+  if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
+  if (is_legacy_torch(bytes)) return read_legacy_torch_policy(bytes, context, problem);
+  if (auto other = foreign_file(bytes)) {
+    problem = std::move(*other);
+    return std::nullopt;
+  }
+  if (!context.actor.empty()) {
+    return refuse(problem, "E0625", "is no table of tensors, which may hold several actors",
+                  "leave the graph's `actor` out; of ONNX say `output_name`");
+  }
+  auto network = read_onnx(bytes, context.output_name, problem);
+  if (network && (context.activation || context.output_activation)) {
     return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
-                  "leave the graph's `activation` out");
+                  fmt::format("leave the graph's `{}` out",
+                              context.activation ? "activation" : "output_activation"));
   }
   // The reader of ONNX is the last one: what it does not know, nobody knows.
   if (!network && problem.code == "E0603") problem = none_of_the_formats();
@@ -145,10 +128,14 @@ std::optional<Network> read_policy_bytes(std::string_view bytes, const std::stri
 }
 
 std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& diagnostics) {
+  if (const auto folder = foreign_folder(entries_of_folder(request.path))) {
+    report_problem(*folder, "policy", request.name, request.span, diagnostics);
+    return std::nullopt;
+  }
   const auto bytes = read_bytes(request.path, request.name, request.span, "policy", diagnostics);
   if (!bytes) return std::nullopt;
-  auto network = read_policy_bytes(*bytes, request.name, request.span, diagnostics,
-                                   ReadContext{request.activation});
+  auto network =
+      read_policy_bytes(*bytes, request.name, request.span, diagnostics, request.context);
   if (!network) return std::nullopt;
   if (!request.normalize_path.empty() && !add_normalization(request, *network, diagnostics)) {
     return std::nullopt;

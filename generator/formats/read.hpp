@@ -17,8 +17,7 @@ struct PolicyRequest {
   Span span;                                   // where the graph names it
   std::string normalize_path, normalize_name;  // statistics; empty: those in the file, if any
   Span normalize_span;
-  std::optional<Activation> activation;  // of hidden layers, for files that do not say it
-  Span activation_span;
+  ReadContext context;  // for files that do not say it
 };
 
 /// Reads a policy: ONNX, safetensors, npz, Stable-Baselines3 zip, torch.save; and its statistics:

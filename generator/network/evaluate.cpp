@@ -141,7 +141,7 @@ std::vector<double> evaluate_in_double(const Network& network, const std::vector
 }
 
 std::optional<std::vector<double>> action_of(const Network& network,
-                                             const std::vector<float>& outputs) {
+                                             const std::vector<double>& outputs) {
   if (network.action_kind() == ActionKind::argmax) {
     const auto best = std::max_element(outputs.begin(), outputs.end()) - outputs.begin();
     return std::vector<double>{
@@ -157,7 +157,7 @@ std::optional<std::vector<double>> action_of(const Network& network,
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     const double low = lows.size() == 1 ? lows[0] : lows[i];
     const double high = highs.size() == 1 ? highs[0] : highs[i];
-    const auto x = static_cast<double>(outputs[i]);
+    const double x = outputs[i];
     action[i] = network.action_kind() == ActionKind::squashed ? low + 0.5 * (x + 1.0) * (high - low)
                                                               : std::clamp(x, low, high);
   }

@@ -29,6 +29,6 @@ std::vector<double> evaluate_in_double(const Network& network, const std::vector
 /// bounds of the contract, others clipped to them; argmax: one number. Without bounds nothing, but
 /// for argmax.
 std::optional<std::vector<double>> action_of(const Network& network,
-                                             const std::vector<float>& outputs);
+                                             const std::vector<double>& outputs);
 
 }  // namespace eagerx::gen

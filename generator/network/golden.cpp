@@ -5,20 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "generator/network/evaluate.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double difference = std::fabs(a[i] - b[i]);
-    largest = difference <= largest ? largest : difference;  // NaN counts as large
-  }
-  return largest;
-}
 
 bool all_of_width(const std::vector<std::vector<double>>& rows, std::size_t count,
                   std::size_t width) {
@@ -67,6 +59,119 @@ std::vector<float> to_float(const std::vector<double>& values) {
   std::transform(values.begin(), values.end(), result.begin(),
                  [](double value) { return static_cast<float>(value); });
   return result;
+}
+
+/// Collects errors, which count against what is known when all rows have been seen.
+class Judge {
+ public:
+  explicit Judge(double printed) : printed_(printed) {}
+
+  void learn_ranges(const std::vector<std::vector<double>>& rows) {
+    for (const auto& row : rows) {
+      lows_.resize(row.size(), std::numeric_limits<double>::infinity());
+      highs_.resize(row.size(), -std::numeric_limits<double>::infinity());
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        lows_[i] = std::min(lows_[i], row[i]);
+        highs_[i] = std::max(highs_[i], row[i]);
+      }
+    }
+  }
+
+  /// `known`: nullptr if the file does not say it.
+  void add(std::size_t row, const std::vector<double>& ours, const std::vector<double>& exact,
+           const std::vector<double>* known) {
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      const double our_error = difference(ours[i], exact[i]);
+      errors_.ours = std::max(our_error, errors_.ours);
+      if (known == nullptr) continue;
+      const double their_error = difference((*known)[i], exact[i]);
+      errors_.theirs = std::max(their_error, errors_.theirs);
+      errors_.off = std::max(difference(ours[i], (*known)[i]), errors_.off);
+      const double limit = tolerance(i, exact[i]);
+      // The file's answers are of the same function; ours only have to be as near to it.
+      keep(their_, row, their_error, limit);
+      if (!(our_error <= their_error)) keep(our_, row, our_error, limit);
+    }
+  }
+
+  /// Of a choice: another one is right if its score is as good.
+  void add_choice(std::size_t row, const Network& network, const std::vector<double>& ours,
+                  const std::vector<double>& scores, const std::vector<double>& known) {
+    if (ours.front() == known.front()) return;
+    const double first = static_cast<double>(network.contract.first_choice.value_or(0));
+    const double index = known.front() - first;
+    errors_.off = std::max(difference(ours.front(), known.front()), errors_.off);
+    if (!(index >= 0.0 && index < static_cast<double>(scores.size()))) {
+      return keep(their_, row, std::numeric_limits<double>::infinity(), kSmallest);
+    }
+    const double best = scores[static_cast<std::size_t>(ours.front() - first)];
+    const double other = scores[static_cast<std::size_t>(index)];
+    keep(their_, row, std::fabs(best - other), std::max(kOfValue * std::fabs(best), kSmallest));
+  }
+
+  GoldenErrors finish() const {
+    constexpr double kOfRounding = 100.0;
+    const Worst* worst = &their_;
+    const double their_limit = std::max(their_.limit, kOfRounding * errors_.ours);
+    const double our_limit = std::max(our_.limit, 2.0 * errors_.theirs);
+    double limit = their_limit;
+    if (our_.error / our_limit > their_.error / their_limit) {
+      worst = &our_;
+      limit = our_limit;
+    }
+    GoldenErrors result = errors_;
+    result.limit = limit;
+    result.worst = worst->row;
+    result.excess = worst->error == 0.0 ? 0.0 : worst->error / limit;
+    return result;
+  }
+
+ private:
+  static constexpr double kOfRange = 5e-5;
+  static constexpr double kOfValue = 1e-5;
+  static constexpr double kSmallest = 1e-6;
+
+  /// The error that is largest beside its limit.
+  struct Worst {
+    std::size_t row = 0;
+    double error = 0.0, limit = kSmallest;
+  };
+  static void keep(Worst& worst, std::size_t row, double error, double limit) {
+    if (!(error / limit <= worst.error / worst.limit)) worst = {row, error, limit};
+  }
+  static double difference(double a, double b) {
+    return std::isnan(a - b) ? std::numeric_limits<double>::infinity() : std::fabs(a - b);
+  }
+
+  double tolerance(std::size_t i, double value) const {
+    const double range = i < highs_.size() ? highs_[i] - lows_[i] : 0.0;
+    return std::max({kOfRange * range, kOfValue * std::fabs(value), kSmallest, printed_});
+  }
+
+  double printed_;
+  std::vector<double> lows_, highs_;  // of each answer, over all rows
+  GoldenErrors errors_;
+  Worst our_, their_;
+};
+
+/// E0633, with what may be the reason.
+void report_wrong(const Network& network, const GoldenRows& rows, const GoldenResult& result,
+                  const std::string& name, Span mention, Diagnostics& diagnostics) {
+  const bool by_outputs = result.outputs.excess > 1.0;
+  const GoldenErrors& worst = by_outputs ? result.outputs : *result.actions;
+  auto& problem = diagnostics.error(
+      "E0633", mention,
+      fmt::format("the policy `{}` does not answer the golden rows `{}`: row {} is {:.2g} off{}",
+                  network.file, name, worst.worst + 1, worst.excess * worst.limit,
+                  by_outputs ? "" : " in its action"));
+  if (!network.normalization && !rows.normalized.empty()) {
+    problem.help = "give the statistics of its observations as `normalize`";
+  } else if (network.has_memory() && rows.starts.empty()) {
+    problem.help =
+        "these rows belong to another policy, or follow one another: add a column `episode_start`";
+  } else {
+    problem.help = "these rows belong to another policy, or to other statistics";
+  }
 }
 
 }  // namespace
@@ -146,10 +251,12 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
   }
   GoldenResult result;
   result.rows = rows.observations.size();
-  double largest_output = 1.0;
-  double farthest = 0.0;
-  std::size_t farthest_row = 0;
-  double largest_action = 1.0;
+  result.has_outputs = !rows.outputs.empty() || !rows.outputs_double.empty();
+  const bool chooses = network.action_kind() == ActionKind::argmax;
+  Judge outputs(rows.printed);
+  Judge actions(rows.printed);
+  for (const auto* known : {&rows.outputs, &rows.outputs_double}) outputs.learn_ranges(*known);
+  actions.learn_ranges(rows.actions);
   Memory<float> memory;
   Memory<double> exact_memory;
   for (std::size_t i = 0; i < result.rows; ++i) {
@@ -158,57 +265,27 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
       memory.clear();
       exact_memory.clear();
     }
-    const std::vector<float> outputs = evaluate(network, input, &memory);
-    const std::vector<double> ours(outputs.begin(), outputs.end());
+    const std::vector<float> answer = evaluate(network, input, &memory);
+    const std::vector<double> ours(answer.begin(), answer.end());
     const std::vector<double> exact = evaluate_in_double(network, input, &exact_memory);
-    const std::vector<double>& reference =
-        rows.outputs_double.empty() ? exact : rows.outputs_double[i];
-    const double error = largest_difference(ours, reference);
-    if (!(error <= result.ours)) {
-      result.ours = error;
-      result.worst = i;
+    if (!result.has_outputs) outputs.add(i, ours, exact, nullptr);
+    if (!rows.outputs.empty()) outputs.add(i, ours, exact, &rows.outputs[i]);
+    if (!rows.outputs_double.empty()) outputs.add(i, ours, exact, &rows.outputs_double[i]);
+    if (rows.actions.empty()) continue;
+    const auto action = action_of(network, ours);
+    const auto exact_action = action_of(network, exact);
+    if (!action || !exact_action) continue;
+    if (!result.actions) result.actions.emplace();
+    if (chooses) {
+      actions.add_choice(i, network, *action, exact, rows.actions[i]);
+    } else {
+      actions.add(i, *action, *exact_action, &rows.actions[i]);
     }
-    const auto& known = rows.outputs.empty() ? rows.outputs_double : rows.outputs;
-    if (!known.empty()) {
-      const double difference = largest_difference(ours, known[i]);
-      if (!(difference <= farthest)) {
-        farthest = difference;
-        farthest_row = i;
-      }
-    }
-    if (!rows.outputs.empty()) {
-      result.theirs = std::max(result.theirs, largest_difference(rows.outputs[i], exact));
-    }
-    for (const double value : reference)
-      largest_output = std::max(largest_output, std::fabs(value));
-    const auto action = action_of(network, outputs);
-    if (rows.actions.empty() || !action) continue;
-    result.action =
-        std::max(result.action.value_or(0.0), largest_difference(*action, rows.actions[i]));
-    for (const double value : *action) largest_action = std::max(largest_action, std::fabs(value));
   }
-  // A few rows may by luck have no error at all: two roundings are always allowed.
-  constexpr double kRounding = 2.4e-7;
-  constexpr double kOtherFunction = 1e-4;
-  result.limit = std::max(2.0 * result.theirs, kRounding * largest_output);
-  result.action_limit = 1e-5 * largest_action;
-  if (!(result.theirs <= kOtherFunction * largest_output) ||
-      !(result.ours <= kOtherFunction * largest_output) || !result.passed()) {
-    diagnostics
-        .error(
-            "E0633", mention,
-            fmt::format(
-                "the policy `{}` does not answer the golden rows `{}`: row {} is "
-                "{:.2g} off{}",
-                network.file, name, farthest_row + 1, farthest,
-                result.action ? fmt::format(", and an action is {:.2g} off", *result.action) : ""))
-        .help =
-        network.normalization || rows.normalized.empty()
-            ? network.has_memory() && rows.starts.empty()
-                  ? "these rows belong to another policy, or follow one another: add a column "
-                    "`episode_start`"
-                  : "these rows belong to another policy, or to other statistics"
-            : "give the statistics of its observations as `normalize`";
+  result.outputs = outputs.finish();
+  if (result.actions) result.actions = actions.finish();
+  if (!result.passed()) {
+    report_wrong(network, rows, result, name, mention, diagnostics);
     return std::nullopt;
   }
   return result;

@@ -23,7 +23,8 @@ struct Network {
   std::vector<Layer> layers;           // at least one; sizes fit together
   std::vector<std::string> ignored;    // parts of the file that do not lead to the action
   std::vector<std::string> assumed{};  // what the file does not say, for people
-  std::optional<ActionKind> action{};  // if the file says it
+  std::optional<ActionKind> action{};  // if the file says it, or its library
+  std::string action_of{};             // that library; empty: the file
   std::optional<Normalization> normalization{};
   Profile profile = Profile::exact;
   PolicyContract contract{};

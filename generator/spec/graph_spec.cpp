@@ -68,6 +68,9 @@ void read_policy_settings(const YamlValue& yaml, AgentSpec& spec) {
   spec.output = optional_of<std::string>(yaml, "output", text);
   spec.normalize = optional_of<std::string>(yaml, "normalize", text);
   spec.activation = optional_of<std::string>(yaml, "activation", text);
+  spec.output_activation = optional_of<std::string>(yaml, "output_activation", text);
+  spec.actor = optional_of<std::string>(yaml, "actor", text);
+  spec.output_name = optional_of<std::string>(yaml, "output_name", text);
   spec.golden = optional_of<std::string>(yaml, "golden", text);
   spec.weights = optional_of<std::string>(yaml, "weights", text);
   spec.profile = optional_of<std::string>(yaml, "profile", text);
@@ -91,8 +94,8 @@ AgentSpec read_agent(const YamlValue* yaml, Diagnostics& diagnostics) {
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
   spec.file = text_of(policy != nullptr ? *policy : *csv);
-  for (const char* key : {"observations", "output", "normalize", "activation", "golden", "weights",
-                          "max_error", "profile"}) {
+  for (const char* key : {"observations", "output", "normalize", "activation", "output_activation",
+                          "actor", "output_name", "golden", "weights", "max_error", "profile"}) {
     if (csv == nullptr || yaml->find(key) == nullptr) continue;
     diagnostics.error("E0206", yaml->find(key)->span,
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));

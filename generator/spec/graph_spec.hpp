@@ -52,10 +52,13 @@ struct AgentSpec {
   std::optional<Spanned<std::string>> output;      // squashed | raw | argmax
   std::optional<Spanned<std::string>> normalize;   // file of statistics
   std::optional<Spanned<std::string>> activation;  // of hidden layers
-  std::optional<Spanned<std::string>> golden;      // file of known answers
-  std::optional<Spanned<std::string>> weights;     // float32 | int8
-  std::optional<Spanned<double>> max_error;        // of an output, against float32
-  std::optional<Spanned<std::string>> profile;     // exact | fast
+  std::optional<Spanned<std::string>> output_activation;  // after the last layer
+  std::optional<Spanned<std::string>> actor;              // how names of its tensors begin
+  std::optional<Spanned<std::string>> output_name;        // of ONNX
+  std::optional<Spanned<std::string>> golden;             // file of known answers
+  std::optional<Spanned<std::string>> weights;            // float32 | int8
+  std::optional<Spanned<double>> max_error;               // of an output, against float32
+  std::optional<Spanned<std::string>> profile;            // exact | fast
 };
 
 /// An engine, object or node of the graph, or an engine node of a manifest.

@@ -23,7 +23,7 @@ class Assembly {
 
   std::optional<Network> run() {
     if (!check_supported()) return std::nullopt;
-    auto layout = find_actor(table_, problem_);
+    auto layout = find_actor(table_, is_zip(), problem_);
     if (!layout) return std::nullopt;
     layout_ = std::move(*layout);
     if (!add_memory(table_, layout_, problem_)) return std::nullopt;
@@ -45,7 +45,7 @@ class Assembly {
   }
 
  private:
-  bool fail(const char* code, std::string message, std::string help = kSaveAgain) {
+  bool fail(const char* code, std::string message, std::string help = kOtherActor) {
     problem_ = {code, std::move(message), std::move(help)};
     return false;
   }
@@ -119,6 +119,8 @@ class Assembly {
     return true;
   }
 
+  bool is_zip() const { return facts_.format.starts_with("Stable-Baselines3"); }
+
   bool check_algorithm() {
     const std::string& said = facts_.contract.algorithm;
     if (said.empty() || layout_.algorithms.empty()) return true;
@@ -130,8 +132,7 @@ class Assembly {
 
   bool choose_activation() {
     // A zip of SB3 that names none has its class's.
-    const bool is_zip = facts_.format.starts_with("Stable-Baselines3");
-    const auto in_file = facts_.activation || !is_zip ? facts_.activation : layout_.activation;
+    const auto in_file = facts_.activation || !is_zip() ? facts_.activation : layout_.activation;
     if (context_.activation && in_file && *context_.activation != *in_file) {
       return fail("E0626",
                   fmt::format("says that its activation is {}, but the graph says {}",
@@ -143,9 +144,14 @@ class Assembly {
                     [](const ActorModule& module) { return module.activation_after; });
     const auto said = in_file ? in_file : context_.activation;
     if (!said && !layout_.activation && needed) {
+      const bool both = layout_.output_rule == OutputRule::unknown && !context_.output_activation;
       return fail("E0629", "does not say which activation follows its hidden layers",
-                  "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy` with "
-                  "`--activation elu`");
+                  both
+                      ? "say it in the graph, and what follows the last layer: `agent: {policy: …, "
+                        "activation: elu, output_activation: none}`; for `policy` with "
+                        "`--activation elu --output-activation none`"
+                      : "say it in the graph: `agent: {policy: …, activation: elu}`; for `policy` "
+                        "with `--activation elu`");
     }
     activation_ = said ? *said : layout_.activation.value_or(Activation::identity);
     if (!said && needed) {
@@ -226,7 +232,7 @@ class Assembly {
       return refuse(problem_, "E0618",
                     fmt::format("has tensor `{}` of shape {} for {} outputs", printable(name),
                                 show(bias->shape), count),
-                    kMisfit);
+                    kOtherActor);
     }
     used_.insert(name);
     return floats_of(name, *bias, problem_);
@@ -245,7 +251,7 @@ class Assembly {
       return fail("E0618",
                   fmt::format("multiplies {} values by tensor `{}`, which takes {}",
                               network_.outputs(), printable(name), inputs),
-                  kMisfit);
+                  kOtherActor);
     }
     auto weights = floats_of(name, weight, problem_);
     if (!weights) return false;
@@ -291,20 +297,72 @@ class Assembly {
     return true;
   }
 
-  /// Whether a tanh follows the last layer. Nothing, and a problem, if nobody says so.
+  bool says_nothing_of_its_output() {
+    return fail("E0750", "does not say what follows its last layer",
+                "say it in the graph: `agent: {policy: …, output_activation: tanh}`, or `none` if "
+                "nothing does; for `policy` with `--output-activation tanh`");
+  }
+
+  /// Whether a tanh follows the last layer of a known library. Nothing, and a problem, if nobody
+  /// says so.
   std::optional<bool> is_squashed() {
-    if (layout_.squash == Squash::never) return false;
+    if (layout_.squash == Squash::never) return layout_.output == Activation::tanh;
     if (facts_.squash) return facts_.squash;
     if (layout_.squash == Squash::unless_linear && facts_.action) {
       return *facts_.action == ActionKind::squashed;
     }
-    if (layout_.squash == Squash::if_said || layout_.modules.size() == 1) {
-      const std::string last = layout_.modules.back().base + ".bias";
-      if (layout_.squash == Squash::if_said || table_.find(last) == nullptr) return false;
-      fail("E0626", "does not say whether its one layer is of ARS's LinearPolicy or MlpPolicy",
-           "use the .zip of Stable-Baselines3, or say `squash` in the file");
+    if (layout_.squash == Squash::if_said) return false;
+    // One layer may be of ARS's LinearPolicy or of its MlpPolicy; only the latter has a tanh.
+    if (layout_.modules.size() > 1) return true;
+    if (table_.find(layout_.modules.back().base + ".bias") == nullptr) return false;
+    if (told_output_) return *told_output_ == Activation::tanh;
+    says_nothing_of_its_output();
+    return std::nullopt;
+  }
+
+  /// What follows the last layer: as the file says, else as its library does, else as the graph
+  /// says.
+  std::optional<Activation> output_activation() {
+    if (layout_.output_rule != OutputRule::fixed) {
+      if (told_output_) return told_output_;
+      if (layout_.output_rule == OutputRule::unknown) {
+        // A file with `squash: False` says that its actions come out as they are.
+        if (facts_.action && *facts_.action != ActionKind::squashed) return Activation::identity;
+        says_nothing_of_its_output();
+        return std::nullopt;
+      }
+      network_.assumed.push_back(
+          fmt::format("nothing after the last layer, which is {}'s unless it was told otherwise",
+                      layout_.about));
+      return layout_.output;
+    }
+    const auto squashes = is_squashed();
+    if (!squashes) return std::nullopt;
+    const bool adds_tanh = *squashes && facts_.action != ActionKind::argmax;
+    const Activation output = adds_tanh ? Activation::tanh : Activation::identity;
+    if (told_output_ && *told_output_ != output) {
+      fail("E0626",
+           fmt::format("is {}, after whose last layer comes {}, but the graph says {}",
+                       layout_.about, output_name(output), output_name(*told_output_)),
+           "leave the graph's `output_activation` out");
       return std::nullopt;
     }
+    return output;
+  }
+  static const char* output_name(Activation activation) {
+    return activation == Activation::identity ? "nothing" : to_string(activation);
+  }
+
+  bool choose_told_output() {
+    if (facts_.output_activation && context_.output_activation &&
+        *facts_.output_activation != *context_.output_activation) {
+      return fail("E0626",
+                  fmt::format("says that {} follows its last layer, but the graph says {}",
+                              output_name(*facts_.output_activation),
+                              output_name(*context_.output_activation)),
+                  "leave the graph's `output_activation` out");
+    }
+    told_output_ = facts_.output_activation ? facts_.output_activation : context_.output_activation;
     return true;
   }
 
@@ -313,16 +371,23 @@ class Assembly {
     if (layout_.has_quantiles && !average_quantiles({table_, facts_, network_, used_, problem_})) {
       return false;
     }
-    ActionKind action = layout_.action;
-    Activation output = layout_.output;
-    const auto squashes = is_squashed();
-    if (!squashes) return false;
-    if (*squashes && facts_.action != ActionKind::argmax) {
-      action = ActionKind::squashed;
-      output = Activation::tanh;
+    const auto output = choose_told_output() ? output_activation() : std::nullopt;
+    if (!output) return false;
+    if (*output != Activation::identity) {
+      network_.layers.back().activation = *output;
+      network_.layers.back().slope = default_slope(*output);
     }
-    network_.action = facts_.action.value_or(action);
-    if (output != Activation::identity) network_.layers.back().activation = output;
+    network_.action = facts_.action;
+    if (network_.action || layout_.output_rule == OutputRule::unknown) return true;
+    // rl_games' `clip_actions` maps -1…1 to the bounds, and is not in its checkpoints.
+    if (layout_.about == "rl_games") {
+      network_.assumed.push_back(
+          "actions are clipped to the bounds; with rl_games' `clip_actions` and bounds other than "
+          "-1…1 say `output: squashed`");
+      return true;
+    }
+    network_.action = *output == Activation::tanh ? ActionKind::squashed : layout_.action;
+    network_.action_of = layout_.about;
     return true;
   }
 
@@ -355,6 +420,7 @@ class Assembly {
   PolicyProblem& problem_;
   ActorLayout layout_;
   Activation activation_ = Activation::identity;
+  std::optional<Activation> told_output_;
   Network network_;
   std::size_t features_ = 0;  // layers in front of the modules
   std::set<std::string> used_;
@@ -364,7 +430,7 @@ class Assembly {
 
 bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
   const auto fail = [&](const char* how) {
-    problem = {"E0627", fmt::format("has statistics {}", how), kSaveAgain};
+    problem = {"E0627", fmt::format("has statistics {}", how), kOtherActor};
     return false;
   };
   if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {

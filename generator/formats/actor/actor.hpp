@@ -20,7 +20,8 @@ bool is_critic(std::string_view name);
 /// What a file says besides its tensors.
 struct PolicyFacts {
   std::string format;
-  std::optional<Activation> activation;  // of hidden layers
+  std::optional<Activation> activation;         // of hidden layers
+  std::optional<Activation> output_activation;  // after the last layer
   std::optional<ActionKind> action;
   std::optional<std::vector<std::int64_t>> hidden;    // outputs of the hidden layers
   std::optional<std::int64_t> observations, actions;  // how many numbers
@@ -36,8 +37,8 @@ struct PolicyFacts {
 };
 
 /// What the metadata of a safetensors file says (keys: algo, activation, obs, low, high, squash,
-/// clip_obs, epsilon, rate), and arrays of one number with those names. E0626 for what cannot be
-/// read.
+/// clip_obs, epsilon, rate, output_activation), and arrays of one number with those names. E0626
+/// for what cannot be read.
 std::optional<PolicyFacts> facts_of_notes(const TensorTable& table, PolicyProblem& problem);
 
 /// What `data` in a Stable-Baselines3 archive says. E0626.
@@ -45,7 +46,7 @@ std::optional<PolicyFacts> facts_of_sb3(std::string_view json, PolicyProblem& pr
 
 /// The actor. E0624: nothing looks like one, or a part of it is missing; E0625: more than one does;
 /// E0626: tensors and facts disagree; E0628: it has parts that are not supported; E0629: nobody
-/// says its activation; E0627: its statistics do not fit.
+/// says its activation; E0750: nor what follows its last layer; E0627: its statistics do not fit.
 std::optional<Network> make_actor(const TensorTable& table, const PolicyFacts& facts,
                                   const ReadContext& context, PolicyProblem& problem);
 
@@ -62,6 +63,13 @@ enum class Squash : std::uint8_t {
 
 /// Where a library puts its GRU or LSTM if the sizes fit in several places.
 enum class MemoryPlace : std::uint8_t { unknown, first, before_head };
+
+/// Who knows what follows the last layer.
+enum class OutputRule : std::uint8_t {
+  unknown,  // nobody: it must be said
+  usual,    // the library's default, which its users may have changed
+  fixed,    // the library: there is no other
+};
 
 /// The modules of an actor in the order of evaluation.
 struct ActorModule {
@@ -83,10 +91,13 @@ struct ActorLayout {
   std::string extractor;  // what names in front of the modules start with
   Squash squash = Squash::never;
   bool has_quantiles = false;
+  OutputRule output_rule = OutputRule::unknown;
 };
 
-/// The one actor among the names. E0624, E0625.
-std::optional<ActorLayout> find_actor(const TensorTable& table, PolicyProblem& problem);
+/// The one actor among the names. A file that is no Stable-Baselines3 `zip` is only said to be of a
+/// library if it has marks that nothing else has. E0624, E0625.
+std::optional<ActorLayout> find_actor(const TensorTable& table, bool is_zip,
+                                      PolicyProblem& problem);
 
 /// Puts the layers of a GRU or LSTM into `layout`: those of `layout.memory`, else the only one
 /// there is, where its sizes fit. E0624, E0625.

@@ -18,4 +18,8 @@ std::optional<Network> read_safetensors(std::string_view bytes, const ReadContex
 std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext& context,
                                        PolicyProblem& problem);
 
+/// The same of what torch.save wrote before 1.6.
+std::optional<Network> read_legacy_torch_policy(std::string_view bytes, const ReadContext& context,
+                                                PolicyProblem& problem);
+
 }  // namespace eagerx::gen

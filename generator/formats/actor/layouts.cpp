@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "generator/formats/actor/parts.hpp"
+#include "generator/formats/common/foreign.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -50,6 +51,9 @@ struct KnownLayout {
   bool head_is_sequence;
   std::array<const char*, 2> must_have;  // names that start like one of these tell layouts apart
   const char* must_not_have;
+  /// Names, or with a dot at their end beginnings of names, one of which a file without its zip
+  /// must have to be of this library. None: `must_have` is enough.
+  std::array<const char*, 5> marks = {};
   ActionKind action;
   std::optional<Activation> activation;
   Activation output = Activation::identity;
@@ -59,6 +63,8 @@ struct KnownLayout {
   std::array<const char*, 2> extractors = {};  // the first that is there
   Squash squash = Squash::never;
   bool has_quantiles = false;
+  OutputRule output_rule = OutputRule::fixed;
+  bool is_alone = false;  // the file has one tensor
 };
 constexpr std::array kKnownLayouts = {
     KnownLayout{.about = "eagerx-gen train",
@@ -91,6 +97,7 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = true,
                 .must_have = {"actor.mu.0."},
                 .must_not_have = "actor.latent_pi.",
+                .marks = {"actor_target.", "critic.qf0.", "critic_target."},
                 .action = ActionKind::squashed,
                 .activation = Activation::relu,
                 .output = Activation::tanh,
@@ -116,6 +123,7 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = false,
                 .must_have = {"action_net.weight", "mlp_extractor.policy_net."},
                 .must_not_have = "lstm_actor.",
+                .marks = {"mlp_extractor.", "value_net.", "log_std", "features_extractor."},
                 .action = ActionKind::raw,
                 .activation = Activation::tanh,
                 .has_bias = true,
@@ -128,10 +136,22 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = true,
                 .must_have = {"action_net.0."},
                 .must_not_have = nullptr,
+                .marks = {""},  // its zip only
                 .action = ActionKind::raw,
                 .activation = Activation::relu,
                 .extractors = {"features_extractor."},
                 .squash = Squash::unless_linear},
+    KnownLayout{.about = "sb3-contrib's ARS",  // its LinearPolicy before 2.0
+                .algorithms = "ARS",
+                .bodies = {},
+                .head = "action_net",
+                .head_is_sequence = false,
+                .must_have = {"action_net.weight"},
+                .must_not_have = nullptr,
+                .marks = {""},  // its zip only
+                .action = ActionKind::raw,
+                .activation = Activation::relu,
+                .is_alone = true},
     KnownLayout{.about = "Stable-Baselines3's DQN",
                 .algorithms = "DQN",
                 .bodies = {},
@@ -164,17 +184,21 @@ constexpr std::array kKnownLayouts = {
                 .must_not_have = nullptr,
                 .action = ActionKind::raw,
                 .activation = std::nullopt,
-                .memory_place = MemoryPlace::before_head},
-    KnownLayout{.about = "rsl_rl",
-                .algorithms = "",
-                .bodies = {},
-                .head = "actor.",
-                .head_is_sequence = true,
-                .must_have = {"actor.0."},
-                .must_not_have = nullptr,
-                .action = ActionKind::raw,
-                .activation = std::nullopt,
-                .memory_place = MemoryPlace::first},
+                .memory_place = MemoryPlace::before_head,
+                .output_rule = OutputRule::usual},
+    KnownLayout{
+        .about = "rsl_rl",
+        .algorithms = "",
+        .bodies = {},
+        .head = "actor.",
+        .head_is_sequence = true,
+        .must_have = {"actor.0."},
+        .must_not_have = nullptr,
+        .marks = {"std", "log_std", "actor_obs_normalizer.", "obs_norm_state_dict.", "memory_a."},
+        .action = ActionKind::raw,
+        .activation = std::nullopt,
+        .memory_place = MemoryPlace::first,
+        .output_rule = OutputRule::usual},
     KnownLayout{.about = "skrl",
                 .algorithms = "",
                 .bodies = {"net_container."},
@@ -182,8 +206,10 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = false,
                 .must_have = {"policy_layer."},
                 .must_not_have = nullptr,
+                .marks = {"log_std_parameter", "state_preprocessor.", "observation_preprocessor."},
                 .action = ActionKind::raw,
-                .activation = std::nullopt},
+                .activation = std::nullopt,
+                .output_rule = OutputRule::usual},
     KnownLayout{.about = "CleanRL's PPO",
                 .algorithms = "",
                 .bodies = {},
@@ -191,8 +217,10 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = true,
                 .must_have = {"actor_mean.0."},
                 .must_not_have = nullptr,
+                .marks = {"actor_logstd"},
                 .action = ActionKind::raw,
-                .activation = std::nullopt},
+                .activation = std::nullopt,
+                .output_rule = OutputRule::usual},
     KnownLayout{.about = "CleanRL's SAC",
                 .algorithms = "",
                 .bodies = {"fc"},
@@ -200,6 +228,7 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = false,
                 .must_have = {"fc_mean."},
                 .must_not_have = nullptr,
+                .marks = {"fc_logstd.", "action_scale"},
                 .action = ActionKind::squashed,
                 .activation = Activation::relu,
                 .output = Activation::tanh},
@@ -210,6 +239,7 @@ constexpr std::array kKnownLayouts = {
                 .head_is_sequence = false,
                 .must_have = {"fc_mu."},
                 .must_not_have = nullptr,
+                .marks = {"action_scale"},
                 .action = ActionKind::squashed,
                 .activation = Activation::relu,
                 .output = Activation::tanh},
@@ -217,8 +247,8 @@ constexpr std::array kKnownLayouts = {
 
 class Layouts {
  public:
-  Layouts(const TensorTable& table, PolicyProblem& problem)
-      : table_(table), problem_(problem), sequences_(find_sequences(table)) {}
+  Layouts(const TensorTable& table, bool is_zip, PolicyProblem& problem)
+      : table_(table), is_zip_(is_zip), problem_(problem), sequences_(find_sequences(table)) {}
 
   std::optional<ActorLayout> find() {
     std::vector<ActorLayout> found;
@@ -239,18 +269,31 @@ class Layouts {
     return next != table_.tensors.end() && std::string_view(next->first).starts_with(start);
   }
   bool matches(const KnownLayout& known) const {
+    const bool is_alone = table_.tensors.size() == 1 && table_.find("action_net.weight") != nullptr;
+    if (known.is_alone != is_alone) return false;
     if (known.must_not_have != nullptr && any_starts_with(known.must_not_have)) return false;
     return std::any_of(known.must_have.begin(), known.must_have.end(),
                        [&](const char* name) { return name != nullptr && any_starts_with(name); });
   }
+  /// Whether the file is of this library, and does not only have names like its.
+  bool is_certain(const KnownLayout& known) const {
+    const auto is_there = [&](const char* mark) {
+      if (mark == nullptr) return false;
+      const std::string_view name = mark;
+      return name.ends_with('.') ? any_starts_with(name) : table_.find(name) != nullptr;
+    };
+    return is_zip_ || known.marks.front() == nullptr || std::ranges::any_of(known.marks, is_there);
+  }
 
   std::nullopt_t ambiguous(const std::string& a, const std::string& b) {
-    return refuse(problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
-                  "save a file with the tensors of one of them");
+    return refuse(
+        problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
+        "say which one by how its tensors' names begin: `agent: {policy: …, actor: NAME}`; "
+        "for `policy` with `--actor NAME`");
   }
   std::nullopt_t missing(const std::string& what) {
     return refuse(problem_, "E0624",
-                  fmt::format("has an actor without tensor `{}`", printable(what)), kSaveAgain);
+                  fmt::format("has an actor without tensor `{}`", printable(what)), kOtherActor);
   }
 
   /// Appends the modules of a sequence; `last_activates`: an activation follows the last one too.
@@ -297,10 +340,27 @@ class Layouts {
   }
 
   std::optional<ActorLayout> make(const KnownLayout& known) {
-    ActorLayout layout{
-        known.about,  known.algorithms,   {},           known.action,       known.activation,
-        known.output, known.has_bias,     known.memory, known.memory_place, "",
-        known.squash, known.has_quantiles};
+    ActorLayout layout{known.about,
+                       known.algorithms,
+                       {},
+                       known.action,
+                       known.activation,
+                       known.output,
+                       known.has_bias,
+                       known.memory,
+                       known.memory_place,
+                       "",
+                       known.squash,
+                       known.has_quantiles,
+                       known.output_rule};
+    if (!is_certain(known)) {
+      layout.about = "a torch module";
+      layout.activation.reset();
+      layout.output = Activation::identity;
+      layout.squash = Squash::never;
+      layout.memory_place = MemoryPlace::unknown;
+      layout.output_rule = OutputRule::unknown;
+    }
     for (const char* prefix : known.extractors) {
       if (prefix == nullptr || !layout.extractor.empty()) continue;
       if (any_starts_with(prefix)) layout.extractor = prefix;
@@ -348,10 +408,23 @@ class Layouts {
     return layout;
   }
 
+  /// Whose names the tensors have, if it is no library of torch.
+  std::optional<std::string> other_library() const {
+    for (const auto& [name, tensor] : table_.tensors) {
+      const std::string_view last = std::string_view(name).substr(name.find_last_of("./") + 1);
+      if (last == "kernel" || last == "kernel:0") {
+        return fmt::format("names its weights as Flax and Keras do: `{}`", printable(name));
+      }
+      if (last == "Wx") return fmt::format("has a memory of MLX: `{}`", printable(name));
+    }
+    return std::nullopt;
+  }
+
   /// A file of nothing but one network.
   std::optional<ActorLayout> only_sequence() {
     if (auto layout = around_memory()) return layout;
     if (sequences_.empty()) {
+      if (const auto other = other_library()) return refuse(problem_, "E0624", *other, kJaxWay);
       return refuse(
           problem_, "E0624",
           fmt::format("has no actor among its {} tensors", table_.tensors.size()),
@@ -378,6 +451,7 @@ class Layouts {
   }
 
   const TensorTable& table_;
+  bool is_zip_;
   PolicyProblem& problem_;
   Sequences sequences_;
 };
@@ -390,8 +464,9 @@ bool is_critic(std::string_view name) {
          name.starts_with("memory_c");
 }
 
-std::optional<ActorLayout> find_actor(const TensorTable& table, PolicyProblem& problem) {
-  return Layouts(table, problem).find();
+std::optional<ActorLayout> find_actor(const TensorTable& table, bool is_zip,
+                                      PolicyProblem& problem) {
+  return Layouts(table, is_zip, problem).find();
 }
 
 }  // namespace eagerx::gen

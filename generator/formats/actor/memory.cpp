@@ -101,7 +101,7 @@ bool add_memory(const TensorTable& table, ActorLayout& layout, PolicyProblem& pr
         fmt::format("has a memory `{}` from {} to {} values, which fits between no two of its "
                     "other layers",
                     printable(base), inputs, hidden),
-        kSaveAgain};
+        kOtherActor};
     return false;
   }
   for (int i = 0; i < count; ++i) {
@@ -121,7 +121,7 @@ std::optional<Layer> recurrent_layer(const TensorTable& table, const std::string
     return refuse(problem, "E0624",
                   fmt::format("has an actor without tensor `{}`",
                               printable(input == nullptr ? input_name : hidden_name)),
-                  kSaveAgain);
+                  kOtherActor);
   }
   const auto is_matrix = [](const StoredTensor& tensor) {
     return tensor.shape.size() == 2 && tensor.shape[0] > 0 && tensor.shape[1] > 0;
@@ -133,7 +133,7 @@ std::optional<Layer> recurrent_layer(const TensorTable& table, const std::string
                   fmt::format("has tensors `{}` of shape {} and `{}` of shape {}, which do not fit",
                               printable(input_name), show(input->shape), printable(hidden_name),
                               show(hidden->shape)),
-                  kSaveAgain);
+                  kOtherActor);
   }
   const std::int64_t gates = rows / outputs;
   const StoredTensor* reverse = table.find(input_name + "_reverse");
@@ -166,7 +166,7 @@ std::optional<Layer> recurrent_layer(const TensorTable& table, const std::string
       return refuse(problem, "E0618",
                     fmt::format("has tensor `{}` of shape {} for {} outputs", printable(name),
                                 show(bias->shape), rows),
-                    kSaveAgain);
+                    kOtherActor);
     }
     auto numbers = floats_of(name, *bias, problem);
     if (!numbers) return std::nullopt;

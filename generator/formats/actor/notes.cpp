@@ -57,7 +57,8 @@ class Notes {
   std::optional<PolicyFacts> read() {
     PolicyFacts facts;
     facts.contract.algorithm = upper(text("algo"));
-    const bool read = read_observations(facts) && read_activation(facts) && read_action(facts) &&
+    const bool read = read_observations(facts) && read_activation(facts) &&
+                      read_output_activation(facts) && read_action(facts) &&
                       bounds("low", facts.contract.action_low) &&
                       bounds("high", facts.contract.action_high) && one("clip_obs", facts.clip) &&
                       one("epsilon", facts.epsilon) && one("rate", facts.contract.rate_hz);
@@ -93,6 +94,12 @@ class Notes {
     if (name.empty()) return true;
     facts.activation = activation_of(name);
     return facts.activation.has_value() || fail("activation");
+  }
+  bool read_output_activation(PolicyFacts& facts) {
+    const std::string name = text("output_activation");
+    if (name.empty()) return true;
+    facts.output_activation = activation_of(name);
+    return facts.output_activation.has_value() || fail("output_activation");
   }
   bool read_action(PolicyFacts& facts) {
     const std::string squash = upper(text("squash"));

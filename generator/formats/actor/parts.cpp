@@ -20,7 +20,7 @@ std::optional<std::vector<float>> numbers(const ActorParts& parts, const std::st
                       ? fmt::format("has a layer without tensor `{}`", printable(name))
                       : fmt::format("has tensor `{}` of shape {} for {} values", printable(name),
                                     show(tensor->shape), count),
-                  kSaveAgain);
+                  kOtherActor);
   }
   parts.used.insert(name);
   return floats_of(name, *tensor, parts.problem);
@@ -144,7 +144,7 @@ bool add_nature_cnn(const ActorParts& parts, const std::string& prefix) {
         "E0618",
         fmt::format("has {} values behind its convolutions, but `{}` {}", inputs, printable(name),
                     weight == nullptr ? "is missing" : "is " + show(weight->shape)),
-        kSaveAgain);
+        kOtherActor);
   }
   Layer layer;
   layer.inputs = static_cast<std::uint32_t>(inputs);
@@ -175,7 +175,7 @@ bool add_batch_norm(const ActorParts& parts, const std::string& base) {
     return parts.fail(
         "E0618",
         fmt::format("has a batch norm `{}` of shape {}", printable(base), show(first->shape)),
-        kSaveAgain);
+        kOtherActor);
   }
   const auto values = static_cast<std::uint32_t>(count);
   const std::string scale_name = base + (renorm ? ".scale" : ".weight");
@@ -196,7 +196,7 @@ bool add_batch_norm(const ActorParts& parts, const std::string& base) {
     if (!(sum > 0.0)) {
       return parts.fail(
           "E0616", fmt::format("has a variance below zero in batch norm `{}`", printable(base)),
-          kSaveAgain);
+          kOtherActor);
     }
     (*scale)[i] = static_cast<float>(static_cast<double>((*scale)[i]) / std::sqrt(sum));
   }
@@ -218,7 +218,7 @@ bool average_quantiles(const ActorParts& parts) {
     return parts.fail(
         "E0626",
         fmt::format("says that it has {} actions, but gives {} quantiles", actions, layer.outputs),
-        kSaveAgain);
+        kOtherActor);
   }
   const auto count = static_cast<std::size_t>(actions);
   const std::size_t quantiles = layer.outputs / count;

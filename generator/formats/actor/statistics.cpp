@@ -48,7 +48,7 @@ std::optional<std::vector<double>> one_for_each_input(const ActorParts& parts, c
     return refuse(
         parts.problem, "E0627",
         fmt::format("has statistics of shape {} for {} inputs", show(tensor.shape), inputs),
-        kSaveAgain);
+        kOtherActor);
   }
   return finite_values_of(name, tensor, parts.problem);
 }
@@ -57,7 +57,7 @@ bool add_known(const ActorParts& parts, const KnownStatistics& known) {
   if (parts.table.find(known.mean) == nullptr || parts.table.find(known.spread) == nullptr) {
     return parts.fail("E0627",
                       fmt::format("has only one of `{}` and `{}`", known.mean, known.spread),
-                      kSaveAgain);
+                      kOtherActor);
   }
   auto mean = one_for_each_input(parts, known.mean);
   auto spread = mean ? one_for_each_input(parts, known.spread) : std::nullopt;
@@ -111,10 +111,10 @@ bool add_scaled_bounds(const ActorParts& parts) {
                       fmt::format("has `action_scale` of {} and `action_bias` of {} numbers for {} "
                                   "actions",
                                   scales->size(), centres->size(), parts.network.outputs()),
-                      kSaveAgain);
+                      kOtherActor);
   }
   if (std::any_of(scales->begin(), scales->end(), [](double value) { return value < 0; })) {
-    return parts.fail("E0626", "has an `action_scale` below zero", kSaveAgain);
+    return parts.fail("E0626", "has an `action_scale` below zero", kOtherActor);
   }
   PolicyContract& contract = parts.network.contract;
   contract.action_low.clear();

@@ -24,6 +24,8 @@ std::string printable(std::string_view name);
 /// What helps against damaged files.
 inline constexpr const char* kSaveAgain = "the file is damaged: save it again";
 inline constexpr const char* kCutShort = "the file is damaged or truncated: save it again";
-inline constexpr const char* kMisfit = "the layers of the file do not fit together: save it again";
+/// And against actors that are read by the names of their tensors, and are built in another way.
+inline constexpr const char* kOtherActor =
+    "the actor is not built as its names say: export it to ONNX, which says every step";
 
 }  // namespace eagerx::gen

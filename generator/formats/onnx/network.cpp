@@ -284,7 +284,7 @@ std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps
     computes = computes || !std::holds_alternative<Reorder>(step->what);
   }
   if (!computes) {
-    problem = {"E0620", "has no layer between its input and its first output", kLayersHelp};
+    problem = {"E0620", "has no layer between its input and its action", kLayersHelp};
     return std::nullopt;
   }
   return builder.take();

@@ -1,4 +1,4 @@
-// The whole model is untrusted, and only what leads to the first output is read.
+// The whole model is untrusted, and only what leads to the action is read.
 #include "generator/formats/onnx/read_onnx.hpp"
 
 #include <fmt/core.h>
@@ -17,6 +17,7 @@
 #include "generator/formats/onnx/network.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
 #include "generator/formats/onnx/operators/value.hpp"
+#include "generator/formats/onnx/outputs.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
@@ -85,7 +86,7 @@ std::optional<GraphInputs> find_observation(const onnx::GraphProto& graph,
   const bool has_memory = std::any_of(needed.nodes.begin(), needed.nodes.end(),
                                       [](const auto* node) { return is_recurrent(*node); });
   if (needed.inputs.empty()) {
-    return refuse(problem, "E0620", "has a first output that depends on no input", kExportActor);
+    return refuse(problem, "E0620", "has an action that depends on no input", kExportActor);
   }
   GraphInputs found;
   const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
@@ -229,13 +230,13 @@ bool check_states(const std::vector<OnnxStep>& steps, std::int32_t last,
 }
 
 /// Other outputs, inputs and tensors that have no part in the action.
-std::vector<std::string> ignored_parts(const onnx::GraphProto& graph,
-                                       const OnnxDependencies& needed,
+std::vector<std::string> ignored_parts(const onnx::GraphProto& graph, const OnnxAction& chosen,
                                        const std::unordered_set<const onnx::TensorProto*>& used,
                                        const std::vector<const OnnxValue*>& others) {
   std::vector<std::string> ignored;
-  for (int i = 1; i < graph.output_size(); ++i) {
-    const auto at = static_cast<std::size_t>(i) - 1;
+  for (int i = 0; i < graph.output_size(); ++i) {
+    if (i == chosen.output) continue;
+    const auto at = static_cast<std::size_t>(i < chosen.output ? i : i - 1);
     if (at < others.size() && !others[at]->remembered.empty()) continue;  // a state: kept
     ignored.push_back(fmt::format("output `{}`", printable(graph.output(i).name())));
   }
@@ -246,7 +247,7 @@ std::vector<std::string> ignored_parts(const onnx::GraphProto& graph,
     const Dims dims(tensor.dims().begin(), tensor.dims().end());
     ignored.push_back(fmt::format("tensor `{}` {}", printable(tensor.name()), show(dims)));
   }
-  const InputSet wanted(needed.inputs.begin(), needed.inputs.end());
+  const InputSet wanted(chosen.needed.inputs.begin(), chosen.needed.inputs.end());
   for (const onnx::ValueInfoProto& input : graph.input()) {
     if (wanted.contains(&input) || tensors.contains(input.name())) continue;
     ignored.push_back(fmt::format("input `{}`", printable(input.name())));
@@ -267,7 +268,8 @@ std::string describe(const onnx::ModelProto& model, std::int64_t opset) {
 
 }  // namespace
 
-std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem) {
+std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
+                                 PolicyProblem& problem) {
   const std::optional<onnx::ModelProto> model = parse(bytes, problem);
   if (!model) return std::nullopt;
   const std::optional<std::int64_t> opset = checked_opset(*model, problem);
@@ -279,9 +281,10 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   }
   const std::optional<OnnxNames> names = collect_names(graph, problem);
   if (!names) return std::nullopt;
-  const std::string& action = graph.output(0).name();
-  const std::optional<OnnxDependencies> needed = walk_back(action, *names, problem);
-  if (!needed) return std::nullopt;
+  const std::optional<OnnxAction> chosen = choose_action(graph, *names, output, problem);
+  if (!chosen) return std::nullopt;
+  const std::string& action = graph.output(chosen->output).name();
+  const OnnxDependencies* needed = &chosen->needed;
   const auto observation = find_observation(graph, *needed, problem);
   if (!observation) return std::nullopt;
 
@@ -321,11 +324,12 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   if (result.kind != Kind::data) {
     problem = result.kind == Kind::other
                   ? result.problem
-                  : PolicyProblem{"E0620", "has a first output that is constant", kExportActor};
+                  : PolicyProblem{"E0620", "has an action that is constant", kExportActor};
     return std::nullopt;
   }
   std::vector<const OnnxValue*> others;
-  for (int i = 1; has_memory && i < graph.output_size(); ++i) {
+  for (int i = 0; has_memory && i < graph.output_size(); ++i) {
+    if (i == chosen->output) continue;
     constexpr std::int64_t kSteps = 16;  // of the budget, for each node that is walked over
     PolicyProblem ignored;
     const auto more = state.budget >= 0 ? walk_back(graph.output(i).name(), *names, ignored)
@@ -342,9 +346,11 @@ std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem)
   std::optional<std::vector<Layer>> layers =
       make_layers(state.steps, result.step, inputs, used, problem);
   if (!layers) return std::nullopt;
+  // Who names the output knows what it is.
+  if (output.empty() && !leads_to_outputs(graph, *names, *chosen, problem)) return std::nullopt;
   network.format = describe(*model, *opset);
   network.layers = std::move(*layers);
-  network.ignored = ignored_parts(graph, *needed, used, others);
+  network.ignored = ignored_parts(graph, *chosen, used, others);
   if (std::any_of(network.layers.begin(), network.layers.end(),
                   [](const Layer& layer) { return layer.depends_on_shape(); })) {
     network.input_shape.assign(observed->begin() + (observed->size() > 1 ? 1 : 0), observed->end());

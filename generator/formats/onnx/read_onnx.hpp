@@ -9,7 +9,9 @@
 
 namespace eagerx::gen {
 
-/// The actor in the bytes of an ONNX file, `file` left empty; or why there is none.
-std::optional<Network> read_onnx(std::string_view bytes, PolicyProblem& problem);
+/// The actor in the bytes of an ONNX file, `file` left empty; or why there is none. Its action is
+/// the output `output`; empty: the one that is known to be it. E0751, E0752.
+std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
+                                 PolicyProblem& problem);
 
 }  // namespace eagerx::gen

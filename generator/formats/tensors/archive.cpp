@@ -106,13 +106,15 @@ std::optional<std::string_view> Archive::read(std::string_view name, std::string
                   fmt::format("is a zip archive whose entry `{}` {}", printable(name), how), help);
   };
   const auto found = entries_.find(name);
-  if (found == entries_.end()) return fail("is missing");
+  if (found == entries_.end())
+    return fail("is missing", "save it again with Stable-Baselines3, as one file");
   const Entry& entry = found->second;
   if ((entry.flags & kEncrypted) != 0) return fail("is encrypted", "save it without a password");
   if (entry.method != 0 && entry.method != Z_DEFLATED) {
     return fail("is packed in a way other than deflate", "save it again without compression");
   }
-  if (entry.size > kMaxPolicyBytes) return fail("is larger than the 64 MB that are read");
+  if (entry.size > kMaxPolicyBytes)
+    return fail("is larger than the 64 MB that are read", "use a smaller network");
   if (bytes_.size() < kHeaderSize || entry.header > bytes_.size() - kHeaderSize ||
       number(bytes_, entry.header, 4) != kHeaderMark) {
     return fail("lies outside of the file");

@@ -18,8 +18,17 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
                                      PolicyProblem& problem);
 
 /// The tensors of a torch.save archive: a state dict, or a dictionary that holds one under
-/// `model_state_dict`, `state_dict`, `model` or `policy`. Views into `archive`. E0621 to E0623.
-bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& problem);
+/// `model_state_dict`, `state_dict`, `model` or `policy`; with `all` everything that it holds.
+/// Views into `archive`. E0621 to E0623.
+bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem);
+
+/// Whether `bytes` are what torch.save wrote before 1.6, or writes with
+/// `_use_new_zipfile_serialization=False`: pickles, then the storages of their tensors.
+bool is_legacy_torch(std::string_view bytes);
+
+/// The same of such a file. Views into `bytes`.
+bool read_legacy_torch(std::string_view bytes, bool all, TensorTable& table,
+                       PolicyProblem& problem);
 
 /// Tensors and metadata of a safetensors file. E0604, E0614.
 bool read_safetensors_table(std::string_view bytes, TensorTable& table, PolicyProblem& problem);

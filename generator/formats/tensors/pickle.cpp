@@ -28,6 +28,7 @@ class Reader {
       if (!take(1, code)) return std::nullopt;
       if (!step(static_cast<unsigned char>(code.front()))) return std::nullopt;
     }
+    pickle_.end = at_;
     return std::move(pickle_);
   }
 

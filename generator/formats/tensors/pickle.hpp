@@ -42,6 +42,7 @@ struct PickleValue {
 struct Pickle {
   std::vector<PickleValue> values;
   std::uint32_t root = 0;
+  std::size_t end = 0;            // bytes that it took
   std::deque<std::string> names;  // that texts point to, besides the file itself
 
   [[nodiscard]] const PickleValue& at(std::uint32_t index) const { return values[index]; }

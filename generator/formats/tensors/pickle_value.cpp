@@ -62,6 +62,8 @@ constexpr std::array kStatisticsNames = {
     "gym.spaces.discrete.Discrete",
     "collections.OrderedDict",
     "collections.deque",
+    "builtins.set",
+    "__builtin__.set",
     "_codecs.encode",
 };
 

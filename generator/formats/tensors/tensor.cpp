@@ -157,11 +157,13 @@ std::optional<std::vector<float>> floats_of(const std::string& name, const Store
 bool TensorTable::add(const std::string& name, StoredTensor tensor, PolicyProblem& problem) {
   if (!fits(name, tensor, problem)) return false;
   if (tensors.size() >= kMaxTensors) {
-    problem = {"E0619", fmt::format("has more than {} tensors", kMaxTensors), kSaveAgain};
+    problem = {"E0619", fmt::format("has more than {} tensors", kMaxTensors),
+               "save the tensors of the actor alone"};
     return false;
   }
   if (tensors.emplace(name, std::move(tensor)).second) return true;
-  problem = {"E0610", fmt::format("has two tensors `{}`", printable(name)), kSaveAgain};
+  problem = {"E0610", fmt::format("has two tensors `{}`", printable(name)),
+             "give each tensor a name of its own"};
   return false;
 }
 

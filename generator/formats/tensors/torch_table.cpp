@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "generator/formats/common/foreign.hpp"
 #include "generator/formats/tensors/containers.hpp"
 #include "generator/network/limits.hpp"
 
@@ -19,23 +20,51 @@ constexpr std::size_t kLongestName = 4096;
 
 class TorchReader {
  public:
-  TorchReader(const Archive& archive, TensorTable& table, PolicyProblem& problem)
-      : archive_(archive), table_(table), problem_(problem) {}
+  /// `archive`: nullptr for the format before torch 1.6.
+  TorchReader(const Archive* archive, bool all, TensorTable& table, PolicyProblem& problem)
+      : archive_(archive), all_(all), table_(table), problem_(problem) {}
+
+  /// Five pickles (a magic number, a version, the machine, the object, names of its storages), then
+  /// each storage: how many elements, and they.
+  bool run_legacy(std::string_view bytes) {
+    constexpr int kPickles = 5;
+    constexpr int kMachine = 2;
+    constexpr int kObject = 3;
+    Pickle names;
+    for (int i = 0; i < kPickles; ++i) {
+      auto pickle = read_pickle(bytes, PickleNames::tensors, problem_);
+      if (!pickle) return false;
+      bytes.remove_prefix(pickle->end);
+      if (i == kMachine) {
+        const PickleValue* little = pickle->find(pickle->top(), "little_endian");
+        if (little != nullptr && little->integer == 0) return fail("big-endian numbers");
+      }
+      if (i == kObject) pickle_ = std::move(*pickle);
+      if (i == kPickles - 1) names = std::move(*pickle);
+    }
+    return find_legacy_storages(names, bytes) && add_state_dict();
+  }
 
   bool run(const std::string& folder) {
     folder_ = folder;
     std::string& buffer = table_.buffers.emplace_back();
-    const auto bytes = archive_.read(folder_ + std::string(kPickleName), buffer, problem_);
+    const auto bytes = archive_->read(folder_ + std::string(kPickleName), buffer, problem_);
     if (!bytes || !check_byte_order()) return false;
     auto pickle = read_pickle(*bytes, PickleNames::tensors, problem_);
     if (!pickle) return false;
     pickle_ = std::move(*pickle);
+    return add_state_dict();
+  }
+
+ private:
+  bool add_state_dict() {
     const PickleValue* dictionary = &pickle_.top();
     // CleanRL saves the state dicts of actor and critics as a tuple.
     if (dictionary->kind == Kind::sequence && !dictionary->items.empty()) {
       dictionary = &pickle_.at(dictionary->items.front());
     }
     const PickleValue& top = *dictionary;
+    if (all_) return add_all(top, "", 0);
     for (const char* key :
          {"actor_state_dict", "model_state_dict", "state_dict", "model", "policy"}) {
       const PickleValue* inner = pickle_.find(*dictionary, key);
@@ -52,7 +81,39 @@ class TorchReader {
     return add_all(*dictionary, "", 0);
   }
 
- private:
+  /// Where each storage lies in `bytes`, in the order of `names`.
+  bool find_legacy_storages(const Pickle& names, std::string_view bytes) {
+    constexpr std::size_t kCount = 8;  // bytes of a number of elements
+    std::map<std::string_view, ElementType> types;
+    for (const PickleValue& value : pickle_.values) {
+      if (value.kind != Kind::persistent) continue;
+      const std::vector<std::uint32_t>& storage = pickle_.at(value.function).items;
+      if (storage.size() < 3) continue;
+      const auto type = torch_storage_type(pickle_.at(storage[1]).text);
+      if (type) types[pickle_.at(storage[2]).text] = *type;
+    }
+    for (const std::uint32_t index : names.top().items) {
+      const std::string_view name = names.at(index).text;
+      const auto type = types.find(name);
+      if (type == types.end()) return fail("a storage that no tensor is in");
+      if (bytes.size() < kCount) return cut_short();
+      std::uint64_t count = 0;
+      for (std::size_t i = kCount; i-- > 0;) {
+        count = count << 8U | static_cast<unsigned char>(bytes[i]);
+      }
+      bytes.remove_prefix(kCount);
+      if (count > bytes.size() / size_of(type->second)) return cut_short();
+      const std::size_t size = static_cast<std::size_t>(count) * size_of(type->second);
+      storages_.emplace(fmt::format("data/{}", name), bytes.substr(0, size));
+      bytes.remove_prefix(size);
+    }
+    return true;
+  }
+  bool cut_short() {
+    problem_ = {"E0623", "ends before its tensors do", kCutShort};
+    return false;
+  }
+
   bool fail(const std::string& how) {
     problem_ = {"E0623", fmt::format("has {}", how), kTorchHelp};
     return false;
@@ -60,9 +121,9 @@ class TorchReader {
 
   bool check_byte_order() {
     const std::string name = folder_ + "byteorder";
-    if (!archive_.has(name)) return true;
+    if (!archive_->has(name)) return true;
     std::string buffer;
-    const auto order = archive_.read(name, buffer, problem_);
+    const auto order = archive_->read(name, buffer, problem_);
     if (!order) return false;
     return *order == "little" || fail("big-endian numbers");
   }
@@ -131,7 +192,11 @@ class TorchReader {
   std::optional<std::string_view> storage_bytes(std::string_view key) {
     const std::string name = fmt::format("{}data/{}", folder_, key);
     if (const auto known = storages_.find(name); known != storages_.end()) return known->second;
-    const auto bytes = archive_.read(name, table_.buffers.emplace_back(), problem_);
+    if (archive_ == nullptr) {
+      fail(fmt::format("a tensor in a storage `{}` that is not there", printable(key)));
+      return std::nullopt;
+    }
+    const auto bytes = archive_->read(name, table_.buffers.emplace_back(), problem_);
     if (bytes) storages_.emplace(name, *bytes);
     unpacked_ += table_.buffers.back().size();
     if (unpacked_ > kMaxPolicyBytes) {
@@ -142,7 +207,8 @@ class TorchReader {
     return bytes;
   }
 
-  const Archive& archive_;
+  const Archive* archive_;
+  bool all_;  // not only what is known to be the actor
   TensorTable& table_;
   PolicyProblem& problem_;
   Pickle pickle_;
@@ -154,7 +220,7 @@ class TorchReader {
 
 }  // namespace
 
-bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& problem) {
+bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem) {
   for (const std::string& name : archive.names()) {
     if (!name.ends_with("/constants.pkl")) continue;
     problem = {"E0603", "is a TorchScript program, not its tensors",
@@ -163,11 +229,21 @@ bool read_torch(const Archive& archive, TensorTable& table, PolicyProblem& probl
   }
   for (const std::string& name : archive.names()) {
     if (name != kPickleName && !name.ends_with("/data.pkl")) continue;
-    return TorchReader(archive, table, problem)
+    return TorchReader(&archive, all, table, problem)
         .run(name.substr(0, name.size() - kPickleName.size()));
   }
-  problem = {"E0621", "is a zip archive without `data.pkl`", kTorchHelp};
+  problem = foreign_archive(archive.names());
   return false;
+}
+
+bool is_legacy_torch(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  return bytes.starts_with("\x80\x02\x8a\x0a\x6c\xfc\x9c\x46\xf9\x20\x6a\xa8\x50\x19."sv);
+}
+
+bool read_legacy_torch(std::string_view bytes, bool all, TensorTable& table,
+                       PolicyProblem& problem) {
+  return TorchReader(nullptr, all, table, problem).run_legacy(bytes);
 }
 
 }  // namespace eagerx::gen

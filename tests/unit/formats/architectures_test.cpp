@@ -22,7 +22,11 @@ constexpr const char* kArchitectures = EAGERX_SOURCE_DIR "/tests/data/policy/arc
 
 Network read_architecture(const std::string& file) {
   Diagnostics diagnostics;
-  const auto network = read_policy(kArchitectures + file, file, {}, diagnostics);
+  PolicyRequest request;
+  request.path = kArchitectures + file;
+  request.name = file;
+  if (file.ends_with(".npz")) request.context.output_activation = Activation::identity;
+  const auto network = read_policy(request, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << file << ": " << problem.message;
   return network.value();
 }
@@ -210,7 +214,8 @@ TEST(Architectures, MemoriesAreFoundWhereTheirSizesFit) {
   test::add_linear(tensors, "encoder", 3, 5);
   test::add_linear(tensors, "a_head", 4, 2);
   add_memory(tensors, "gru", 5, 4, 3);
-  network = test::read_good(test::safetensors(tensors, R"("activation":"relu")"));
+  network = test::read_good(
+      test::safetensors(tensors, R"("activation":"relu","output_activation":"none")"));
   ASSERT_EQ(network.layers.size(), 3U);
   EXPECT_EQ(network.layers[0].activation, Activation::relu);
   EXPECT_FALSE(network.layers[1].recurrence()->is_lstm);

@@ -65,8 +65,8 @@ TEST_P(Formats, AreTheSameNetwork) {
     expect_same(onnx, network);
     const GoldenResult result = golden(network, name + "_sb3.csv");
     EXPECT_EQ(result.rows, 200U);
-    EXPECT_LE(result.ours, 2.0 * result.theirs);
-    EXPECT_GT(result.theirs, 1e-7);
+    EXPECT_LE(result.outputs.ours, 2.0 * result.outputs.theirs);
+    EXPECT_GT(result.outputs.theirs, 1e-7);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Policies, Formats, testing::Values("sac_64", "ppo_64"));

@@ -35,7 +35,7 @@ Network read_library(const std::string& name) {
   request.path = kLibraries + name;
   request.name = name;
   const bool says_it = name.ends_with(".zip") || name.starts_with("cleanrl");
-  if (!says_it) request.activation = Activation::elu;
+  if (!says_it) request.context.activation = Activation::elu;
   Diagnostics diagnostics;
   auto network = read_policy(request, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << name << ": " << problem.message;
@@ -62,7 +62,7 @@ TEST_P(Libraries, AnswerAsTorch) {
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << problem.message;
   ASSERT_TRUE(result.has_value());
   EXPECT_TRUE(result->passed());
-  EXPECT_EQ(result->action.has_value(), !rows->actions.empty());
+  EXPECT_EQ(result->actions.has_value(), !rows->actions.empty());
 }
 
 constexpr ActionKind kRaw = ActionKind::raw;
@@ -83,6 +83,8 @@ INSTANTIATE_TEST_SUITE_P(
         Saved{"qrdqn.zip", "qrdqn", kChoice, "QR-DQN"}, Saved{"ars.zip", "ars", kSquashed, "ARS"},
         Saved{"ars_linear.zip", "ars_linear", kRaw, "ARS"},
         Saved{"rsl_rl.pt", "rsl_rl", kRaw, "rsl_rl"},
+        Saved{"rsl_rl_legacy.pt", "rsl_rl", kRaw, "torch.save before 1.6, rsl_rl"},
+        Saved{"td3_legacy.zip", "td3", kSquashed, "TD3"},
         Saved{"rsl_rl_3.pt", "rsl_rl", kRaw, "rsl_rl"},
         Saved{"rl_games.pth", "rl_games", kRaw, "rl_games"}, Saved{"skrl.pt", "skrl", kRaw, "skrl"},
         Saved{"cleanrl_td3.pth", "cleanrl_td3", kSquashed, "CleanRL"}),
@@ -130,7 +132,7 @@ TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {
   PolicyRequest request;
   request.path = EAGERX_SOURCE_DIR "/tests/data/policy/ppo_64.zip";
   request.name = "ppo_64.zip";
-  request.activation = Activation::relu;
+  request.context.activation = Activation::relu;
   Diagnostics diagnostics;
   EXPECT_FALSE(read_policy(request, diagnostics).has_value());
   EXPECT_EQ(diagnostics.all().front().code, "E0626") << "Stable-Baselines3's own is tanh";
@@ -238,7 +240,7 @@ TEST(Statistics, OfABatchNormFitItsLayer) {
   tensors.push_back({"net.1.running_mean", {2}, {0, 0}});
   tensors.push_back({"net.1.running_var", {2}, {1, 1}});
   add_linear(tensors, "net.3", 3, 1);
-  const char* relu = R"("activation":"relu")";
+  const char* relu = R"("activation":"relu","output_activation":"none")";
   Diagnostic diagnostic = read_bad(safetensors(tensors, relu));
   EXPECT_EQ(diagnostic.code, "E0618");
   EXPECT_THAT(diagnostic.message, HasSubstr("`net.1.running_mean` of shape [2] for 3"));
@@ -268,6 +270,19 @@ TEST(Squash, FollowsTheMeanOfRecurrentPpoToo) {
   ASSERT_TRUE(network.has_value()) << problem.message;
   EXPECT_EQ(network->action_kind(), ActionKind::squashed);
   EXPECT_EQ(network->layers.back().activation, Activation::tanh);
+}
+
+TEST(Torch, StatisticsOfEarlyVersionsHaveSets) {
+  PolicyProblem problem;
+  for (const char* module : {"__builtin__", "builtins"}) {
+    const std::string bytes = fmt::format(
+        "\x80\x02"
+        "c{}\nset\n]\x85R.",
+        module);
+    EXPECT_TRUE(read_pickle(bytes, PickleNames::statistics, problem).has_value())
+        << problem.message;
+    EXPECT_FALSE(read_pickle(bytes, PickleNames::tensors, problem).has_value());
+  }
 }
 
 TEST(Torch, AProgramIsNotItsTensors) {

@@ -63,7 +63,8 @@ void check(const std::string& bytes, const ReadContext& context = {}) {
   const auto network = read_policy_bytes(bytes, "damaged.onnx", {}, diagnostics, context);
   ASSERT_EQ(diagnostics.all().size(), network ? 0U : 1U);
   if (!network) {
-    EXPECT_EQ(diagnostics.all().front().code.substr(0, 3), "E06");
+    const std::string code = diagnostics.all().front().code;
+    EXPECT_TRUE(code.starts_with("E06") || code.starts_with("E075")) << code;
     return;
   }
   ASSERT_FALSE(network->layers.empty());
@@ -118,7 +119,10 @@ TEST(Mutation, DamagedFilesOfOtherArchitectures) {
                            "recurrent_ppo.zip", "gru_state_dict.npz"}) {
     const std::string good = file_bytes((std::string("architectures/") + name).c_str());
     ASSERT_GT(good.size(), 1000U);
-    for (int i = 0; i < 700; ++i) check(damaged(good, random));
+    ReadContext context;
+    if (good.starts_with("PK")) context.output_activation = Activation::identity;
+    if (std::string(name).ends_with(".zip")) context = {};
+    for (int i = 0; i < 700; ++i) check(damaged(good, random), context);
   }
 }
 
@@ -142,8 +146,9 @@ std::string damaged_archive(const std::string& bytes, std::mt19937& random) {
 
 TEST(Mutation, DamagedEntriesOfArchives) {
   std::mt19937 random(5);
-  for (const char* name : {"ppo_cnn.zip", "crossq.zip", "qrdqn.zip", "ars_linear.zip", "rsl_rl.pt",
-                           "rl_games.pth", "skrl.pt", "cleanrl_td3.pth"}) {
+  for (const char* name :
+       {"ppo_cnn.zip", "crossq.zip", "qrdqn.zip", "ars_linear.zip", "rsl_rl.pt", "rl_games.pth",
+        "skrl.pt", "cleanrl_td3.pth", "rsl_rl_legacy.pt", "td3_legacy.zip"}) {
     const std::string good = file_bytes((std::string("libraries/") + name).c_str());
     ASSERT_GT(good.size(), 1000U);
     ReadContext context;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/formats/actor/actor.hpp"
+#include "generator/formats/tensors/containers.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
 #include "tests/unit/formats/table_builder.hpp"
 
@@ -104,6 +106,60 @@ TEST(TableErrors, TwoActors) {
   expect_problem(read_bad(safetensors(tensors)), "E0625", "`first.…` and `second.…`");
 }
 
+std::optional<Network> read_actor(const std::string& bytes, const char* actor,
+                                  Diagnostics& diagnostics) {
+  ReadContext context;
+  context.actor = actor;
+  context.output_activation = Activation::identity;
+  return read_policy_bytes(bytes, "policy.pt", {}, diagnostics, context);
+}
+
+TEST(TableErrors, OneOfSeveralActorsMayBeSaid) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "first.0", 3, 1);
+  add_linear(tensors, "agents.second.actor.0", 3, 2);
+  tensors.push_back({"agents.second.std", {1}, {1.0F}});
+  const std::string bytes = safetensors(tensors);
+  expect_problem(read_bad(bytes), "E0625", "two actors");
+  Diagnostics diagnostics;
+  EXPECT_EQ(read_actor(bytes, "first", diagnostics)->outputs(), 1U);
+  const auto second = read_actor(bytes, "agents.second", diagnostics);
+  ASSERT_TRUE(second.has_value());
+  EXPECT_EQ(second->outputs(), 2U);
+  EXPECT_THAT(second->format, HasSubstr("rsl_rl")) << "its names are those behind the prefix";
+  EXPECT_TRUE(diagnostics.all().empty());
+  EXPECT_FALSE(read_actor(bytes, "third", diagnostics).has_value());
+  expect_problem(diagnostics.all().back(), "E0625", "begins with `third.`; its first one is `agen");
+  EXPECT_FALSE(read_actor(test::two_layers().bytes(), "first", diagnostics).has_value());
+  expect_problem(diagnostics.all().back(), "E0625", "no table of tensors");
+}
+
+TEST(TableErrors, OneTensorOfArsIsItsOldLinearPolicy) {
+  const std::string bytes = safetensors({{"action_net.weight", {1, 2}, {1, 2}}});
+  expect_problem(read_bad(bytes), "E0750", "what follows its last layer");
+  TensorTable table;
+  PolicyProblem problem;
+  ASSERT_TRUE(read_safetensors_table(bytes, table, problem));
+  PolicyFacts facts;
+  facts.format = "Stable-Baselines3 1.3.0";
+  facts.contract.algorithm = "ARS";
+  facts.squash = true;  // of the class ARSPolicy, whose name the LinearPolicy's has in it
+  const auto network = make_actor(table, facts, {}, problem);
+  ASSERT_TRUE(network.has_value()) << problem.message;
+  EXPECT_EQ(network->action_kind(), ActionKind::raw);
+  EXPECT_EQ(network->layers.back().activation, Activation::identity);
+}
+
+TEST(TableErrors, RlGamesMayScaleItsActions) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "a2c_network.actor_mlp.0", 2, 3);
+  add_linear(tensors, "a2c_network.mu", 3, 1);
+  const Network network = read_good(safetensors(tensors, R"("activation":"elu")"));
+  EXPECT_FALSE(network.action.has_value()) << "the graph may say `output: squashed`";
+  EXPECT_EQ(network.action_kind(), ActionKind::raw);
+  EXPECT_THAT(network.assumed, testing::Contains(HasSubstr("`clip_actions`")));
+}
+
 TEST(TableErrors, NoActor) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "embedding", 3, 4);
@@ -144,7 +200,8 @@ TEST(TableErrors, ActivationThatNobodySays) {
   add_linear(tensors, "actor.0", 3, 4);
   add_linear(tensors, "actor.2", 4, 1);
   expect_problem(read_bad(safetensors(tensors)), "E0629", "which activation");
-  const Network network = read_good(safetensors(tensors, R"("activation":"elu")"));
+  const Network network =
+      read_good(safetensors(tensors, R"("activation":"elu","output_activation":"none")"));
   EXPECT_EQ(network.layers[0].activation, Activation::elu);
   EXPECT_EQ(network.layers[0].slope, 1.0F);
   EXPECT_EQ(network.layers[1].activation, Activation::identity);
@@ -165,7 +222,8 @@ TEST(TableErrors, LayerNormBetweenLinearAndActivation) {
   tensors.push_back({"net.1.weight", {4}, {1, 2, 3, 4}});
   tensors.push_back({"net.1.bias", {4}, {0, 0, 0, 1}});
   add_linear(tensors, "net.3", 4, 1);
-  const Network network = read_good(safetensors(tensors, R"("activation":"relu")"));
+  const Network network =
+      read_good(safetensors(tensors, R"("activation":"relu","output_activation":"none")"));
   ASSERT_EQ(network.layers.size(), 2U);
   ASSERT_TRUE(network.layers[0].norm.has_value());
   EXPECT_THAT(network.layers[0].norm->gamma, testing::ElementsAre(1, 2, 3, 4));
@@ -234,17 +292,11 @@ TEST(TableErrors, ModuleListsDoNotSayWhatStandsBetween) {
                  "nothing between the layers `layers.0` and `layers.1`");
 }
 
-TEST(TableErrors, OtherFiles) {
-  expect_problem(read_bad("{\"mean\": [0]}"), "E0603", "is a text file");
-  expect_problem(read_bad("version https://git-lfs.github.com/spec/v1\n"), "E0603", "git lfs pull");
-  expect_problem(read_bad("\x80\x04\x95"), "E0603", "named as `normalize`");
-}
-
 TEST(TableErrors, CriticsAreNoActors) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "critic.qf0.0", 3, 4);
   add_linear(tensors, "critic.qf0.2", 4, 1);
-  const std::string relu = R"("activation":"relu")";
+  const std::string relu = R"("activation":"relu","output_activation":"none")";
   expect_problem(read_bad(safetensors(tensors, relu)), "E0624",
                  "a critic (`critic.qf0.…`) and no actor");
   add_linear(tensors, "net.0", 3, 2);
@@ -260,18 +312,54 @@ TEST(TableErrors, NormsWithoutABiasMayBeOfTwoKinds) {
                  "an RMSNorm: `net.1");
 }
 
-TEST(TableErrors, OneLayerOfArs) {
+TEST(TableErrors, NamesLikeThoseOfArsAreNotItsZip) {
   std::vector<NamedValues> tensors;
   add_linear(tensors, "action_net.0", 3, 1);
-  expect_problem(read_bad(safetensors(tensors)), "E0626", "LinearPolicy or MlpPolicy");
+  expect_problem(read_bad(safetensors(tensors)), "E0750", "what follows its last layer");
   EXPECT_EQ(read_good(safetensors(tensors, R"("squash":"false")")).action_kind(), ActionKind::raw);
-  tensors.pop_back();
-  EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::raw) << "no bias";
-  tensors.clear();
-  add_linear(tensors, "action_net.0", 3, 4);
-  add_linear(tensors, "action_net.2", 4, 1);
-  tensors.pop_back();
+  EXPECT_EQ(read_good(safetensors(tensors, R"("output_activation":"tanh")")).action_kind(),
+            ActionKind::squashed);
+  expect_problem(read_bad(safetensors(tensors, R"("output_activation":"snake")")), "E0626",
+                 "`output_activation: snake`");
+}
+
+TEST(TableErrors, NothingIsAssumedAfterTheLastLayer) {
+  for (const char* base : {"net.0", "actor.0", "actor_mean.0", "actor.mu.0"}) {
+    std::vector<NamedValues> tensors;
+    add_linear(tensors, base, 3, 1);
+    expect_problem(read_bad(safetensors(tensors)), "E0750", "what follows its last layer");
+    const Network none = read_good(safetensors(tensors, R"("output_activation":"none")"));
+    EXPECT_EQ(none.layers.back().activation, Activation::identity) << base;
+    EXPECT_FALSE(none.action.has_value()) << "the file does not say what becomes of its output";
+    EXPECT_THAT(none.format, HasSubstr("a torch ")) << "and not who made it: " << base;
+    const Network tanh = read_good(safetensors(tensors, R"("output_activation":"tanh")"));
+    EXPECT_EQ(tanh.layers.back().activation, Activation::tanh) << base;
+    EXPECT_EQ(tanh.action_kind(), ActionKind::squashed) << base;
+  }
+}
+
+TEST(TableErrors, LibrariesAreNamedByTheirMarks) {
+  const auto network = [](const char* base, const char* mark, const char* notes) {
+    std::vector<NamedValues> tensors;
+    add_linear(tensors, base, 3, 1);
+    tensors.push_back({mark, {1}, {1.0F}});
+    return read_good(safetensors(tensors, notes));
+  };
+  for (const char* mark : {"std", "log_std"}) {
+    const Network usual = network("actor.0", mark, "");
+    EXPECT_THAT(usual.format, HasSubstr("rsl_rl"));
+    EXPECT_THAT(usual.assumed, testing::ElementsAre(HasSubstr("nothing after the last layer")));
+    const Network told = network("actor.0", mark, R"("output_activation":"tanh")");
+    EXPECT_EQ(told.action_kind(), ActionKind::squashed) << "the library lets one choose";
+    EXPECT_TRUE(told.assumed.empty());
+  }
+  EXPECT_THAT(network("actor_mean.0", "actor_logstd", "").format, HasSubstr("CleanRL's PPO"));
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "actor.mu.0", 3, 1);
+  add_linear(tensors, "critic.qf0.0", 3, 1);
   EXPECT_EQ(read_good(safetensors(tensors)).action_kind(), ActionKind::squashed);
+  expect_problem(read_bad(safetensors(tensors, R"("output_activation":"none")")), "E0626",
+                 "after whose last layer comes tanh, but the graph says nothing");
 }
 
 }  // namespace

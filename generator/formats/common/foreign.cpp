@@ -1,0 +1,237 @@
+#include "generator/formats/common/foreign.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace eagerx::gen {
+namespace {
+
+constexpr const char* kKerasWay = "convert it to ONNX: `python -m tf2onnx.convert --keras FILE`";
+constexpr const char* kTensorFlowWay =
+    "convert it to ONNX with `python -m tf2onnx.convert`, or save it as ONNX when training";
+constexpr const char* kBaselines2Way =
+    "export its TensorFlow graph to ONNX with tf2onnx, or train with Stable-Baselines3";
+constexpr const char* kUnpackWay = "unpack it, and name the policy in it";
+
+struct Beginning {
+  std::size_t at;
+  std::string_view bytes;
+  const char* what;
+  const char* way;
+};
+using namespace std::string_view_literals;
+constexpr std::array kBeginnings = {
+    Beginning{0, "version https://git-lfs"sv, "a Git LFS pointer, not the file itself",
+              "run `git lfs pull`"},
+    Beginning{0, "\x93NUMPY"sv, "one NumPy array, not an archive of them (npz)",
+              "save all arrays of the actor with `numpy.savez`"},
+    Beginning{0, "\x89HDF"sv, "an HDF5 file, as Keras saves its weights", kKerasWay},
+    Beginning{4, "TFL3"sv, "a TensorFlow Lite model",
+              "name the file that it was converted from, as ONNX: `python -m tf2onnx.convert "
+              "--tflite FILE`"},
+    Beginning{0, "ftrt"sv, "a TensorRT engine, which is made for one kind of GPU",
+              "name the ONNX file that it was built from"},
+    Beginning{0, "ptrt"sv, "a TensorRT engine, which is made for one kind of GPU",
+              "name the ONNX file that it was built from"},
+    Beginning{0, "GGUF"sv, "a GGUF file", "export the actor to ONNX"},
+    Beginning{0, "\x1f\x8b"sv, "packed with gzip", kUnpackWay},
+    Beginning{0,
+              "\xfd"
+              "7zXZ"sv,
+              "packed with xz", kUnpackWay},
+    Beginning{0, "BZh"sv, "packed with bzip2", kUnpackWay},
+    Beginning{0, "\x28\xb5\x2f\xfd"sv, "packed with zstd", kUnpackWay},
+    Beginning{0, "7z\xbc\xaf"sv, "a 7z archive", kUnpackWay},
+    Beginning{257, "ustar"sv, "a tar archive", kUnpackWay},
+};
+
+/// What names in a pickle tell of it, the more special first.
+struct PickleMark {
+  std::string_view name;
+  const char* what;
+  const char* way;
+};
+constexpr std::array kPickleMarks = {
+    PickleMark{"vec_normalize", "VecNormalize's statistics, not a policy",
+               "name the policy as `policy`, and this file as its `normalize`"},
+    PickleMark{"stable_baselines3.common.buffers", "a replay buffer, not a policy",
+               "name the file that `model.save` wrote"},
+    PickleMark{"stable_baselines.", "a model of Stable-Baselines 2, with TensorFlow's weights",
+               kBaselines2Way},
+    PickleMark{"ray.rllib", "a pickle of RLlib", "export the policy with `export_model` as ONNX"},
+    PickleMark{"ray.cloudpickle", "a pickle of RLlib",
+               "export the policy with `export_model` as ONNX"},
+    PickleMark{"brax", "a pickle of Brax, with JAX's arrays", kJaxWay},
+    PickleMark{"flax", "a pickle of Flax, with JAX's arrays", kJaxWay},
+    PickleMark{"jax", "a pickle with JAX's arrays", kJaxWay},
+    PickleMark{"tensorflow", "a pickle with TensorFlow's objects", kTensorFlowWay},
+    PickleMark{"keras", "a pickle with Keras' objects", kKerasWay},
+    PickleMark{"torch", "a pickle with torch's objects, which torch.save did not write",
+               "save `actor.state_dict()` with `torch.save`"},
+};
+
+PolicyProblem foreign(std::string_view what, std::string_view way) {
+  return {"E0603", fmt::format("is {}", what), fmt::format("{}; {}", way, kKnownFormats)};
+}
+
+std::uint64_t little(std::string_view bytes, std::size_t at, std::size_t count) {
+  std::uint64_t value = 0;
+  for (std::size_t i = count; i-- > 0;) {
+    value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
+  }
+  return value;
+}
+
+bool is_printable(std::string_view bytes) {
+  constexpr unsigned char kDelete = 0x7f;
+  return std::ranges::all_of(bytes, [](unsigned char c) { return c >= ' ' && c < kDelete; });
+}
+
+/// By its beginning: no format that is read has only letters, blanks and line ends there.
+bool is_text(std::string_view bytes) {
+  constexpr std::size_t kLooked = 512;
+  constexpr unsigned char kDelete = 0x7f;
+  return std::ranges::all_of(bytes.substr(0, kLooked),
+                             [](unsigned char c) {
+                               return (c >= ' ' && c != kDelete) || c == '\n' || c == '\r' ||
+                                      c == '\t';
+                             }) &&
+         std::ranges::none_of(bytes.substr(0, kLooked), [](unsigned char c) { return c >= 0xf8; });
+}
+
+/// Barracuda's version in eight bytes, how many inputs there are, and the name of the first one.
+bool is_barracuda(std::string_view bytes) {
+  constexpr std::size_t kName = 16;
+  constexpr std::uint64_t kNewestVersion = 31;
+  constexpr std::uint64_t kMostInputs = 64;
+  if (bytes.size() < kName || little(bytes, 0, 8) == 0 || little(bytes, 0, 8) > kNewestVersion) {
+    return false;
+  }
+  const std::uint64_t inputs = little(bytes, 8, 4);
+  const std::uint64_t length = little(bytes, 12, 4);
+  return inputs >= 1 && inputs <= kMostInputs && length >= 1 && length <= bytes.size() - kName &&
+         length < 256 && is_printable(bytes.substr(kName, length));
+}
+
+/// MessagePack's map of a few entries, the first with a short name.
+bool is_flax(std::string_view bytes) {
+  if (bytes.size() < 3) return false;
+  const auto map = static_cast<unsigned char>(bytes[0]);
+  const auto name = static_cast<unsigned char>(bytes[1]);
+  const std::size_t length = name & 0x1fU;
+  return map > 0x80 && map <= 0x8f && name > 0xa0 && name <= 0xbf && bytes.size() > 2 + length &&
+         is_printable(bytes.substr(2, length));
+}
+
+/// Protobuf: a saved model has version 1 and then a graph with its tags; a frozen graph is a list
+/// of nodes, one of them a placeholder.
+bool is_tensorflow(std::string_view bytes) {
+  constexpr std::size_t kLooked = 1U << 16U;
+  if (bytes.starts_with("\x08\x01\x12")) {
+    return bytes.find("\x22\x05serve") != std::string_view::npos;
+  }
+  return bytes.starts_with("\x0a") &&
+         bytes.substr(0, kLooked).find("\x12\x0bPlaceholder") != std::string_view::npos;
+}
+
+bool is_pickle(std::string_view bytes) {
+  constexpr char kOldest = 2;
+  constexpr char kNewest = 5;
+  return bytes.size() > 2 && bytes[0] == '\x80' && bytes[1] >= kOldest && bytes[1] <= kNewest;
+}
+
+PolicyProblem foreign_pickle(std::string_view bytes) {
+  for (const PickleMark& mark : kPickleMarks) {
+    if (bytes.find(mark.name) == std::string_view::npos) continue;
+    return foreign(mark.what, mark.way);
+  }
+  return foreign("a Python pickle", "save the actor's `state_dict()` with `torch.save`");
+}
+
+PolicyProblem foreign_text(std::string_view bytes) {
+  constexpr std::size_t kLooked = 512;
+  std::string start(bytes.substr(0, kLooked));
+  for (char& c : start) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  if (start.find("<html") != std::string::npos ||
+      start.find("<!doctype html") != std::string::npos) {
+    return foreign("a web page, not the file that it shows", "download the file itself");
+  }
+  if (start.find("<net ") != std::string::npos) {
+    return foreign("a network of OpenVINO", "name the ONNX file that it was made from");
+  }
+  return foreign("a text file", "name the weight file");
+}
+
+struct KnownEntry {
+  std::string_view name;  // at the end of an entry's name
+  const char* what;
+  const char* way;
+};
+constexpr std::array kArchives = {
+    KnownEntry{"parameter_list", "a model of Stable-Baselines 2, with TensorFlow's weights",
+               kBaselines2Way},
+    KnownEntry{"model.weights.h5", "a Keras model", kKerasWay},
+    KnownEntry{"saved_model.pb", "a TensorFlow SavedModel", kTensorFlowWay},
+    KnownEntry{"policy.pth", "a zip archive with a folder in it", kUnpackWay},
+    KnownEntry{".onnx", "a zip archive with ONNX files in it", kUnpackWay},
+    KnownEntry{".pt", "a zip archive with torch files in it", kUnpackWay},
+    KnownEntry{".pth", "a zip archive with torch files in it", kUnpackWay},
+    KnownEntry{".safetensors", "a zip archive with safetensors in it", kUnpackWay},
+    KnownEntry{".zip", "a zip archive with others in it", kUnpackWay},
+};
+constexpr std::array kFolders = {
+    KnownEntry{"saved_model.pb", "a TensorFlow SavedModel",
+               "convert it to ONNX: `python -m tf2onnx.convert --saved-model FOLDER`"},
+    KnownEntry{"manifest.ocdbt", "a checkpoint of JAX's Orbax", kJaxWay},
+    KnownEntry{"_METADATA", "a checkpoint of JAX's Orbax", kJaxWay},
+    KnownEntry{"_CHECKPOINT_METADATA", "a checkpoint of JAX's Orbax", kJaxWay},
+    KnownEntry{"rllib_checkpoint.json", "a checkpoint of RLlib",
+               "export the policy with `export_model` as ONNX"},
+    KnownEntry{"algorithm_state.pkl", "a checkpoint of RLlib",
+               "export the policy with `export_model` as ONNX"},
+    KnownEntry{"policy.pth", "an unpacked zip of Stable-Baselines3", "name the zip itself"},
+    KnownEntry{"data.pkl", "an unpacked file of torch.save", "name the file itself"},
+};
+
+std::optional<PolicyProblem> among(const auto& known, const std::vector<std::string>& names) {
+  for (const KnownEntry& entry : known) {
+    const bool there = std::ranges::any_of(
+        names, [&](const std::string& name) { return name.ends_with(entry.name); });
+    if (there) return foreign(entry.what, entry.way);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<PolicyProblem> foreign_file(std::string_view bytes) {
+  for (const Beginning& known : kBeginnings) {
+    if (bytes.size() < known.at) continue;
+    if (bytes.substr(known.at).starts_with(known.bytes)) return foreign(known.what, known.way);
+  }
+  if (is_pickle(bytes)) return foreign_pickle(bytes);
+  if (is_barracuda(bytes)) {
+    return foreign("a network of Unity's Barracuda", "name the ONNX file that it was made from");
+  }
+  if (is_tensorflow(bytes)) return foreign("a TensorFlow graph", kTensorFlowWay);
+  if (is_flax(bytes)) return foreign("MessagePack, as Flax saves JAX's arrays", kJaxWay);
+  if (is_text(bytes)) return foreign_text(bytes);
+  return std::nullopt;
+}
+
+PolicyProblem foreign_archive(const std::vector<std::string>& names) {
+  if (auto known = among(kArchives, names)) return *known;
+  if (names.empty()) return foreign("an empty zip archive", "save the policy again");
+  return foreign(fmt::format("a zip archive that is no policy: its first entry is `{}`",
+                             printable(names.front())),
+                 "name the file that `model.save` or `torch.save` wrote");
+}
+
+std::optional<PolicyProblem> foreign_folder(const std::vector<std::string>& names) {
+  return among(kFolders, names);
+}
+
+}  // namespace eagerx::gen
