@@ -5,14 +5,23 @@
 #include <cctype>
 
 #include "generator/command_line/command_line.hpp"
+#include "generator/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-/// As roff takes a text: no hyphen becomes a dash, and no line is a request.
+/// As roff takes a text: no hyphen becomes a dash, no line is a request, and a character that is
+/// not of ASCII is called by its code.
 std::string roff(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const CodePoint point = decode_utf8(text, at);
+    const char c = text[at];
+    at += point.size;
+    if (point.size > 1) {
+      result += fmt::format("\\[u{:04X}]", static_cast<std::uint32_t>(point.value));
+      continue;
+    }
     const bool line_begins = result.empty() || result.back() == '\n';
     if (line_begins && (c == '.' || c == '\'')) result += "\\&";
     if (c == '\\') {
