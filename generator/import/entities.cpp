@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "generator/import/translate.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -172,7 +173,8 @@ class EntityTranslator {
       ComponentSpec component;
       component.name = port.name;
       const auto rate = rate_of(port, entity, *manifest, made);
-      const bool borrowed = rate && lends_rate(entity, section, port.name.value);
+      const bool borrowed = rate && (lends_rate(entity, section, port.name.value) ||
+                                     hangs_on_actuator(saved, entity, section, port.name.value));
       if (!linked && !selected && !borrowed) continue;
       component.rate = rate;
       if (std::string_view(section) == "sensors")
@@ -222,6 +224,34 @@ class EntityTranslator {
                       c.to.value.starts_with(node.name.value + "."));
             });
         if (!own) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether the engine node of a sensor runs although nobody selected the sensor, because it
+  /// follows an actuator that is in use.
+  bool hangs_on_actuator(const SavedEntity& saved, const Entity& entity, std::string_view section,
+                         const std::string& name) {
+    if (section != "sensors") return false;
+    const auto owner = [](const std::string& port) { return parse_port(port).owner; };
+    for (const auto& implementation : entity.object_engines) {
+      std::set<std::string> driven;  // engine nodes
+      for (std::size_t before = 0;; before = driven.size()) {
+        for (const auto& connection : implementation.connections) {
+          const PortName from = parse_port(connection.from.value);
+          const bool drives = from.owner == "actuators"
+                                  ? saved.is_selected("actuators", from.name) ||
+                                        is_linked(saved.name.value, "actuators", from.name)
+                                  : driven.contains(from.owner);
+          if (drives) driven.insert(owner(connection.to.value));
+        }
+        if (driven.size() == before) break;
+      }
+      for (const auto& connection : implementation.connections) {
+        if (connection.to.value == "sensors." + name &&
+            driven.contains(owner(connection.from.value)))
+          return true;
       }
     }
     return false;
