@@ -48,6 +48,7 @@ class GraphView {
     View view = object();
     view.set("place", names_.place(graph_.render->span));
     view.set("rate_type", rate_type(graph_.nodes[graph_.render->node].rate_hz));
+    view.set("io", names_.io[graph_.render->node]);
     return view;
   }
 

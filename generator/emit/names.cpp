@@ -128,7 +128,16 @@ bool ProgramNames::crosses(std::size_t node, std::size_t output) const {
 bool ProgramNames::has_ring(std::size_t ring) const {
   const Ring& item = plan_.rings[ring];
   if (item.reader_node) return receives(*item.reader_node);
+  if (left_out(item.node)) return false;
   return part_ != Part::board || runs(item.node) || crosses(item.node, item.output);
+}
+
+bool ProgramNames::has_io(std::size_t node) const {
+  if (!gen::has_io(*plan_.graph, part_, node)) return false;
+  for (std::size_t n = 0; n < io_owner.size(); ++n) {
+    if (io_owner[n] == node && !left_out(n)) return true;
+  }
+  return false;
 }
 
 std::string ProgramNames::place(Span span) const {

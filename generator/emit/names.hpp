@@ -45,9 +45,11 @@ struct ProgramNames {
   /// What there is in this program of a split graph; of a whole one everything.
   [[nodiscard]] bool is_split() const { return part_ != Part::whole; }
   [[nodiscard]] bool is_board() const { return part_ == Part::board; }
-  [[nodiscard]] bool runs(std::size_t node) const { return runs_here(*plan_.graph, part_, node); }
+  [[nodiscard]] bool runs(std::size_t node) const {
+    return !left_out(node) && runs_here(*plan_.graph, part_, node);
+  }
   [[nodiscard]] bool receives(std::size_t node) const {
-    return receives_here(*plan_.graph, part_, node);
+    return !left_out(node) && receives_here(*plan_.graph, part_, node);
   }
   [[nodiscard]] bool has_packs() const { return numbers == Numbers::packs; }
   [[nodiscard]] std::string message(const Space& space) const {
@@ -62,9 +64,7 @@ struct ProgramNames {
   [[nodiscard]] std::string seq_of(std::size_t node) const {
     return sent[node].empty() ? counter[plan_.nodes[node].rate] + " - 1" : sent[node] + ".count()";
   }
-  [[nodiscard]] bool has_io(std::size_t node) const {
-    return gen::has_io(*plan_.graph, part_, node);
-  }
+  [[nodiscard]] bool has_io(std::size_t node) const;
   [[nodiscard]] bool has_engine() const {
     return plan_.graph->has_engine() && runs(Graph::kEngine);
   }
@@ -73,6 +73,11 @@ struct ProgramNames {
   [[nodiscard]] bool crosses(std::size_t node, std::size_t output) const;
 
  private:
+  /// Packs show no pictures.
+  [[nodiscard]] bool left_out(std::size_t node) const {
+    return has_packs() && plan_.graph->nodes[node].drawn;
+  }
+
   const Plan& plan_;
   Part part_;
   std::string file_name_;

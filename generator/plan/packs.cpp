@@ -62,6 +62,9 @@ std::string why_not_in_time(const Plan& plan) {
 std::string why_not_in_memory(const Plan& plan) {
   for (const auto& ring : plan.rings) {
     const GraphNode& node = plan.graph->nodes[ring.node];
+    const GraphNode* const reader =
+        ring.reader_node ? &plan.graph->nodes[*ring.reader_node] : nullptr;
+    if (node.drawn || (reader != nullptr && reader->drawn)) continue;
     const std::string name = node.name + "." + node.outputs[ring.output].name;
     const Dtype raw = node.outputs[ring.output].raw.dtype;
     const bool tick = node.role == NodeRole::engine && ring.capacity == 1;
@@ -85,6 +88,7 @@ std::string why_no_packs(const Plan& plan) {
   if (graph.has_reset_nodes()) return "the graph has reset nodes";
   if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
   for (const auto& node : graph.nodes) {
+    if (node.drawn) continue;  // packs show no pictures
     if (std::string reason = why_not(node); !reason.empty()) return reason;
   }
   for (const auto& item : graph.objects) {

@@ -16,6 +16,7 @@
 #include <targets/common/run.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_memory.hpp>
+#include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/environments/task.hpp>
 #include <targets/environments/team.hpp>
@@ -56,8 +57,9 @@ class Batch {
         longest_(options.longest),
         autoreset_(options.autoreset),
         episodes_(std::make_unique<Episode[]>(size_)),
-        programs_(std::make_unique<Program[]>(size_)),
-        packs_(kernel, size_),
+        drawn_(options.pictures != 0 ? size_ : 0),
+        programs_(std::make_unique<Program[]>(plain_programs())),
+        packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
         team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
     packs_.make_room(team_.size());
     if (target::is_real(programs_[0])) {
@@ -71,13 +73,15 @@ class Batch {
     }
     // By all members: a library may need memory for each thread, too.
     team_.run(team_.size(), [&](unsigned i) {
-      for (std::uint32_t k = i; k < size_; k += team_.size()) target::warm_up(programs_[k]);
+      for (std::uint32_t k = i; k < size_; k += team_.size())
+        with(k, [](auto& program) { target::warm_up(program); });
     });
   }
   Batch(const Batch&) = delete;
   Batch& operator=(const Batch&) = delete;
   ~Batch() {
-    for (std::uint32_t k = 0; k < size_; ++k) target::stop(programs_[k]);
+    for (std::uint32_t k = 0; k < size_; ++k)
+      untraced(k, [](auto& program) { target::stop(program); });
     for (auto& [k, traces] : traces_) {
       if (traces.now) target::stop(traces.now->program);
     }
@@ -150,7 +154,7 @@ class Batch {
         throw Problem("a trace of a graph with reset nodes begins before the first reset");
     }
     if (traces.now) traces.now->end_file();
-    traces.next = std::make_unique<Traced<Graph>>(path);
+    traces.next = std::make_unique<Traced<Graph>>(path, drawn_.any());
   }
 
   std::uint64_t hash(std::uint32_t k) const {
@@ -167,12 +171,22 @@ class Batch {
     };
     for (std::uint32_t k = 0; k < size_; ++k) {
       if (episodes_[k].packed) packs_.store(k, programs_[k]);
-      target::for_each_fault(programs_[k], add);
+      untraced(k, [&](auto& program) { target::for_each_fault(program, add); });
     }
     for (const auto& [k, traces] : traces_) {
       if (traces.now) target::for_each_fault(traces.now->program, add);
     }
     return sums;
+  }
+
+  /// `pixels` [height][width][3]: what the environment showed last; white before that.
+  void picture(std::uint32_t k, const picture::Image& pixels) {
+    if (!drawn_.any())
+      throw Problem("these environments draw nothing: set `pictures` of eagerx_options to 1");
+    with(k, [&](auto& program) {
+      if constexpr (requires { program.trace.paint(drawn_.painter(), pixels); })
+        program.trace.paint(drawn_.painter(), pixels);
+    });
   }
 
   bool has_threads() const { return team_.is_complete(); }
@@ -228,8 +242,18 @@ class Batch {
   /// f(program) of environment `k`.
   template <class F>
   decltype(auto) with(std::uint32_t k, F&& f) {
-    return episodes_[k].traced ? f(traces_.find(k)->second.now->program) : f(programs_[k]);
+    return episodes_[k].traced ? f(traces_.find(k)->second.now->program)
+                               : untraced(k, std::forward<F>(f));
   }
+  template <class F>
+  decltype(auto) untraced(std::uint32_t k, F&& f) const {
+    if constexpr (has_render<Graph>) {
+      if (drawn_.any()) return f(drawn_[k]);
+    }
+    return f(programs_[k]);
+  }
+  /// Where environments draw, only the one that tells what the graph has.
+  std::uint32_t plain_programs() const { return drawn_.any() ? 1 : size_; }
 
   void step_block(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                   const eagerx_rows& rows) {
@@ -343,13 +367,18 @@ class Batch {
 
   typename Graph::Observation reset_program(std::uint32_t k, EpisodeKey key,
                                             const typename Graph::States& states) {
-    const auto found = traces_.find(k);
-    if (found == traces_.end()) return programs_[k].reset(states);
-    Traces& traces = found->second;
-    if (traces.next) traces.now = std::move(traces.next);
-    if (!traces.now) return programs_[k].reset(states);
-    episodes_[k].traced = true;
-    return traces.now->reset(key, states);
+    if (const auto found = traces_.find(k); found != traces_.end()) {
+      Traces& traces = found->second;
+      if (traces.next) traces.now = std::move(traces.next);
+      if (traces.now) {
+        episodes_[k].traced = true;
+        return traces.now->reset(key, states);
+      }
+    }
+    return untraced(k, [&](auto& program) {
+      if constexpr (requires { program.trace.forget(); }) program.trace.forget();
+      return program.reset(states);
+    });
   }
 
   static EpisodeKey key_of(const Episode& episode) {
@@ -375,7 +404,8 @@ class Batch {
   std::uint32_t autoreset_;
   bool all_begun_ = false;
   std::unique_ptr<Episode[]> episodes_;  // [size_]
-  std::unique_ptr<Program[]> programs_;  // [size_]
+  DrawnPrograms<Graph> drawn_;
+  std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them
   PackMemory<Graph> packs_;
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;

@@ -140,6 +140,19 @@ std::string describe_task() {
   }
 }
 
+/// Pictures of `render:`.
+template <class Graph>
+std::string describe_render() {
+  if constexpr (requires { Graph::kRenders; }) {
+    using Rate = typename Graph::RenderRate;
+    Json json;
+    json.begin_object().key("rate_hz").number(static_cast<double>(Rate::num) / Rate::den);
+    return json.end_object().str();
+  } else {
+    return "null";
+  }
+}
+
 /// `generator`: the version that wrote the graph's code. `kernel`: of the widest packs that this
 /// processor runs, or `why_not`.
 template <class Graph>
@@ -159,7 +172,7 @@ std::string describe(const char* generator, const PackKernel<Graph>& kernel, con
   if (!in_packs) json.key("why_no_lanes").text(why_not);
   return json.str() + ", \"observations\": " + observations + ", \"actions\": " + actions +
          ", \"states\": " + describe_states<Graph>() + ", \"task\": " + describe_task<Graph>() +
-         "}";
+         ", \"render\": " + describe_render<Graph>() + "}";
 }
 
 }  // namespace eagerx::environments

@@ -16,6 +16,7 @@
 #include <targets/environments/describe.hpp>
 #include <targets/environments/json.hpp>
 #include <targets/environments/packs_of_processor.hpp>
+#include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
 
 namespace eagerx::environments {
@@ -131,6 +132,17 @@ class Library {
     return result;
   }
 
+  static int picture(Environments* environments, std::uint32_t environment, std::uint32_t width,
+                     std::uint32_t height, std::uint8_t* pixels) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      check_number(batch, environment);
+      if (pixels == nullptr) throw Problem("pixels is null");
+      check_side("width", width);
+      check_side("height", height);
+      batch.picture(environment, {pixels, static_cast<int>(width), static_cast<int>(height), 3});
+    });
+  }
+
   static const char* counts(Environments* environments) {
     const char* result = nullptr;
     call(environments, [&](Batch<Graph>& batch) {
@@ -199,6 +211,8 @@ class Library {
     }
     if (options->autoreset > EAGERX_DISABLED)
       throw Problem("autoreset is " + std::to_string(options->autoreset) + ", not 0 to 2");
+    if (options->pictures > 1)
+      throw Problem("pictures is " + std::to_string(options->pictures) + ", not 0 or 1");
     if (options->threads > kMostThreads) {
       throw Problem("threads is " + std::to_string(options->threads) + ", not 0 to " +
                     std::to_string(kMostThreads));
@@ -213,6 +227,11 @@ class Library {
   static void check_states(const float* states) {
     if (states == nullptr && Layout<Graph>::get().states.numbers() != 0)
       throw Problem("states is null");
+  }
+  static void check_side(const char* name, std::uint32_t pixels) {
+    if (pixels >= 1 && pixels <= kWidestPicture) return;
+    throw Problem(std::string(name) + " is " + std::to_string(pixels) + ", not 1 to " +
+                  std::to_string(kWidestPicture));
   }
   static void check_number(const Batch<Graph>& batch, std::uint32_t environment) {
     if (environment < batch.size()) return;

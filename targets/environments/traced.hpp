@@ -9,6 +9,7 @@
 #include <eagerx/trace_text.hpp>
 #include <string>
 #include <targets/common/run.hpp>
+#include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/linux-sim/text_file.hpp>
 #include <type_traits>
@@ -17,7 +18,7 @@ namespace eagerx::environments {
 
 /// A trace for generated programs: hash of all messages and, with a file, their text.
 template <class Graph>
-class Recorder {
+class Recorder : public LastShown<Graph> {
  public:
   using Text = TraceText<Graph, linux_sim::TextFile>;
 
@@ -55,7 +56,8 @@ class Traced {
   typename Graph::template Program<Recorder<Graph>> program{};
 
   /// Throws Problem if `path` cannot be written. Empty: only the hash.
-  explicit Traced(const std::string& path) : path_(path) {
+  Traced(const std::string& path, bool draws) : path_(path) {
+    if (draws) program.trace.draw_from_now_on();
     target::warm_up(program);
     if (path.empty()) return;
     if (!file_.open(path)) throw Problem(cannot_write());
@@ -68,6 +70,7 @@ class Traced {
       Text::head(file_, key.seed, key.environment, "library", false);
     if (file_.is_open()) write(states);
     program.trace.episode(episode_++);
+    program.trace.forget();
     return program.reset(states);
   }
 

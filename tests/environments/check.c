@@ -1,7 +1,8 @@
 #define _POSIX_C_SOURCE 200809L /* CPU time of a thread */
-/* A program in C99 that uses the library of a graph: check OBSERVATION ACTION STATES TERMS MANY, the numbers of a row of
-   each, and environments enough to be worth several threads. Wrong calls are refused; an environment's rows are the same alone, in batches, on threads and in all three modes of
-   autoreset; nothing allocates between creation and end. */
+/* A program in C99 that uses the library of a graph: check OBSERVATION ACTION STATES TERMS MANY,
+   the numbers of a row of each, and environments enough to be worth several threads. Wrong calls
+   are refused; an environment's rows are the same alone, in batches, on threads and in all three
+   modes of autoreset; nothing allocates between creation and end. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -113,8 +114,10 @@ static float action_of(uint32_t number, uint32_t step, size_t i) {
   return (float)(mixed % 2003u) / 400.0f - 2.5f;
 }
 
-/* EPISODES episodes of environments first to first + n - 1, whose digests go to `digest`. False: a call failed. */
-static int episodes(uint32_t first, uint32_t n, uint32_t autoreset, uint32_t threads, uint64_t* digest) {
+/* EPISODES episodes of environments first to first + n - 1, whose digests go to `digest`. False: a
+ * call failed. */
+static int episodes(uint32_t first, uint32_t n, uint32_t autoreset, uint32_t threads,
+                    uint64_t* digest) {
   const size_t row = observed * sizeof(float);
   uint32_t* numbers = room(n, sizeof(uint32_t));
   for (uint32_t k = 0; k < n; ++k) numbers[k] = first + k;
@@ -132,7 +135,8 @@ static int episodes(uint32_t first, uint32_t n, uint32_t autoreset, uint32_t thr
   for (uint32_t k = 0; k < n; ++k) fold(&b.digest[k], b.rows.observation + k * observed, row);
   for (uint32_t left = n; good && left > 0;) {
     for (uint32_t k = 0; k < n; ++k) {
-      for (size_t i = 0; i < acted; ++i) b.action[k * acted + i] = action_of(first + k, b.steps[k], i);
+      for (size_t i = 0; i < acted; ++i)
+        b.action[k * acted + i] = action_of(first + k, b.steps[k], i);
     }
     all_s -= seconds(CLOCK_PROCESS_CPUTIME_ID);
     own_s -= seconds(CLOCK_THREAD_CPUTIME_ID);
@@ -153,7 +157,8 @@ static int episodes(uint32_t first, uint32_t n, uint32_t autoreset, uint32_t thr
       if (end && autoreset == EAGERX_NEXT_STEP) b.ended[k] = 1;
       if (end && autoreset == EAGERX_DISABLED) any = b.mask[k] = 1;
       if (b.done[k] == EPISODES) continue;
-      const float* observation = end && autoreset == EAGERX_SAME_STEP ? b.rows.final_observation : b.rows.observation;
+      const float* observation =
+          end && autoreset == EAGERX_SAME_STEP ? b.rows.final_observation : b.rows.observation;
       fold(&b.digest[k], observation + k * observed, row);
       fold(&b.digest[k], b.rows.reward + k, sizeof(float));
       fold(&b.digest[k], b.rows.terminated + k, 1);
@@ -168,7 +173,8 @@ static int episodes(uint32_t first, uint32_t n, uint32_t autoreset, uint32_t thr
     if (any) {
       good = good && eagerx_reset(batch, b.mask, NULL, b.rows.observation) == 0;
       for (uint32_t k = 0; k < n; ++k) {
-        if (b.mask[k] && b.done[k] < EPISODES) fold(&b.digest[k], b.rows.observation + k * observed, row);
+        if (b.mask[k] && b.done[k] < EPISODES)
+          fold(&b.digest[k], b.rows.observation + k * observed, row);
       }
     }
   }
@@ -194,7 +200,8 @@ static void check_equality(void) {
     same = episodes(0, MOST, mode, 3, together) && memcmp(alone, together, sizeof alone) == 0;
     sprintf(text, "%d at once on three threads, autoreset %s", (int)MOST, modes[mode]);
     expect(same, text);
-    same = episodes(5, 17, mode, 2, together) && memcmp(alone + 5, together, 17 * sizeof *alone) == 0;
+    same =
+        episodes(5, 17, mode, 2, together) && memcmp(alone + 5, together, 17 * sizeof *alone) == 0;
     sprintf(text, "numbers 5 to 21 on two threads, autoreset %s", modes[mode]);
     expect(same, text);
   }
@@ -205,14 +212,17 @@ static void check_threads(uint32_t many) {
   uint64_t* together = room(many, sizeof(uint64_t));
   int good = episodes(0, many, EAGERX_SAME_STEP, 1, alone);
   double others = 0.0;
-  for (int attempt = 0; good && attempt < 5 && others < 0.1; ++attempt) { /* other programs may keep the cores busy */
+  for (int attempt = 0; good && attempt < 5 && others < 0.1;
+       ++attempt) { /* other programs may keep the cores busy */
     all_s = own_s = 0.0;
-    good = episodes(0, many, EAGERX_SAME_STEP, 3, together) && memcmp(alone, together, many * sizeof *alone) == 0;
+    good = episodes(0, many, EAGERX_SAME_STEP, 3, together) &&
+           memcmp(alone, together, many * sizeof *alone) == 0;
     others = 1.0 - own_s / all_s;
   }
   char text[100];
   /* How much the others do is up to the scheduler. */
-  sprintf(text, "%u on three threads, %.0f %% of the work done by the other two", (unsigned)many, 100.0 * others);
+  sprintf(text, "%u on three threads, %.0f %% of the work done by the other two", (unsigned)many,
+          100.0 * others);
   expect(good, text);
   free(alone);
   free(together);
@@ -221,18 +231,40 @@ static void check_threads(uint32_t many) {
 static void check_options(void) {
   eagerx_options options = plain(0);
   expect_error(eagerx_create(NULL) == NULL, "options is null", "no options");
-  expect_error(eagerx_create(&options) == NULL, "environments is 0, not 1 to 1000000", "no environments");
+  expect_error(eagerx_create(&options) == NULL, "environments is 0, not 1 to 1000000",
+               "no environments");
   options.environments = 10000000;
-  expect_error(eagerx_create(&options) == NULL, "environments is 10000000", "ten million environments");
+  expect_error(eagerx_create(&options) == NULL, "environments is 10000000",
+               "ten million environments");
   options = plain(4);
   options.size = 12;
-  expect_error(eagerx_create(&options) == NULL, "eagerx_options is of another version", "options of another size");
+  expect_error(eagerx_create(&options) == NULL, "eagerx_options is of another version",
+               "options of another size");
   options = plain(4);
   options.autoreset = 3;
   expect_error(eagerx_create(&options) == NULL, "autoreset is 3", "autoreset 3");
   options = plain(4);
   options.threads = 1025;
   expect_error(eagerx_create(&options) == NULL, "threads is 1025", "too many threads");
+  options = plain(4);
+  options.pictures = 2;
+  expect_error(eagerx_create(&options) == NULL, "pictures is 2, not 0 or 1", "pictures 2");
+}
+
+/* Graphs without `render:` say so; others draw. */
+static void check_pictures(void) {
+  eagerx_options options = plain(2);
+  uint8_t pixels[8 * 8 * 3] = {0};
+  options.pictures = 1;
+  eagerx_environments* batch = eagerx_create(&options);
+  if (strstr(eagerx_describe(), "\"render\": null") != NULL) {
+    expect_error(batch == NULL, "has no `render:`", "pictures of a graph without any");
+    return;
+  }
+  const int good = batch != NULL && eagerx_picture(batch, 1, 8, 8, pixels) == 0;
+  expect(good && pixels[0] == 255 && pixels[8 * 8 * 3 - 1] == 255,
+         "a white picture before the first reset");
+  eagerx_destroy(batch);
 }
 
 static void check_calls(void) {
@@ -244,25 +276,38 @@ static void check_calls(void) {
   expect_error(eagerx_reset(NULL, NULL, NULL, NULL) != 0, "environments is null", "reset of null");
   expect_error(eagerx_counts(NULL) == NULL, "environments is null", "counts of null");
   eagerx_destroy(NULL);
-  expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "environment 0 has not begun", "step before a reset");
+  expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "environment 0 has not begun",
+               "step before a reset");
   b.mask[0] = b.mask[1] = 1;
   eagerx_reset(batch, b.mask, NULL, NULL);
-  expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "environment 2 has not begun", "step of some before a reset");
-  expect_error(eagerx_get_states(batch, states) != 0, "environment 2 has not begun", "states before a reset");
+  expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "environment 2 has not begun",
+               "step of some before a reset");
+  expect_error(eagerx_get_states(batch, states) != 0, "environment 2 has not begun",
+               "states before a reset");
   eagerx_reset(batch, NULL, NULL, NULL);
   expect_error(eagerx_step(batch, NULL, &b.rows) != 0, "action is null", "no action");
   b.rows.size = 8;
-  expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "eagerx_rows is of another version", "rows of another size");
+  expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "eagerx_rows is of another version",
+               "rows of another size");
   expect_error(eagerx_set_states(batch, NULL, NULL) != 0, "states is null", "set no states");
   expect_error(eagerx_get_states(batch, NULL) != 0, "states is null", "get no states");
-  expect_error(eagerx_trace(batch, 4, "") != 0, "there is no environment 4, but 0 to 3", "trace of environment 4");
-  expect_error(eagerx_trace(batch, 0, "/no/such/file") != 0, "cannot write `/no/such/file`", "trace to nowhere");
+  expect_error(eagerx_trace(batch, 4, "") != 0, "there is no environment 4, but 0 to 3",
+               "trace of environment 4");
+  expect_error(eagerx_trace(batch, 0, "/no/such/file") != 0, "cannot write `/no/such/file`",
+               "trace to nowhere");
   for (size_t i = 0; i < 4 * states_size; ++i) states[i] = 1e30f;
-  expect_error(eagerx_set_states(batch, NULL, states) != 0, "out of its space", "states out of their space");
+  expect_error(eagerx_set_states(batch, NULL, states) != 0, "out of its space",
+               "states out of their space");
   expect(eagerx_step(batch, b.action, NULL) == 0, "a step without rows");
   memset(b.mask, 0, 4);
   expect(eagerx_reset(batch, b.mask, NULL, NULL) == 0, "a reset of nobody");
   expect(eagerx_hash(batch, 0) == 0, "no hash without a trace");
+  uint8_t pixels[3];
+  expect_error(eagerx_picture(batch, 0, 1, 1, pixels) != 0, "draw nothing",
+               "a picture of environments that do not draw");
+  expect_error(eagerx_picture(batch, 0, 1, 0, pixels) != 0, "height is 0, not 1 to 4096",
+               "a picture without height");
+  expect_error(eagerx_picture(batch, 0, 1, 1, NULL) != 0, "pixels is null", "a picture to nowhere");
   eagerx_destroy(batch);
   drop(&b);
   free(states);
@@ -277,7 +322,8 @@ static void check_not_finite(void) {
   for (size_t i = 0; i < 4 * acted; ++i) b.action[i] = i % 2 ? (float)INFINITY : (float)NAN;
   for (int step = 0; step < 5; ++step) {
     finite = finite && eagerx_step(batch, b.action, &b.rows) == 0;
-    for (size_t i = 0; i < 2 * observed; ++i) finite = finite && (step < 2 || !isinf(b.rows.observation[i]));
+    for (size_t i = 0; i < 2 * observed; ++i)
+      finite = finite && (step < 2 || !isinf(b.rows.observation[i]));
   }
   expect(finite, "actions that are no numbers");
   const char* counts = eagerx_counts(batch);
@@ -296,16 +342,20 @@ static void check_states(void) {
   float* set = room(4 * states_size, sizeof(float));
   float* got = room(4 * states_size, sizeof(float));
   uint64_t seeds[4] = {3, 3, 4, 4};
-  int good = eagerx_reset(batch, NULL, seeds, b.rows.observation) == 0 && eagerx_get_states(batch, drawn) == 0;
+  int good = eagerx_reset(batch, NULL, seeds, b.rows.observation) == 0 &&
+             eagerx_get_states(batch, drawn) == 0;
   for (size_t i = 0; i < 4 * states_size; ++i) set[i] = NAN;
-  memcpy(set + states_size, drawn, states_size * sizeof(float)); /* environment 1 begins as environment 0 did */
+  memcpy(set + states_size, drawn,
+         states_size * sizeof(float)); /* environment 1 begins as environment 0 did */
   b.mask[1] = 1;
-  good = good && eagerx_set_states(batch, b.mask, set) == 0 && eagerx_reset(batch, b.mask, NULL, NULL) == 0;
+  good = good && eagerx_set_states(batch, b.mask, set) == 0 &&
+         eagerx_reset(batch, b.mask, NULL, NULL) == 0;
   good = good && eagerx_get_states(batch, got) == 0;
   memcpy(set, drawn, bytes);
   memcpy(set + states_size, drawn, states_size * sizeof(float));
   expect(good && memcmp(got, set, bytes) == 0, "states that are set");
-  good = eagerx_reset(batch, NULL, seeds, b.rows.final_observation) == 0 && eagerx_get_states(batch, got) == 0;
+  good = eagerx_reset(batch, NULL, seeds, b.rows.final_observation) == 0 &&
+         eagerx_get_states(batch, got) == 0;
   expect(good && memcmp(got, drawn, bytes) == 0, "and drawn again for the episode behind it");
   expect(memcmp(b.rows.observation, b.rows.final_observation, 4 * observed * sizeof(float)) == 0,
          "a seed gives the same observations again");
@@ -324,6 +374,7 @@ int main(int argc, char** argv) {
   terms_size = (size_t)atoi(argv[4]);
   expect(eagerx_version() == EAGERX_ENVIRONMENTS_VERSION, "version");
   check_options();
+  check_pictures();
   check_calls();
   check_not_finite();
   check_states();

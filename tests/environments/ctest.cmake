@@ -30,4 +30,5 @@ endforeach()
 add_test(NAME environments.packs COMMAND ${CMAKE_CURRENT_LIST_DIR}/packs ${environments_packs})
 add_test(NAME environments COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${environments_programs})
 # Debian's Python, which has the numpy that toolchains/install-packages installs.
-add_test(NAME environments.python COMMAND ${CMAKE_CURRENT_LIST_DIR}/python $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:environments_swing>)
+add_test(NAME environments.python COMMAND ${CMAKE_CURRENT_LIST_DIR}/python $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:environments_swing>
+                                          $<TARGET_FILE:environments_swing_alone>)

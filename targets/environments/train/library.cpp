@@ -30,7 +30,7 @@ Environments::Environments(const LibraryFunctions& library, std::uint32_t count,
   std::vector<std::uint32_t> numbers(count);
   std::iota(numbers.begin(), numbers.end(), first);
   const eagerx_options options{
-      sizeof(eagerx_options), count, numbers.data(), seed, longest, autoreset, 1};
+      sizeof(eagerx_options), count, numbers.data(), seed, longest, autoreset, 1, 0};
   handle_.reset(library.create(&options));
   if (!handle_) fail(library, "cannot make the environments");
 }

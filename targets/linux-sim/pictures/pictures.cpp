@@ -127,17 +127,9 @@ void Pictures::show_scene(const float* scene, std::size_t rows) {
   hand_on();
 }
 
-/// The nearest pixel of an image of another size.
 void Pictures::show_image(const std::uint8_t* image, int width, int height, int channels) {
-  std::uint8_t* to = studio->pixels.data();
-  for (int y = 0; y < studio->height; ++y) {
-    const std::ptrdiff_t row = static_cast<std::ptrdiff_t>(y) * height / studio->height * width;
-    for (int x = 0; x < studio->width; ++x, to += 3) {
-      const std::uint8_t* const from =
-          image + (row + static_cast<std::ptrdiff_t>(x) * width / studio->width) * channels;
-      for (int c = 0; c < 3; ++c) to[c] = from[channels == 1 ? 0 : c];
-    }
-  }
+  target::scale_image(image, width, height, channels,
+                      {studio->pixels.data(), studio->width, studio->height, 3});
   hand_on();
 }
 

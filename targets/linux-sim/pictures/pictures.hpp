@@ -3,30 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/scene.hpp>
 #include <string>
+#include <targets/common/image_message.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <type_traits>
 
 namespace eagerx::linux_sim {
-
-/// An image as messages hold it: uint8 [height, width] or [height, width, 3].
-template <class Message>
-struct ImageShape {
-  static constexpr bool is_image = false;
-};
-template <std::size_t H, std::size_t W>
-struct ImageShape<Array<std::uint8_t, H, W>> {
-  static constexpr bool is_image = true;
-  static constexpr int height = H, width = W, channels = 1;
-};
-template <std::size_t H, std::size_t W>
-struct ImageShape<Array<std::uint8_t, H, W, 3>> {
-  static constexpr bool is_image = true;
-  static constexpr int height = H, width = W, channels = 3;
-};
 
 /// The pictures of a run. There is one, so that a program's trace stays small.
 class Pictures {
@@ -40,7 +23,7 @@ class Pictures {
 
   template <class Message>
   void show(const Message& message) {
-    using Shape = ImageShape<Message>;
+    using Shape = target::ImageShape<Message>;
     if constexpr (Shape::is_image) {
       show_image(message.data, Shape::width, Shape::height, Shape::channels);
     } else {

@@ -23,21 +23,25 @@ class Env(gymnasium.Env):
     longest            steps until an episode is truncated, besides what the graph's `task:` says
     normalize_actions  actions are from -1 to 1
     number             of the environment: reset(seed=S) with number k is `PROGRAM --seed S --environment k`
+    render_mode        "rgb_array" where the graph has `render:`: render() gives uint8 [height, width, 3]
+    render_size        (width, height) of it, in pixels
 
     reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws. Without `task:` in the graph rewards
     are 0. info of a step has `success` and the weighted `terms` of the reward, where the graph has a task.
     """
 
-    metadata = {"render_modes": []}
+    metadata = {"render_modes": ["rgb_array"]}
 
-    def __init__(self, library, *, flatten=False, longest=0, normalize_actions=False, number=0, render_mode=None):
-        if render_mode is not None:
-            raise ValueError(f"render_mode is {render_mode!r}, and there is none yet")
-        self.library, self.render_mode = library, render_mode
+    def __init__(self, library, *, flatten=False, longest=0, normalize_actions=False, number=0, render_mode=None,
+                 render_size=(480, 480)):
+        library.check_render_mode(render_mode)
+        self.metadata = library.metadata
+        self.library, self.render_mode, self.render_size = library, render_mode, render_size
         self._actions = conversion.of_actions(library, flatten, normalize_actions)
         self._observations = conversion.of_observations(library, flatten)
         self.action_space, self.observation_space = self._actions.space, self._observations.space
-        self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1)
+        self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1,
+                                         pictures=render_mode is not None)
         self._begun = self._ended = False
 
     def _observation(self):
@@ -66,6 +70,14 @@ class Env(gymnasium.Env):
             info = {"success": bool(rows.success[0]),
                     "terms": {name: float(x) for name, x in zip(self.library.terms, rows.terms[0])}}
         return self._observation(), float(rows.reward[0]), terminated, truncated, info
+
+    def render(self):
+        """What the graph's `render:` showed last; None without a render mode."""
+        if self.render_mode is None:
+            return None
+        if not self._begun:
+            raise Error("nothing has begun: reset() comes before render()")
+        return self.environments.picture(0, self.render_size)
 
     def close(self):
         self.environments.close()

@@ -25,17 +25,18 @@ class VectorEnv(_vector.VectorEnv):
     """
 
     def __init__(self, library, num_envs, *, flatten=False, longest=0, normalize_actions=False, autoreset_mode=None,
-                 threads=0, copy=True, numbers=None, render_mode=None):
-        if render_mode is not None:
-            raise ValueError(f"render_mode is {render_mode!r}, and there is none yet")
+                 threads=0, copy=True, numbers=None, render_mode=None, render_size=(480, 480)):
+        library.check_render_mode(render_mode)
         modes = _vector.AutoresetMode
         self.autoreset_mode = modes.NEXT_STEP if autoreset_mode is None else modes(autoreset_mode)
         names = {modes.NEXT_STEP: "next_step", modes.SAME_STEP: "same_step", modes.DISABLED: "disabled"}
         numbers = np.zeros(num_envs, np.uint32) if numbers is None and num_envs > 0 else numbers
         self.environments = Environments(library, num_envs, numbers=numbers, longest=longest,
-                                         autoreset=names[self.autoreset_mode], threads=threads)
-        self.library, self.num_envs, self.copy, self.render_mode = library, num_envs, copy, render_mode
-        self.metadata = {"render_modes": [], "autoreset_mode": self.autoreset_mode}
+                                         autoreset=names[self.autoreset_mode], threads=threads,
+                                         pictures=render_mode is not None)
+        self.library, self.num_envs, self.copy = library, num_envs, copy
+        self.render_mode, self.render_size = render_mode, render_size
+        self.metadata = {**library.metadata, "autoreset_mode": self.autoreset_mode}
         self._actions = conversion.of_actions(library, flatten, normalize_actions)
         self._observations = conversion.of_observations(library, flatten)
         self.single_action_space, self.single_observation_space = self._actions.space, self._observations.space
@@ -122,6 +123,14 @@ class VectorEnv(_vector.VectorEnv):
         info["final_obs"], info["_final_obs"] = observations, ended.copy()
         info["final_info"] = self._info(ended) if self.library.has_task else {}
         info["_final_info"] = ended.copy()
+
+    def render(self):
+        """A tuple of the pictures of all environments; None without a render mode."""
+        if self.render_mode is None:
+            return None
+        if not self._begun.all():
+            raise Error("not all environments have begun: reset() comes before render()")
+        return tuple(self.environments.picture(i, self.render_size) for i in range(self.num_envs))
 
     def close_extras(self, **kwargs):
         self.environments.close()

@@ -9,15 +9,18 @@ import numpy as np
 
 from .errors import Error
 
-VERSION = 1
+VERSION = 2
 """Of the C interface."""
+
+MOST_PIXELS = 4096
+"""Of a side of a picture."""
 
 AUTORESET = {"next_step": 0, "same_step": 1, "disabled": 2}
 
 
 class _Options(ctypes.Structure):
     _fields_ = [("size", c_uint32), ("environments", c_uint32), ("numbers", c_void_p), ("seed", c_uint64),
-                ("longest", c_uint32), ("autoreset", c_uint32), ("threads", c_uint32)]
+                ("longest", c_uint32), ("autoreset", c_uint32), ("threads", c_uint32), ("pictures", c_uint32)]
 
 
 class _Rows(ctypes.Structure):
@@ -37,6 +40,7 @@ _FUNCTIONS = {
     "eagerx_get_states": (c_int, [c_void_p] * 2),
     "eagerx_trace": (c_int, [c_void_p, c_uint32, c_char_p]),
     "eagerx_hash": (c_uint64, [c_void_p, c_uint32]),
+    "eagerx_picture": (c_int, [c_void_p, c_uint32, c_uint32, c_uint32, c_void_p]),
     "eagerx_counts": (c_char_p, [c_void_p]),
 }
 
@@ -92,6 +96,18 @@ class Library:
     def has_task(self):
         return self.description["task"] is not None
 
+    @property
+    def metadata(self):
+        """Of Gymnasium: how environments of this graph can be seen."""
+        render = self.description["render"]
+        return {"render_modes": ["rgb_array"], "render_fps": render["rate_hz"]} if render else {"render_modes": []}
+
+    def check_render_mode(self, render_mode):
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            known = "None or 'rgb_array'" if self.description["render"] else (
+                "None, because its graph has no `render:`; add `render: {source: OBJECT.scene}` to it for 'rgb_array'")
+            raise ValueError(f"render_mode is {render_mode!r}; for {self.description['graph']} it is {known}")
+
     def __repr__(self):
         return f"<eagerx_gen.Library {self.description['graph']} on {self.description['engine']}>"
 
@@ -111,9 +127,10 @@ class Environments:
     terms              [count, terms of the reward] float32, weighted
 
     seed, longest, threads: as in eagerx_environments.h. numbers: [count] of each in its seed, or None: 0, 1, 2, ...
+    pictures: whether picture() will be called; environments then run one by one.
     """
 
-    def __init__(self, library, count, *, seed=0, numbers=None, longest=0, autoreset="next_step", threads=0):
+    def __init__(self, library, count, *, seed=0, numbers=None, longest=0, autoreset="next_step", threads=0, pictures=False):
         self._handle = None
         if autoreset not in AUTORESET:
             raise ValueError(f"autoreset is {autoreset!r}; it is one of {', '.join(AUTORESET)}")
@@ -126,7 +143,7 @@ class Environments:
             if numbers.shape != (count,):
                 raise ValueError(f"numbers has shape {numbers.shape}, not {(count,)}")
         options = _Options(ctypes.sizeof(_Options), count, None if numbers is None else numbers.ctypes.data, seed % 2**64,
-                           longest, AUTORESET[autoreset], threads)
+                           longest, AUTORESET[autoreset], threads, int(bool(pictures)))
         # First, because it says which counts there cannot be.
         self._handle = library.c.eagerx_create(ctypes.byref(options))
         if not self._handle:
@@ -213,6 +230,18 @@ class Environments:
     def hash(self, environment):
         """Of all messages of an environment since its trace began; 0 without one."""
         return self.library.c.eagerx_hash(self._open(), environment)
+
+    def picture(self, environment, size=(480, 480)):
+        """uint8 [height, width, 3] of size (width, height): what the graph's `render:` showed last; white before that."""
+        if not 0 <= environment < self.count:
+            raise ValueError(f"there is no environment {environment}, but 0 to {self.count - 1}")
+        width, height = (int(side) for side in size)
+        if not (0 < width <= MOST_PIXELS and 0 < height <= MOST_PIXELS):
+            raise ValueError(f"size is {size}: width and height are 1 to {MOST_PIXELS} pixels")
+        pixels = np.empty((height, width, 3), np.uint8)
+        if self.library.c.eagerx_picture(self._open(), environment, width, height, pixels.ctypes.data) != 0:
+            self._fail()
+        return pixels
 
     def counts(self):
         """What guards and nodes have counted: {"safe: action not finite": 3}."""

@@ -15,15 +15,19 @@ _base = need("stable_baselines3.common.vec_env.base_vec_env", "pip install stabl
 class VecEnv(_base.VecEnv):
     """Many environments of a graph. Its infos have what Monitor gives: return and length of an episode that ended.
 
-    library, longest, threads, normalize_actions: as for Env and VectorEnv. flatten: Stable-Baselines3 knows Dict
+    library, longest, threads, normalize_actions, render_mode, render_size: as for Env and VectorEnv. flatten: Stable-Baselines3 knows Dict
     observations, with "MultiInputPolicy", but no Dict actions, so that these are always one row.
     """
 
-    def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None):
+    def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None,
+                 render_mode=None, render_size=(480, 480)):
+        library.check_render_mode(render_mode)
         numbers = np.zeros(n_envs, np.uint32) if numbers is None and n_envs > 0 else numbers
-        self.environments = Environments(library, n_envs, numbers=numbers, longest=longest, autoreset="same_step", threads=threads)
-        self.library = library
-        self.metadata = {"render_modes": []}
+        self.environments = Environments(library, n_envs, numbers=numbers, longest=longest, autoreset="same_step", threads=threads,
+                                         pictures=render_mode is not None)
+        self.library, self.render_size = library, render_size
+        self.metadata = library.metadata
+        self.render_mode = render_mode  # the base class asks for it with get_attr()
         self._rows_of_actions = conversion.of_actions(library, True, normalize_actions)
         self._rows_of_observations = conversion.of_observations(library, flatten)
         self._begun = False
@@ -82,8 +86,12 @@ class VecEnv(_base.VecEnv):
     def close(self):
         self.environments.close()
 
+    def get_images(self):
+        """The pictures of all environments, of which Stable-Baselines3's render() makes one."""
+        return [None if self.render_mode is None else self.environments.picture(i, self.render_size) for i in range(self.num_envs)]
+
     def get_attr(self, attr_name, indices=None):
-        values = {"render_mode": None, "spec": None}
+        values = {"spec": None}
         value = values[attr_name] if attr_name in values else getattr(self, attr_name)
         return [value for _ in self._get_indices(indices)]
 
