@@ -31,6 +31,8 @@ struct Options {
   bool json_output = false;
   std::string program, log, second_log, given;      // replay, identify
   std::string sensors, horizon_s, longest_delay_s;  // identify
+  std::vector<std::string> channels;                // plot
+  std::string episode;                              // plot
   std::string entity;                               // info, new
   std::string kind;                                 // new
   std::string code;                                 // explain
@@ -63,6 +65,13 @@ int replay_command(const Options& options);
 int identify_command(const Options& options);
 int new_command(const Options& options);
 int policy_command(const Options& options);
+/// Writes a log in the form of other tools.
+int trace_command(const Options& options);
+/// Draws channels of a log.
+int plot_command(const Options& options);
+/// What these two take.
+Command trace_commands(Options& options);
+Command plot_commands(Options& options);
 /// Writes `pages` below the folder `output`.
 int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);
 

@@ -40,8 +40,9 @@ void add(CLI::App& app, const Argument& argument) {
   if (argument.check || !argument.choices.empty()) option.check(validator_of(argument));
   option.expected(static_cast<int>(argument.values));
   if (argument.repeated) {
-    // What follows the value is the next argument, not another value.
-    option.expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
+    option.expected(1, CLI::detail::expected_max_vector_size);
+    // What follows the value of an option is the next argument, not another value.
+    option.allow_extra_args(!argument.names.starts_with('-'));
   }
 }
 

@@ -18,7 +18,7 @@ struct Argument {
   std::string names;  // "graph", "--engine", "-o,--output"
   std::string about;
   std::string type;  // of its value in the help: "NAME"; a flag has none
-  /// Stores the values: one, as many as `values`, or one for each time a repeated option is given.
+  /// Stores the values: one, as many as `values`, or of a repeated one all that are given.
   std::function<void(const std::vector<std::string>&)> take;
   /// What is wrong with a value, or "".
   std::function<std::string(const std::string&)> check = {};

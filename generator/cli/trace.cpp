@@ -1,0 +1,116 @@
+// eagerx-gen trace and plot: a log for other tools, and for the eye.
+#include "generator/trace/trace.hpp"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+int finish(const Options& options, const TraceResult& result) {
+  if (!result.problem.empty()) complain("{}\n", result.problem);
+  if (!result.note.empty() && !options.quiet) complain("note: {}\n", result.note);
+  if (!result.problem.empty()) return result.readable ? kProblems : kInputOutput;
+  if (options.output == "-") {
+    say_text(result.bytes);
+    return kDone;
+  }
+  Run run;
+  if (write_file(options.output, result.bytes, run.diagnostics) && !options.quiet)
+    say("{}: {}\n", options.output, result.summary);
+  return gen::finish(run, options);
+}
+
+std::optional<std::uint32_t> episode_of(const Options& options) {
+  if (options.episode.empty()) return std::nullopt;
+  return static_cast<std::uint32_t>(std::strtoul(options.episode.c_str(), nullptr, 10));
+}
+
+/// Characters of a line, and whether they may be others than ASCII.
+std::size_t columns_of_terminal() {
+  constexpr std::size_t kColumns = 80, kMost = 200;
+  winsize size{};
+  if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kColumns;
+  return std::min<std::size_t>(size.ws_col, kMost);
+}
+bool has_braille() {
+  for (const char* const name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    const char* const value = std::getenv(name);
+    if (value == nullptr || *value == 0) continue;
+    const std::string_view text(value);
+    return text.find("UTF-8") != std::string_view::npos ||
+           text.find("utf8") != std::string_view::npos;
+  }
+  return false;
+}
+
+}  // namespace
+
+int trace_command(const Options& options) {
+  return finish(options, convert_log(options.log, *trace_format_of(options.output)));
+}
+
+int plot_command(const Options& options) {
+  const PlotRequest request{options.log, options.channels, episode_of(options)};
+  return finish(options, options.output == "-"
+                             ? plot_log_as_text(request, columns_of_terminal(), has_braille())
+                             : plot_log_as_svg(request));
+}
+
+Command trace_commands(Options& options) {
+  Argument output = required(text("-o,--output", options.output,
+                                  "the file to write: .csv, .json (Perfetto, chrome://tracing), "
+                                  ".mcap (Foxglove) or .npz (NumPy)",
+                                  "FILE"));
+  output.check = [](const std::string& path) {
+    return trace_format_of(path) ? std::string()
+                                 : path + " ends in none of .csv, .json, .mcap, .npz";
+  };
+  return {
+      .name = "trace",
+      .about = "what a run wrote with --trace, for other tools",
+      .examples = {{"for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
+      .commands = {
+          {.name = "convert",
+           .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
+           .examples = {{"a table, a row for each instant",
+                         "eagerx-gen trace convert run.log -o run.csv"},
+                        {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
+           .arguments = {required(text("log", options.log, "what a run wrote with --trace", "LOG")),
+                         std::move(output),
+                         flag("-q,--quiet", options.quiet, "print problems only")},
+           .run = [&options] { return trace_command(options); }}}};
+}
+
+Command plot_commands(Options& options) {
+  Argument output = required(text("-o,--output", options.output,
+                                  "the picture to write, .svg, or - for the terminal", "FILE"));
+  output.check = [](const std::string& path) {
+    return path == "-" || path.ends_with(".svg") ? std::string() : path + " is neither .svg nor -";
+  };
+  Argument episode = text("--episode", options.episode, "only this episode, from 0", "N");
+  episode.check = [](const std::string& number) {
+    const bool whole = !number.empty() && number.size() < 10 &&
+                       number.find_first_not_of("0123456789") == std::string::npos;
+    return whole ? std::string() : number + " is no whole number";
+  };
+  return {
+      .name = "plot",
+      .about = "draw channels of a log over time",
+      .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
+                   {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
+      .arguments = {required(text("log", options.log, "what a run wrote with --trace", "LOG")),
+                    required(texts("channel", options.channels,
+                                   "channels: their names, or a part such as theta", "CHANNEL")),
+                    std::move(output), std::move(episode),
+                    flag("-q,--quiet", options.quiet, "print problems only")},
+      .run = [&options] { return plot_command(options); }};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,20 @@
+// When the messages of a log were sent.
+#pragma once
+
+#include <cstdint>
+#include <runtime/host/trace/log_file.hpp>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// Times of the rows of a log, in its order. Without time stamps a message's is that of its tick:
+/// its number over the rate of its channel, to the nearest nanosecond.
+struct Timeline {
+  std::vector<std::int64_t> in_episode_ns;  // by the graph's clock
+  /// Behind the start of the log, without steps back between episodes: as measured, if the run was
+  /// paced; else each episode begins one period of its slowest channel after the one before.
+  std::vector<std::int64_t> in_log_ns;
+};
+Timeline timeline_of(const trace_log::Log& log);
+
+}  // namespace eagerx::gen
