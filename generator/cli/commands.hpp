@@ -37,6 +37,8 @@ struct Options {
   std::string kind;                                 // new
   std::string code;                                 // explain
   bool engine_graph = false;                        // graph
+  std::vector<std::string> logs, images;            // report
+  std::size_t points = 0;                           // report; 0: as many as fit
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy
   std::string output_activation;                    // policy
@@ -58,6 +60,8 @@ int import_command(const Options& options);
 int info_command(const Options& options);
 /// Writes a picture of the graph.
 int graph_command(const Options& options);
+/// Writes a page for a browser.
+int report_command(const Options& options);
 int explain_command(const Options& options);
 int schema_command(const Options& options);
 int size_command(const Options& options);

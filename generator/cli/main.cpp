@@ -1,6 +1,7 @@
 // eagerx-gen: its commands and their options.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <utility>
 
@@ -299,6 +300,44 @@ Command picture(Options& options) {
       .run = [&options] { return graph_command(options); }};
 }
 
+Command report(Options& options) {
+  Argument points{"--points",
+                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
+                  "2000); of more messages, the least and the greatest of each part are kept",
+                  "N", [&options](const auto& values) {
+                    options.points = std::strtoul(values.front().c_str(), nullptr, 10);
+                  }};
+  points.check = [](const std::string& text) {
+    const bool digits = !text.empty() && text.size() < 8 &&
+                        text.find_first_not_of("0123456789") == std::string::npos;
+    return digits && std::strtoul(text.c_str(), nullptr, 10) >= 2
+               ? std::string()
+               : text + " is not a number from 2 to 9999999";
+  };
+  return {
+      .name = "report",
+      .about = "show everything about a graph on one page for a browser",
+      .examples = {{"drawing, timetable, memory and ages, in pendulum.html",
+                    "eagerx-gen report pendulum.yaml"},
+                   {"with a run as plots, and the flash and RAM of an image",
+                    "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
+                    "run.html"}},
+      .arguments = joined(
+          {{graph(options),
+            text("-o,--output", options.output, "the page (default: <graph name>.html)", "FILE"),
+            texts("--trace", options.logs, "what a run wrote with --trace, may be repeated", "LOG"),
+            texts("--image", options.images, "an image of a board, may be repeated", "IMAGE.elf"),
+            text("--build", options.build,
+                 "build folder of the image (default: the folder that it lies in)", "DIR"),
+            std::move(points)},
+           {text("--engine", options.engine, "run the graph on this engine instead of its own",
+                 "NAME")},
+           rates(options),
+           {library(options)},
+           diagnostics(options)}),
+      .run = [&options] { return report_command(options); }};
+}
+
 Command explain(Options& options) {
   return {
       .name = "explain",
@@ -482,7 +521,7 @@ CommandLine command_line(Options& options) {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
               .commands = {generate(options), build(options), run(options), train(options),
-                           check(options), info(options), picture(options), explain(options),
+                           check(options), info(options), picture(options), report(options), explain(options),
                            import(options), schema(options), make_new(options), size(options),
                            replay(options), identify(options), trace_commands(options),
                            plot_commands(options), policies(options), pages(options)}},

@@ -52,6 +52,8 @@ class Builder {
     if (view_ == GraphView::user) add_objects();
     observations_ = add_box(BoxKind::observations, "observations",
                             graph_.environment().rate_hz.to_string() + " Hz");
+    for (const std::size_t end : {kActions, observations_})
+      drawing_.boxes[end].node = Graph::kEnvironment;
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) add_wires(n);
     return std::move(drawing_);
   }
@@ -88,6 +90,7 @@ class Builder {
         add_box(kind, node.name, has_type ? node.entity->id.value + ", " + rate : rate,
                 has_type ? node.entity->summary : std::string());
     Box& box = drawing_.boxes[*box_of_node_[n]];
+    box.node = n;
     for (const Input& input : node.inputs) port(box.inputs, input.name, detail_of(input));
     for (const Output& output : node.outputs)
       port(box.outputs, output.name, output.processor ? via(output.processor) : std::string());
@@ -100,6 +103,7 @@ class Builder {
       if (object.implementation != nullptr)
         subtitle += " on " + object.implementation->engine.value;
       box_of_object_[o] = add_box(BoxKind::object, object.name, subtitle, object.entity->summary);
+      drawing_.boxes[*box_of_object_[o]].object = o;
     }
   }
 
@@ -155,12 +159,14 @@ class Builder {
   }
 
   void add_wires(std::size_t n) {
-    for (const Input& input : graph_.nodes[n].inputs) {
+    for (std::size_t i = 0; i < graph_.nodes[n].inputs.size(); ++i) {
+      const Input& input = graph_.nodes[n].inputs[i];
       Wire wire;
       const bool inner = view_ == GraphView::user && is_hidden(graph_.nodes[n]) && !input.actuator;
       if (inner || !find_source(input, wire) || !find_reader(n, input, wire)) continue;
       wire.about = fmt::format("{} to {}: {}", name_of_source(graph_, input), input.written,
                                input.space.describe());
+      wire.reader = {n, i};
       add(std::move(wire));
     }
     for (const ResetTarget& target : graph_.nodes[n].reset_targets) add_reset(n, target);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct Box {
   std::string subtitle;  // "ButterworthFilter, 30 Hz"
   std::string about;     // the summary of its manifest
   std::vector<PicturePort> inputs, outputs;
+  std::optional<std::size_t> node = {}, object = {};  // of the graph; `actions` is node 0, too
 };
 
 struct Wire {
@@ -45,6 +47,12 @@ struct Wire {
   std::size_t to = 0, input = 0;
   std::string about;        // "pendulum.theta to observations.angle: float32 [1]"
   bool sets_state = false;  // from a reset node to the state it brings about
+  /// The input that it is: a node of the graph, and which of its inputs. A wire that sets a state
+  /// has none.
+  struct Reader {
+    std::size_t node = 0, input = 0;
+  };
+  std::optional<Reader> reader = {};
 };
 
 /// Boxes in the order actions, nodes, objects, observations: what drives stands left where a circle

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "generator/picture/drawing.hpp"
+#include "generator/picture/layout.hpp"
 
 namespace eagerx::gen {
 
@@ -18,6 +19,9 @@ std::optional<PictureFormat> picture_format_of(std::string_view path);
 /// The same bytes on every machine. Names are data: they become text in the language of the
 /// picture.
 std::string picture_of(const Drawing& drawing, PictureFormat format);
+
+/// The `d` of a wire's path in SVG.
+std::string wire_path(const PlacedWire& wire);
 
 std::string svg_of(const Drawing& drawing);
 std::string dot_of(const Drawing& drawing);

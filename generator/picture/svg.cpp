@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdlib>
 
-#include "generator/picture/layout.hpp"
 #include "generator/picture/picture.hpp"
 #include "generator/quote/quote.hpp"
 
@@ -95,7 +94,7 @@ std::string wire_text(const Wire& wire, const PlacedWire& placed) {
   return fmt::format(
       "<g><title>{}</title><path{} d=\"{}\"/><path class=\"tip\" d=\"M{} {}l-8 -4v8z\"/></g>\n",
       xml_text(wire.about), wire.sets_state ? " class=\"state\"" : "",
-      placed.backwards ? right_angles(placed.points) : curves(placed.points), end.x, end.y);
+      wire_path(placed), end.x, end.y);
 }
 
 std::string ports_text(const std::vector<PicturePort>& ports, const std::vector<std::int64_t>& at,
@@ -132,6 +131,10 @@ std::string box_text(const Box& box, const PlacedBox& placed) {
 }
 
 }  // namespace
+
+std::string wire_path(const PlacedWire& wire) {
+  return wire.backwards ? right_angles(wire.points) : curves(wire.points);
+}
 
 std::string svg_of(const Drawing& drawing) {
   const Layout layout = layout_of(drawing);

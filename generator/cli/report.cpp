@@ -1,0 +1,60 @@
+// eagerx-gen report: everything that is known of a graph as one page for a browser.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
+#include "generator/page/page.hpp"
+#include "generator/plausibility/plausibility.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<PageImage> read_images(Run& run, const Options& options) {
+  std::vector<PageImage> images;
+  for (const std::string& image : options.images) {
+    const std::string folder = fs::path(image).parent_path().string();
+    const std::string build = !options.build.empty() ? options.build : folder.empty() ? "." : folder;
+    if (auto size = measure_image(image, build, run.diagnostics)) {
+      images.push_back({image, std::move(*size)});
+      check_image(images.back(), *run.graph, run.diagnostics);
+    }
+  }
+  return images;
+}
+
+}  // namespace
+
+int report_command(const Options& options) {
+  Run run;
+  if (!make(run, options)) return finish(run, options);
+  std::vector<PageImage> images = read_images(run, options);
+  Json logs = read_logs(options.logs, *run.plan, options.points, run.diagnostics);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  const std::vector<const Target*> no_targets;
+  check_plausibility({*run.spec, *run.graph, *run.plan, no_targets}, run.diagnostics);
+  allow_warnings(run.spec->allow, false, run.diagnostics);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  run.diagnostics.sort_by_place();
+  const PlanReport report = report_of(*run.plan);
+  PageContents contents;
+  contents.spec = &*run.spec;
+  contents.policies = &run.policies;
+  contents.report = &report;
+  contents.sources = &run.sources;
+  contents.diagnostics = &run.diagnostics;
+  contents.images = std::move(images);
+  contents.logs = std::move(logs);
+  const auto text = page_text((fs::path(run.root) / "templates" / "report").string(),
+                              page_json(contents), run.diagnostics);
+  const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;
+  if (text && write_file(path, *text, run.diagnostics) && !options.quiet)
+    say("{}: {} kB, open it in a browser\n", path, (text->size() + 999) / 1000);
+  return finish(run, options);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,85 @@
+// The template, its content policy, and the data in it.
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "generator/page/page.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::optional<std::string> read_part(const std::filesystem::path& path, Diagnostics& diagnostics) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file && !file.bad()) return text;
+  diagnostics.io_error("E0301", {},
+                       fmt::format("cannot read `{}`: {}", path.string(), std::strerror(errno)));
+  return std::nullopt;
+}
+
+void replace(std::string& text, std::string_view what, std::string_view with) {
+  const std::size_t at = text.find(what);
+  if (at != std::string::npos) text.replace(at, what.size(), with);
+}
+
+/// `@include NAME@` becomes the file NAME of the folder.
+std::optional<std::string> with_included(std::string text, const std::string& folder,
+                                         Diagnostics& diagnostics) {
+  constexpr std::string_view kBegin = "@include ";
+  for (std::size_t at = text.find(kBegin); at != std::string::npos; at = text.find(kBegin, at)) {
+    const std::size_t name = at + kBegin.size(), end = text.find('@', name);
+    const auto part = read_part(
+        std::filesystem::path(folder) / text.substr(name, end - name), diagnostics);
+    if (!part) return std::nullopt;
+    text.replace(at, end + 1 - at, *part);
+    at += part->size();
+  }
+  return text;
+}
+
+/// What is between the first `<name>` and its end.
+std::string_view element(std::string_view text, std::string_view name) {
+  const std::string begin = fmt::format("<{}>", name), end = fmt::format("</{}>", name);
+  const std::size_t at = text.find(begin) + begin.size();
+  return text.substr(at, text.find(end, at) - at);
+}
+
+/// On one line, and without a character that could begin markup: within strings `<` is \u003c, and
+/// elsewhere JSON has none.
+std::string for_markup(const std::string& json) {
+  std::string text;
+  text.reserve(json.size());
+  for (std::size_t at = 0; at < json.size(); ++at) {
+    const char c = json[at];
+    if (c == '\n') {  // between values: in strings it is written as \n
+      while (at + 1 < json.size() && json[at + 1] == ' ') ++at;
+    } else if (c == '<' || c == '>' || c == '&') {
+      text += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::optional<std::string> page_text(const std::string& folder, const Json& data,
+                                     Diagnostics& diagnostics) {
+  auto text = read_part(std::filesystem::path(folder) / "report.html", diagnostics);
+  if (text) text = with_included(std::move(*text), folder, diagnostics);
+  if (!text) return std::nullopt;
+  const std::string style = sha256_base64(element(*text, "style"));
+  const std::string script = sha256_base64(element(*text, "script"));
+  replace(*text, "@style-hash@", style);
+  replace(*text, "@script-hash@", script);
+  replace(*text, "@data@", for_markup(dump_json(data)));
+  return text;
+}
+
+}  // namespace eagerx::gen

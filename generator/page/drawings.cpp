@@ -1,0 +1,87 @@
+// The graph as the user wrote it and as it runs, each box and wire with its place.
+#include "generator/page/page.hpp"
+#include "generator/picture/picture.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+const char* name_of(BoxKind kind) {
+  switch (kind) {
+    case BoxKind::actions:
+    case BoxKind::observations:
+      return "end";
+    case BoxKind::object:
+      return "object";
+    case BoxKind::node:
+      return "node";
+    case BoxKind::reset_node:
+      return "reset";
+    case BoxKind::engine:
+      return "engine";
+    case BoxKind::engine_node:
+      return "engine-node";
+    case BoxKind::task:
+      break;
+  }
+  return "task";
+}
+
+Json ports_json(const std::vector<PicturePort>& ports, const std::vector<std::int64_t>& y) {
+  Json list = Json::list();
+  for (std::size_t i = 0; i < ports.size(); ++i)
+    list.push_back(Json{
+        {"name", shown(ports[i].name)}, {"detail", shown(ports[i].detail)}, {"y", y[i]}});
+  return list;
+}
+
+Json number(const std::optional<std::size_t>& index) {
+  return index ? Json(*index) : Json(nullptr);
+}
+
+Json drawing_json(const Drawing& drawing) {
+  const Layout layout = layout_of(drawing);
+  Json json{{"width", layout.width},
+            {"height", layout.height},
+            {"boxes", Json::list()},
+            {"wires", Json::list()}};
+  for (std::size_t b = 0; b < drawing.boxes.size(); ++b) {
+    const Box& box = drawing.boxes[b];
+    const PlacedBox& place = layout.boxes[b];
+    json["boxes"].push_back(Json{{"kind", name_of(box.kind)},
+                                 {"name", box.name},
+                                 {"title", shown(box.name)},
+                                 {"subtitle", shown(box.subtitle)},
+                                 {"about", box.about},
+                                 {"x", place.corner.x},
+                                 {"y", place.corner.y},
+                                 {"width", place.width},
+                                 {"height", place.height},
+                                 {"node", number(box.node)},
+                                 {"object", number(box.object)},
+                                 {"inputs", ports_json(box.inputs, place.input_y)},
+                                 {"outputs", ports_json(box.outputs, place.output_y)}});
+  }
+  for (std::size_t w = 0; w < drawing.wires.size(); ++w) {
+    const Wire& wire = drawing.wires[w];
+    const Point end = layout.wires[w].points.back();
+    Json reader;
+    if (wire.reader) reader = Json(Json::List{wire.reader->node, wire.reader->input});
+    json["wires"].push_back(Json{{"from", wire.from},
+                                 {"to", wire.to},
+                                 {"about", wire.about},
+                                 {"state", wire.sets_state},
+                                 {"path", wire_path(layout.wires[w])},
+                                 {"end", Json::List{end.x, end.y}},
+                                 {"reader", std::move(reader)}});
+  }
+  return json;
+}
+
+}  // namespace
+
+Json drawings_json(const Graph& graph) {
+  return Json{{"user", drawing_json(drawing_of(graph, GraphView::user))},
+              {"engine", drawing_json(drawing_of(graph, GraphView::engine))}};
+}
+
+}  // namespace eagerx::gen

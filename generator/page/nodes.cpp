@@ -1,0 +1,286 @@
+// Nodes with their inputs, outputs and parameters; where messages live, and when nodes run.
+#include <type_traits>
+
+#include "generator/page/page.hpp"
+#include "generator/plan/hop.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+Json time_of(const Rational& seconds) {
+  return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
+}
+
+template <class T>
+Json list_of(const std::vector<T>& values) {
+  Json list = Json::list();
+  for (const T& value : values) list.push_back(value);
+  return list;
+}
+
+Json json_of(const Space& space) {
+  return Json{{"text", space.describe()},
+              {"bytes", bytes_of(space)},
+              {"low", list_of(space.low)},
+              {"high", list_of(space.high)}};
+}
+
+Json json_of(const Config& config) {
+  Json list = Json::list();
+  for (const ConfigValue& item : config) {
+    Json value = std::visit(
+        [](const auto& held) {
+          using Held = std::decay_t<decltype(held)>;
+          if constexpr (std::is_same_v<Held, std::vector<std::int64_t>> ||
+                        std::is_same_v<Held, std::vector<double>>)
+            return list_of(held);
+          else
+            return Json(held);
+        },
+        item.value);
+    list.push_back(Json{{"name", item.parameter->name.value},
+                        {"value", std::move(value)},
+                        {"unit", item.parameter->unit},
+                        {"about", item.parameter->about},
+                        {"given", item.given}});
+  }
+  return list;
+}
+
+Json json_of(const std::optional<Processor>& processor) {
+  if (!processor) return nullptr;
+  return Json{{"type", processor->entity->id.value}, {"config", json_of(processor->config)}};
+}
+
+const char* name_of(RandomSpec::Kind kind) {
+  switch (kind) {
+    case RandomSpec::Kind::value:
+      return "value";
+    case RandomSpec::Kind::uniform:
+      return "uniform";
+    case RandomSpec::Kind::normal:
+      return "normal";
+    case RandomSpec::Kind::log_uniform:
+      return "log-uniform";
+    case RandomSpec::Kind::choice:
+      break;
+  }
+  return "choice";
+}
+
+Json json_of(const std::optional<Random>& random) {
+  if (!random) return nullptr;
+  Json choices = Json::list();
+  for (const auto& choice : random->choices) choices.push_back(list_of(choice));
+  return Json{{"kind", name_of(random->kind)},
+              {"first", list_of(random->first)},
+              {"second", list_of(random->second)},
+              {"choices", std::move(choices)}};
+}
+
+Json json_of(const std::vector<State>& states) {
+  Json list = Json::list();
+  for (const State& state : states) {
+    if (!state.settable) continue;
+    list.push_back(Json{{"name", state.name},
+                        {"space", json_of(state.space)},
+                        {"random", json_of(state.random)},
+                        {"line", state.span.line}});
+  }
+  return list;
+}
+
+const char* name_of(NodeRole role) {
+  switch (role) {
+    case NodeRole::environment:
+      return "environment";
+    case NodeRole::engine:
+      return "engine";
+    case NodeRole::node:
+      return "node";
+    case NodeRole::engine_node:
+      break;
+  }
+  return "engine node";
+}
+
+const char* name_of(ScheduleForm form) {
+  switch (form) {
+    case ScheduleForm::constants:
+      return "masks known to the compiler";
+    case ScheduleForm::kinds:
+      return "a table of kinds of slots, masks known to the compiler";
+    case ScheduleForm::table:
+      return "a table of masks";
+    case ScheduleForm::countdown:
+      break;
+  }
+  return "a countdown a rate";
+}
+
+class Nodes {
+ public:
+  explicit Nodes(const Plan& plan) : plan_(plan), graph_(*plan.graph) {}
+
+  void add_to(Json& page) const {
+    page["schedule"] = schedule();
+    Json& nodes = page["nodes"] = Json::list();
+    for (std::size_t n = 0; n < graph_.nodes.size(); ++n) nodes.push_back(node(n));
+    Json& objects = page["objects"] = Json::list();
+    for (const Object& object : graph_.objects) objects.push_back(object_json(object));
+    Json& rings = page["rings"] = Json::list();
+    for (const Ring& ring : plan_.rings) rings.push_back(ring_json(ring));
+    Json& channels = page["channels"] = Json::list();
+    for (const Channel& channel : plan_.channels)
+      channels.push_back(
+          Json{{"name", channel.name}, {"node", channel.node}, {"output", channel.output}});
+    page["safety"] = safety();
+  }
+
+ private:
+  /// Of the grid that all ticks lie on.
+  Rational quantum_s() const {
+    const RateClass& fastest = plan_.rates.front();
+    return Rational(1) / (fastest.rate_hz * Rational(static_cast<std::int64_t>(fastest.period)));
+  }
+
+  Json schedule() const {
+    Json json{{"quantum", time_of(quantum_s())},
+              {"form", name_of(plan_.schedule.form)},
+              {"asynchronous", graph_.asynchronous}};
+    json["slots"] = plan_.schedule.slots ? Json(*plan_.schedule.slots) : Json(nullptr);
+    std::vector<std::size_t> order = plan_.before;
+    order.push_back(Graph::kEnvironment);
+    order.insert(order.end(), plan_.after.begin(), plan_.after.end());
+    json["order"] = list_of(order);
+    json["rates"] = Json::list();
+    for (const RateClass& rate : plan_.rates)
+      json["rates"].push_back(
+          Json{{"rate", rate.rate_hz.to_string()}, {"period", rate.period}});
+    return json;
+  }
+
+  std::string unit_of(const GraphNode& node, const Output& output) const {
+    const PortManifest* port = node.entity != nullptr ? node.entity->output(output.name) : nullptr;
+    const std::size_t dot = output.sensor.find('.');
+    if (node.object && dot != std::string::npos) {
+      const auto& object = *graph_.objects[*node.object].entity;
+      if (const PortManifest* sensor = object.sensor(output.sensor.substr(dot + 1))) port = sensor;
+    }
+    // A processor gives something else.
+    return port != nullptr && !output.processor ? port->unit : std::string();
+  }
+
+  Json node(std::size_t n) const {
+    const GraphNode& node = graph_.nodes[n];
+    Json json{{"name", node.name},
+              {"role", node.is_reset_node() ? "reset node" : name_of(node.role)},
+              {"type", node.entity != nullptr ? Json(node.entity->id.value) : Json(nullptr)},
+              {"about", node.entity != nullptr ? node.entity->summary : std::string()},
+              {"rate", node.rate_hz.to_string()},
+              {"rate_class", plan_.nodes[n].rate},
+              {"line", node.span.line},
+              {"config", json_of(node.config)},
+              {"states", json_of(node.states)}};
+    json["object"] = node.object ? Json(*node.object) : Json(nullptr);
+    json["inputs"] = Json::list();
+    for (std::size_t i = 0; i < node.inputs.size(); ++i) json["inputs"].push_back(input(n, i));
+    json["outputs"] = Json::list();
+    for (std::size_t o = 0; o < node.outputs.size(); ++o)
+      json["outputs"].push_back(Json{{"name", node.outputs[o].name},
+                                     {"sensor", node.outputs[o].sensor},
+                                     {"space", json_of(node.outputs[o].space)},
+                                     {"unit", unit_of(node, node.outputs[o])},
+                                     {"processor", json_of(node.outputs[o].processor)}});
+    return json;
+  }
+
+  Json input(std::size_t n, std::size_t i) const {
+    const Input& input = graph_.nodes[n].inputs[i];
+    const Reception& reception = plan_.nodes[n].receptions[i];
+    Json json{{"name", input.name},
+              {"written", input.written},
+              {"from", name_of_source(graph_, input)},
+              {"source", Json::List{input.source_node, input.source_output}},
+              {"space", json_of(input.space)},
+              {"window", input.window},
+              {"delay", time_of(input.delay_s)},
+              {"skip", input.skip},
+              {"processor", json_of(input.processor)},
+              {"random_delay", json_of(input.random_delay)},
+              {"ring", reception.ring},
+              {"most", reception.max_size},
+              {"keep", reception.keep},
+              {"line", input.span.line}};
+    json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
+    json["hop"] = hop(n, i);
+    return json;
+  }
+
+  /// Null where messages do not come by count, or too far apart.
+  Json hop(std::size_t n, std::size_t i) const {
+    const auto hop = graph_.asynchronous ? std::nullopt : make_hop(plan_, n, i);
+    if (!hop) return nullptr;
+    return Json{{"a", hop->a},
+                {"b", hop->b},
+                {"x", hop->x},
+                {"off", hop->off},
+                {"received", hop->received},
+                {"settled", hop->settled},
+                {"newest", time_of(Rational(hop->newest_bound) * quantum_s())},
+                {"oldest", time_of(Rational(hop->oldest_bound) * quantum_s())}};
+  }
+
+  static Json object_json(const Object& object) {
+    Json engine;
+    if (object.implementation != nullptr) engine = object.implementation->engine.value;
+    return Json{{"name", object.name},
+                {"type", object.entity->id.value},
+                {"about", object.entity->summary},
+                {"engine", std::move(engine)},
+                {"config", json_of(object.config)},
+                {"states", json_of(object.states)},
+                {"line", object.span.line}};
+  }
+  static Json ring_json(const Ring& ring) {
+    Json reader;
+    if (ring.reader_node) reader = Json(Json::List{*ring.reader_node, *ring.reader_input});
+    return Json{{"node", ring.node},
+                {"output", ring.output},
+                {"reader", std::move(reader)},
+                {"space", json_of(ring.space)},
+                {"needed", ring.needed},
+                {"messages", ring.capacity},
+                {"bytes", ring.capacity * bytes_of(ring.space)},
+                {"why", ring.why}};
+  }
+
+  Json safety() const {
+    const Safety& safety = graph_.safety;
+    if (!safety.declared) return nullptr;
+    Json json{{"late", safety.late},
+              {"missed", safety.missed},
+              {"recover", safety.recover},
+              {"max_lateness", time_of(safety.max_lateness_s)},
+              {"link_timeout", time_of(safety.link_timeout_s)},
+              {"clips", safety.clips},
+              {"holds", safety.holds},
+              {"line", safety.span.line},
+              {"actions", Json::list()}};
+    for (std::size_t a = 0; a < safety.actions.size(); ++a)
+      json["actions"].push_back(Json{{"name", graph_.environment().outputs[a].name},
+                                     {"value", list_of(safety.actions[a])}});
+    return json;
+  }
+
+  const Plan& plan_;
+  const Graph& graph_;
+};
+
+}  // namespace
+
+void add_nodes(const Plan& plan, Json& page) {
+  Nodes(plan).add_to(page);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,64 @@
+// Everything that is known of a graph as one page of HTML that needs nothing else: no network, no
+// server, no other file.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/agent/policies.hpp"
+#include "generator/json/json.hpp"
+#include "generator/plan/plan.hpp"
+#include "generator/report/report.hpp"
+#include "generator/size/size.hpp"
+
+namespace eagerx::gen {
+
+/// A measured image, and how the user called it.
+struct PageImage {
+  std::string name;
+  SizeReport size;
+};
+
+/// What the page shows. It points to what it was made from.
+struct PageContents {
+  const GraphSpec* spec = nullptr;
+  const Policies* policies = nullptr;
+  const PlanReport* report = nullptr;  // and with it plan and graph
+  const SourceMap* sources = nullptr;
+  const Diagnostics* diagnostics = nullptr;
+  std::vector<PageImage> images = {};
+  Json logs = Json::list();  // of read_logs()
+};
+
+/// The block of data of the page: `info` is what `eagerx-gen info --json` prints.
+Json page_json(const PageContents& contents);
+
+/// The page: the file `report.html` of `folder` with what it includes, and the data in it. Bytes
+/// are the same on every machine. What stands in `data` stays data: it can close no element and
+/// begin none. Problems: E0301 a file of the template cannot be read.
+std::optional<std::string> page_text(const std::string& folder, const Json& data,
+                                     Diagnostics& diagnostics);
+
+/// Traces, thinned to the least and the greatest value of each part of the time, so that no plot has
+/// more than `points` of these; 0: so many that the page stays below 5 MB. Each must be of this
+/// graph: its name, and every channel one of the graph's with the same type, size and rate.
+/// Problems: E0361 it is not, E0363 a file cannot be read.
+Json read_logs(const std::vector<std::string>& paths, const Plan& plan, std::size_t points,
+               Diagnostics& diagnostics);
+/// Whether an image is one of this graph: every node in it is one of the graph's. Problems: E0362.
+bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagnostics);
+
+// The parts of page_json().
+Json drawings_json(const Graph& graph);
+/// Nodes with inputs and outputs, objects, buffers, the schedule.
+void add_nodes(const Plan& plan, Json& page);
+Json policies_json(const PageContents& contents);
+
+/// As a content policy names a text that may be there.
+std::string sha256_base64(std::string_view text);
+std::string base64(std::string_view bytes);
+
+}  // namespace eagerx::gen

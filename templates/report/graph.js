@@ -1,0 +1,221 @@
+// The drawing: places come from the generator, here it is only shown, moved and searched.
+const graphView = {drawing: "user", zoom: 1, x: 0, y: 0, shown: null};
+const graphSvg = svg("svg", {class: "graph", tabindex: "0", role: "application",
+  "aria-label": "Drawing of the graph. Arrow keys go from box to box, plus and minus zoom."});
+
+function portTexts(box, ports, right) {
+  return ports.map((port) => {
+    const x = right ? box.x + box.width - 10 : box.x + 10, y = box.y + port.y + 4;
+    const name = svg("text", {class: right ? "port out" : "port", x, y}, port.name);
+    if (!port.detail) return name;
+    return [name, svg("text", {class: right ? "detail out" : "detail", x, y: y + 13}, port.detail)];
+  });
+}
+
+function boxElement(box) {
+  const group = svg("g", {class: "box " + box.kind},
+    svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
+    svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
+    svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle),
+    portTexts(box, box.inputs, false), portTexts(box, box.outputs, true));
+  if (box.about) group.append(svg("title", {}, `${box.name}: ${box.about}`));
+  return group;
+}
+
+function wireElement(wire) {
+  const [x, y] = wire.end;
+  return svg("g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about),
+    svg("path", {class: "near", d: wire.path}), svg("path", {class: "line", d: wire.path}),
+    svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
+}
+
+/** Elements of a drawing; made when it is looked at first. */
+function drawingOf(name) {
+  const drawing = data.drawings[name];
+  if (drawing.group) return drawing;
+  drawing.wireElements = drawing.wires.map(wireElement);
+  drawing.boxElements = drawing.boxes.map(boxElement);
+  drawing.group = svg("g", {class: "drawing"}, drawing.wireElements, drawing.boxElements);
+  drawing.boxElements.forEach((element, i) => { element.item = {box: i}; });
+  drawing.wireElements.forEach((element, i) => { element.item = {wire: i}; });
+  return drawing;
+}
+
+function place() {
+  const {zoom, x, y} = graphView;
+  graphView.shown.group.setAttribute("transform", `translate(${x} ${y}) scale(${zoom})`);
+  graphSvg.classList.toggle("far", zoom < 0.5);
+  graphSvg.classList.toggle("farther", zoom < 0.22);
+}
+const placeSoon = onFrame(place);
+
+function zoomGraph(factor, at) {
+  const box = graphSvg.getBoundingClientRect();
+  const [px, py] = at || [box.width / 2, box.height / 2];
+  const zoom = Math.min(4, Math.max(0.02, graphView.zoom * factor));
+  const real = zoom / graphView.zoom;
+  graphView.x = px - (px - graphView.x) * real;
+  graphView.y = py - (py - graphView.y) * real;
+  graphView.zoom = zoom;
+  placeSoon();
+}
+
+function fitGraph() {
+  const box = graphSvg.getBoundingClientRect();
+  const {width, height} = graphView.shown;
+  if (!box.width || !box.height) return;
+  const zoom = Math.min(1.5, (box.width - 40) / width, (box.height - 90) / height);
+  graphView.zoom = zoom;
+  graphView.x = (box.width - width * zoom) / 2;
+  graphView.y = 50 + (box.height - 50 - height * zoom) / 2;
+  place();
+}
+
+/** Brings a box into the middle, readable. */
+function centre(box) {
+  const place = graphSvg.getBoundingClientRect();
+  graphView.zoom = Math.max(graphView.zoom, 0.8);
+  graphView.x = place.width / 2 - (box.x + box.width / 2) * graphView.zoom;
+  graphView.y = place.height / 2 - (box.y + box.height / 2) * graphView.zoom;
+  placeSoon();
+}
+
+function showDrawing(name) {
+  graphView.drawing = name;
+  graphView.shown = drawingOf(name);
+  graphSvg.replaceChildren(graphView.shown.group);
+  fitGraph();
+  markGraph();
+}
+
+// ---- What of it is selected -----------------------------------------------------------------------------------------
+function boxOf(drawing, selected) {
+  if (selected.input) return -1;
+  const own = drawing.boxes.findIndex((box) => (selected.node !== undefined ? box.node === selected.node
+    : box.object === selected.object));
+  if (own >= 0 || selected.node === undefined || nodes[selected.node].object === null) return own;
+  return drawing.boxes.findIndex((box) => box.object === nodes[selected.node].object);
+}
+
+function wireOf(drawing, [node, input]) {
+  return drawing.wires.findIndex((wire) => wire.reader && wire.reader[0] === node && wire.reader[1] === input);
+}
+
+function markGraph() {
+  const drawing = graphView.shown;
+  if (!drawing) return;
+  const boxes = new Set(), wires = new Set(), chosen = new Set();
+  const withEnds = (w) => {
+    wires.add(w);
+    boxes.add(drawing.wires[w].from).add(drawing.wires[w].to);
+  };
+  const {selected, way} = state;
+  if (way) for (const input of way) { const w = wireOf(drawing, input); if (w >= 0) withEnds(w); }
+  else if (selected && selected.input) {
+    const w = wireOf(drawing, selected.input);
+    if (w >= 0) withEnds(w);
+  } else if (selected) {
+    const b = boxOf(drawing, selected);
+    chosen.add(b);
+    boxes.add(b);
+    drawing.wires.forEach((wire, w) => { if (wire.from === b || wire.to === b) withEnds(w); });
+  }
+  graphSvg.classList.toggle("marked", boxes.size > 0 && !boxes.has(-1));
+  drawing.boxElements.forEach((element, i) => {
+    element.classList.toggle("on", boxes.has(i));
+    element.classList.toggle("chosen", chosen.has(i));
+  });
+  drawing.wireElements.forEach((element, i) => element.classList.toggle("on", wires.has(i)));
+}
+watch(markGraph);
+
+/** Shows the selected thing in the drawing that has it. */
+function showInGraph() {
+  showView("graph");
+  const {selected, way} = state;
+  if (!selected) return;
+  const needed = way || (selected.input ? [selected.input] : []);
+  const visible = needed.length ? needed.every((input) => wireOf(graphView.shown, input) >= 0)
+    : boxOf(graphView.shown, selected) >= 0;
+  if (!visible) graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
+  const b = selected.input ? graphView.shown.boxes.findIndex((box) => box.node === selected.input[0])
+    : boxOf(graphView.shown, selected);
+  if (b >= 0 && !way) centre(graphView.shown.boxes[b]);
+}
+
+function selectBox(b) {
+  const box = graphView.shown.boxes[b];
+  select(box.node !== null ? {node: box.node} : {object: box.object});
+}
+
+/** The nearest box in the direction of an arrow key. */
+function neighbour(dx, dy) {
+  const {boxes} = graphView.shown;
+  const from = state.selected ? boxOf(graphView.shown, state.selected) : -1;
+  if (from < 0) return 0;
+  const middle = (box) => [box.x + box.width / 2, box.y + box.height / 2];
+  const [x, y] = middle(boxes[from]);
+  let best = from, least = Infinity;
+  boxes.forEach((box, i) => {
+    const [bx, by] = middle(box);
+    const along = (bx - x) * dx + (by - y) * dy, across = Math.abs((bx - x) * dy) + Math.abs((by - y) * dx);
+    if (i === from || along <= 1) return;
+    const distance = along + 2 * across;
+    if (distance < least) { least = distance; best = i; }
+  });
+  return best;
+}
+
+function graphKey(event) {
+  const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+  const arrow = arrows[event.key];
+  if (arrow && event.shiftKey) {
+    graphView.x -= arrow[0] * 80;
+    graphView.y -= arrow[1] * 80;
+    placeSoon();
+  } else if (arrow) {
+    const b = neighbour(...arrow);
+    selectBox(b);
+    centre(graphView.shown.boxes[b]);
+  } else if (event.key === "+" || event.key === "=") zoomGraph(1.25);
+  else if (event.key === "-") zoomGraph(0.8);
+  else if (event.key === "0") fitGraph();
+  else if (event.key === "e") graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
+  else return;
+  event.preventDefault();
+}
+
+draggable(graphSvg, (dx, dy) => {
+  graphView.x += dx;
+  graphView.y += dy;
+  placeSoon();
+}, (event) => {
+  const group = event.target.closest("g.box, g.wire");
+  if (!group) return select(null);
+  if (group.item.box !== undefined) return selectBox(group.item.box);
+  const {reader, from} = graphView.shown.wires[group.item.wire];
+  if (reader) select({input: reader});
+  else selectBox(from);
+});
+graphSvg.addEventListener("wheel", (event) => {
+  event.preventDefault();
+  const box = graphSvg.getBoundingClientRect();
+  const lines = event.deltaMode === 1 ? 16 : 1;
+  zoomGraph(Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0015)), [event.clientX - box.left, event.clientY - box.top]);
+}, {passive: false});
+graphSvg.addEventListener("keydown", graphKey);
+
+const graphSwitch = segment("Which graph", [["user", "As written"], ["engine", "As it runs"]], "user", showDrawing);
+
+function makeGraphView(panel) {
+  const kinds = [["node", "node"], ["object", "object"], ["engine", "engine"], ["engine-node", "engine node"],
+    ["reset", "reset node"], ["task", "task"]];
+  const used = new Set([...data.drawings.user.boxes, ...data.drawings.engine.boxes].map((box) => box.kind));
+  panel.append(el("div.toolbar.over", {}, graphSwitch,
+    el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomGraph(0.8), {title: "Zoom out ( - )"}),
+      button("+", () => zoomGraph(1.25), {title: "Zoom in ( + )"}), button("Fit", fitGraph, {title: "Show all ( 0 )"})),
+    el("p.legend", {}, kinds.filter(([kind]) => used.has(kind)).map(([kind, name]) => el("span", {}, el("i." + kind), name)))),
+  graphSvg);
+  let first = true;
+  return {shown() { if (first) { first = false; showDrawing("user"); } }, resized: fitGraph, focus: graphSvg};
+}

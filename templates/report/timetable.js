@@ -1,0 +1,342 @@
+// When each node runs: the ticks of the schedule, what the selected node reads at each, and measured times of a paced
+// trace. Times are in seconds since the beginning of an episode.
+const timetable = {begin: 0, span: 1, scroll: 0, hover: null, measured: null, canvas: el("canvas"), draw: null};
+const kRow = 22, kHead = 46;
+
+const order = data.schedule.order;
+const rowOf = new Map(order.map((node, row) => [node, row]));
+const quantum = data.schedule.quantum.seconds;
+
+/** In quanta, or null where numbers end. */
+function hyperperiod() {
+  let product = 1;
+  for (const {period} of data.schedule.rates) {
+    let [a, b] = [product, period];
+    while (b) [a, b] = [b, a % b];
+    product *= period / a;
+    if (product > Number.MAX_SAFE_INTEGER) return null;
+  }
+  return product;
+}
+const wholePeriod = hyperperiod();
+
+function periodOf(node) {
+  return data.schedule.rates[nodes[node].rate_class].period * quantum;
+}
+
+/** Number of the newest message that the node has at tick n; null before this is regular. */
+function newestAt(input, n) {
+  const {hop} = input;
+  if (!hop || n < hop.settled) return null;
+  return hop.received + Math.floor((hop.a * (n + hop.off) - hop.x) / hop.b) - 1;
+}
+
+function labelWidth(width) {
+  return Math.min(220, Math.max(110, width * 0.2));
+}
+
+function timetableSize() {
+  const box = timetable.canvas.parentElement.getBoundingClientRect();
+  return {width: Math.floor(box.width), height: Math.floor(box.height), left: labelWidth(box.width)};
+}
+
+function timeAt(x) {
+  const {width, left} = timetableSize();
+  return timetable.begin + ((x - left) / (width - left)) * timetable.span;
+}
+
+function placeTimetable(begin, span) {
+  const slowest = Math.max(...data.schedule.rates.map((rate) => rate.period)) * quantum;
+  timetable.span = Math.min(Math.max(span, quantum * 0.05), slowest * 2000);
+  timetable.begin = Math.max(begin, -timetable.span * 0.02);
+  timetable.draw();
+}
+
+function zoomTimetable(factor, at = null) {
+  const {width, left} = timetableSize();
+  const time = timeAt(at === null ? (left + width) / 2 : Math.max(at, left));
+  placeTimetable(time - (time - timetable.begin) * factor, timetable.span * factor);
+}
+
+function fitTimetable() {
+  const slowest = Math.max(...data.schedule.rates.map((rate) => rate.period)) * quantum;
+  const {slots} = data.schedule;
+  const whole = wholePeriod && slots && slots <= 200 ? wholePeriod * quantum : slowest * 4;
+  const span = slots === 1 ? slowest * 4 : whole;
+  placeTimetable(-span * 0.02, span * 1.06);
+}
+
+function scrollRows(by) {
+  const most = Math.max(0, order.length * kRow + kHead + 8 - timetableSize().height);
+  timetable.scroll = Math.min(most, Math.max(0, timetable.scroll + by));
+  timetable.draw();
+}
+
+function drawTimetable() {
+  const {width, height, left} = timetableSize();
+  const context = prepare(timetable.canvas, width, height);
+  if (!context) return;
+  const x = (time) => left + ((time - timetable.begin) / timetable.span) * (width - left);
+  const y = (row) => kHead + row * kRow - timetable.scroll + kRow / 2;
+  const view = {context, width, height, left, x, y, first: Math.max(0, Math.floor(timetable.scroll / kRow)),
+    last: Math.min(order.length - 1, Math.ceil((timetable.scroll + height - kHead) / kRow))};
+  context.save();
+  context.beginPath();
+  context.rect(0, kHead, width, height - kHead);
+  context.clip();
+  drawRows(view);
+  context.beginPath();
+  context.rect(left, kHead, width - left, height - kHead);
+  context.clip();
+  drawGrid(view, kHead);
+  drawReads(view);
+  for (let row = view.first; row <= view.last; ++row) drawTicks(view, order[row], y(row));
+  context.restore();
+  drawLabels(view);
+  drawAxis(view);
+}
+timetable.draw = onFrame(drawTimetable);
+
+function drawRows({context, width, y, first, last}) {
+  for (let row = first; row <= last; ++row) {
+    const chosen = isSelected("node", order[row]) || (state.selected && state.selected.input && state.selected.input[0] === order[row]);
+    if (!chosen && row % 2) continue;
+    context.fillStyle = chosen ? colour("chosen") : colour("stripe");
+    context.fillRect(0, y(row) - kRow / 2, width, kRow);
+  }
+}
+
+/** Where hyperperiods begin, and steps of the environment. */
+function drawGrid({context, width, height, left, x}, top) {
+  const line = (period, style, thick) => {
+    if (!period || (period / timetable.span) * (width - left) < 6) return;
+    context.strokeStyle = colour(style);
+    context.lineWidth = thick;
+    context.beginPath();
+    for (let i = Math.max(0, Math.ceil(timetable.begin / period)); i * period < timetable.begin + timetable.span; ++i) {
+      context.moveTo(x(i * period), top);
+      context.lineTo(x(i * period), height);
+    }
+    context.stroke();
+  };
+  line(periodOf(0), "grid", 1);
+  line(wholePeriod ? wholePeriod * quantum : 0, "strong", 1.5);
+}
+
+function drawTicks({context, width, left, x}, node, y) {
+  const period = periodOf(node), step = (period / timetable.span) * (width - left);
+  const fill = shade(nodes[node].rate_class);
+  context.fillStyle = fill;
+  const from = Math.max(0, Math.floor(timetable.begin / period));
+  const to = Math.ceil((timetable.begin + timetable.span) / period);
+  if (step < 3) {
+    context.globalAlpha = 0.45;
+    const begin = x(Math.max(0, timetable.begin));
+    context.fillRect(begin, y - 5, width - begin, 10);
+    context.globalAlpha = 1;
+  } else {
+    const thick = Math.min(6, Math.max(2, step * 0.3));
+    for (let n = from; n <= to; ++n) context.fillRect(x(n * period) - thick / 2, y - 6, thick, 12);
+    if (step > 46) {
+      context.fillStyle = colour("faint");
+      context.textAlign = "left";
+      for (let n = from; n <= to; ++n) context.fillText(String(n), x(n * period) + thick / 2 + 4, y);
+    }
+  }
+  drawMeasured(context, node, y, x, step, from, to);
+}
+
+function drawMeasured(context, node, y, x, step, from, to) {
+  if (!timetable.measured || step < 3) return;
+  const stamps = timetable.measured.get(node);
+  if (!stamps) return;
+  const period = periodOf(node);
+  context.strokeStyle = colour("measured");
+  context.lineWidth = 1.5;
+  context.beginPath();
+  for (let n = Math.max(from, stamps.first); n <= to && n - stamps.first < stamps.late.length; ++n) {
+    const at = x(n * period + stamps.late[n - stamps.first]);
+    context.moveTo(x(n * period), y + 8);
+    context.lineTo(at, y + 8);
+    context.moveTo(at, y - 8);
+    context.lineTo(at, y + 8);
+  }
+  context.stroke();
+}
+
+/** Lines from a message to the tick that reads it, of what is selected. */
+function drawReads({context, width, left, x, y}) {
+  const {selected} = state;
+  if (!selected || selected.object !== undefined) return;
+  const inputs = selected.input ? [nodes[selected.input[0]].inputs[selected.input[1]]] : nodes[selected.node].inputs;
+  context.lineWidth = 1.2;
+  for (const input of inputs) {
+    const period = periodOf(input.node), before = periodOf(input.source[0]);
+    if ((period / timetable.span) * (width - left) < 4) continue;
+    context.strokeStyle = shade(nodes[input.source[0]].rate_class);
+    const rows = [y(rowOf.get(input.source[0])), y(rowOf.get(input.node))];
+    const to = Math.ceil((timetable.begin + timetable.span) / period);
+    context.beginPath();
+    for (let n = Math.max(0, Math.floor(timetable.begin / period)); n <= to + 1; ++n) {
+      const m = newestAt(input, n);
+      if (m === null || m < 0) continue;
+      const [a, b] = [x(m * before), x(n * period)];
+      context.moveTo(a, rows[0]);
+      if (Math.abs(a - b) < 1) context.lineTo(b, rows[1]);
+      else context.bezierCurveTo((a + b) / 2, rows[0], (a + b) / 2, rows[1], b, rows[1]);
+    }
+    context.stroke();
+  }
+}
+
+function drawLabels({context, left, height, y, first, last}) {
+  context.save();
+  context.beginPath();
+  context.rect(0, kHead, left - 8, height - kHead);
+  context.clip();
+  context.textAlign = "left";
+  for (let row = first; row <= last; ++row) {
+    context.fillStyle = shade(nodes[order[row]].rate_class);
+    context.fillRect(10, y(row) - 4, 8, 8);
+    context.fillStyle = colour("text");
+    context.fillText(nodes[order[row]].name, 26, y(row));
+  }
+  context.restore();
+}
+
+function drawAxis({context, width, left, x}) {
+  context.fillStyle = colour("paper");
+  context.fillRect(0, 0, width, kHead);
+  context.strokeStyle = colour("line");
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(0, kHead - 0.5);
+  context.lineTo(width, kHead - 0.5);
+  const step = stepOf(timetable.span, (width - left) / 110);
+  const digits = Math.max(0, -Math.floor(Math.log10(step * 1000)));
+  context.fillStyle = colour("faint");
+  context.textAlign = "left";
+  context.fillText("ms", left - 26, kHead - 13);
+  context.textAlign = "center";
+  for (let i = Math.max(0, Math.ceil(timetable.begin / step)); i * step <= timetable.begin + timetable.span; ++i) {
+    const at = x(i * step);
+    if (at < left) continue;
+    context.moveTo(at, kHead - 5);
+    context.lineTo(at, kHead);
+    context.fillText((i * step * 1000).toFixed(digits), at, kHead - 13);
+  }
+  context.stroke();
+  if (!wholePeriod) return;
+  const period = wholePeriod * quantum, length = (period / timetable.span) * (width - left);
+  if (length < 60) return;
+  for (let i = Math.max(0, Math.floor(timetable.begin / period)); i * period < timetable.begin + timetable.span; ++i) {
+    const from = Math.max(x(i * period), left), to = Math.min(x((i + 1) * period), width);
+    if (to - from < 90) continue;
+    context.fillText(`hyperperiod ${i + 1}`, (from + to) / 2, 12);
+    context.strokeStyle = colour("strong");
+    context.beginPath();
+    context.moveTo(from + 3, 23);
+    context.lineTo(to - 3, 23);
+    context.stroke();
+  }
+}
+
+function hoverTimetable(event) {
+  const box = timetable.canvas.getBoundingClientRect();
+  const row = Math.floor((event.clientY - box.top - kHead + timetable.scroll) / kRow);
+  if (event.clientY - box.top < kHead || row >= order.length || event.clientX - box.left < timetableSize().left) return hideTip();
+  const node = order[row], period = periodOf(node);
+  const n = Math.max(0, Math.round(timeAt(event.clientX - box.left) / period));
+  const reads = nodes[node].inputs.slice(0, 8).map((input) => {
+    const m = newestAt(input, n);
+    if (m === null) return `${input.from}: the first messages are yet to come`;
+    return `${input.from}: message ${m}, ${seconds(Math.max(0, n * period - m * periodOf(input.source[0])))} old`;
+  });
+  const stamps = timetable.measured && timetable.measured.get(node);
+  const late = stamps && n >= stamps.first && n - stamps.first < stamps.late.length
+    ? `measured ${seconds(stamps.late[n - stamps.first])} after its time` : null;
+  showTip(event, [`${nodes[node].name}, tick ${n}`, `at ${seconds(n * period)}, ${row + 1}. in the order`, late,
+    ...(data.schedule.asynchronous ? [] : reads)]);
+}
+
+/** Times of a paced trace: of each node those of its first channel. */
+function measure(log) {
+  timetable.measured = null;
+  if (log) {
+    timetable.measured = new Map();
+    for (const channel of log.episodes[0].channels) {
+      const known = data.channels.find((other) => other.name === log.channels[channel.channel].name);
+      if (!known || !channel.stamps || timetable.measured.has(known.node)) continue;
+      timetable.measured.set(known.node, {first: channel.first, late: floats(channel.stamps)});
+    }
+  }
+  timetable.draw();
+}
+
+function latenessTable(log) {
+  const rows = log.episodes[0].channels.filter((channel) => channel.late);
+  return el("details", {}, el("summary", {}, `Measured in ${log.name}, episode 0: how long after its time a message is sent`), table([
+    {name: "channel", cell: (row) => log.channels[row.channel].name},
+    ...[["least", "least"], ["mean", "mean"], ["p99", "99 %"], ["most", "most"]].map(([key, name]) =>
+      ({name, number: true, cell: (row) => seconds(row.late[key])})),
+  ], rows));
+}
+
+function timetableKey(event) {
+  const page = timetable.span * 0.2;
+  const actions = {ArrowLeft: () => placeTimetable(timetable.begin - page, timetable.span),
+    ArrowRight: () => placeTimetable(timetable.begin + page, timetable.span),
+    ArrowUp: () => scrollRows(-kRow), ArrowDown: () => scrollRows(kRow), PageUp: () => scrollRows(-10 * kRow),
+    PageDown: () => scrollRows(10 * kRow), "+": () => zoomTimetable(0.8), "=": () => zoomTimetable(0.8),
+    "-": () => zoomTimetable(1.25), 0: fitTimetable};
+  if (!actions[event.key]) return;
+  actions[event.key]();
+  event.preventDefault();
+}
+
+function makeTimetableView(panel) {
+  const {slots, form, asynchronous} = data.schedule;
+  const facts = [slots ? `${counted(slots, "slot")} in a hyperperiod` + (wholePeriod ? ` of ${seconds(wholePeriod * quantum)}` : "")
+    : "too many slots in a hyperperiod to count", form, `grid of ${seconds(quantum)}`];
+  if (asynchronous) facts.push("inputs take what has arrived");
+  const paced = data.logs.filter((log) => log.paced);
+  const choices = [[-1, "Planned"], ...paced.map((log, i) => [i, paced.length > 1 ? `Measured ${i + 1}` : "Measured"])];
+  const stage = el("div.stage", {tabIndex: 0, role: "application",
+    "aria-label": "Timetable. Arrow keys move, plus and minus zoom."}, timetable.canvas);
+  panel.append(el("div.toolbar", {},
+    el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomTimetable(1.25)), button("+", () => zoomTimetable(0.8)), button("Fit", fitTimetable)),
+    paced.length ? segment("Times", choices, -1, (i) => measure(i < 0 ? null : paced[i])) : null,
+    el("p.legend", {}, data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
+  el("p.note", {}, facts.join(" · "), ". Rows are in the order in which nodes run within a slot. Select a node to see what it reads at each tick."),
+  stage, paced.map(latenessTable));
+  draggable(stage, (dx, dy) => {
+    const {width, left} = timetableSize();
+    placeTimetable(timetable.begin - (dx / (width - left)) * timetable.span, timetable.span);
+    scrollRows(-dy);
+  }, (event) => {
+    const row = Math.floor((event.clientY - timetable.canvas.getBoundingClientRect().top - kHead + timetable.scroll) / kRow);
+    select(row >= 0 && row < order.length ? {node: order[row]} : null);
+  });
+  stage.addEventListener("pointermove", hoverTimetable);
+  stage.addEventListener("pointerleave", hideTip);
+  stage.addEventListener("keydown", timetableKey);
+  stage.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    const fits = order.length * kRow + kHead <= timetableSize().height;
+    const box = timetable.canvas.getBoundingClientRect();
+    if (event.ctrlKey || fits || event.clientY - box.top < kHead) zoomTimetable(Math.exp(event.deltaY * 0.0015), event.clientX - box.left);
+    else if (event.shiftKey) placeTimetable(timetable.begin + (event.deltaY / 600) * timetable.span, timetable.span);
+    else scrollRows(event.deltaY);
+  }, {passive: false});
+  watch(timetable.draw);
+  let first = true;
+  return {shown() { if (first) { first = false; fitTimetable(); } revealRow(); timetable.draw(); }, resized: timetable.draw, focus: stage};
+}
+
+function revealRow() {
+  const {selected} = state;
+  const node = selected && (selected.node ?? (selected.input && selected.input[0]));
+  if (node === undefined || node === null) return;
+  const at = rowOf.get(node) * kRow, {height} = timetableSize();
+  if (at < timetable.scroll || at > timetable.scroll + height - kHead - kRow) scrollRows(at - timetable.scroll - (height - kHead) / 2);
+}
