@@ -1,7 +1,7 @@
 // eagerx-gen report: everything that is known of a graph as one page for a browser.
 #include <fmt/format.h>
 
-#include <cstdlib>
+#include <algorithm>
 #include <filesystem>
 
 #include "generator/cli/pipeline.hpp"
@@ -49,11 +49,16 @@ int report_command(const Options& options) {
   contents.diagnostics = &run.diagnostics;
   contents.images = std::move(images);
   contents.logs = std::move(logs);
-  const auto text = page_text((fs::path(run.root) / "templates" / "report").string(),
-                              page_json(contents), run.diagnostics);
+  const Json page = page_json(contents);
+  const auto warnings =
+      std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity);
+  run.diagnostics = {};  // what was found is on the page
+  const auto text =
+      page_text((fs::path(run.root) / "templates" / "report").string(), page, run.diagnostics);
   const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;
   if (text && write_file(path, *text, run.diagnostics) && !options.quiet)
-    say("{}: {} kB, open it in a browser\n", path, (text->size() + 999) / 1000);
+    say("{}: {} kB{}\n", path, (text->size() + 999) / 1000,
+        warnings == 0 ? "" : fmt::format(", {} warning{}", warnings, warnings == 1 ? "" : "s"));
   return finish(run, options);
 }
 

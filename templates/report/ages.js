@@ -30,13 +30,14 @@ function showWay(age, box) {
     select({input: [way[way.length - 1].node, way[way.length - 1].number]}, way.map((input) => [input.node, input.number]));
     showInGraph();
   };
-  box.replaceChildren(el("h2", {}, `From ${age.sensor} to ${age.actuator}`),
+  box.replaceChildren();
+  add(box, [el("h2", {}, `From ${age.sensor} to ${age.actuator}`),
     pairs([["newest data, at most", `${seconds(age.newest.seconds)} (${age.newest.exact} s)`],
       ["oldest data in a window, at most", age.oldest ? `${seconds(age.oldest.seconds)} (${age.oldest.exact} s)` : "unknown"],
       ["bound", age.reached ? "is reached: some tick is as bad" : "a sum over the connections: no tick is worse"]]),
     wayChart(age),
     sum > age.newest.seconds * 1.000001 ? el("p.note", {}, `The connections alone add up to ${seconds(sum)}. Their worst ticks never meet, so the whole way is ${seconds(age.newest.seconds)} at most.`) : null,
-    el("p.actions", {}, way.length ? button("Follow it in the graph", follow) : null));
+    el("p.actions", {}, way.length ? button("Follow it in the graph", follow) : null)]);
 }
 
 function makeAgesView(panel) {

@@ -138,8 +138,11 @@ function list(values, most = 8) {
 function bounds(space) {
   if (!space.low.length && !space.high.length) return "no bounds";
   const same = (values) => values.every((value) => value === values[0]);
-  if (same(space.low) && same(space.high)) return `${short(space.low[0], 6)} … ${short(space.high[0], 6)}`;
-  return `[${list(space.low)}] … [${list(space.high)}]`;
+  // JSON has no infinity: it is null.
+  const finite = (values, infinity) => values.map((value) => (value === null ? infinity : value));
+  const low = finite(space.low, "−∞"), high = finite(space.high, "∞");
+  if (same(low) && same(high)) return `${list(low, 1).split(",")[0]} … ${list(high, 1).split(",")[0]}`;
+  return `[${list(low)}] … [${list(high)}]`;
 }
 function parse(fraction) {
   const [above, below] = String(fraction).split("/");

@@ -1,5 +1,5 @@
 // The drawing: places come from the generator, here it is only shown, moved and searched.
-const graphView = {drawing: "user", zoom: 1, x: 0, y: 0, shown: null};
+const graphView = {drawing: "user", zoom: 1, x: 0, y: 0, shown: null, moved: false};
 const graphSvg = svg("svg", {class: "graph", tabindex: "0", role: "application",
   "aria-label": "Drawing of the graph. Arrow keys go from box to box, plus and minus zoom."});
 
@@ -54,6 +54,7 @@ function zoomGraph(factor, at) {
   const [px, py] = at || [box.width / 2, box.height / 2];
   const zoom = Math.min(4, Math.max(0.02, graphView.zoom * factor));
   const real = zoom / graphView.zoom;
+  graphView.moved = true;
   graphView.x = px - (px - graphView.x) * real;
   graphView.y = py - (py - graphView.y) * real;
   graphView.zoom = zoom;
@@ -66,13 +67,28 @@ function fitGraph() {
   if (!box.width || !box.height) return;
   const zoom = Math.min(1.5, (box.width - 40) / width, (box.height - 90) / height);
   graphView.zoom = zoom;
+  graphView.moved = false;
   graphView.x = (box.width - width * zoom) / 2;
   graphView.y = 50 + (box.height - 50 - height * zoom) / 2;
   place();
 }
 
+/** All of it, or of a large graph the beginning. */
+function beginGraph() {
+  fitGraph();
+  const readable = 0.3, [first] = graphView.shown.boxes;
+  if (graphView.zoom >= readable) return;
+  const box = graphSvg.getBoundingClientRect();
+  graphView.zoom = readable;
+  graphView.moved = true;
+  graphView.x = 30 - first.x * readable;
+  graphView.y = box.height / 2 - first.y * readable;
+  place();
+}
+
 /** Brings a box into the middle, readable. */
 function centre(box) {
+  graphView.moved = true;
   const place = graphSvg.getBoundingClientRect();
   graphView.zoom = Math.max(graphView.zoom, 0.8);
   graphView.x = place.width / 2 - (box.x + box.width / 2) * graphView.zoom;
@@ -84,7 +100,7 @@ function showDrawing(name) {
   graphView.drawing = name;
   graphView.shown = drawingOf(name);
   graphSvg.replaceChildren(graphView.shown.group);
-  fitGraph();
+  beginGraph();
   markGraph();
 }
 
@@ -188,6 +204,7 @@ function graphKey(event) {
 draggable(graphSvg, (dx, dy) => {
   graphView.x += dx;
   graphView.y += dy;
+  graphView.moved = true;
   placeSoon();
 }, (event) => {
   const group = event.target.closest("g.box, g.wire");
@@ -217,5 +234,5 @@ function makeGraphView(panel) {
     el("p.legend", {}, kinds.filter(([kind]) => used.has(kind)).map(([kind, name]) => el("span", {}, el("i." + kind), name)))),
   graphSvg);
   let first = true;
-  return {shown() { if (first) { first = false; showDrawing("user"); } }, resized: fitGraph, focus: graphSvg};
+  return {shown() { if (first) { first = false; showDrawing("user"); } }, resized() { if (!graphView.moved) fitGraph(); }, focus: graphSvg};
 }

@@ -24,10 +24,22 @@ function periodOf(node) {
   return data.schedule.rates[nodes[node].rate_class].period * quantum;
 }
 
-/** Number of the newest message that the node has at tick n; null before this is regular. */
+/** How many messages the node has received by each tick, before that becomes regular (SEMANTICS.md, 3). */
+function beginningOf(input) {
+  if (input.beginning) return input.beginning;
+  const {a, b, x, off, settled} = input.hop, skip = input.skip ? 1 : 0;
+  const sum = (n) => Math.floor((a * n - x) / b);
+  input.beginning = [1 - skip];
+  for (let n = 1; n < Math.min(settled, 10000); ++n)
+    input.beginning.push(input.beginning[n - 1] + Math.max(0, Math.min(sum(n + off) - sum(n + off - 1), sum(n) + skip)));
+  return input.beginning;
+}
+
+/** Number of the newest message that the node has at tick n; -1: none yet; null: not known. */
 function newestAt(input, n) {
   const {hop} = input;
-  if (!hop || n < hop.settled) return null;
+  if (!hop) return null;
+  if (n < hop.settled) return (beginningOf(input)[n] ?? 0) - 1;
   return hop.received + Math.floor((hop.a * (n + hop.off) - hop.x) / hop.b) - 1;
 }
 
@@ -89,8 +101,8 @@ function drawTimetable() {
   context.rect(left, kHead, width - left, height - kHead);
   context.clip();
   drawGrid(view, kHead);
-  drawReads(view);
   for (let row = view.first; row <= view.last; ++row) drawTicks(view, order[row], y(row));
+  drawReads(view);
   context.restore();
   drawLabels(view);
   drawAxis(view);
@@ -107,7 +119,8 @@ function drawRows({context, width, y, first, last}) {
 }
 
 /** Where hyperperiods begin, and steps of the environment. */
-function drawGrid({context, width, height, left, x}, top) {
+function drawGrid({context, width, height, left, x, y}, top) {
+  const bottom = Math.min(height, y(order.length - 1) + kRow / 2);
   const line = (period, style, thick) => {
     if (!period || (period / timetable.span) * (width - left) < 6) return;
     context.strokeStyle = colour(style);
@@ -115,7 +128,7 @@ function drawGrid({context, width, height, left, x}, top) {
     context.beginPath();
     for (let i = Math.max(0, Math.ceil(timetable.begin / period)); i * period < timetable.begin + timetable.span; ++i) {
       context.moveTo(x(i * period), top);
-      context.lineTo(x(i * period), height);
+      context.lineTo(x(i * period), bottom);
     }
     context.stroke();
   };
@@ -151,17 +164,19 @@ function drawMeasured(context, node, y, x, step, from, to) {
   const stamps = timetable.measured.get(node);
   if (!stamps) return;
   const period = periodOf(node);
+  const lines = (draw) => {
+    context.beginPath();
+    for (let n = Math.max(from, stamps.first); n <= to + 1 && n - stamps.first < stamps.late.length; ++n)
+      draw(x(n * period), x(n * period + stamps.late[n - stamps.first]));
+    context.stroke();
+  };
   context.strokeStyle = colour("measured");
+  context.lineWidth = 1;
+  context.globalAlpha = 0.5;
+  lines((planned, at) => { context.moveTo(planned, y + 8); context.lineTo(at, y + 8); });
   context.lineWidth = 1.5;
-  context.beginPath();
-  for (let n = Math.max(from, stamps.first); n <= to && n - stamps.first < stamps.late.length; ++n) {
-    const at = x(n * period + stamps.late[n - stamps.first]);
-    context.moveTo(x(n * period), y + 8);
-    context.lineTo(at, y + 8);
-    context.moveTo(at, y - 8);
-    context.lineTo(at, y + 8);
-  }
-  context.stroke();
+  context.globalAlpha = 1;
+  lines((_, at) => { context.moveTo(at, y - 8); context.lineTo(at, y + 9); });
 }
 
 /** Lines from a message to the tick that reads it, of what is selected. */
@@ -169,7 +184,7 @@ function drawReads({context, width, left, x, y}) {
   const {selected} = state;
   if (!selected || selected.object !== undefined) return;
   const inputs = selected.input ? [nodes[selected.input[0]].inputs[selected.input[1]]] : nodes[selected.node].inputs;
-  context.lineWidth = 1.2;
+  context.lineWidth = 2;
   for (const input of inputs) {
     const period = periodOf(input.node), before = periodOf(input.source[0]);
     if ((period / timetable.span) * (width - left) < 4) continue;
@@ -241,6 +256,10 @@ function drawAxis({context, width, left, x}) {
   }
 }
 
+function lateText(late) {
+  return `measured ${seconds(Math.abs(late))} ${late < 0 ? "before" : "after"} its time`;
+}
+
 function hoverTimetable(event) {
   const box = timetable.canvas.getBoundingClientRect();
   const row = Math.floor((event.clientY - box.top - kHead + timetable.scroll) / kRow);
@@ -249,12 +268,12 @@ function hoverTimetable(event) {
   const n = Math.max(0, Math.round(timeAt(event.clientX - box.left) / period));
   const reads = nodes[node].inputs.slice(0, 8).map((input) => {
     const m = newestAt(input, n);
-    if (m === null) return `${input.from}: the first messages are yet to come`;
+    if (m === null || m < 0) return `${input.from}: nothing yet`;
     return `${input.from}: message ${m}, ${seconds(Math.max(0, n * period - m * periodOf(input.source[0])))} old`;
   });
   const stamps = timetable.measured && timetable.measured.get(node);
   const late = stamps && n >= stamps.first && n - stamps.first < stamps.late.length
-    ? `measured ${seconds(stamps.late[n - stamps.first])} after its time` : null;
+    ? lateText(stamps.late[n - stamps.first]) : null;
   showTip(event, [`${nodes[node].name}, tick ${n}`, `at ${seconds(n * period)}, ${row + 1}. in the order`, late,
     ...(data.schedule.asynchronous ? [] : reads)]);
 }
@@ -275,7 +294,8 @@ function measure(log) {
 
 function latenessTable(log) {
   const rows = log.episodes[0].channels.filter((channel) => channel.late);
-  return el("details", {}, el("summary", {}, `Measured in ${log.name}, episode 0: how long after its time a message is sent`), table([
+  return el("details", {}, el("summary", {}, `Measured in ${log.name}, episode 0: how long after its time a message is sent`),
+  el("p.note", {}, "Less than zero: before its time. A simulation computes the next messages of its sensors as soon as it has the action."), table([
     {name: "channel", cell: (row) => log.channels[row.channel].name},
     ...[["least", "least"], ["mean", "mean"], ["p99", "99 %"], ["most", "most"]].map(([key, name]) =>
       ({name, number: true, cell: (row) => seconds(row.late[key])})),
@@ -308,7 +328,7 @@ function makeTimetableView(panel) {
     paced.length ? segment("Times", choices, -1, (i) => measure(i < 0 ? null : paced[i])) : null,
     el("p.legend", {}, data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
   el("p.note", {}, facts.join(" · "), ". Rows are in the order in which nodes run within a slot. Select a node to see what it reads at each tick."),
-  stage, paced.map(latenessTable));
+  stage, ...paced.map(latenessTable));
   draggable(stage, (dx, dy) => {
     const {width, left} = timetableSize();
     placeTimetable(timetable.begin - (dx / (width - left)) * timetable.span, timetable.span);

@@ -25,7 +25,7 @@ function makeSeries() {
     seriesList.push({name, title, unit: output ? output.unit : "", node: known ? known.node : null, size: channel.size, late: false});
   }
   if (data.logs.some((log) => log.paced))
-    for (const [name] of names) seriesList.push({name, title: `lateness of ${name}`, unit: "s", node: null, size: 1, late: true});
+    for (const {name, title} of [...seriesList]) seriesList.push({name, title: `late: ${title}`, unit: "s", node: null, size: 1, late: true});
   seriesList.forEach((series, number) => { series.number = number; });
 }
 
@@ -103,7 +103,7 @@ function drawAxes(context, width, height, [low, high], last) {
   context.lineWidth = 1;
   context.textAlign = "right";
   context.beginPath();
-  const step = stepOf(high - low, Math.max(2, (bottom - 6) / 32));
+  const step = stepOf(high - low, Math.max(2, (bottom - 6) / 26));
   for (let i = Math.ceil(low / step); i * step <= high; ++i) {
     const at = Math.round(y(i * step)) + 0.5;
     context.moveTo(kLeft, at);
@@ -250,9 +250,15 @@ function seriesChooser() {
   showChoices = () => {
     const wanted = filter.value.trim().toLowerCase();
     const shown = seriesList.filter((series) => series.title.toLowerCase().includes(wanted));
-    box.replaceChildren(...shown.slice(0, 300).map((series) => el("label", {}, el("input", {type: "checkbox", checked: plots.series.has(series.number),
-      onchange: (event) => { plots.series[event.target.checked ? "add" : "delete"](series.number); layOutPlots(); }}), el("span", {}, series.title))));
-    if (shown.length > 300) box.append(el("p.note", {}, `and ${count(shown.length - 300)} more`));
+    const group = (late) => {
+      const own = shown.filter((series) => series.late === late);
+      return [own.slice(0, 300).map((series) => el("label", {}, el("input", {type: "checkbox", checked: plots.series.has(series.number),
+        onchange: (event) => { plots.series[event.target.checked ? "add" : "delete"](series.number); layOutPlots(); }}), el("span", {}, series.title))),
+      own.length > 300 ? el("p.note", {}, `and ${count(own.length - 300)} more`) : null];
+    };
+    const late = group(true);
+    box.replaceChildren();
+    add(box, [group(false), late[0].length ? el("details", {open: wanted !== ""}, el("summary", {}, "How late messages were"), late) : null]);
   };
   filter.addEventListener("input", () => showChoices());
   return el("div.chooser", {}, filter, box);
