@@ -307,7 +307,7 @@ Json read_logs(const std::vector<std::string>& paths, const Plan& plan, std::siz
     constexpr std::string_view kError = "error: ";
     const std::size_t error = problem.find(kError);
     if (error != std::string::npos) problem.erase(error, kError.size());
-    diagnostics.io_error("E0363", {}, problem).help = "give what a run wrote with `--trace`";
+    diagnostics.io_error("E0362", {}, problem).help = "give what a run wrote with `--trace`";
   }
   Json list = Json::list();
   if (diagnostics.has_errors()) return list;

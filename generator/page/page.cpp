@@ -79,7 +79,7 @@ bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagno
   for (const auto& [name, usage] : image.size.nodes) {
     if (std::ranges::find(graph.nodes, name, &GraphNode::name) != graph.nodes.end()) continue;
     diagnostics
-        .error("E0362", {},
+        .error("E0361", {},
                fmt::format("`{}` is an image of another graph: `{}` has no node `{}`", image.name,
                            graph.file_name, name))
         .help = "give an image that was built from this graph and for the same engine";

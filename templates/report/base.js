@@ -141,7 +141,7 @@ function bounds(space) {
   // JSON has no infinity: it is null.
   const finite = (values, infinity) => values.map((value) => (value === null ? infinity : value));
   const low = finite(space.low, "−∞"), high = finite(space.high, "∞");
-  if (same(low) && same(high)) return `${list(low, 1).split(",")[0]} … ${list(high, 1).split(",")[0]}`;
+  if (same(low) && same(high)) return `${list(low.slice(0, 1))} … ${list(high.slice(0, 1))}`;
   return `[${list(low)}] … [${list(high)}]`;
 }
 function parse(fraction) {

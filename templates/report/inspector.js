@@ -137,7 +137,7 @@ function showInput(n, i) {
     el("h3", {}, "What it costs"),
     pairs([["messages", `${bytes(output.space.bytes)} each, ${short(source.rate_hz)} a second: ${count(Math.round(output.space.bytes * source.rate_hz))} B/s`],
       ["buffer", `${counted(ring.messages, "message")}, ${bytes(ring.bytes)}` + (sharing > 1 ? `, shared by ${sharing} connections` : "")],
-      ["of which it needs", counted(input.keep, "message")], ["size is due to", ring.why],
+      ["of which it needs", counted(input.keep, "message")], ["size is due to", whyText(ring)],
       ["age, newest", input.hop ? `at most ${seconds(input.hop.newest.seconds)}` : "not by count"],
       ["age, oldest", input.hop && input.most > 1 ? `at most ${seconds(input.hop.oldest.seconds)}` : null]]),
     input.processor ? configTable(input.processor.config) : null,

@@ -51,6 +51,11 @@ function imageCard(image) {
     stack.unbounded.length ? el("p.note", {}, `Not counted are calls through pointers or of themselves in: ${list(stack.unbounded, 12)}`) : null);
 }
 
+/** What needs the most messages. A buffer of one may have no reader at all. */
+function whyText(ring) {
+  return ring.why || "one message is always kept";
+}
+
 function makeMemoryView(panel) {
   const rows = memoryRows();
   const rings = [...data.rings].sort((a, b) => b.bytes - a.bytes || a.number - b.number);
@@ -69,7 +74,7 @@ function makeMemoryView(panel) {
     {name: "needs", number: true, cell: (ring) => count(ring.needed)},
     {name: "has", number: true, cell: (ring) => count(ring.messages)},
     {name: "bytes", cell: (ring) => withBar(ring.bytes, most, "")},
-    {name: "because of", cell: (ring) => ring.why},
+    {name: "because of", cell: (ring) => whyText(ring)},
   ], rings, 100, (ring) => {
     const due = ring.reader || [...inputOf.values()].filter((input) => input.ring === ring.number && ring.why.includes(input.written))
       .map((input) => [input.node, input.number])[0];

@@ -1,0 +1,3 @@
+# Pages of graphs: eagerx-gen report.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME report COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR})
