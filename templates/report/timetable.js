@@ -323,12 +323,12 @@ function makeTimetableView(panel) {
   const choices = [[-1, "Planned"], ...paced.map((log, i) => [i, paced.length > 1 ? `Measured ${i + 1}` : "Measured"])];
   const stage = el("div.stage", {tabIndex: 0, role: "application",
     "aria-label": "Timetable. Arrow keys move, plus and minus zoom."}, timetable.canvas);
-  panel.append(el("div.toolbar", {},
+  add(panel, [el("div.toolbar", {},
     el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomTimetable(1.25)), button("+", () => zoomTimetable(0.8)), button("Fit", fitTimetable)),
     paced.length ? segment("Times", choices, -1, (i) => measure(i < 0 ? null : paced[i])) : null,
     el("p.legend", {}, data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
   el("p.note", {}, facts.join(" · "), ". Rows are in the order in which nodes run within a slot. Select a node to see what it reads at each tick."),
-  stage, ...paced.map(latenessTable));
+  stage, ...paced.map(latenessTable)]);
   draggable(stage, (dx, dy) => {
     const {width, left} = timetableSize();
     placeTimetable(timetable.begin - (dx / (width - left)) * timetable.span, timetable.span);

@@ -317,10 +317,10 @@ function makeTracesView(panel) {
   defaultSeries().forEach((series) => plots.series.add(series.number));
   plots.stage = el("div.plots", {tabIndex: 0, role: "application", "aria-label": "Plots. Arrow keys move the cursor, plus and minus zoom."});
   plots.time = el("span.note");
-  panel.append(el("div.toolbar", {}, runs.length > 1 ? segment("Episodes", [[false, "Overlaid"], [true, "Side by side"]], false, (beside) => { plots.beside = beside; layOutPlots(); }) : null,
+  add(panel, [el("div.toolbar", {}, runs.length > 1 ? segment("Episodes", [[false, "Overlaid"], [true, "Side by side"]], false, (beside) => { plots.beside = beside; layOutPlots(); }) : null,
     el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomPlots(1.25)), button("+", () => zoomPlots(0.8)), button("Fit", fitPlots)),
     runChooser(), plots.time),
-  ...data.logs.map(logNote), statesNote(), el("div.split", {}, seriesChooser(), plots.stage));
+  ...data.logs.map(logNote), statesNote(), el("div.split", {}, seriesChooser(), plots.stage)]);
   let scale = 0;
   plots.stage.addEventListener("pointerdown", (event) => { const at = plotAt(event); scale = at ? at.scale : 0; });
   draggable(plots.stage, (dx) => placePlots(plots.begin - dx * scale, plots.span), () => {});
