@@ -27,7 +27,7 @@ function wayChart(age) {
 function showWay(age, box) {
   const way = ageWay(age), sum = age.way.reduce((all, hop) => all + hop.newest.seconds, 0);
   const follow = () => {
-    select({input: [way[way.length - 1].node, way[way.length - 1].number]}, way.map((input) => [input.node, input.number]));
+    select({way: age});
     showInGraph();
   };
   box.replaceChildren();

@@ -176,16 +176,14 @@ function outputName(node, o) {
   return output.sensor || (node === 0 ? `actions.${output.name}` : `${nodes[node].name}.${output.name}`);
 }
 
-// ---- What is selected: {node}, {object}, {input: [node, input]} or null ---------------------------------------------
-const state = {selected: null, way: null, view: null};
+// ---- What is selected: {node}, {object}, {input: [node, input]}, {way: age} or null ---------------------------------
+const state = {selected: null, view: null};
 const watchers = [];
 function watch(changed) {
   watchers.push(changed);
 }
-/** `way`: inputs on the way of data that is to be shown besides. */
-function select(selected, way = null) {
+function select(selected) {
   state.selected = selected;
-  state.way = way;
   for (const changed of watchers) changed(selected);
 }
 

@@ -43,11 +43,25 @@ function drawingOf(name) {
 
 function place() {
   const {zoom, x, y} = graphView;
+  cull();
   graphView.shown.group.setAttribute("transform", `translate(${x} ${y}) scale(${zoom})`);
   graphSvg.classList.toggle("far", zoom < 0.5);
-  graphSvg.classList.toggle("farther", zoom < 0.22);
+  graphSvg.classList.toggle("farther", zoom < 0.25);
 }
 const placeSoon = onFrame(place);
+
+/** Browsers lay out every text anew when the scale changes: of a large graph only boxes within the window are there. */
+function cull() {
+  const {shown, zoom, x, y} = graphView, {boxes, boxElements} = shown;
+  if (boxes.length < 200) return;
+  const {width, height} = graphSvg.getBoundingClientRect();
+  boxes.forEach((box, i) => {
+    const left = x + box.x * zoom, top = y + box.y * zoom;
+    const out = left > width || top > height || left + box.width * zoom < 0 || top + box.height * zoom < 0;
+    if (box.out !== out) boxElements[i].classList.toggle("out", out);
+    box.out = out;
+  });
+}
 
 function zoomGraph(factor, at) {
   const box = graphSvg.getBoundingClientRect();
@@ -76,7 +90,7 @@ function fitGraph() {
 /** All of it, or of a large graph the beginning. */
 function beginGraph() {
   fitGraph();
-  const readable = 0.3, [first] = graphView.shown.boxes;
+  const readable = 0.5, [first] = graphView.shown.boxes;
   if (graphView.zoom >= readable) return;
   const box = graphSvg.getBoundingClientRect();
   graphView.zoom = readable;
@@ -86,13 +100,17 @@ function beginGraph() {
   place();
 }
 
-/** Brings a box into the middle, readable. */
-function centre(box) {
+/** Brings boxes into the middle, readable if they can be. */
+function frame(boxes) {
+  if (!boxes.length) return;
   graphView.moved = true;
+  const left = Math.min(...boxes.map((box) => box.x)), right = Math.max(...boxes.map((box) => box.x + box.width));
+  const top = Math.min(...boxes.map((box) => box.y)), bottom = Math.max(...boxes.map((box) => box.y + box.height));
   const place = graphSvg.getBoundingClientRect();
-  graphView.zoom = Math.max(graphView.zoom, 0.8);
-  graphView.x = place.width / 2 - (box.x + box.width / 2) * graphView.zoom;
-  graphView.y = place.height / 2 - (box.y + box.height / 2) * graphView.zoom;
+  const room = Math.min((place.width - 60) / (right - left), (place.height - 120) / (bottom - top));
+  graphView.zoom = Math.min(room, Math.max(graphView.zoom, 0.8), 4);
+  graphView.x = place.width / 2 - ((left + right) / 2) * graphView.zoom;
+  graphView.y = 20 + place.height / 2 - ((top + bottom) / 2) * graphView.zoom;
   placeSoon();
 }
 
@@ -105,8 +123,14 @@ function showDrawing(name) {
 }
 
 // ---- What of it is selected -----------------------------------------------------------------------------------------
+/** The connections that are selected; null if it is something else. */
+function inputsOf({input, way}) {
+  if (way) return ageWay(way).map((hop) => [hop.node, hop.number]);
+  return input ? [input] : null;
+}
+
 function boxOf(drawing, selected) {
-  if (selected.input) return -1;
+  if (inputsOf(selected)) return -1;
   const own = drawing.boxes.findIndex((box) => (selected.node !== undefined ? box.node === selected.node
     : box.object === selected.object));
   if (own >= 0 || selected.node === undefined || nodes[selected.node].object === null) return own;
@@ -125,11 +149,9 @@ function markGraph() {
     wires.add(w);
     boxes.add(drawing.wires[w].from).add(drawing.wires[w].to);
   };
-  const {selected, way} = state;
-  if (way) for (const input of way) { const w = wireOf(drawing, input); if (w >= 0) withEnds(w); }
-  else if (selected && selected.input) {
-    const w = wireOf(drawing, selected.input);
-    if (w >= 0) withEnds(w);
+  const {selected} = state;
+  if (selected && inputsOf(selected)) {
+    for (const w of inputsOf(selected).map((input) => wireOf(drawing, input))) if (w >= 0) withEnds(w);
   } else if (selected) {
     const b = boxOf(drawing, selected);
     chosen.add(b);
@@ -148,15 +170,14 @@ watch(markGraph);
 /** Shows the selected thing in the drawing that has it. */
 function showInGraph() {
   showView("graph");
-  const {selected, way} = state;
+  const {selected} = state;
   if (!selected) return;
-  const needed = way || (selected.input ? [selected.input] : []);
-  const visible = needed.length ? needed.every((input) => wireOf(graphView.shown, input) >= 0)
-    : boxOf(graphView.shown, selected) >= 0;
+  const inputs = inputsOf(selected);
+  const visible = inputs ? inputs.every((input) => wireOf(graphView.shown, input) >= 0) : boxOf(graphView.shown, selected) >= 0;
   if (!visible) graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
-  const b = selected.input ? graphView.shown.boxes.findIndex((box) => box.node === selected.input[0])
-    : boxOf(graphView.shown, selected);
-  if (b >= 0 && !way) centre(graphView.shown.boxes[b]);
+  const {boxes, wires} = graphView.shown;
+  frame(inputs ? inputs.map((input) => wires[wireOf(graphView.shown, input)]).filter(Boolean).flatMap(({from, to}) => [boxes[from], boxes[to]])
+    : [boxes[boxOf(graphView.shown, selected)]].filter(Boolean));
 }
 
 function selectBox(b) {
@@ -192,7 +213,7 @@ function graphKey(event) {
   } else if (arrow) {
     const b = neighbour(...arrow);
     selectBox(b);
-    centre(graphView.shown.boxes[b]);
+    frame([graphView.shown.boxes[b]]);
   } else if (event.key === "+" || event.key === "=") zoomGraph(1.25);
   else if (event.key === "-") zoomGraph(0.8);
   else if (event.key === "0") fitGraph();

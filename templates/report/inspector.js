@@ -145,11 +145,23 @@ function showInput(n, i) {
   ];
 }
 
+function showWholeWay(age) {
+  return [
+    el("p.kind", {}, "way of data"), el("h2", {}, `${age.sensor} → ${age.actuator}`),
+    pairs([["newest data", `at most ${seconds(age.newest.seconds)}`], ["oldest data", age.oldest ? `at most ${seconds(age.oldest.seconds)}` : "unknown"]]),
+    el("h3", {}, "Over"), el("ul.ports", {}, age.way.map((hop) => el("li", {},
+      inputOf.has(hop.input) ? inputLink(inputOf.get(hop.input), `${inputOf.get(hop.input).from} → ${hop.input}`) : hop.input,
+      el("small.block", {}, hop.newest.seconds ? `+ ${seconds(hop.newest.seconds)}` : "at once")))),
+    el("p.actions", {}, button("Ages", () => showView("ages"))),
+  ];
+}
+
 function inspect(selected) {
   document.body.classList.toggle("inspecting", selected !== null);
   if (selected === null) return inspector.replaceChildren();
   const parts = selected.node !== undefined ? showNode(selected.node)
-    : selected.object !== undefined ? showObject(selected.object) : showInput(...selected.input);
+    : selected.object !== undefined ? showObject(selected.object)
+      : selected.way ? showWholeWay(selected.way) : showInput(...selected.input);
   inspector.replaceChildren(button("×", () => select(null), {className: "close", title: "Close (Escape)"}));
   add(inspector, parts);
   inspector.scrollTop = 0;

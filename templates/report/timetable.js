@@ -183,7 +183,8 @@ function drawMeasured(context, node, y, x, step, from, to) {
 function drawReads({context, width, left, x, y}) {
   const {selected} = state;
   if (!selected || selected.object !== undefined) return;
-  const inputs = selected.input ? [nodes[selected.input[0]].inputs[selected.input[1]]] : nodes[selected.node].inputs;
+  const chosen = inputsOf(selected);
+  const inputs = chosen ? chosen.map(([n, i]) => nodes[n].inputs[i]) : nodes[selected.node].inputs;
   context.lineWidth = 2;
   for (const input of inputs) {
     const period = periodOf(input.node), before = periodOf(input.source[0]);

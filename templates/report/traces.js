@@ -152,9 +152,11 @@ function drawElement(context, points, element, {x, y}, fill) {
   context.stroke();
 }
 
-/** One message has one colour for each element; several runs have one each. */
-const colourOf = (run, element, of) => (of.length > 1 ? shade([...plots.runs].sort((a, b) => a - b).indexOf(run.number)) : plots.beside && plots.runs.size > 1
-  ? shade([...plots.runs].sort((a, b) => a - b).indexOf(run.number) + element) : shade(element));
+/** Several runs have a colour each; a single one has one for each element. */
+function colourOf(run, element) {
+  const place = chosenRuns().indexOf(run);
+  return shade(plots.runs.size > 1 ? place + (plots.beside ? element : 0) : element);
+}
 
 function drawCanvas(row, cell, range, last) {
   const box = cell.canvas.parentElement.getBoundingClientRect(), height = last ? 128 : 112;
@@ -168,7 +170,7 @@ function drawCanvas(row, cell, range, last) {
   context.clip();
   for (const run of cell.runs) {
     const points = pointsOf(row.series, run);
-    if (points) points.elements.forEach((element, e) => drawElement(context, points, element, axes, colourOf(run, e, cell.runs)));
+    if (points) points.elements.forEach((element, e) => drawElement(context, points, element, axes, colourOf(run, e)));
   }
   if (plots.cursor !== null) {
     context.strokeStyle = colour("cursor");
@@ -195,7 +197,7 @@ function readOut(row) {
       if (i < 0 || i >= element.low.length) return;
       const text = element.high ? `${short(element.low[i])} … ${short(element.high[i])}` : short(element.low[i], 6);
       const mark = el("i.mark");
-      mark.style.background = colourOf(run, e, plots.beside ? [run] : of);
+      mark.style.background = colourOf(run, e);
       parts.push(el("span", {title: run.name + (points.elements.length > 1 ? `, element ${e}` : "")}, mark, text));
     });
   }
@@ -219,6 +221,7 @@ plots.draw = onFrame(drawPlots);
 // ---- Rows -----------------------------------------------------------------------------------------------------------
 function layOutPlots() {
   const of = chosenRuns();
+  for (const run of runs) if (run.chip) run.chip.firstChild.style.background = of.length > 1 && of.includes(run) ? colourOf(run, 0) : "transparent";
   plots.rows = seriesList.filter((series) => plots.series.has(series.number)).map((series) => {
     const values = el("span.values");
     const thinned = Math.max(0, ...of.map((run) => (pointsOf(series, run) || {thinned: 0}).thinned));
@@ -266,12 +269,13 @@ function seriesChooser() {
 
 function runChooser() {
   return el("div.runs", {role: "group", "aria-label": "Episodes"}, runs.map((run) => {
-    const chip = button(run.name, () => {
+    const chip = el("button.chip", {type: "button", onclick: () => {
       if (!plots.runs.delete(run.number)) plots.runs.add(run.number);
       chip.setAttribute("aria-pressed", plots.runs.has(run.number));
       layOutPlots();
-    }, {className: "chip"});
+    }}, el("i.mark"), run.name);
     chip.setAttribute("aria-pressed", plots.runs.has(run.number));
+    run.chip = chip;
     return chip;
   }));
 }
@@ -339,5 +343,5 @@ function makeTracesView(panel) {
   showChoices();
   layOutPlots();
   fitPlots();
-  return {shown() { plots.draw(); }, resized: plots.draw, focus: plots.stage};
+  return {shown() { plots.draw(); }, resized: layOutPlots, focus: plots.stage};
 }
