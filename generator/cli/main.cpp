@@ -521,10 +521,11 @@ CommandLine command_line(Options& options) {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
               .commands = {generate(options), build(options), run(options), train(options),
-                           check(options), info(options), picture(options), report(options), explain(options),
-                           import(options), schema(options), make_new(options), size(options),
-                           replay(options), identify(options), trace_commands(options),
-                           plot_commands(options), policies(options), pages(options)}},
+                           check(options), info(options), picture(options), report(options),
+                           explain(options), import(options), schema(options), make_new(options),
+                           size(options), replay(options), identify(options),
+                           trace_commands(options), plot_commands(options), policies(options),
+                           pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

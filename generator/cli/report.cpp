@@ -18,7 +18,9 @@ std::vector<PageImage> read_images(Run& run, const Options& options) {
   std::vector<PageImage> images;
   for (const std::string& image : options.images) {
     const std::string folder = fs::path(image).parent_path().string();
-    const std::string build = !options.build.empty() ? options.build : folder.empty() ? "." : folder;
+    const std::string build = !options.build.empty() ? options.build
+                              : folder.empty()       ? "."
+                                                     : folder;
     if (auto size = measure_image(image, build, run.diagnostics)) {
       images.push_back({image, std::move(*size)});
       check_image(images.back(), *run.graph, run.diagnostics);

@@ -33,8 +33,8 @@ std::optional<std::string> with_included(std::string text, const std::string& fo
   constexpr std::string_view kBegin = "@include ";
   for (std::size_t at = text.find(kBegin); at != std::string::npos; at = text.find(kBegin, at)) {
     const std::size_t name = at + kBegin.size(), end = text.find('@', name);
-    const auto part = read_part(
-        std::filesystem::path(folder) / text.substr(name, end - name), diagnostics);
+    const auto part =
+        read_part(std::filesystem::path(folder) / text.substr(name, end - name), diagnostics);
     if (!part) return std::nullopt;
     text.replace(at, end + 1 - at, *part);
     at += part->size();

@@ -29,8 +29,8 @@ const char* name_of(BoxKind kind) {
 Json ports_json(const std::vector<PicturePort>& ports, const std::vector<std::int64_t>& y) {
   Json list = Json::list();
   for (std::size_t i = 0; i < ports.size(); ++i)
-    list.push_back(Json{
-        {"name", shown(ports[i].name)}, {"detail", shown(ports[i].detail)}, {"y", y[i]}});
+    list.push_back(
+        Json{{"name", shown(ports[i].name)}, {"detail", shown(ports[i].detail)}, {"y", y[i]}});
   return list;
 }
 

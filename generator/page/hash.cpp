@@ -53,7 +53,7 @@ void add_block(HashWords& state, std::string_view block) {
 std::string sha256_base64(std::string_view text) {
   constexpr std::size_t kBlock = 64, kLength = 8;
   HashWords state = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
-                 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+                     0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
   std::size_t at = 0;
   for (; at + kBlock <= text.size(); at += kBlock) add_block(state, text.substr(at, kBlock));
   std::string rest(text.substr(at));
@@ -80,8 +80,8 @@ std::string base64(std::string_view bytes) {
   for (std::size_t at = 0; at < bytes.size(); at += 3) {
     std::uint32_t group = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      group = (group << 8U) |
-              (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
+      group =
+          (group << 8U) | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
     for (std::size_t i = 0; i < 4; ++i)
       text += at + i > bytes.size() ? '=' : kDigits[(group >> (18U - 6U * i)) & 0x3fU];
   }

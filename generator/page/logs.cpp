@@ -18,11 +18,11 @@ using trace_log::RecordedChannel;
 using trace_log::Row;
 
 constexpr std::size_t kMostPoints = 2000, kFewPoints = 200, kLeastPoints = 16;
-constexpr std::size_t kEpisodes = 12;           // of a trace
-constexpr std::size_t kElements = 16;           // of a channel
-constexpr std::size_t kBytes = 3'000'000;       // of all plots in the page
-constexpr std::size_t kBytesOfPoint = 11;       // two float32 in Base64
-constexpr std::size_t kStamps = 40'000;         // of a trace, for the timetable
+constexpr std::size_t kEpisodes = 12;      // of a trace
+constexpr std::size_t kElements = 16;      // of a channel
+constexpr std::size_t kBytes = 3'000'000;  // of all plots in the page
+constexpr std::size_t kBytesOfPoint = 11;  // two float32 in Base64
+constexpr std::size_t kStamps = 40'000;    // of a trace, for the timetable
 constexpr double kNsPerSecond = 1e9;
 
 /// How much of the traces is shown.
@@ -188,8 +188,9 @@ double begin_ns_of(const Log& log, const Episode& episode) {
   for (std::size_t c = 0; c < episode.size(); ++c) {
     if (episode[c].rows().empty()) continue;
     const Row& row = *episode[c].rows().front();
-    begin = std::min(begin, static_cast<double>(row.time_ns) -
-                                kNsPerSecond * static_cast<double>(row.seq) / rate_of(log.channels[c]));
+    begin =
+        std::min(begin, static_cast<double>(row.time_ns) -
+                            kNsPerSecond * static_cast<double>(row.seq) / rate_of(log.channels[c]));
   }
   return std::isfinite(begin) ? begin : 0.0;
 }
@@ -253,8 +254,8 @@ Json log_json(const Log& log, const Amount& amount) {
                            e == 0 ? kStamps / log.channels.size() : 0);
       channels.push_back(std::move(channel));
     }
-    json["episodes"].push_back(Json{
-        {"number", e}, {"states", states_json(log, e)}, {"channels", std::move(channels)}});
+    json["episodes"].push_back(
+        Json{{"number", e}, {"states", states_json(log, e)}, {"channels", std::move(channels)}});
   }
   return json;
 }
@@ -269,11 +270,10 @@ std::string difference(const RecordedChannel& recorded, const Plan& plan) {
   const auto text = [](const auto& dtype, std::uint64_t size, const std::string& rate) {
     return fmt::format("{} [{}] at {} Hz", dtype, size, rate);
   };
-  const std::string there =
-      text(trace_log::name_of(recorded.dtype), recorded.size,
-           Rational(static_cast<std::int64_t>(recorded.rate_num),
-                    static_cast<std::int64_t>(recorded.rate_den))
-               .to_string());
+  const std::string there = text(trace_log::name_of(recorded.dtype), recorded.size,
+                                 Rational(static_cast<std::int64_t>(recorded.rate_num),
+                                          static_cast<std::int64_t>(recorded.rate_den))
+                                     .to_string());
   const std::string here = text(to_string(space.dtype), space.size(), node.rate_hz.to_string());
   return there == here
              ? std::string()

@@ -155,8 +155,7 @@ class Nodes {
     json["order"] = list_of(order);
     json["rates"] = Json::list();
     for (const RateClass& rate : plan_.rates)
-      json["rates"].push_back(
-          Json{{"rate", rate.rate_hz.to_string()}, {"period", rate.period}});
+      json["rates"].push_back(Json{{"rate", rate.rate_hz.to_string()}, {"period", rate.period}});
     return json;
   }
 

@@ -93,8 +93,8 @@ std::string wire_text(const Wire& wire, const PlacedWire& placed) {
   const Point end = placed.points.back();
   return fmt::format(
       "<g><title>{}</title><path{} d=\"{}\"/><path class=\"tip\" d=\"M{} {}l-8 -4v8z\"/></g>\n",
-      xml_text(wire.about), wire.sets_state ? " class=\"state\"" : "",
-      wire_path(placed), end.x, end.y);
+      xml_text(wire.about), wire.sets_state ? " class=\"state\"" : "", wire_path(placed), end.x,
+      end.y);
 }
 
 std::string ports_text(const std::vector<PicturePort>& ports, const std::vector<std::int64_t>& at,

@@ -10,9 +10,12 @@ function el(what, properties, ...children) {
   if (classes.length) element.className = classes.join(" ");
   for (const [name, value] of Object.entries(properties || {})) {
     if (value === undefined || value === null) continue;
-    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
-    else if (name in element && name !== "list") element[name] = value;
-    else element.setAttribute(name, value);
+    if (name.startsWith("on"))
+      element.addEventListener(name.slice(2), value);
+    else if (name in element && name !== "list")
+      element[name] = value;
+    else
+      element.setAttribute(name, value);
   }
   add(element, children);
   return element;
@@ -68,10 +71,14 @@ function table(columns, rows, most = 200, activate = null) {
     }
   };
   show(0, most);
-  const head = el("thead", {}, el("tr", {}, columns.map((c) => el(c.number ? "th.number" : "th", {scope: "col"}, c.name))));
+  const head =
+      el("thead", {}, el("tr", {}, columns.map((c) => el(c.number ? "th.number" : "th", {scope: "col"}, c.name))));
   const box = el("div.scroll", {}, el("table", {}, head, body));
   if (rows.length > most) {
-    const more = button(`Show all ${count(rows.length)}`, () => { show(most, rows.length); more.remove(); });
+    const more = button(`Show all ${count(rows.length)}`, () => {
+      show(most, rows.length);
+      more.remove();
+    });
     box.append(more);
   }
   return box;
@@ -82,13 +89,18 @@ function card(title, ...children) {
 }
 
 function tiles(pairs) {
-  return el("dl.tiles", {}, pairs.map(([name, value, more]) =>
-    el("div", {}, el("dt", {}, name), el("dd", {}, value, more ? el("small", {}, " " + more) : null))));
+  return el(
+      "dl.tiles", {},
+      pairs.map(
+          ([name, value, more]) =>
+              el("div", {}, el("dt", {}, name), el("dd", {}, value, more ? el("small", {}, " " + more) : null))));
 }
 
 function pairs(list) {
-  return el("dl.pairs", {}, list.filter((pair) => pair && pair[1] !== "" && pair[1] !== null && pair[1] !== undefined)
-    .map(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
+  return el(
+      "dl.pairs", {},
+      list.filter((pair) => pair && pair[1] !== "" && pair[1] !== null && pair[1] !== undefined)
+          .map(([name, value]) => [el("dt", {}, name), el("dd", {}, value)]));
 }
 
 /** A bar with one or two lengths, as parts of the whole. */
@@ -167,7 +179,9 @@ data.rings.forEach((ring, number) => {
   ring.number = number;
   nodes[ring.node].rings.push(ring);
 });
-data.channels.forEach((channel, number) => { nodes[channel.node].channels[channel.output] = number; });
+data.channels.forEach((channel, number) => {
+  nodes[channel.node].channels[channel.output] = number;
+});
 const inputOf = new Map();  // by the name that ages use
 nodes.forEach((node) => node.inputs.forEach((input) => inputOf.set(input.written, input)));
 
@@ -177,7 +191,10 @@ function outputName(node, o) {
 }
 
 // ---- What is selected: {node}, {object}, {input: [node, input]}, {way: age} or null ---------------------------------
-const state = {selected: null, view: null};
+const state = {
+  selected: null,
+  view: null
+};
 const watchers = [];
 function watch(changed) {
   watchers.push(changed);
@@ -193,8 +210,7 @@ function isSelected(kind, number) {
 
 // ---- Colours --------------------------------------------------------------------------------------------------------
 function isDark() {
-  const forced = document.documentElement.dataset.theme;
-  return forced ? forced === "dark" : matchMedia("(prefers-color-scheme: dark)").matches;
+  return document.documentElement.dataset.theme === "dark";
 }
 function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
@@ -230,7 +246,10 @@ function onFrame(draw) {
   return () => {
     if (asked) return;
     asked = true;
-    requestAnimationFrame(() => { asked = false; draw(); });
+    requestAnimationFrame(() => {
+      asked = false;
+      draw();
+    });
   };
 }
 

@@ -1,7 +1,18 @@
 // The drawing: places come from the generator, here it is only shown, moved and searched.
-const graphView = {drawing: "user", zoom: 1, x: 0, y: 0, shown: null, moved: false};
-const graphSvg = svg("svg", {class: "graph", tabindex: "0", role: "application",
-  "aria-label": "Drawing of the graph. Arrow keys go from box to box, plus and minus zoom."});
+const graphView = {
+  drawing: "user",
+  zoom: 1,
+  x: 0,
+  y: 0,
+  shown: null,
+  moved: false
+};
+const graphSvg = svg("svg", {
+  class: "graph",
+  tabindex: "0",
+  role: "application",
+  "aria-label": "Drawing of the graph. Arrow keys go from box to box, plus and minus zoom."
+});
 
 function portTexts(box, ports, right) {
   return ports.map((port) => {
@@ -13,20 +24,21 @@ function portTexts(box, ports, right) {
 }
 
 function boxElement(box) {
-  const group = svg("g", {class: "box " + box.kind},
-    svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
-    svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
-    svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle),
-    portTexts(box, box.inputs, false), portTexts(box, box.outputs, true));
+  const group = svg(
+      "g", {class: "box " + box.kind}, svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
+      svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
+      svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle), portTexts(box, box.inputs, false),
+      portTexts(box, box.outputs, true));
   if (box.about) group.append(svg("title", {}, `${box.name}: ${box.about}`));
   return group;
 }
 
 function wireElement(wire) {
   const [x, y] = wire.end;
-  return svg("g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about),
-    svg("path", {class: "near", d: wire.path}), svg("path", {class: "line", d: wire.path}),
-    svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
+  return svg(
+      "g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about),
+      svg("path", {class: "near", d: wire.path}), svg("path", {class: "line", d: wire.path}),
+      svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
 }
 
 /** Elements of a drawing; made when it is looked at first. */
@@ -36,8 +48,12 @@ function drawingOf(name) {
   drawing.wireElements = drawing.wires.map(wireElement);
   drawing.boxElements = drawing.boxes.map(boxElement);
   drawing.group = svg("g", {class: "drawing"}, drawing.wireElements, drawing.boxElements);
-  drawing.boxElements.forEach((element, i) => { element.item = {box: i}; });
-  drawing.wireElements.forEach((element, i) => { element.item = {wire: i}; });
+  drawing.boxElements.forEach((element, i) => {
+    element.item = {box: i};
+  });
+  drawing.wireElements.forEach((element, i) => {
+    element.item = {wire: i};
+  });
   return drawing;
 }
 
@@ -131,8 +147,8 @@ function inputsOf({input, way}) {
 
 function boxOf(drawing, selected) {
   if (inputsOf(selected)) return -1;
-  const own = drawing.boxes.findIndex((box) => (selected.node !== undefined ? box.node === selected.node
-    : box.object === selected.object));
+  const own = drawing.boxes.findIndex(
+      (box) => (selected.node !== undefined ? box.node === selected.node : box.object === selected.object));
   if (own >= 0 || selected.node === undefined || nodes[selected.node].object === null) return own;
   return drawing.boxes.findIndex((box) => box.object === nodes[selected.node].object);
 }
@@ -151,12 +167,15 @@ function markGraph() {
   };
   const {selected} = state;
   if (selected && inputsOf(selected)) {
-    for (const w of inputsOf(selected).map((input) => wireOf(drawing, input))) if (w >= 0) withEnds(w);
+    for (const w of inputsOf(selected).map((input) => wireOf(drawing, input)))
+      if (w >= 0) withEnds(w);
   } else if (selected) {
     const b = boxOf(drawing, selected);
     chosen.add(b);
     boxes.add(b);
-    drawing.wires.forEach((wire, w) => { if (wire.from === b || wire.to === b) withEnds(w); });
+    drawing.wires.forEach((wire, w) => {
+      if (wire.from === b || wire.to === b) withEnds(w);
+    });
   }
   graphSvg.classList.toggle("marked", boxes.size > 0 && !boxes.has(-1));
   drawing.boxElements.forEach((element, i) => {
@@ -173,11 +192,15 @@ function showInGraph() {
   const {selected} = state;
   if (!selected) return;
   const inputs = inputsOf(selected);
-  const visible = inputs ? inputs.every((input) => wireOf(graphView.shown, input) >= 0) : boxOf(graphView.shown, selected) >= 0;
+  const visible =
+      inputs ? inputs.every((input) => wireOf(graphView.shown, input) >= 0) : boxOf(graphView.shown, selected) >= 0;
   if (!visible) graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
   const {boxes, wires} = graphView.shown;
-  frame(inputs ? inputs.map((input) => wires[wireOf(graphView.shown, input)]).filter(Boolean).flatMap(({from, to}) => [boxes[from], boxes[to]])
-    : [boxes[boxOf(graphView.shown, selected)]].filter(Boolean));
+  frame(
+      inputs ? inputs.map((input) => wires[wireOf(graphView.shown, input)])
+                   .filter(Boolean)
+                   .flatMap(({from, to}) => [boxes[from], boxes[to]]) :
+               [boxes[boxOf(graphView.shown, selected)]].filter(Boolean));
 }
 
 function selectBox(b) {
@@ -198,7 +221,10 @@ function neighbour(dx, dy) {
     const along = (bx - x) * dx + (by - y) * dy, across = Math.abs((bx - x) * dy) + Math.abs((by - y) * dx);
     if (i === from || along <= 1) return;
     const distance = along + 2 * across;
-    if (distance < least) { least = distance; best = i; }
+    if (distance < least) {
+      least = distance;
+      best = i;
+    }
   });
   return best;
 }
@@ -214,46 +240,75 @@ function graphKey(event) {
     const b = neighbour(...arrow);
     selectBox(b);
     frame([graphView.shown.boxes[b]]);
-  } else if (event.key === "+" || event.key === "=") zoomGraph(1.25);
-  else if (event.key === "-") zoomGraph(0.8);
-  else if (event.key === "0") fitGraph();
-  else if (event.key === "e") graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
-  else return;
+  } else if (event.key === "+" || event.key === "=")
+    zoomGraph(1.25);
+  else if (event.key === "-")
+    zoomGraph(0.8);
+  else if (event.key === "0")
+    fitGraph();
+  else if (event.key === "e")
+    graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
+  else
+    return;
   event.preventDefault();
 }
 
-draggable(graphSvg, (dx, dy) => {
-  graphView.x += dx;
-  graphView.y += dy;
-  graphView.moved = true;
-  placeSoon();
-}, (event) => {
-  const group = event.target.closest("g.box, g.wire");
-  if (!group) return select(null);
-  if (group.item.box !== undefined) return selectBox(group.item.box);
-  const {reader, from} = graphView.shown.wires[group.item.wire];
-  if (reader) select({input: reader});
-  else selectBox(from);
-});
+draggable(
+    graphSvg,
+    (dx, dy) => {
+      graphView.x += dx;
+      graphView.y += dy;
+      graphView.moved = true;
+      placeSoon();
+    },
+    (event) => {
+      const group = event.target.closest("g.box, g.wire");
+      if (!group) return select(null);
+      if (group.item.box !== undefined) return selectBox(group.item.box);
+      const {reader, from} = graphView.shown.wires[group.item.wire];
+      if (reader)
+        select({input: reader});
+      else
+        selectBox(from);
+    });
 graphSvg.addEventListener("wheel", (event) => {
   event.preventDefault();
   const box = graphSvg.getBoundingClientRect();
   const lines = event.deltaMode === 1 ? 16 : 1;
-  zoomGraph(Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0015)), [event.clientX - box.left, event.clientY - box.top]);
+  zoomGraph(
+      Math.exp(-event.deltaY * lines * (event.ctrlKey ? 0.01 : 0.0015)),
+      [event.clientX - box.left, event.clientY - box.top]);
 }, {passive: false});
 graphSvg.addEventListener("keydown", graphKey);
 
 const graphSwitch = segment("Which graph", [["user", "As written"], ["engine", "As it runs"]], "user", showDrawing);
 
 function makeGraphView(panel) {
-  const kinds = [["node", "node"], ["object", "object"], ["engine", "engine"], ["engine-node", "engine node"],
-    ["reset", "reset node"], ["task", "task"]];
+  const kinds = [
+    ["node", "node"], ["object", "object"], ["engine", "engine"], ["engine-node", "engine node"],
+    ["reset", "reset node"], ["task", "task"]
+  ];
   const used = new Set([...data.drawings.user.boxes, ...data.drawings.engine.boxes].map((box) => box.kind));
-  panel.append(el("div.toolbar.over", {}, graphSwitch,
-    el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomGraph(0.8), {title: "Zoom out ( - )"}),
-      button("+", () => zoomGraph(1.25), {title: "Zoom in ( + )"}), button("Fit", fitGraph, {title: "Show all ( 0 )"})),
-    el("p.legend", {}, kinds.filter(([kind]) => used.has(kind)).map(([kind, name]) => el("span", {}, el("i." + kind), name)))),
-  graphSvg);
+  panel.append(
+      el("div.toolbar.over", {}, graphSwitch,
+         el("div.segment", {role: "group", "aria-label": "Zoom"},
+            button("−", () => zoomGraph(0.8), {title: "Zoom out ( - )"}),
+            button("+", () => zoomGraph(1.25), {title: "Zoom in ( + )"}),
+            button("Fit", fitGraph, {title: "Show all ( 0 )"})),
+         el("p.legend", {},
+            kinds.filter(([kind]) => used.has(kind)).map(([kind, name]) => el("span", {}, el("i." + kind), name)))),
+      graphSvg);
   let first = true;
-  return {shown() { if (first) { first = false; showDrawing("user"); } }, resized() { if (!graphView.moved) fitGraph(); }, focus: graphSvg};
+  return {
+    shown() {
+      if (first) {
+        first = false;
+        showDrawing("user");
+      }
+    },
+    resized() {
+      if (!graphView.moved) fitGraph();
+    },
+    focus: graphSvg
+  };
 }

@@ -2,7 +2,8 @@
 function memoryRows() {
   const rows = new Map();
   const row = (name, node) => {
-    if (!rows.has(name)) rows.set(name, {name, node, buffers: 0, flash: data.images.map(() => 0), ram: data.images.map(() => 0)});
+    if (!rows.has(name))
+      rows.set(name, {name, node, buffers: 0, flash: data.images.map(() => 0), ram: data.images.map(() => 0)});
     return rows.get(name);
   };
   for (const ring of data.rings) row(nodes[ring.node].name, ring.node).buffers += ring.bytes;
@@ -42,13 +43,19 @@ function memoryColumns(rows) {
 function imageCard(image) {
   const {size} = image;
   const {stack, instructions} = size;
-  return card(image.name,
-    tiles([["flash", bytes(size.flash)], ["RAM", bytes(size.ram), "without the stack"],
-      ["stack", bytes(stack.bytes), "at most; interrupts come on top"],
-      instructions ? ["instructions a slot", count(instructions.most), "at most"] : null].filter(Boolean)),
-    stack.path.length ? el("details", {}, el("summary", {}, `The deepest chain: ${counted(stack.path.length, "function")}`),
-      el("ol.calls", {}, stack.path.map((name) => el("li", {}, name)))) : null,
-    stack.unbounded.length ? el("p.note", {}, `Not counted are calls through pointers or of themselves in: ${list(stack.unbounded, 12)}`) : null);
+  return card(
+      image.name, tiles([
+        ["flash", bytes(size.flash)], ["RAM", bytes(size.ram), "without the stack"],
+        ["stack", bytes(stack.bytes), "at most; interrupts come on top"],
+        instructions ? ["instructions a slot", count(instructions.most), "at most"] : null
+      ].filter(Boolean)),
+      stack.path.length ?
+          el("details", {}, el("summary", {}, `The deepest chain: ${counted(stack.path.length, "function")}`),
+             el("ol.calls", {}, stack.path.map((name) => el("li", {}, name)))) :
+          null,
+      stack.unbounded.length ?
+          el("p.note", {}, `Not counted are calls through pointers or of themselves in: ${list(stack.unbounded, 12)}`) :
+          null);
 }
 
 /** What needs the most messages. A buffer of one may have no reader at all. */
@@ -60,25 +67,39 @@ function makeMemoryView(panel) {
   const rows = memoryRows();
   const rings = [...data.rings].sort((a, b) => b.bytes - a.bytes || a.number - b.number);
   const sum = (of) => rings.reduce((all, ring) => all + of(ring), 0);
-  panel.append(card("Buffers", tiles([["buffers", count(rings.length)], ["messages", count(sum((ring) => ring.messages))],
-    ["bytes", count(sum((ring) => ring.bytes))]]),
-  el("p.note", {}, "A buffer holds the newest messages of an output. It has room for as many as the reader that needs most of them; "
-    + "a power of two, or exactly as many where messages are large.")));
+  panel.append(card(
+      "Buffers", tiles([
+        ["buffers", count(rings.length)], ["messages", count(sum((ring) => ring.messages))],
+        ["bytes", count(sum((ring) => ring.bytes))]
+      ]),
+      el("p.note", {},
+         "A buffer holds the newest messages of an output. It has room for what the reader that needs most needs; " +
+             "a power of two, or exactly as many where messages are large.")));
   panel.append(...data.images.map(imageCard));
-  panel.append(card("Nodes", table(memoryColumns(rows), rows, 100, (row) => row.node !== undefined && select({node: row.node}))));
+  panel.append(card(
+      "Nodes", table(memoryColumns(rows), rows, 100, (row) => row.node !== undefined && select({node: row.node}))));
   const most = Math.max(1, ...rings.map((ring) => ring.bytes));
-  panel.append(card("Why each buffer has its size", table([
-    {name: "buffer", cell: (ring) => outputName(ring.node, ring.output)
-      + (ring.reader ? `, converted for ${nodes[ring.reader[0]].inputs[ring.reader[1]].written}` : "")},
-    {name: "message", cell: (ring) => ring.space.text},
-    {name: "needs", number: true, cell: (ring) => count(ring.needed)},
-    {name: "has", number: true, cell: (ring) => count(ring.messages)},
-    {name: "bytes", cell: (ring) => withBar(ring.bytes, most, "")},
-    {name: "because of", cell: (ring) => whyText(ring)},
-  ], rings, 100, (ring) => {
-    const due = ring.reader || [...inputOf.values()].filter((input) => input.ring === ring.number && ring.why.includes(input.written))
-      .map((input) => [input.node, input.number])[0];
-    select(due ? {input: due} : {node: ring.node});
-  })));
+  panel.append(card(
+      "Why each buffer has its size",
+      table(
+          [
+            {
+              name: "buffer",
+              cell: (ring) => outputName(ring.node, ring.output) +
+                  (ring.reader ? `, converted for ${nodes[ring.reader[0]].inputs[ring.reader[1]].written}` : "")
+            },
+            {name: "message", cell: (ring) => ring.space.text},
+            {name: "needs", number: true, cell: (ring) => count(ring.needed)},
+            {name: "has", number: true, cell: (ring) => count(ring.messages)},
+            {name: "bytes", cell: (ring) => withBar(ring.bytes, most, "")},
+            {name: "because of", cell: (ring) => whyText(ring)},
+          ],
+          rings, 100, (ring) => {
+            const due = ring.reader ||
+                [...inputOf.values()]
+                    .filter((input) => input.ring === ring.number && ring.why.includes(input.written))
+                    .map((input) => [input.node, input.number])[0];
+            select(due ? {input: due} : {node: ring.node});
+          })));
   return {shown() {}, resized() {}};
 }

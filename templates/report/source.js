@@ -2,11 +2,15 @@
 const lineElements = new Map();
 
 function problemElement(problem) {
-  const marker = problem.column && problem.length
-    ? el("pre.marker", {}, " ".repeat(problem.column - 1) + "^".repeat(problem.length)) : null;
-  return el("div.problem." + problem.severity, {}, problem.line ? marker : null,
-    el("p", {}, el("b", {}, problem.code ? `${problem.severity} ${problem.code}` : problem.severity), ": ", problem.message),
-    problem.notes.map((note) => el("p", {}, note)), problem.help ? el("p", {}, el("b", {}, "help"), ": ", problem.help) : null);
+  const marker = problem.column && problem.length ?
+      el("pre.marker", {}, " ".repeat(problem.column - 1) + "^".repeat(problem.length)) :
+      null;
+  return el(
+      "div.problem." + problem.severity, {}, problem.line ? marker : null,
+      el("p", {}, el("b", {}, problem.code ? `${problem.severity} ${problem.code}` : problem.severity), ": ",
+         problem.message),
+      problem.notes.map((note) => el("p", {}, note)),
+      problem.help ? el("p", {}, el("b", {}, "help"), ": ", problem.help) : null);
 }
 
 function sourceLine(text, i) {
@@ -15,8 +19,10 @@ function sourceLine(text, i) {
   const at = comment ? text.length - comment[1].length : text.length;
   const key = /^(\s*(?:- )?)([\w./-]+)(:)(?=\s|$)/.exec(text.slice(0, at));
   const rest = key ? key[0].length : 0;
-  const line = el("div.line", {}, el("span.number", {"aria-hidden": true}, i + 1), el("code", {},
-    key ? [key[1], el("span.key", {}, key[2]), key[3]] : null, text.slice(rest, at), at < text.length ? el("span.comment", {}, text.slice(at)) : null));
+  const line =
+      el("div.line", {}, el("span.number", {"aria-hidden": true}, i + 1),
+         el("code", {}, key ? [key[1], el("span.key", {}, key[2]), key[3]] : null, text.slice(rest, at),
+            at < text.length ? el("span.comment", {}, text.slice(at)) : null));
   lineElements.set(i + 1, line);
   return line;
 }
@@ -34,12 +40,19 @@ function makeSourceView(panel) {
   const elsewhere = data.diagnostics.filter((problem) => !problem.line);
   const at = new Map();
   for (const problem of data.diagnostics) at.set(problem.line, [...(at.get(problem.line) || []), problem]);
-  const counts = ["error", "warning", "note"].map((severity) => [severity, data.diagnostics.filter((p) => p.severity === severity)])
-    .filter(([, found]) => found.length);
-  panel.append(el("div.toolbar", {}, el("h2", {}, data.source.name),
-    counts.length ? counts.map(([severity, found]) => button(counted(found.length, severity), () => found[0].line && showLine(found[0].line),
-      {className: "problem " + severity})) : el("p.note", {}, "no problems")));
+  const counts = ["error", "warning", "note"]
+                     .map((severity) => [severity, data.diagnostics.filter((p) => p.severity === severity)])
+                     .filter(([, found]) => found.length);
+  panel.append(
+      el("div.toolbar", {}, el("h2", {}, data.source.name),
+         counts.length ? counts.map(
+                             ([severity, found]) => button(
+                                 counted(found.length, severity), () => found[0].line && showLine(found[0].line),
+                                 {className: "problem " + severity})) :
+                         el("p.note", {}, "no problems")));
   panel.append(...elsewhere.map(problemElement));
-  panel.append(el("div.source", {tabIndex: 0}, data.source.lines.map((text, i) => [sourceLine(text, i), (at.get(i + 1) || []).map(problemElement)])));
+  panel.append(
+      el("div.source", {tabIndex: 0},
+         data.source.lines.map((text, i) => [sourceLine(text, i), (at.get(i + 1) || []).map(problemElement)])));
   return {shown() {}, resized() {}};
 }

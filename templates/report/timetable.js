@@ -1,6 +1,14 @@
 // When each node runs: the ticks of the schedule, what the selected node reads at each, and measured times of a paced
 // trace. Times are in seconds since the beginning of an episode.
-const timetable = {begin: 0, span: 1, scroll: 0, hover: null, measured: null, canvas: el("canvas"), draw: null};
+const timetable = {
+  begin: 0,
+  span: 1,
+  scroll: 0,
+  hover: null,
+  measured: null,
+  canvas: el("canvas"),
+  draw: null
+};
 const kRow = 22, kHead = 46;
 
 const order = data.schedule.order;
@@ -31,7 +39,8 @@ function beginningOf(input) {
   const sum = (n) => Math.floor((a * n - x) / b);
   input.beginning = [1 - skip];
   for (let n = 1; n < Math.min(settled, 10000); ++n)
-    input.beginning.push(input.beginning[n - 1] + Math.max(0, Math.min(sum(n + off) - sum(n + off - 1), sum(n) + skip)));
+    input.beginning.push(
+        input.beginning[n - 1] + Math.max(0, Math.min(sum(n + off) - sum(n + off - 1), sum(n) + skip)));
   return input.beginning;
 }
 
@@ -90,8 +99,16 @@ function drawTimetable() {
   if (!context) return;
   const x = (time) => left + ((time - timetable.begin) / timetable.span) * (width - left);
   const y = (row) => kHead + row * kRow - timetable.scroll + kRow / 2;
-  const view = {context, width, height, left, x, y, first: Math.max(0, Math.floor(timetable.scroll / kRow)),
-    last: Math.min(order.length - 1, Math.ceil((timetable.scroll + height - kHead) / kRow))};
+  const view = {
+    context,
+    width,
+    height,
+    left,
+    x,
+    y,
+    first: Math.max(0, Math.floor(timetable.scroll / kRow)),
+    last: Math.min(order.length - 1, Math.ceil((timetable.scroll + height - kHead) / kRow))
+  };
   context.save();
   context.beginPath();
   context.rect(0, kHead, width, height - kHead);
@@ -111,7 +128,8 @@ timetable.draw = onFrame(drawTimetable);
 
 function drawRows({context, width, y, first, last}) {
   for (let row = first; row <= last; ++row) {
-    const chosen = isSelected("node", order[row]) || (state.selected && state.selected.input && state.selected.input[0] === order[row]);
+    const chosen = isSelected("node", order[row]) ||
+        (state.selected && state.selected.input && state.selected.input[0] === order[row]);
     if (!chosen && row % 2) continue;
     context.fillStyle = chosen ? colour("chosen") : colour("stripe");
     context.fillRect(0, y(row) - kRow / 2, width, kRow);
@@ -173,10 +191,16 @@ function drawMeasured(context, node, y, x, step, from, to) {
   context.strokeStyle = colour("measured");
   context.lineWidth = 1;
   context.globalAlpha = 0.5;
-  lines((planned, at) => { context.moveTo(planned, y + 8); context.lineTo(at, y + 8); });
+  lines((planned, at) => {
+    context.moveTo(planned, y + 8);
+    context.lineTo(at, y + 8);
+  });
   context.lineWidth = 1.5;
   context.globalAlpha = 1;
-  lines((_, at) => { context.moveTo(at, y - 8); context.lineTo(at, y + 9); });
+  lines((_, at) => {
+    context.moveTo(at, y - 8);
+    context.lineTo(at, y + 9);
+  });
 }
 
 /** Lines from a message to the tick that reads it, of what is selected. */
@@ -198,8 +222,10 @@ function drawReads({context, width, left, x, y}) {
       if (m === null || m < 0) continue;
       const [a, b] = [x(m * before), x(n * period)];
       context.moveTo(a, rows[0]);
-      if (Math.abs(a - b) < 1) context.lineTo(b, rows[1]);
-      else context.bezierCurveTo((a + b) / 2, rows[0], (a + b) / 2, rows[1], b, rows[1]);
+      if (Math.abs(a - b) < 1)
+        context.lineTo(b, rows[1]);
+      else
+        context.bezierCurveTo((a + b) / 2, rows[0], (a + b) / 2, rows[1], b, rows[1]);
     }
     context.stroke();
   }
@@ -264,7 +290,8 @@ function lateText(late) {
 function hoverTimetable(event) {
   const box = timetable.canvas.getBoundingClientRect();
   const row = Math.floor((event.clientY - box.top - kHead + timetable.scroll) / kRow);
-  if (event.clientY - box.top < kHead || row >= order.length || event.clientX - box.left < timetableSize().left) return hideTip();
+  if (event.clientY - box.top < kHead || row >= order.length || event.clientX - box.left < timetableSize().left)
+    return hideTip();
   const node = order[row], period = periodOf(node);
   const n = Math.max(0, Math.round(timeAt(event.clientX - box.left) / period));
   const reads = nodes[node].inputs.slice(0, 8).map((input) => {
@@ -273,10 +300,13 @@ function hoverTimetable(event) {
     return `${input.from}: message ${m}, ${seconds(Math.max(0, n * period - m * periodOf(input.source[0])))} old`;
   });
   const stamps = timetable.measured && timetable.measured.get(node);
-  const late = stamps && n >= stamps.first && n - stamps.first < stamps.late.length
-    ? lateText(stamps.late[n - stamps.first]) : null;
-  showTip(event, [`${nodes[node].name}, tick ${n}`, `at ${seconds(n * period)}, ${row + 1}. in the order`, late,
-    ...(data.schedule.asynchronous ? [] : reads)]);
+  const late = stamps && n >= stamps.first && n - stamps.first < stamps.late.length ?
+      lateText(stamps.late[n - stamps.first]) :
+      null;
+  showTip(event, [
+    `${nodes[node].name}, tick ${n}`, `at ${seconds(n * period)}, ${row + 1}. in the order`, late,
+    ...(data.schedule.asynchronous ? [] : reads)
+  ]);
 }
 
 /** Times of a paced trace: of each node those of its first channel. */
@@ -295,21 +325,33 @@ function measure(log) {
 
 function latenessTable(log) {
   const rows = log.episodes[0].channels.filter((channel) => channel.late);
-  return el("details", {}, el("summary", {}, `Measured in ${log.name}, episode 0: how long after its time a message is sent`),
-  el("p.note", {}, "Less than zero: before its time. A simulation computes the next messages of its sensors as soon as it has the action."), table([
-    {name: "channel", cell: (row) => log.channels[row.channel].name},
-    ...[["least", "least"], ["mean", "mean"], ["p99", "99 %"], ["most", "most"]].map(([key, name]) =>
-      ({name, number: true, cell: (row) => seconds(row.late[key])})),
-  ], rows));
+  return el(
+      "details", {}, el("summary", {}, `Measured in ${log.name}, episode 0: how long after its time a message is sent`),
+      el("p.note", {},
+         "Less than zero: before its time. A simulation computes its sensors' next messages as soon as it has the action."),
+      table(
+          [
+            {name: "channel", cell: (row) => log.channels[row.channel].name},
+            ...[["least", "least"], ["mean", "mean"], ["p99", "99 %"], ["most", "most"]].map(
+                ([key, name]) => ({name, number: true, cell: (row) => seconds(row.late[key])})),
+          ],
+          rows));
 }
 
 function timetableKey(event) {
   const page = timetable.span * 0.2;
-  const actions = {ArrowLeft: () => placeTimetable(timetable.begin - page, timetable.span),
+  const actions = {
+    ArrowLeft: () => placeTimetable(timetable.begin - page, timetable.span),
     ArrowRight: () => placeTimetable(timetable.begin + page, timetable.span),
-    ArrowUp: () => scrollRows(-kRow), ArrowDown: () => scrollRows(kRow), PageUp: () => scrollRows(-10 * kRow),
-    PageDown: () => scrollRows(10 * kRow), "+": () => zoomTimetable(0.8), "=": () => zoomTimetable(0.8),
-    "-": () => zoomTimetable(1.25), 0: fitTimetable};
+    ArrowUp: () => scrollRows(-kRow),
+    ArrowDown: () => scrollRows(kRow),
+    PageUp: () => scrollRows(-10 * kRow),
+    PageDown: () => scrollRows(10 * kRow),
+    "+": () => zoomTimetable(0.8),
+    "=": () => zoomTimetable(0.8),
+    "-": () => zoomTimetable(1.25),
+    0: fitTimetable
+  };
   if (!actions[event.key]) return;
   actions[event.key]();
   event.preventDefault();
@@ -317,27 +359,41 @@ function timetableKey(event) {
 
 function makeTimetableView(panel) {
   const {slots, form, asynchronous} = data.schedule;
-  const facts = [slots ? `${counted(slots, "slot")} in a hyperperiod` + (wholePeriod ? ` of ${seconds(wholePeriod * quantum)}` : "")
-    : "too many slots in a hyperperiod to count", form, `grid of ${seconds(quantum)}`];
+  const facts = [
+    slots ?
+        `${counted(slots, "slot")} in a hyperperiod` + (wholePeriod ? ` of ${seconds(wholePeriod * quantum)}` : "") :
+                                                                      "too many slots in a hyperperiod to count",
+    form, `grid of ${seconds(quantum)}`
+  ];
   if (asynchronous) facts.push("inputs take what has arrived");
   const paced = data.logs.filter((log) => log.paced);
   const choices = [[-1, "Planned"], ...paced.map((log, i) => [i, paced.length > 1 ? `Measured ${i + 1}` : "Measured"])];
-  const stage = el("div.stage", {tabIndex: 0, role: "application",
-    "aria-label": "Timetable. Arrow keys move, plus and minus zoom."}, timetable.canvas);
-  add(panel, [el("div.toolbar", {},
-    el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomTimetable(1.25)), button("+", () => zoomTimetable(0.8)), button("Fit", fitTimetable)),
-    paced.length ? segment("Times", choices, -1, (i) => measure(i < 0 ? null : paced[i])) : null,
-    el("p.legend", {}, data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
-  el("p.note", {}, facts.join(" · "), ". Rows are in the order in which nodes run within a slot. Select a node to see what it reads at each tick."),
-  stage, ...paced.map(latenessTable)]);
-  draggable(stage, (dx, dy) => {
-    const {width, left} = timetableSize();
-    placeTimetable(timetable.begin - (dx / (width - left)) * timetable.span, timetable.span);
-    scrollRows(-dy);
-  }, (event) => {
-    const row = Math.floor((event.clientY - timetable.canvas.getBoundingClientRect().top - kHead + timetable.scroll) / kRow);
-    select(row >= 0 && row < order.length ? {node: order[row]} : null);
-  });
+  const stage = el(
+      "div.stage", {tabIndex: 0, role: "application", "aria-label": "Timetable. Arrow keys move, plus and minus zoom."},
+      timetable.canvas);
+  add(panel, [
+    el("div.toolbar", {},
+       el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomTimetable(1.25)),
+          button("+", () => zoomTimetable(0.8)), button("Fit", fitTimetable)),
+       paced.length ? segment("Times", choices, -1, (i) => measure(i < 0 ? null : paced[i])) : null,
+       el("p.legend", {},
+          data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
+    el("p.note", {}, facts.join(" · "),
+       ". Rows are in the order in which nodes run within a slot. Select a node to see what it reads at each tick."),
+    stage, ...paced.map(latenessTable)
+  ]);
+  draggable(
+      stage,
+      (dx, dy) => {
+        const {width, left} = timetableSize();
+        placeTimetable(timetable.begin - (dx / (width - left)) * timetable.span, timetable.span);
+        scrollRows(-dy);
+      },
+      (event) => {
+        const row = Math.floor(
+            (event.clientY - timetable.canvas.getBoundingClientRect().top - kHead + timetable.scroll) / kRow);
+        select(row >= 0 && row < order.length ? {node: order[row]} : null);
+      });
   stage.addEventListener("pointermove", hoverTimetable);
   stage.addEventListener("pointerleave", hideTip);
   stage.addEventListener("keydown", timetableKey);
@@ -345,13 +401,27 @@ function makeTimetableView(panel) {
     event.preventDefault();
     const fits = order.length * kRow + kHead <= timetableSize().height;
     const box = timetable.canvas.getBoundingClientRect();
-    if (event.ctrlKey || fits || event.clientY - box.top < kHead) zoomTimetable(Math.exp(event.deltaY * 0.0015), event.clientX - box.left);
-    else if (event.shiftKey) placeTimetable(timetable.begin + (event.deltaY / 600) * timetable.span, timetable.span);
-    else scrollRows(event.deltaY);
+    if (event.ctrlKey || fits || event.clientY - box.top < kHead)
+      zoomTimetable(Math.exp(event.deltaY * 0.0015), event.clientX - box.left);
+    else if (event.shiftKey)
+      placeTimetable(timetable.begin + (event.deltaY / 600) * timetable.span, timetable.span);
+    else
+      scrollRows(event.deltaY);
   }, {passive: false});
   watch(timetable.draw);
   let first = true;
-  return {shown() { if (first) { first = false; fitTimetable(); } revealRow(); timetable.draw(); }, resized: timetable.draw, focus: stage};
+  return {
+    shown() {
+      if (first) {
+        first = false;
+        fitTimetable();
+      }
+      revealRow();
+      timetable.draw();
+    },
+    resized: timetable.draw,
+    focus: stage
+  };
 }
 
 function revealRow() {
@@ -359,5 +429,6 @@ function revealRow() {
   const node = selected && (selected.node ?? (selected.input && selected.input[0]));
   if (node === undefined || node === null) return;
   const at = rowOf.get(node) * kRow, {height} = timetableSize();
-  if (at < timetable.scroll || at > timetable.scroll + height - kHead - kRow) scrollRows(at - timetable.scroll - (height - kHead) / 2);
+  if (at < timetable.scroll || at > timetable.scroll + height - kHead - kRow)
+    scrollRows(at - timetable.scroll - (height - kHead) / 2);
 }
