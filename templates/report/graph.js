@@ -66,16 +66,28 @@ function place() {
 }
 const placeSoon = onFrame(place);
 
-/** Browsers lay out every text anew when the scale changes: of a large graph only boxes within the window are there. */
+/** The rectangle around the points of a path, which has only pairs of numbers. */
+function around(path) {
+  const numbers = path.match(/-?\d+/g).map(Number);
+  const xs = numbers.filter((_, i) => i % 2 === 0), ys = numbers.filter((_, i) => i % 2 === 1);
+  const x = Math.min(...xs), y = Math.min(...ys);
+  return {x, y, width: Math.max(...xs) - x, height: Math.max(...ys) - y};
+}
+
+/**
+ * Browsers lay out everything anew when the scale changes: of a large graph only what is within the window is there.
+ */
 function cull() {
-  const {shown, zoom, x, y} = graphView, {boxes, boxElements} = shown;
-  if (boxes.length < 200) return;
+  const {shown, zoom, x, y} = graphView;
+  if (shown.boxes.length < 200) return;
   const {width, height} = graphSvg.getBoundingClientRect();
-  boxes.forEach((box, i) => {
-    const left = x + box.x * zoom, top = y + box.y * zoom;
-    const out = left > width || top > height || left + box.width * zoom < 0 || top + box.height * zoom < 0;
-    if (box.out !== out) boxElements[i].classList.toggle("out", out);
-    box.out = out;
+  shown.around = shown.around || [...shown.boxes, ...shown.wires.map((wire) => around(wire.path))];
+  shown.all = shown.all || [...shown.boxElements, ...shown.wireElements];
+  shown.around.forEach((place, i) => {
+    const left = x + place.x * zoom, top = y + place.y * zoom;
+    const out = left > width || top > height || left + place.width * zoom < 0 || top + place.height * zoom < 0;
+    if (place.out !== out) shown.all[i].classList.toggle("out", out);
+    place.out = out;
   });
 }
 

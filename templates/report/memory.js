@@ -73,8 +73,8 @@ function makeMemoryView(panel) {
         ["bytes", count(sum((ring) => ring.bytes))]
       ]),
       el("p.note", {},
-         "A buffer holds the newest messages of an output. It has room for what the reader that needs most needs; " +
-             "a power of two, or exactly as many where messages are large.")));
+         "A buffer holds the newest messages of an output. It has room for the reader that needs most; this is " +
+             "rounded up to a power of two, except where messages are large.")));
   panel.append(...data.images.map(imageCard));
   panel.append(card(
       "Nodes", table(memoryColumns(rows), rows, 100, (row) => row.node !== undefined && select({node: row.node}))));
