@@ -106,6 +106,19 @@ class Notes {
     if (squash == "TRUE") facts.action = ActionKind::squashed;
     if (squash == "FALSE" && facts.contract.algorithm != "DQN") facts.action = ActionKind::raw;
     if (!squash.empty() && squash != "TRUE" && squash != "FALSE") return fail("squash");
+    return read_choice(facts);
+  }
+  /// The whole number that output 0 stands for, of a policy that chooses.
+  bool read_choice(PolicyFacts& facts) {
+    constexpr double kMost = 1e9;
+    std::vector<double> values;
+    if (text("first_choice").empty()) return true;
+    if (!bounds("first_choice", values)) return false;
+    const bool whole = values.size() == 1 && std::trunc(values.front()) == values.front() &&
+                       std::fabs(values.front()) < kMost;
+    if (!whole || facts.action) return fail("first_choice");
+    facts.action = ActionKind::argmax;
+    facts.contract.first_choice = static_cast<std::int64_t>(values.front());
     return true;
   }
   bool bounds(const char* key, std::vector<double>& out) {

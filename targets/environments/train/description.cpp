@@ -49,6 +49,10 @@ std::size_t Description::observation_numbers() const {
 std::size_t Description::action_numbers() const {
   return numbers(actions);
 }
+bool Description::chooses() const {
+  return actions.size() == 1 && actions.front().size == 1 &&
+         (actions.front().dtype.starts_with("int") || actions.front().dtype.starts_with("uint"));
+}
 
 Description read_description(std::string_view text) {
   try {

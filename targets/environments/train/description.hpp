@@ -30,6 +30,8 @@ struct Description {
 
   std::size_t observation_numbers() const;
   std::size_t action_numbers() const;
+  /// Whether the only action is one of a few whole numbers.
+  bool chooses() const;
 };
 
 /// Reads the JSON of eagerx_describe(). Throws Problem if it is not understood.

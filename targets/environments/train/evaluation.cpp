@@ -57,12 +57,9 @@ class Evaluator::Part {
  private:
   void act(const Kernels& kernels, const Policy& policy) {
     policy.answer(kernels, observation_.data(), row_.data());
-    const std::size_t outputs = policy.network.outputs();
+    const Pack* const answers = &row_[policy.network.output()];
     for (std::size_t e = 0; e < count_; ++e) {
-      for (std::size_t j = 0; j < outputs; ++j) {
-        action_[e * outputs + j] =
-            policy.bounds.scaled(j, row_[policy.network.output() + j].lane[e]);
-      }
+      policy.head.act(answers, e, &action_[e * policy.head.numbers]);
     }
   }
   void count(std::uint32_t e) {

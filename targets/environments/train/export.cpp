@@ -30,16 +30,20 @@ std::string listed(const std::vector<float>& numbers) {
 }
 
 ordered_json notes_of(const Policy& policy, const Description& description, std::uint64_t seed) {
-  return {{"writer", "eagerx-gen train"},
-          {"activation", "tanh"},
-          {"squash", "true"},
-          {"obs", listed(description.observations)},
-          {"low", listed(policy.bounds.low)},
-          {"high", listed(policy.bounds.high)},
-          {"rate", fmt::format("{}", description.rate_hz)},
-          {"graph", description.graph},
-          {"hash", description.hash},
-          {"seed", fmt::format("{}", seed)}};
+  ordered_json notes = {{"writer", "eagerx-gen train"}, {"activation", "tanh"}};
+  if (policy.head.chooses) {
+    notes["first_choice"] = listed(policy.head.low);
+  } else {
+    notes["squash"] = "true";
+    notes["low"] = listed(policy.head.low);
+    notes["high"] = listed(policy.head.high);
+  }
+  notes["obs"] = listed(description.observations);
+  notes["rate"] = fmt::format("{}", description.rate_hz);
+  notes["graph"] = description.graph;
+  notes["hash"] = description.hash;
+  notes["seed"] = fmt::format("{}", seed);
+  return notes;
 }
 
 void append(std::string& data, ordered_json& header, const std::string& name,
@@ -83,9 +87,11 @@ std::string golden_rows(const Policy& policy, const Kernels& kernels,
   std::string text;
   for (std::size_t i = 0; i < inputs; ++i) text += fmt::format("obs{},", i);
   for (std::size_t j = 0; j < outputs; ++j) text += fmt::format("network_out{},", j);
-  for (std::size_t j = 0; j < outputs; ++j) {
-    text += fmt::format("action{}{}", j, j + 1 == outputs ? "\n" : ",");
+  const std::size_t numbers = policy.head.numbers;
+  for (std::size_t j = 0; j < numbers; ++j) {
+    text += fmt::format("action{}{}", j, j + 1 == numbers ? "\n" : ",");
   }
+  std::vector<float> action(numbers);
   Packs row(policy.network.row());
   std::vector<float> tile(kLanes * inputs);
   const std::size_t count = rows.size() / inputs;
@@ -97,10 +103,8 @@ std::string golden_rows(const Policy& policy, const Kernels& kernels,
     for (std::size_t l = 0; l < here; ++l) {
       text += fmt::format("{}", fmt::join(&tile[l * inputs], &tile[l * inputs] + inputs, ","));
       for (std::size_t j = 0; j < outputs; ++j) text += fmt::format(",{}", answers[j].lane[l]);
-      for (std::size_t j = 0; j < outputs; ++j) {
-        text += fmt::format(",{}", policy.bounds.scaled(j, answers[j].lane[l]));
-      }
-      text += '\n';
+      policy.head.act(answers, l, action.data());
+      text += fmt::format(",{}\n", fmt::join(action, ","));
     }
   }
   return text;

@@ -4,6 +4,7 @@
 #include <eagerx/random.hpp>
 
 #include "targets/environments/train/network.hpp"
+#include "targets/environments/train/policy.hpp"
 #include "targets/environments/train/settings.hpp"
 #include "targets/environments/train/statistics.hpp"
 
@@ -11,23 +12,23 @@ namespace eagerx::train {
 
 /// Actor and critic with all that the next update depends on.
 struct Model {
-  Model(const Settings& settings, std::size_t inputs, std::size_t outputs)
-      : actor(inputs, settings.hidden, outputs),
+  Model(const Settings& settings, std::size_t inputs, const Head& head)
+      : actor(inputs, settings.hidden, head.outputs),
         critic(inputs, settings.hidden, 1),
         actor_parameters(actor.drawn(random(settings, "train/actor"), 0.01F)),
         critic_parameters(critic.drawn(random(settings, "train/critic"), 1.0F)),
-        log_deviation(outputs, 0.0F),
+        log_deviation(head.chooses ? 0 : head.outputs, 0.0F),
         actor_adam(actor.parameters()),
         critic_adam(critic.parameters()),
-        deviation_adam(outputs),
+        deviation_adam(log_deviation.size()),
         observations(inputs),
         returns(1),
         step_size(settings.first_step_size) {}
 
-  Network actor;   // the mean of the actions is tanh of its outputs
+  Network actor;   // tanh of its outputs is the mean of the actions, or they are scores of choices
   Network critic;  // the discounted return, divided by the deviation of returns
   std::vector<float> actor_parameters, critic_parameters;
-  std::vector<float> log_deviation;  // [outputs] of the actions
+  std::vector<float> log_deviation;  // [outputs] of the actions; [0] of a choice
   Adam actor_adam, critic_adam, deviation_adam;
   Statistics observations;  // [inputs]
   Statistics returns;       // [1] discounted, while they run

@@ -5,16 +5,30 @@
 
 namespace eagerx::train {
 
-Bounds::Bounds(const Description& description) {
+Head::Head(const Description& description)
+    : chooses(description.chooses()), numbers(description.action_numbers()) {
   for (const Space& action : description.actions) {
     for (const double bound : action.low) low.push_back(static_cast<float>(bound));
     for (const double bound : action.high) high.push_back(static_cast<float>(bound));
   }
+  outputs = chooses ? static_cast<std::size_t>(high.front() - low.front()) + 1 : numbers;
 }
 
-float Bounds::scaled(std::size_t j, float x) const {
+float Head::scaled(std::size_t j, float x) const {
   const float value = low[j] + (0.5F * (x + 1.0F)) * (high[j] - low[j]);
   return clamp(value, low[j], high[j]);
+}
+
+void Head::act(const Pack* answers, std::size_t lane, float* action) const {
+  if (!chooses) {
+    for (std::size_t j = 0; j < outputs; ++j) action[j] = scaled(j, answers[j].lane[lane]);
+    return;
+  }
+  std::size_t best = 0;
+  for (std::size_t j = 1; j < outputs; ++j) {
+    if (answers[j].lane[lane] > answers[best].lane[lane]) best = j;
+  }
+  *action = low.front() + static_cast<float>(best);
 }
 
 Normaliser::Normaliser(const Statistics& statistics) {
@@ -57,7 +71,7 @@ void Policy::answer(const Kernels& kernels, const float* rows, Pack* row) const 
     for (std::size_t l = 0; l < kLanes; ++l) row[i].lane[l] = rows[l * inputs + i];
   }
   network.forward(kernels, parameters.data(), row);
-  kernels.tanh(row + network.output(), network.outputs());
+  if (!head.chooses) kernels.tanh(row + network.output(), network.outputs());
 }
 
 }  // namespace eagerx::train

@@ -1,4 +1,4 @@
-// A policy as it is deployed: observations as they are, actions in their bounds.
+// A policy as it is deployed: observations as they are, actions in their bounds or chosen.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,20 @@
 
 namespace eagerx::train {
 
-/// [action numbers] bounds of the actions.
-struct Bounds {
-  explicit Bounds(const Description& description);
-  std::vector<float> low, high;
+/// How a network's outputs become actions: each a number within its bounds, or all together the
+/// choice of one whole number.
+struct Head {
+  explicit Head(const Description& description);
+  bool chooses = false;
+  std::size_t outputs = 0;       // of the network
+  std::size_t numbers = 0;       // of an action
+  std::vector<float> low, high;  // [numbers] bounds
 
   /// From -1…1 to the bounds of number `j`; beyond, the bound. As generated programs do it.
   float scaled(std::size_t j, float x) const;
+  /// The actions [numbers] of the answers [outputs] in a lane. Of a choice the largest answer, the
+  /// first of equal ones, as generated programs do it.
+  void act(const Pack* answers, std::size_t lane, float* action) const;
 };
 
 /// (x - mean) / deviation, at most eight deviations: what the networks see while they learn.
@@ -38,10 +45,10 @@ std::vector<float> folded(const Network& actor, std::vector<float> parameters,
 struct Policy {
   Network network;
   std::vector<float> parameters;  // folded
-  Bounds bounds;
+  Head head;
 
-  /// Outputs in -1…1 for sixteen observations: rows [16][inputs]. `row` [network.row()] is scratch,
-  /// and has the answers at network.output().
+  /// Outputs, in -1…1 unless they choose, for sixteen observations: rows [16][inputs]. `row`
+  /// [network.row()] is scratch, and has the answers at network.output().
   void answer(const Kernels& kernels, const float* rows, Pack* row) const;
 };
 

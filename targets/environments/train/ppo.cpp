@@ -4,6 +4,8 @@
 #include <cmath>
 #include <eagerx/math.hpp>
 
+#include "targets/environments/train/choice.hpp"
+
 namespace eagerx::train {
 namespace {
 
@@ -74,11 +76,15 @@ class Ppo::Learner {
     std::copy_n(&rollout.inputs[tile * width], width, critic);
     model.actor.forward(ppo.kernels_, model.actor_parameters.data(), actor);
     model.critic.forward(ppo.kernels_, model.critic_parameters.data(), critic);
-    Pack* means = actor + model.actor.output();
-    ppo.kernels_.tanh(means, model.actor.outputs());
+    Pack* answers = actor + model.actor.output();
     Pack* deltas = &actor_deltas_[place * model.actor.row() + model.actor.output()];
-    for (std::size_t l = 0; l < kLanes; ++l) actor_loss(ppo, rollout, tile, l, means, deltas);
-    ppo.kernels_.tanh_slope(means, deltas, model.actor.outputs());
+    if (ppo.head_.chooses) {
+      for (std::size_t l = 0; l < kLanes; ++l) choice_loss(ppo, rollout, tile, l, answers, deltas);
+    } else {
+      ppo.kernels_.tanh(answers, model.actor.outputs());
+      for (std::size_t l = 0; l < kLanes; ++l) actor_loss(ppo, rollout, tile, l, answers, deltas);
+      ppo.kernels_.tanh_slope(answers, deltas, model.actor.outputs());
+    }
     const Pack& value = critic[model.critic.output()];
     Pack& delta = critic_deltas_[place * model.critic.row() + model.critic.output()];
     for (std::size_t l = 0; l < kLanes; ++l) {
@@ -101,20 +107,42 @@ class Ppo::Learner {
       const float z = distance(j);
       log_p += -0.5F * z * z - model.log_deviation[j] - kHalfLogTwoPi;
     }
+    const float slope = clipped_slope(ppo, rollout, tile, l, log_p);
+    for (std::size_t j = 0; j < outputs; ++j) {
+      const float z = distance(j);
+      deltas[j].lane[l] = slope * z * ppo.precision_[j];
+      gradient.log_deviation[j] += slope * (z * z - 1.0F);
+    }
+  }
+
+  /// The same for a choice, by the scores. A choice that is nearly certain is not tried again: the
+  /// entropy keeps it from becoming so too soon.
+  void choice_loss(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
+                   const Pack* scores, Pack* deltas) {
+    const std::size_t outputs = ppo.head_.outputs;
+    const Choice choice(scores, outputs, l);
+    const auto chosen = static_cast<std::size_t>(rollout.actions[tile].lane[l]);
+    const float slope = clipped_slope(ppo, rollout, tile, l, choice.log_probability(chosen));
+    for (std::size_t j = 0; j < outputs; ++j) {
+      const float p = choice.probability(j);
+      const float surprise = choice.log_probability(j) + choice.entropy();
+      deltas[j].lane[l] =
+          slope * ((j == chosen ? 1.0F : 0.0F) - p) + ppo.settings_.entropy * p * surprise;
+    }
+  }
+
+  /// The derivative of the clipped loss of one sample by the logarithm of its probability.
+  float clipped_slope(const Ppo& ppo, const Rollout& rollout, std::size_t tile, std::size_t l,
+                      float log_p) {
     const float log_ratio = clamp(log_p - rollout.log_probability[tile].lane[l], -10.0F, 10.0F);
     const float ratio = exp(log_ratio);
     const float advantage =
         (rollout.advantage[tile].lane[l] - ppo.advantage_mean_) * ppo.advantage_scale_;
     const float clip = ppo.settings_.clip;
     const bool counts = advantage > 0.0F ? ratio < 1.0F + clip : ratio > 1.0F - clip;
-    const float slope = counts ? -advantage * ratio : 0.0F;  // of the loss, by log_p
-    for (std::size_t j = 0; j < outputs; ++j) {
-      const float z = distance(j);
-      deltas[j].lane[l] = slope * z * ppo.precision_[j];
-      gradient.log_deviation[j] += slope * (z * z - 1.0F);
-    }
     gradient.divergence += double{ratio} - 1.0 - log_ratio;  // Schulman 2020, never negative
     gradient.count += 1.0;
+    return counts ? -advantage * ratio : 0.0F;
   }
 
   void backward(const Kernels& kernels, const Model& model, std::size_t tiles) {
@@ -132,14 +160,13 @@ class Ppo::Learner {
 Ppo::Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
          std::uint32_t longest)
     : settings_(settings),
-      model_(settings, library.description().observation_numbers(),
-             library.description().action_numbers()),
+      head_(library.description()),
+      model_(settings, library.description().observation_numbers(), head_),
       kernels_(kernels),
       team_(team),
-      has_threads_(library.description().has_threads),
-      bounds_(library.description()) {
+      has_threads_(library.description().has_threads) {
   for (std::size_t part = 0; part < kParts; ++part) {
-    rollouts_.push_back(std::make_unique<Rollout>(settings_, library, bounds_, longest, part));
+    rollouts_.push_back(std::make_unique<Rollout>(settings_, library, head_, longest, part));
     learners_.push_back(std::make_unique<Learner>(model_));
   }
 }

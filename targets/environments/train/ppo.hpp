@@ -54,11 +54,11 @@ class Ppo {
   void update(std::size_t minibatch);
 
   const Settings settings_;
+  const Head head_;
   Model model_;
   const Kernels& kernels_;
   Team& team_;
   const bool has_threads_;
-  const Bounds bounds_;
   std::vector<std::unique_ptr<Rollout>> rollouts_;
   std::vector<std::unique_ptr<Learner>> learners_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions

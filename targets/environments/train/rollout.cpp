@@ -4,6 +4,7 @@
 #include <cmath>
 #include <eagerx/math.hpp>
 
+#include "targets/environments/train/choice.hpp"
 #include "targets/environments/train/problem.hpp"
 
 namespace eagerx::train {
@@ -17,12 +18,12 @@ float& lane(Packs& packs, std::size_t row, std::size_t environment) {
 
 }  // namespace
 
-Rollout::Rollout(const Settings& settings, const Library& library, const Bounds& bounds,
+Rollout::Rollout(const Settings& settings, const Library& library, const Head& head,
                  std::uint32_t longest, std::size_t part)
     : observation_sums(library.description().observation_numbers()),
       return_sums(1),
       advantage_sums(1),
-      bounds_(bounds),
+      head_(head),
       environments_(library.functions(), static_cast<std::uint32_t>(settings.environments / kParts),
                     static_cast<std::uint32_t>(settings.environments / kParts * part),
                     settings.seed, longest, EAGERX_SAME_STEP),
@@ -30,10 +31,10 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Bounds&
       first_(count_ * part),
       horizon_(settings.horizon),
       width_(library.description().observation_numbers()),
-      outputs_(library.description().action_numbers()),
+      numbers_(head.numbers),
       observation_(count_ * width_),
       final_observation_(count_ * width_),
-      action_(count_ * outputs_),
+      action_(count_ * numbers_),
       reward_(count_),
       terminated_(count_),
       truncated_(count_),
@@ -43,7 +44,7 @@ Rollout::Rollout(const Settings& settings, const Library& library, const Bounds&
       ended_(horizon_ * count_) {
   const std::size_t steps = horizon_ * tiles();
   inputs.resize((steps + tiles()) * width_);
-  actions.resize(steps * outputs_);
+  actions.resize(steps * numbers_);
   for (Packs* packs : {&log_probability, &advantage, &target, &rewards_}) packs->resize(steps);
   value_.resize(steps + tiles());
 }
@@ -85,27 +86,49 @@ void Rollout::act(const Frozen& frozen, std::size_t step) {
     std::copy_n(x, width_, critic_row_.data());
     model.actor.forward(frozen.kernels, model.actor_parameters.data(), actor_row_.data());
     model.critic.forward(frozen.kernels, model.critic_parameters.data(), critic_row_.data());
-    Pack* means = &actor_row_[model.actor.output()];
-    frozen.kernels.tanh(means, outputs_);
-    draw_actions(frozen, step, k, means);
+    Pack* answers = &actor_row_[model.actor.output()];
+    if (head_.chooses) {
+      draw_choices(frozen, step, k, answers);
+    } else {
+      frozen.kernels.tanh(answers, head_.outputs);
+      draw_actions(frozen, step, k, answers);
+    }
     value_[step * tiles() + k] = critic_row_[model.critic.output()];
+  }
+}
+
+/// What an environment's draws of one step come from.
+Random Rollout::noise(const Frozen& frozen, std::size_t step, std::size_t environment) const {
+  const auto time = static_cast<std::uint32_t>(frozen.iteration * horizon_ + step);
+  return {{frozen.settings.seed, static_cast<std::uint32_t>(first_ + environment), time},
+          entity_id("train/noise")};
+}
+
+void Rollout::draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile,
+                           const Pack* scores) {
+  const std::size_t row = step * tiles() + tile;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::size_t e = tile * kLanes + l;
+    const Choice choice(scores, head_.outputs, l);
+    const std::size_t drawn = choice.at(noise(frozen, step, e).uniform(0.0F, 1.0F));
+    actions[row].lane[l] = static_cast<float>(drawn);
+    action_[e] = head_.low.front() + static_cast<float>(drawn);
+    log_probability[row].lane[l] = choice.log_probability(drawn);
   }
 }
 
 void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile,
                            const Pack* means) {
-  const auto time = static_cast<std::uint32_t>(frozen.iteration * horizon_ + step);
   const std::size_t row = step * tiles() + tile;
   for (std::size_t l = 0; l < kLanes; ++l) {
     const std::size_t e = tile * kLanes + l;
-    Random random({frozen.settings.seed, static_cast<std::uint32_t>(first_ + e), time},
-                  entity_id("train/noise"));
+    Random random = noise(frozen, step, e);
     float log_p = 0.0F;
-    for (std::size_t j = 0; j < outputs_; ++j) {
+    for (std::size_t j = 0; j < numbers_; ++j) {
       const float noise = random.normal(0.0F, 1.0F);
       const float x = means[j].lane[l] + frozen.deviation[j] * noise;
-      actions[row * outputs_ + j].lane[l] = x;
-      action_[e * outputs_ + j] = bounds_.scaled(j, x);
+      actions[row * numbers_ + j].lane[l] = x;
+      action_[e * numbers_ + j] = head_.scaled(j, x);
       log_p += -0.5F * noise * noise - frozen.model.log_deviation[j] - kHalfLogTwoPi;
     }
     log_probability[row].lane[l] = log_p;

@@ -31,8 +31,8 @@ struct Episodes {
 /// [horizon][tiles], one more where it says so.
 class Rollout {
  public:
-  Rollout(const Settings& settings, const Library& library, const Bounds& bounds,
-          std::uint32_t longest, std::size_t part);
+  Rollout(const Settings& settings, const Library& library, const Head& head, std::uint32_t longest,
+          std::size_t part);
 
   /// All environments begin the first episode of `seed`.
   void reset(std::uint64_t seed);
@@ -41,9 +41,9 @@ class Rollout {
 
   std::size_t tiles() const { return count_ / kLanes; }
 
-  Packs inputs;             // [horizon + 1][tiles][inputs] normalised observations
-  Packs actions;            // [horizon][tiles][outputs] as drawn, in -1…1 or beyond
-  Packs log_probability;    // of the actions
+  Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
+  Packs actions;          // [horizon][tiles][numbers] as drawn, in -1…1 or beyond; or the choice
+  Packs log_probability;  // of the actions
   Packs advantage, target;  // target of the critic
   Sums observation_sums, return_sums;
   Sums advantage_sums;
@@ -52,6 +52,8 @@ class Rollout {
  private:
   void act(const Frozen& frozen, std::size_t step);
   void draw_actions(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* means);
+  void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
+  Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
   void step(const Frozen& frozen, std::size_t step);
   void settle(const Frozen& frozen, std::size_t step, std::size_t environment);
   void bootstrap(const Frozen& frozen, std::size_t step);
@@ -61,11 +63,11 @@ class Rollout {
     return &inputs[(step * tiles() + tile) * width_];
   }
 
-  const Bounds& bounds_;
+  const Head& head_;
   Environments environments_;
-  std::size_t count_, first_, horizon_, width_, outputs_;
+  std::size_t count_, first_, horizon_, width_, numbers_;
   std::vector<float> observation_, final_observation_;  // [count][width]
-  std::vector<float> action_;                           // [count][outputs]
+  std::vector<float> action_;                           // [count][numbers]
   std::vector<float> reward_;                           // [count]
   std::vector<std::uint8_t> terminated_, truncated_, success_;
   std::vector<double> return_;       // [count] of the episode so far

@@ -19,6 +19,7 @@ struct Settings {
   std::size_t epochs = 4;
   std::size_t minibatches = 8;
 
+  float entropy = 0.01F;          // weight of a choice's entropy; actions have a least deviation
   float clip = 0.2F;              // of the ratio of probabilities
   float divergence = 0.01F;       // Kullback-Leibler; the step size is adapted to keep it
   float first_step_size = 1e-3F;  // of Adam

@@ -41,6 +41,14 @@ std::uint32_t era_of(const Settings& settings, const Description& description) {
   return std::max(kLeast, (steps + horizon - 1) / horizon);
 }
 
+/// Each choice is an output of the network.
+void check_choices(const Space& action) {
+  constexpr double kMost = 1000.0;
+  if (action.high.front() - action.low.front() < kMost) return;
+  throw Problem(kProblems, fmt::format("the action `{}` has more than 1000 choices", action.name),
+                "give its space `low` and `high` nearer to each other, or a float dtype");
+}
+
 void check_trainable(const Description& description) {
   if (!description.has_task) {
     throw Problem(kProblems, "the graph says no reward: it has no `task:`",
@@ -53,13 +61,14 @@ void check_trainable(const Description& description) {
   }
   if (description.observations.empty()) throw Problem(kProblems, "the graph has no observations");
   if (description.actions.empty()) throw Problem(kProblems, "the graph has no actions");
+  if (description.chooses()) return check_choices(description.actions.front());
   for (const Space& action : description.actions) {
     if (!action.dtype.starts_with("float")) {
       throw Problem(kProblems,
-                    fmt::format("the action `{}` is {}: only actions of real numbers can be "
-                                "trained",
+                    fmt::format("the action `{}` is {}: only real numbers can be trained, or one "
+                                "whole number as the only action",
                                 action.name, action.dtype),
-                    "give it a float space, and turn the number into a choice with a node");
+                    "give it a float space, or let one number choose among all combinations");
     }
     for (std::size_t i = 0; i < action.size; ++i) {
       if (std::isfinite(action.low[i]) && std::isfinite(action.high[i])) continue;
@@ -93,7 +102,7 @@ Training::Training(const Options& options, const Library& library)
       longest_(checked(library).episode_steps > 0 ? 0 : kLongest),
       era_(era_of(options.settings, library.description())),
       conditions_(conditions(options.settings, library.description().hash)),
-      bounds_(library.description()),
+      head_(library.description()),
       team_(chosen_threads(options.threads)),
       ppo_(options.settings, library, kernels_, team_, longest_),
       evaluator_(library, kernels_, team_, longest_),
@@ -188,7 +197,7 @@ bool Training::evaluate(CurvePoint& point) {
 }
 
 Policy Training::policy(std::vector<float> parameters) const {
-  return {ppo_.model().actor, std::move(parameters), bounds_};
+  return {ppo_.model().actor, std::move(parameters), head_};
 }
 
 void Training::report(const Evaluation& evaluation, Ending ending) const {

@@ -40,7 +40,7 @@ class Training {
   const std::uint32_t longest_;  // steps of an episode, besides the task's limit
   const std::uint32_t era_;      // iterations between two starts of all environments
   const std::string conditions_;
-  const Bounds bounds_;
+  const Head head_;
   Team team_;
   Ppo ppo_;
   Evaluator evaluator_;

@@ -57,7 +57,7 @@ const Network& actor() {
 
 Policy policy() {
   return {actor(), folded(actor(), actor().drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
-          Bounds(description())};
+          Head(description())};
 }
 
 TEST(TrainStatistics, AreThoseOfAllRows) {
@@ -103,10 +103,10 @@ TEST(TrainPolicy, WhatDoesNotChangeIsNotScaled) {
 }
 
 TEST(TrainPolicy, ActionsStayWithinTheirBounds) {
-  const Bounds bounds(description());
-  EXPECT_EQ(bounds.scaled(0, -1.0F), -2.0F);
-  EXPECT_EQ(bounds.scaled(1, 0.0F), 5.0F);
-  EXPECT_EQ(bounds.scaled(1, 7.0F), 10.0F);
+  const Head head(description());
+  EXPECT_EQ(head.scaled(0, -1.0F), -2.0F);
+  EXPECT_EQ(head.scaled(1, 0.0F), 5.0F);
+  EXPECT_EQ(head.scaled(1, 7.0F), 10.0F);
 }
 
 TEST(TrainExport, TheReaderOfPoliciesGivesTheSameAnswers) {
