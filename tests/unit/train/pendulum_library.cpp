@@ -1,5 +1,6 @@
 // A library of environments, written by hand: the disc pendulum without friction, with the
-// interface that generated libraries have. Test double of the trainer's tests.
+// interface that generated libraries have. Test double of the trainer's tests. With
+// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V.
 #include <cstring>
 #include <eagerx/math.hpp>
 #include <eagerx/random.hpp>
@@ -13,6 +14,18 @@ namespace {
 constexpr float kPeriod = 1.0F / 30.0F;    // s
 constexpr std::uint32_t kSteps = 150;      // of an episode
 constexpr std::uint32_t kStillSteps = 60;  // upright for so long is a success
+
+#ifdef EAGERX_TEST_CHOICES
+constexpr bool kChooses = true;
+#define ACTION R"("shape": [], "dtype": "int64", "low": [3], "high": [5])"
+#else
+constexpr bool kChooses = false;
+#define ACTION R"("shape": [], "dtype": "float32", "low": [-2], "high": [2])"
+#endif
+
+float voltage_of(float action) {
+  return kChooses ? 2.0F * (action - 4.0F) : action;
+}
 
 struct Pendulum {
   std::uint64_t seed = 0;
@@ -71,8 +84,7 @@ const char* eagerx_describe(void) {
        "high": [1, 1], "first": 0},
       {"name": "speed", "shape": [], "dtype": "float32", "window": 1, "low": [null],
        "high": [null], "first": 2}],
-    "actions": [{"name": "voltage", "shape": [], "dtype": "float32", "low": [-2], "high": [2],
-                 "first": 0}],
+    "actions": [{"name": "voltage", )" ACTION R"(, "first": 0}],
     "states": [],
     "task": {"terms": ["angle", "speed", "effort"], "success": true, "episode_steps": 150}})";
 }
@@ -113,14 +125,16 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
       put<std::uint8_t>(rows->truncated, i, 0);
       continue;
     }
-    if (!(action[i] >= -2.0F && action[i] <= 2.0F)) {
+    const float voltage = voltage_of(action[i]);
+    const bool whole = !kChooses || voltage == -2.0F || voltage == 0.0F || voltage == 2.0F;
+    if (!(voltage >= -2.0F && voltage <= 2.0F && whole)) {
       failure = "an action is out of its space";
       return -1;
     }
-    one.advance(action[i]);
+    one.advance(voltage);
     const float error = one.error();
     const float slow = one.speed / (1.0F + 10.0F * eagerx::abs(error));
-    const float terms[] = {-error * error, -0.1F * slow * slow, -0.001F * action[i] * action[i]};
+    const float terms[] = {-error * error, -0.1F * slow * slow, -0.001F * voltage * voltage};
     one.upright = eagerx::abs(error) < 0.15F ? one.upright + 1 : 0;
     one.ended = one.step == kSteps;
     put(rows->reward, i, terms[0] + terms[1] + terms[2]);

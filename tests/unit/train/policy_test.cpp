@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "generator/formats/read.hpp"
 #include "generator/network/evaluate.hpp"
 #include "generator/network/golden.hpp"
+#include "targets/environments/train/choice.hpp"
 #include "targets/environments/train/export.hpp"
 
 namespace eagerx::train {
@@ -137,6 +139,89 @@ TEST(TrainExport, GoldenRowsAreAnsweredByThePolicy) {
   const std::string text = golden_rows(policy(), *kernels_here().back(), rows());
   EXPECT_TRUE(text.starts_with("obs0,obs1,obs2,network_out0,network_out1,action0,action1\n"));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 17);
+}
+
+/// Three choices that begin with 3.
+Description choosing() {
+  Description result = description();
+  result.actions = {{"gear", "int64", 1, {3}, {5}}};
+  return result;
+}
+Policy choosing_policy() {
+  const Network network(3, {24, 16}, 3);
+  return {network, folded(network, network.drawn(Random({5, 0, 0}, 1), 1.0F), seen()),
+          Head(choosing())};
+}
+
+TEST(TrainChoice, ProbabilitiesAreThoseOfTheScores) {
+  Pack scores[3] = {};
+  scores[0].lane[7] = 100.0F;  // only differences count, however large the scores are
+  scores[1].lane[7] = 100.0F + std::log(2.0F);
+  scores[2].lane[7] = 100.0F + std::log(5.0F);
+  const Choice choice(scores, 3, 7);
+  const float expected[] = {0.125F, 0.25F, 0.625F};
+  float entropy = 0.0F;
+  for (std::size_t j = 0; j < 3; ++j) {
+    EXPECT_NEAR(choice.probability(j), expected[j], 1e-5F);
+    EXPECT_NEAR(choice.log_probability(j), std::log(expected[j]), 2e-5F);
+    entropy -= expected[j] * std::log(expected[j]);
+  }
+  EXPECT_NEAR(choice.entropy(), entropy, 1e-4F);
+  EXPECT_EQ(choice.at(0.0F), 0U);
+  EXPECT_EQ(choice.at(0.12F), 0U);
+  EXPECT_EQ(choice.at(0.13F), 1U);
+  EXPECT_EQ(choice.at(0.38F), 2U);
+  EXPECT_EQ(choice.at(1.0F), 2U);
+}
+
+TEST(TrainChoice, TheLargestAnswerIsTakenAndTheFirstOfEqualOnes) {
+  const Head head(choosing());
+  EXPECT_TRUE(head.chooses);
+  EXPECT_EQ(head.outputs, 3U);
+  Pack answers[3] = {};
+  float action = 0.0F;
+  head.act(answers, 2, &action);
+  EXPECT_EQ(action, 3.0F);
+  answers[1].lane[2] = answers[2].lane[2] = 0.5F;
+  head.act(answers, 2, &action);
+  EXPECT_EQ(action, 4.0F);
+}
+
+TEST(TrainExport, TheReaderOfPoliciesMakesTheSameChoice) {
+  const Policy ours = choosing_policy();
+  gen::Diagnostics diagnostics;
+  const auto theirs =
+      gen::read_policy_bytes(safetensors_of(ours, choosing(), 1), "p.safetensors", {}, diagnostics);
+  ASSERT_TRUE(theirs) << (diagnostics.all().empty() ? "" : diagnostics.all().front().message);
+  EXPECT_EQ(theirs->action_kind(), gen::ActionKind::argmax);
+  EXPECT_EQ(theirs->contract.first_choice, 3);
+  Packs row(ours.network.row());
+  ours.answer(*kernels_here().back(), rows().data(), row.data());
+  std::set<float> chosen;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const std::vector<float> all = rows();
+    const auto answer = gen::evaluate(*theirs, {&all[l * 3], &all[l * 3] + 3});
+    for (std::size_t j = 0; j < 3; ++j)
+      EXPECT_NEAR(answer[j], row[ours.network.output() + j].lane[l], 1e-5);
+    float action = 0.0F;
+    ours.head.act(&row[ours.network.output()], l, &action);
+    EXPECT_EQ(gen::action_of(*theirs, {answer.begin(), answer.end()})->front(), action);
+    chosen.insert(action);
+  }
+  EXPECT_GT(chosen.size(), 1U);
+  const std::string golden = golden_rows(ours, *kernels_here().back(), rows());
+  EXPECT_TRUE(
+      golden.starts_with("obs0,obs1,obs2,network_out0,network_out1,network_out2,action0\n"));
+}
+
+TEST(TrainExport, AFirstChoiceThatIsNoWholeNumberIsRefused) {
+  std::string bytes = safetensors_of(choosing_policy(), choosing(), 1);
+  const std::string note = R"("first_choice":"3")";
+  bytes.replace(bytes.find(note), note.size(), R"("first_choice":"x")");
+  gen::Diagnostics diagnostics;
+  EXPECT_FALSE(gen::read_policy_bytes(bytes, "p.safetensors", {}, diagnostics));
+  ASSERT_FALSE(diagnostics.all().empty());
+  EXPECT_EQ(diagnostics.all().front().code, std::string("E0626"));
 }
 
 TEST(TrainExport, GoldenRowsLieBesideThePolicy) {

@@ -20,6 +20,12 @@ const Library& pendulum() {
   return library;
 }
 
+/// The same pendulum with three voltages to choose from.
+const Library& choices() {
+  static const Library library(EAGERX_TEST_CHOICES);
+  return library;
+}
+
 class TrainTraining : public testing::Test {
  protected:
   void SetUp() override { fs::create_directories(folder_); }
@@ -38,9 +44,9 @@ class TrainTraining : public testing::Test {
   }
 
   /// The bytes of the policy.
-  std::string trained(const Options& options) const {
+  std::string trained(const Options& options, const Library& library = pendulum()) const {
     const int never = 0;
-    Training(options, pendulum()).run(never);
+    Training(options, library).run(never);
     return read_file(options.output);
   }
 
@@ -96,6 +102,21 @@ TEST_F(TrainTraining, LearnsToSwingUp) {
   EXPECT_TRUE(read_file(all.csv).starts_with("steps,return,success,"));
   EXPECT_TRUE(read_file(all.curve).starts_with("<svg "));
   EXPECT_TRUE(fs::exists(path("policy.golden.csv")));
+}
+
+TEST_F(TrainTraining, LearnsToChoose) {
+  Options all = options(200);
+  all.threads = 2;
+  const int never = 0;
+  EXPECT_EQ(Training(all, choices()).run(never), kDone);
+}
+
+TEST_F(TrainTraining, AnyThreadsAndInstructionsLearnToChooseTheSameBits) {
+  Options one = options(4);
+  const std::string policy = trained(one, choices());
+  one.threads = 3;
+  one.kernels = "plain";
+  EXPECT_EQ(trained(one, choices()), policy);
 }
 
 TEST_F(TrainTraining, WithoutSuccessTheExitCodeSaysSo) {
