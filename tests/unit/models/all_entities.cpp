@@ -57,6 +57,10 @@
 #include <models/nodes/transport_delay/transport_delay.hpp>
 #include <models/nodes/unit_delay/unit_delay.hpp>
 #include <models/nodes/windowed_butterworth/windowed_butterworth.hpp>
+#include <models/objects/gym_acrobot/gym_acrobot.hpp>
+#include <models/objects/gym_cart_pole/gym_cart_pole.hpp>
+#include <models/objects/gym_mountain_car/gym_mountain_car.hpp>
+#include <models/objects/gym_mountain_car_continuous/gym_mountain_car_continuous.hpp>
 #include <models/objects/test_pendulum/test_pendulum_ode.hpp>
 #include <models/processors/angle_decomposition/angle_decomposition.hpp>
 #include <models/processors/clip/clip.hpp>
@@ -154,6 +158,14 @@ using testing::GymPendulumSimulator;
 template struct GymPendulum<testing::PendulumModelIo<float>>;
 template struct GymPendulum<testing::PendulumModelIo<double>>;
 template class GymSimulator<GymPendulum<testing::PendulumModelIo<float>>>;
+template class GymSimulator<GymCartPole<testing::PendulumModelIo<float>>>;
+template class GymSimulator<GymCartPole<testing::PendulumModelIo<double>>>;
+template class GymSimulator<GymMountainCar<testing::PendulumModelIo<float>>>;
+template class GymSimulator<GymMountainCar<testing::PendulumModelIo<double>>>;
+template class GymSimulator<GymMountainCarContinuous<testing::PendulumModelIo<float>>>;
+template class GymSimulator<GymMountainCarContinuous<testing::PendulumModelIo<double>>>;
+template class GymSimulator<GymAcrobot<testing::PendulumModelIo<float>>>;
+template class GymSimulator<GymAcrobot<testing::PendulumModelIo<double>>>;
 template class GymSimulator<GymPendulum<testing::PendulumModelIo<double>>>;
 template class GymEngine<testing::EngineIo<float>>;
 template class ObservationSensor<testing::ObservationSensorIo<GymPendulumSimulator<float>>>;
