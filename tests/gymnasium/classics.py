@@ -1,5 +1,6 @@
 """Our classic environments against Gymnasium's own, step by step."""
 import pathlib
+import re
 import tempfile
 
 import gymnasium
@@ -37,7 +38,8 @@ def load(name, real="float"):
         return eagerx_gen.load(graph)
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder) / f"{real}_{graph.name}"
-        copy.write_text(graph.read_text().replace("\nrate:", f"\nreal: {real}\nrate:", 1))
+        text = graph.read_text().replace("\nrate:", f"\nreal: {real}\nrate:", 1)
+        copy.write_text(re.sub(r"(?m)^agent:.*$", "agent: random", text))
         return eagerx_gen.load(copy)
 
 
