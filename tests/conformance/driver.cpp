@@ -37,6 +37,14 @@ const char* Line::text() const {
   return count_ > 1 ? words_[1] : "";
 }
 
+bool Line::drop_node() {
+  char* first = count_ > 1 ? std::strchr(words_[1], '/') : nullptr;
+  const char* second = first != nullptr ? std::strchr(first + 1, '/') : nullptr;
+  if (second == nullptr) return false;
+  std::memmove(first, second, std::strlen(second) + 1);
+  return true;
+}
+
 void refuse(const char* what, const char* name) {
   std::fprintf(stderr, "the program has no %s `%s`\n", what, name);
   std::exit(2);

@@ -28,11 +28,13 @@ class Line {
   std::size_t values() const;
   const char* value(std::size_t i) const;
   const char* text() const;
+  /// `object/node/state`, as EAGERx calls the state of an engine node, becomes `object/state`.
+  bool drop_node();
 
  private:
   static constexpr std::size_t kMost = 1U << 16U;
   char text_[kMost]{};
-  const char* words_[kMost / 2]{};
+  char* words_[kMost / 2]{};
   std::size_t count_ = 0;
 };
 
@@ -163,7 +165,7 @@ void print_observation(const Observation& observation) {
 }
 
 template <class States>
-void set_state(States& states, const Line& line) {
+void set_state(States& states, Line& line) {
   bool found = false;
   states.for_each([&](const char* name, auto& state) {
     if (!line.names(name)) return;
@@ -171,6 +173,7 @@ void set_state(States& states, const Line& line) {
     state.emplace();
     assign(*state, line);
   });
+  if (!found && line.drop_node()) return set_state(states, line);
   if (!found) refuse("state", line.text());
 }
 
