@@ -124,6 +124,7 @@ class ConnectionTranslator {
     if (port == nullptr) return;
     settings.processor =
         t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
+    if (settings.processor) warn_of_lost_processor(link, *port);
     take_processor_of_action(link.from, settings);
     if (end.section == "targets") return;
     const ConnectionSettings defaults = defaults_of(link);
@@ -142,6 +143,20 @@ class ConnectionTranslator {
         settings.skip = Spanned<bool>{*value, skip->span};
       }
     }
+  }
+
+  /// EAGERx takes the processor of an input that a sensor is connected to from what the node had
+  /// when it was added.
+  void warn_of_lost_processor(const SavedLink& link, const SavedPort& port) {
+    if (link.from.section != "sensors" || t_.saved.flattened() || link.to.section != "inputs")
+      return;
+    const std::string input = fmt::format("{}.{}", link.to.entity, link.to.port);
+    if (t_.saved.processors_when_added.contains(input)) return;
+    t_.diagnostics
+        .warning("E0806", port.find("processor")->span,
+                 fmt::format("EAGERx loses the processor of `{}` when it runs this graph", input))
+        .help =
+        "it was set after the node was added, and a sensor is connected; here the processor acts";
   }
 
   /// What EAGERx does to an action before it is sent, each connection of ours does on its own.

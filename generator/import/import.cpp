@@ -50,6 +50,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   translate_names(t);
   translate_entities(t);
   if (whole && !counterparts.any_missing()) choose_engine(t);
+  if (whole && !saved->flattened()) add_states_of_engine_nodes(t);
   if (whole) translate_connections(t);
   counterparts.report_missing();  // all of them at once
   if (failed()) return std::nullopt;

@@ -99,11 +99,25 @@ class SavedReader {
     }
   }
 
-  /// Only objects: of everything else the nodes themselves say more.
+  /// Objects; of everything else the nodes themselves say more.
   void read_backup(const YamlValue& backup) {
     for (const auto& entry : backup.entries) {
-      if (!entry.value.is_map() || entry.value.find("entity_type") == nullptr) continue;
+      if (!entry.value.is_map()) continue;
+      if (entry.value.find("entity_type") == nullptr) {
+        note_processors(entry);
+        continue;
+      }
       if (auto entity = read_entity(entry)) saved_.backup.push_back(std::move(*entity));
+    }
+  }
+
+  void note_processors(const YamlValue::Entry& node) {
+    const YamlValue* inputs = node.value.find("inputs");
+    if (inputs == nullptr || !inputs->is_map()) return;
+    for (const auto& input : inputs->entries) {
+      const YamlValue* processor = input.value.is_map() ? input.value.find("processor") : nullptr;
+      if (processor != nullptr && !processor->is_null())
+        saved_.processors_when_added.insert(fmt::format("{}.{}", node.key, input.key));
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,7 +60,9 @@ struct SavedGraph {
   FileId file = FileId::none;
   std::vector<SavedEntity> entities;
   std::vector<SavedLink> links;
-  std::vector<SavedEntity> backup;      // the objects as they were added
+  std::vector<SavedEntity> backup;  // the objects as they were added
+  /// "node.input" of nodes that were added with a processor.
+  std::set<std::string> processors_when_added;
   std::vector<SavedObject> objects;     // flattened files
   std::optional<std::string> env_name;  // flattened files
   std::optional<Spanned<std::string>> engine_id;

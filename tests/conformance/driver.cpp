@@ -37,12 +37,17 @@ const char* Line::text() const {
   return count_ > 1 ? words_[1] : "";
 }
 
-bool Line::drop_node() {
-  char* first = count_ > 1 ? std::strchr(words_[1], '/') : nullptr;
-  const char* second = first != nullptr ? std::strchr(first + 1, '/') : nullptr;
-  if (second == nullptr) return false;
-  std::memmove(first, second, std::strlen(second) + 1);
-  return true;
+bool Line::names_state_of_node(const char* field) const {
+  const char* object = std::strchr(text(), '/');
+  const char* state = std::strrchr(text(), '/');
+  if (object == state) return false;
+  const std::size_t object_size = static_cast<std::size_t>(object - text());
+  const std::size_t state_size = std::strlen(state);
+  const std::size_t size = std::strlen(field);
+  if (size <= object_size + state_size) return false;
+  const char* ending = field + size - state_size;
+  return std::strncmp(field, text(), object_size) == 0 && field[object_size] == '_' &&
+         *ending == '_' && std::strcmp(ending + 1, state + 1) == 0;
 }
 
 void refuse(const char* what, const char* name) {

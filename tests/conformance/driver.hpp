@@ -28,13 +28,13 @@ class Line {
   std::size_t values() const;
   const char* value(std::size_t i) const;
   const char* text() const;
-  /// `object/node/state`, as EAGERx calls the state of an engine node, becomes `object/state`.
-  bool drop_node();
+  /// Whether both are `object/node/state` with the same object and state.
+  bool names_state_of_node(const char* field) const;
 
  private:
   static constexpr std::size_t kMost = 1U << 16U;
   char text_[kMost]{};
-  char* words_[kMost / 2]{};
+  const char* words_[kMost / 2]{};
   std::size_t count_ = 0;
 };
 
@@ -165,7 +165,7 @@ void print_observation(const Observation& observation) {
 }
 
 template <class States>
-void set_state(States& states, Line& line) {
+void set_state(States& states, const Line& line) {
   bool found = false;
   states.for_each([&](const char* name, auto& state) {
     if (!line.names(name)) return;
@@ -173,8 +173,14 @@ void set_state(States& states, Line& line) {
     state.emplace();
     assign(*state, line);
   });
-  if (!found && line.drop_node()) return set_state(states, line);
-  if (!found) refuse("state", line.text());
+  int same = 0;  // states of engine nodes, which may have other names than in EAGERx
+  states.for_each([&](const char* name, auto& state) {
+    if (found || !line.names_state_of_node(name)) return;
+    ++same;
+    state.emplace();
+    assign(*state, line);
+  });
+  if (!found && same != 1) refuse("state", line.text());
 }
 
 template <class Graph>
