@@ -29,6 +29,7 @@ class Totals:
         self.deviating = 0  # inputs at which EAGERx's doubles count otherwise
         self.distrusted = 0  # values behind such inputs and behind processors that EAGERx loses
         self.foreign = 0  # states of objects that only the engine knows
+        self.hidden = 0  # states and inputs of objects that our simulators or EAGERx's do not show
         self.late_routines = 0  # routines of reset nodes that begin later in EAGERx
         self.largest = 0.0  # deviation
         self.where = ""
@@ -274,8 +275,13 @@ class Comparison:
             if not self.trust.object(thing, record["t_n"]):
                 self.totals.distrusted += 1
                 continue
-            got = self.episode.simulators.get((thing, tick), {})
+            got = self.episode.simulators.get((thing, tick))
+            if got is None:
+                self.fail("engine", tick, f"object `{thing}`", expected, "nothing")
             for part, value in expected.items():
+                if not got.get(part) or None in (flat(value) or [None]):
+                    self.totals.hidden += 1
+                    continue
                 self.values("engine", tick, f"{part} of `{thing}`", value, got.get(part, []))
             self.totals.simulators += 1
 

@@ -133,7 +133,7 @@ class Recording:
         open_states = {state.split("/")[0] for state in self.all_states() if state.count("/") == 1 and state not in asked}
         chosen = {address.split("/")[0] for address in asked} - open_states
         return {thing: flat(sim["state"]) for thing, sim in self.ticks["engine"][episode][0].get("sim", {}).items()
-                if thing in self.objects() and "state" in sim and (self.has_reset_nodes or thing not in chosen)}
+                if thing in self.objects() and None not in (flat(sim.get("state")) or [None]) and (self.has_reset_nodes or thing not in chosen)}
 
     def script(self):
         """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode; programs do that
