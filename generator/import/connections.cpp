@@ -261,8 +261,24 @@ void translate_connections(Translation& t) {
   ConnectionTranslator(t).run();
 }
 
+namespace {
+
+/// A graph without observations or actions is a recording or a controller, which EAGERx has no use
+/// for.
+void warn_of_nothing(Translation& t, const SavedEntity& environment, const char* section,
+                     const char* what, const char* why) {
+  if (!environment.selected.at(section).empty()) return;
+  t.diagnostics
+      .warning("E0806", environment.name.span, fmt::format("the environment has no {}", what))
+      .help = fmt::format("EAGERx refuses this graph; here it runs, as {}", why);
+}
+
+}  // namespace
+
 void translate_environment(Translation& t) {
   const SavedEntity& environment = *t.saved.find("environment");
+  warn_of_nothing(t, environment, "inputs", "observations", "nobody has to look at it");
+  warn_of_nothing(t, environment, "outputs", "actions", "its nodes may act alone");
   for (const auto& name : environment.selected.at("outputs")) add_action(t, environment, name);
   for (const auto& name : environment.selected.at("inputs")) add_observation(t, environment, name);
 }
