@@ -36,6 +36,7 @@ struct Options {
   std::string entity;                               // info, new
   std::string kind;                                 // new
   std::string code;                                 // explain
+  bool missing = false;                             // import
   bool engine_graph = false;                        // graph
   std::string policy, golden;                       // policy
   std::string normalize, activation;                // policy

@@ -38,6 +38,7 @@ class ConnectionTranslator {
 
   /// The name of an object or node with a port of it.
   std::optional<std::string> port_of(const SavedEnd& end, const char* section) {
+    if (t_.saved.unplaced.contains(end.entity) || end.entity == "engine") return std::nullopt;
     const auto name = t_.names.find(end.entity);
     if (name == t_.names.end()) return fail(end, "there is no such node in this file");
     if (is_identifier(end.port)) return fmt::format("{}.{}{}", name->second, section, end.port);

@@ -43,20 +43,23 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
   remove_pictures(*saved, counterparts, diagnostics);
+  require_all(*saved, counterparts);
   const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
   Translation t{*saved, counterparts, options, diagnostics, {}, {}, {}, {}, {}};
   t.result.spec.file = root.span.file;
   t.result.spec.path = path;
   translate_names(t);
   translate_entities(t);
-  if (whole && !counterparts.any_missing()) choose_engine(t);
-  if (whole && !saved->flattened()) add_states_of_engine_nodes(t);
-  if (whole) translate_connections(t);
-  counterparts.report_missing();  // all of them at once
-  if (failed()) return std::nullopt;
+  // With something missing the rest goes on, for its own problems.
+  if (whole && !counterparts.any_missing()) {
+    choose_engine(t);
+    if (!saved->flattened()) add_states_of_engine_nodes(t);
+  }
+  translate_connections(t);
   choose_rate(t);
   translate_environment(t);
   check_names(t.result.spec, diagnostics);
+  counterparts.report_missing();  // all of them at once
   if (failed()) return std::nullopt;
   return std::move(t.result);
 }

@@ -34,6 +34,26 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics);
 
+/// An entity that a file needs and nobody has written in C++, with its interface as a manifest.
+struct MissingEntity {
+  struct Port {
+    std::string name, space;
+    bool optional = false;
+  };
+  std::string id;                  // module/Class
+  std::string kind;                // of manifests: "node", "reset_node", "engine_state", …
+  std::string type;                // its name here
+  std::vector<std::string> users;  // "the node `smooth`"
+  std::string manifest;            // but for `header:` and `class:`, which a folder knows
+  std::vector<Port> inputs, outputs, states, targets;
+};
+
+/// All of them; nullopt after E0802.
+std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root,
+                                                           const Library& library,
+                                                           const ImportOptions& options,
+                                                           Diagnostics& diagnostics);
+
 /// The graph as a person would write it: reading it back gives the same graph.
 std::string write_graph(const ImportedGraph& graph);
 

@@ -203,8 +203,10 @@ class SavedReader {
       SavedObject object;
       object.name = {entry.key, entry.key_span};
       object.parameters = plain_values(member(entry.value, "add_object"));
-      for (const auto& state : member(entry.value, "engine_states").entries)
+      for (const auto& state : member(entry.value, "engine_states").entries) {
         object.states.push_back({state.key, state.key_span});
+        object.engine_states.push_back({{state.key, state.key_span}, plain_values(state.value)});
+      }
       object.nodes = texts(entry.value.find("nodes"));
       saved_.objects.push_back(std::move(object));
     }
@@ -273,6 +275,13 @@ const YamlValue* SavedEntity::parameter(std::string_view key) const {
 
 const SavedEntity* SavedGraph::find(std::string_view name) const {
   return find_named(entities, name);
+}
+
+const SavedObject* SavedGraph::owner_of(std::string_view node) const {
+  for (const auto& object : objects) {
+    if (node.starts_with(object.name.value + "/")) return &object;
+  }
+  return nullptr;
 }
 
 bool SavedGraph::flattened() const {

@@ -53,6 +53,7 @@ struct SavedObject {
   Spanned<std::string> name;
   YamlValue parameters;  // of the engine for this object
   std::vector<Spanned<std::string>> states;
+  std::vector<SavedPort> engine_states;  // with `state: {state_type, …}`
   std::vector<Spanned<std::string>> nodes;
 };
 
@@ -67,7 +68,12 @@ struct SavedGraph {
   std::optional<std::string> env_name;  // flattened files
   std::optional<Spanned<std::string>> engine_id;
 
+  /// Objects that could not be put back, and their engine nodes.
+  std::set<std::string> unplaced;
+
   [[nodiscard]] const SavedEntity* find(std::string_view name) const;
+  /// The object that an engine node of a flattened file belongs to, or nullptr.
+  [[nodiscard]] const SavedObject* owner_of(std::string_view node) const;
   [[nodiscard]] bool flattened() const;  // written by BaseEnv.save
 };
 
