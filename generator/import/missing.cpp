@@ -126,11 +126,23 @@ class ManifestWriter {
       const bool optional = (section == "inputs" || section == "outputs") &&
                             !saved_.is_selected(section, port.name.value) &&
                             made_.kind != "engine_node";
-      const auto space = saved_space(port);
+      const auto space = with_shape(saved_space(port));
       const std::string text = space ? space_text(*space) : "";
       line(fmt::format("  {}: {}", port.name.value, port_text(section, port, text, optional)));
       if (into != nullptr) into->push_back({port.name.value, text, optional});
     }
+  }
+
+  /// Bounds tell the length where EAGERx saved no shape.
+  static std::optional<SpaceSpec> with_shape(std::optional<SpaceSpec> space) {
+    if (!space || space->shape) return space;
+    for (const auto& bound : {space->low, space->high}) {
+      if (!bound || !bound->is_sequence()) continue;
+      const std::string length = fmt::format("{}", bound->items.size());
+      space->shape = made_list({made_scalar(length, bound->span)}, bound->span);
+      return space;
+    }
+    return space;
   }
 
   static std::string port_text(const std::string& section, const SavedPort& port,
