@@ -1,4 +1,5 @@
 """How many messages EAGERx hands over, in its doubles and exactly (runtime/SEMANTICS.md §3 and §9)."""
+import functools
 import math
 from collections import deque
 from fractions import Fraction
@@ -10,6 +11,7 @@ def meant(number):
     return fraction if float(fraction) == number else Fraction(repr(number))
 
 
+@functools.lru_cache(maxsize=None)
 def divides(rate, other):
     return (meant(other) / meant(rate)).denominator == 1
 

@@ -34,6 +34,7 @@ class Recording:
         self.has_reset_nodes = any(node.get("targets") for node in self.nodes.values())
         self.exact = content.get("values_exact", True)
         self.rate = content["env_rate"]
+        self.pictures = {}  # node → whether it sends pictures
 
     @staticmethod
     def load(path):
@@ -56,7 +57,10 @@ class Recording:
 
     def is_picture(self, name):
         """Nodes that send pictures: recorded as checksums, and our objects have none."""
-        return any(flat(value) is None for ticks in self.ticks[name] for tick in ticks for value in (tick["out"] or {}).values())
+        if name not in self.pictures:
+            self.pictures[name] = any(flat(value) is None for ticks in self.ticks[name] for tick in ticks
+                                      for value in (tick["out"] or {}).values())
+        return self.pictures[name]
 
     def end(self, episode):
         """Time of the environment's last tick."""
