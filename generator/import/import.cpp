@@ -55,8 +55,10 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
     choose_engine(t);
     if (!saved->flattened()) add_states_of_engine_nodes(t);
   }
+  const std::size_t errors_without_connections = diagnostics.error_count();
   translate_connections(t);
-  choose_rate(t);
+  // The rate follows from what is connected.
+  if (whole && diagnostics.error_count() == errors_without_connections) choose_rate(t);
   translate_environment(t);
   check_names(t.result.spec, diagnostics);
   counterparts.report_missing();  // all of them at once
