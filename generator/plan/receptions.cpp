@@ -20,10 +20,11 @@ std::int64_t nanoseconds(const Rational& seconds) {
   return (seconds * Rational(kNsPerSecond)).ceil();
 }
 
-/// The longest delay in s. One that changes may come from a float32 state: 0.1 is then
-/// 0.10000000149.
+/// The longest delay in s. One that an entity sets may come from a float32 state: 0.1 is then
+/// 0.10000000149. A skipped input has no room for that: it would have no message at tick 1.
 Rational longest_of(const Input& input) {
   if (!input.max_delay_s) return input.delay_s;
+  if (!input.entity_sets_delay || input.skip) return *input.max_delay_s;
   const auto single = static_cast<double>(static_cast<float>(input.max_delay_s->to_double()));
   constexpr double kLargest_s = 9e9;  // in nanoseconds, 63 bits
   if (!(single < kLargest_s)) return *input.max_delay_s;
