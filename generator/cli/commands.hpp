@@ -36,6 +36,7 @@ struct Options {
   std::string entity;                               // info, new
   std::string kind;                                 // new
   std::string code;                                 // explain
+  bool missing = false;                             // import
   bool engine_graph = false;                        // graph
   std::vector<std::string> logs, images;            // report
   std::size_t points = 0;                           // report; 0: as many as fit

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "generator/cli/missing.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 
@@ -43,6 +44,7 @@ int import_command(const Options& options) {
         .help = "such a file has `nodes:`, `connects:` and `gui_state:`";
     return finish(run, options);
   }
+  if (options.missing) return missing_command(run, tree, options);
   auto imported = import_file(run, tree, options);
   if (!imported) return finish(run, options);
   imported->spec.library = library_of(options);

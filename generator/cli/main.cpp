@@ -353,11 +353,15 @@ Command import(Options& options) {
           .about = "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph",
           .examples =
               {{"rewrite it, on an engine of your choice",
-                "eagerx-gen import state.yaml -o graph.yaml --engine OdeEngine --engine-rate 60"}},
+                "eagerx-gen import state.yaml -o graph.yaml --engine OdeEngine --engine-rate 60"},
+               {"a folder to fill in for each class that has no counterpart in C++",
+                "eagerx-gen import state.yaml --missing -o models"}},
           .arguments = joined(
               {{required(text("state", options.graph, "the file that EAGERx saved", "STATE.yaml")),
-                text("-o,--output", options.output, "the graph to write (default: print it)",
-                     "GRAPH.yaml"),
+                text("-o,--output", options.output,
+                     "the graph to write (default: print it); with --missing the folder", "FILE"),
+                flag("--missing", options.missing,
+                     "list the classes without counterpart; with -o make a folder for each"),
                 text("--engine", options.engine, "engine to use if the file has none", "NAME")},
                rates(options),
                {library(options)},

@@ -312,6 +312,7 @@ class GraphView {
       words += action.space.size() * 2;
     }
     constexpr std::uint64_t kWordsInBlock = 4;
+    view_.set("has_random_action", !samples.empty());
     view_.set("random_action", braced(samples));
     // Twice what is needed, since drawing an integer may take several words.
     view_.set("draws_a_step",

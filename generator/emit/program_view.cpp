@@ -71,9 +71,11 @@ class ProgramView {
     view_.set("is_host", names_.is_split() && !names_.is_board());
     view_.set("link_parameter", names_.is_split() ? ", class Link = eagerx::link::NoLink" : "");
     // What the other program decides is given back.
-    view_.set("step_parameter", decides             ? "const Action& action"
-                                : names_.is_board() ? "const Action& /*action*/"
-                                                    : "Action& action");
+    const bool nothing = decides && graph_.environment().outputs.empty();
+    const bool unnamed = nothing || (!decides && names_.is_board());
+    view_.set("step_parameter", unnamed   ? "const Action& /*action*/"
+                                : decides ? "const Action& action"
+                                          : "Action& action");
     view_.set("guards", decides && !graph_.environment().outputs.empty());
     // Without an engine, actions are what a main loop measures: no answer to what it is given.
     view_.set("answers", decides && graph_.has_engine() && !graph_.environment().outputs.empty());

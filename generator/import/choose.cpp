@@ -213,6 +213,7 @@ void choose_rate(Translation& t) {
   }
   rate = {*fastest, whole};
   t.result.remarks["rate"] = reason;
+  if (t.diagnostics.has_errors() || t.counterparts.any_missing()) return;
   t.diagnostics
       .note(whole, fmt::format("the file has no rate for the environment: {} Hz is taken, {}",
                                fastest->to_string(), t.result.remarks["rate"]))

@@ -38,6 +38,7 @@ class ConnectionTranslator {
 
   /// The name of an object or node with a port of it.
   std::optional<std::string> port_of(const SavedEnd& end, const char* section) {
+    if (t_.saved.unplaced.contains(end.entity) || end.entity == "engine") return std::nullopt;
     const auto name = t_.names.find(end.entity);
     if (name == t_.names.end()) return fail(end, "there is no such node in this file");
     if (is_identifier(end.port)) return fmt::format("{}.{}{}", name->second, section, end.port);
@@ -124,6 +125,7 @@ class ConnectionTranslator {
     if (port == nullptr) return;
     settings.processor =
         t_.counterparts.processor(*port, fmt::format("`{}.{}`", end.entity, end.port));
+    if (settings.processor) warn_of_lost_processor(link, *port);
     take_processor_of_action(link.from, settings);
     if (end.section == "targets") return;
     const ConnectionSettings defaults = defaults_of(link);
@@ -142,6 +144,20 @@ class ConnectionTranslator {
         settings.skip = Spanned<bool>{*value, skip->span};
       }
     }
+  }
+
+  /// EAGERx takes the processor of an input that a sensor is connected to from what the node had
+  /// when it was added.
+  void warn_of_lost_processor(const SavedLink& link, const SavedPort& port) {
+    if (link.from.section != "sensors" || t_.saved.flattened() || link.to.section != "inputs")
+      return;
+    const std::string input = fmt::format("{}.{}", link.to.entity, link.to.port);
+    if (t_.saved.processors_when_added.contains(input)) return;
+    t_.diagnostics
+        .warning("E0806", port.find("processor")->span,
+                 fmt::format("EAGERx loses the processor of `{}` when it runs this graph", input))
+        .help =
+        "it was set after the node was added, and a sensor is connected; here the processor acts";
   }
 
   /// What EAGERx does to an action before it is sent, each connection of ours does on its own.
@@ -246,8 +262,24 @@ void translate_connections(Translation& t) {
   ConnectionTranslator(t).run();
 }
 
+namespace {
+
+/// A graph without observations or actions is a recording or a controller, which EAGERx has no use
+/// for.
+void warn_of_nothing(Translation& t, const SavedEntity& environment, const char* section,
+                     const char* what, const char* why) {
+  if (!environment.selected.at(section).empty()) return;
+  t.diagnostics
+      .warning("E0806", environment.name.span, fmt::format("the environment has no {}", what))
+      .help = fmt::format("EAGERx refuses this graph; here it runs, as {}", why);
+}
+
+}  // namespace
+
 void translate_environment(Translation& t) {
   const SavedEntity& environment = *t.saved.find("environment");
+  warn_of_nothing(t, environment, "inputs", "observations", "nobody has to look at it");
+  warn_of_nothing(t, environment, "outputs", "actions", "its nodes may act alone");
   for (const auto& name : environment.selected.at("outputs")) add_action(t, environment, name);
   for (const auto& name : environment.selected.at("inputs")) add_observation(t, environment, name);
 }

@@ -85,6 +85,10 @@ bool is_kind(const Entity& entity, Use use) {
       return entity.kind == EntityKind::object;
     case Use::processor:
       return entity.kind == EntityKind::processor;
+    case Use::engine_node:
+      return entity.kind == EntityKind::engine_node;
+    case Use::engine_state:
+      return entity.kind == EntityKind::engine_state;
     case Use::node:
       break;
   }
@@ -93,20 +97,6 @@ bool is_kind(const Entity& entity, Use use) {
                                          EntityKind::processor, EntityKind::engine_node,
                                          EntityKind::engine_state};
   return std::ranges::find(kOthers, entity.kind) == kOthers.end();
-}
-
-const char* to_string(Use use) {
-  switch (use) {
-    case Use::engine:
-      return "engine";
-    case Use::object:
-      return "object";
-    case Use::processor:
-      return "processor";
-    case Use::node:
-      break;
-  }
-  return "node";
 }
 
 bool holds(const std::vector<Setting>& when, const YamlValue& config) {
@@ -135,6 +125,16 @@ std::pair<const Entity*, std::string> namesake(const Library& library, const std
 
 }  // namespace
 
+const char* to_string(Use use) {
+  static constexpr std::array kNames = {"engine",    "node",        "object",
+                                        "processor", "engine node", "engine state"};
+  return kNames.at(static_cast<std::size_t>(use));
+}
+
+bool is_common_parameter(std::string_view name) {
+  return std::ranges::find(kAlways, name) != kAlways.end();
+}
+
 bool same_value(const YamlValue& a, const YamlValue& b) {
   if (a.is_sequence() && a.items.size() == 1 && b.is_scalar()) return same_value(a.items[0], b);
   if (b.is_sequence() && b.items.size() == 1 && a.is_scalar()) return same_value(a, b.items[0]);
@@ -154,41 +154,59 @@ bool same_value(const YamlValue& a, const YamlValue& b) {
   return left && right ? *left == *right : a.text == b.text;
 }
 
-const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue& config, Use use,
-                                 const std::string& user) {
-  const Entity* best = nullptr;
+Counterparts::Choice Counterparts::choose(const std::string& id, const YamlValue& config,
+                                          Use use) const {
+  Choice choice;
   std::size_t conditions = 0;
-  bool known = false, ambiguous = false;
   for (const auto& [name, entity] : library_.all_entities()) {
     for (const auto& eagerx : entity.eagerx_ids) {
-      if (eagerx.id.value != id.value || !is_kind(entity, use)) continue;
-      known = true;
+      if (eagerx.id.value != id || !is_kind(entity, use)) continue;
+      choice.known = true;
       if (!holds(eagerx.when, config)) continue;
-      const bool first = best == nullptr;
+      const bool first = choice.best == nullptr;
       // The one that says most of the parameters.
       if (!first && eagerx.when.size() < conditions) continue;
-      ambiguous = !first && eagerx.when.size() == conditions && best != &entity;
-      if (ambiguous) continue;
-      best = &entity;
+      choice.ambiguous = !first && eagerx.when.size() == conditions && choice.best != &entity;
+      if (choice.ambiguous) continue;
+      choice.best = &entity;
       conditions = eagerx.when.size();
     }
   }
-  if (best == nullptr) {
+  return choice;
+}
+
+const Entity* Counterparts::look_up(const std::string& id, const YamlValue& config, Use use) const {
+  return choose(id, config, use).best;
+}
+
+const Entity* Counterparts::find(const Spanned<std::string>& id, const YamlValue& config, Use use,
+                                 const std::string& user) {
+  const Choice choice = choose(id.value, config, use);
+  if (choice.best == nullptr) {
     Missing& missing = missing_[id.value];
     missing.use = use;
-    missing.other_parameters = known;
+    missing.other_parameters = choice.known;
     const auto first = [](const auto& other) -> const auto& {
       return other.first;
     };
     if (std::ranges::find(missing.users, user, first) == missing.users.end())
       missing.users.emplace_back(user, id.span);
-  } else if (ambiguous) {
+  } else if (choice.ambiguous) {
     diagnostics_
         .error("E0801", id.span, fmt::format("more than one entity stands for `{}`", id.value))
         .help = fmt::format("one of them is `{}`: tell them apart with `when:` in their manifests",
-                            best->id.value);
+                            choice.best->id.value);
   }
-  return best;
+  return choice.best;
+}
+
+const Entity* Counterparts::require(const SavedEntity& saved, Use use, const std::string& user) {
+  const Entity* known = look_up(saved.id.value, saved.config, use);
+  if (known != nullptr) return known;
+  find(saved.id, saved.config, use, user);
+  Missing& missing = missing_.at(saved.id.value);
+  if (missing.saved.id.value.empty()) missing.saved = saved;
+  return nullptr;
 }
 
 bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
@@ -308,7 +326,7 @@ void Counterparts::report_missing() {
     const auto [other, other_id] = namesake(library_, id, missing.use);
     problem.help = fmt::format(
         "write {} {} with `eagerx: [{}]` in its manifest.yaml, and give its folder with `--path`",
-        missing.use == Use::engine || missing.use == Use::object ? "an" : "a",
+        missing.use == Use::node || missing.use == Use::processor ? "a" : "an",
         to_string(missing.use), id);
     if (other != nullptr) {
       problem.help += fmt::format("\n`{}` stands for `{}`: if that is the same, add `{}` to it",

@@ -11,7 +11,16 @@
 namespace eagerx::gen {
 
 /// What an entity of EAGERx is used as.
-enum class Use : std::uint8_t { engine, node, object, processor };
+enum class Use : std::uint8_t { engine, node, object, processor, engine_node, engine_state };
+
+/// An entity of EAGERx without a counterpart.
+struct Missing {
+  Use use = Use::node;
+  std::vector<std::pair<std::string, Span>> users;
+  bool other_parameters = false;  // there is one, for other values of its parameters
+  /// Its interface as saved, of the first user.
+  SavedEntity saved;
+};
 
 class Counterparts {
  public:
@@ -22,6 +31,11 @@ class Counterparts {
   /// it ("the node `smooth`").
   const Entity* find(const Spanned<std::string>& id, const YamlValue& config, Use use,
                      const std::string& user);
+  /// The same without a word if there is none.
+  [[nodiscard]] const Entity* look_up(const std::string& id, const YamlValue& config,
+                                      Use use) const;
+  /// As find(), and keeps the interface for missing().
+  const Entity* require(const SavedEntity& saved, Use use, const std::string& user);
   /// Whether any entity of ours stands for this one of EAGERx.
   [[nodiscard]] bool knows(const std::string& id) const;
   /// A class of `__main__` is any script's: our entity of that name may stand in for it if ports,
@@ -39,20 +53,30 @@ class Counterparts {
 
   /// Reports every id that was asked for and has no counterpart (E0801), each once.
   void report_missing();
+  /// By EAGERx's id.
+  [[nodiscard]] const std::map<std::string, Missing>& missing() const { return missing_; }
   [[nodiscard]] bool any_missing() const { return !missing_.empty(); }
   [[nodiscard]] const Library& library() const { return library_; }
 
  private:
-  struct Missing {
-    Use use;
-    std::vector<std::pair<std::string, Span>> users;
-    bool other_parameters = false;  // there is one, for other values of its parameters
+  struct Choice {
+    const Entity* best = nullptr;
+    bool known = false, ambiguous = false;
   };
+  [[nodiscard]] Choice choose(const std::string& id, const YamlValue& config, Use use) const;
 
   const Library& library_;
   Diagnostics& diagnostics_;
   std::map<std::string, Missing> missing_;
 };
+
+/// Every entity that the file needs, those inside objects that are not known too.
+void require_all(const SavedGraph& saved, Counterparts& counterparts);
+
+const char* to_string(Use use);
+
+/// Parameters that EAGERx writes for every entity.
+bool is_common_parameter(std::string_view name);
 
 /// Whether two values are the same: 1 and 1.0, [0] and 0.
 bool same_value(const YamlValue& a, const YamlValue& b);

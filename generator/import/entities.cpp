@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "generator/import/translate.hpp"
+#include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
@@ -328,6 +329,34 @@ void translate_names(Translation& t) {
 
 void translate_entities(Translation& t) {
   EntityTranslator(t).run();
+}
+
+void add_states_of_engine_nodes(Translation& t) {
+  for (const auto& saved : t.saved.entities) {
+    const Entity* entity = t.entity(saved.name.value);
+    const ObjectEngine* implementation =
+        saved.kind == SavedEntity::Kind::object && entity != nullptr ? t.implementation(*entity)
+                                                                     : nullptr;
+    if (implementation == nullptr) continue;
+    EntitySpec& object = *find_named(t.result.spec.objects, t.names.at(saved.name.value));
+    const auto in_use = [&](const std::string& node) {
+      return std::ranges::any_of(implementation->connections, [&](const ConnectionSpec& c) {
+        const PortName from = parse_port(c.from.value), to = parse_port(c.to.value);
+        return (to.owner == node && from.owner == "actuators" &&
+                saved.is_selected("actuators", from.name)) ||
+               (from.owner == node && to.owner == "sensors" &&
+                saved.is_selected("sensors", to.name));
+      });
+    };
+    for (const auto& state : implementation->node_states) {
+      if (find_named(object.states, state.name.value) != nullptr ||
+          !in_use(parse_port(state.node.value).owner))
+        continue;
+      StateSpec made;
+      made.name = {state.name.value, saved.name.span};
+      object.states.push_back(std::move(made));
+    }
+  }
 }
 
 }  // namespace eagerx::gen

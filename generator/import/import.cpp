@@ -43,19 +43,25 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
   remove_pictures(*saved, counterparts, diagnostics);
+  require_all(*saved, counterparts);
   const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
   Translation t{*saved, counterparts, options, diagnostics, {}, {}, {}, {}, {}};
   t.result.spec.file = root.span.file;
   t.result.spec.path = path;
   translate_names(t);
   translate_entities(t);
-  if (whole && !counterparts.any_missing()) choose_engine(t);
-  if (whole) translate_connections(t);
-  counterparts.report_missing();  // all of them at once
-  if (failed()) return std::nullopt;
-  choose_rate(t);
+  // With something missing the rest goes on, for its own problems.
+  if (whole && !counterparts.any_missing()) {
+    choose_engine(t);
+    if (!saved->flattened()) add_states_of_engine_nodes(t);
+  }
+  const std::size_t errors_without_connections = diagnostics.error_count();
+  translate_connections(t);
+  // The rate follows from what is connected.
+  if (whole && diagnostics.error_count() == errors_without_connections) choose_rate(t);
   translate_environment(t);
   check_names(t.result.spec, diagnostics);
+  counterparts.report_missing();  // all of them at once
   if (failed()) return std::nullopt;
   return std::move(t.result);
 }

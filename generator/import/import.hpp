@@ -29,10 +29,30 @@ bool is_saved_graph(const YamlValue& root);
 /// Problems, all reported, nullopt: E0801 an entity without counterpart, E0802 not such a file,
 /// E0803 a Python object where a value is needed, E0804 an engine or rate that has to be given,
 /// E0805 an object that cannot be put back, E0807 what graphs here cannot say. Warnings: E0806
-/// differences between an object here and in the file.
+/// differences between what runs here and what EAGERx makes of the file.
 std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::string& path,
                                           const Library& library, const ImportOptions& options,
                                           Diagnostics& diagnostics);
+
+/// An entity that a file needs and nobody has written in C++, with its interface as a manifest.
+struct MissingEntity {
+  struct Port {
+    std::string name, space;
+    bool optional = false;
+  };
+  std::string id;                  // module/Class
+  std::string kind;                // of manifests: "node", "reset_node", "engine_state", …
+  std::string type;                // its name here
+  std::vector<std::string> users;  // "the node `smooth`"
+  std::string manifest;            // but for `header:` and `class:`, which a folder knows
+  std::vector<Port> inputs, outputs, states, targets;
+};
+
+/// All of them; nullopt after E0802.
+std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root,
+                                                           const Library& library,
+                                                           const ImportOptions& options,
+                                                           Diagnostics& diagnostics);
 
 /// The graph as a person would write it: reading it back gives the same graph.
 std::string write_graph(const ImportedGraph& graph);

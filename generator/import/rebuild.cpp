@@ -82,11 +82,8 @@ class Rebuilder {
   void rebuild(const SavedObject& object) {
     const std::string& name = object.name.value;
     const SavedEntity* backup = find_named(saved_.backup, name);
-    if (backup == nullptr && object.nodes.empty() && object.states.empty()) {
-      diagnostics_.note(object.name.span,
-                        fmt::format("`{}`, an object that only the engine knows, is left out: it "
-                                    "has neither engine nodes nor states",
-                                    name));
+    if (backup == nullptr && object.nodes.empty()) {
+      leave_out(object);
       return;
     }
     if (backup == nullptr) {
@@ -124,6 +121,22 @@ class Rebuilder {
     take_states_of_nodes(rebuilt);
     take_ports(rebuilt);
     rebuilt_.push_back(std::move(rebuilt));
+  }
+
+  /// What EngineSpec.add_object adds; a graph of ours has only objects with sensors or actuators.
+  void leave_out(const SavedObject& object) {
+    const std::string& name = object.name.value;
+    if (object.states.empty()) {
+      diagnostics_.note(object.name.span,
+                        fmt::format("`{}`, an object that only the engine knows, is left out: it "
+                                    "has neither engine nodes nor states",
+                                    name));
+      return;
+    }
+    diagnostics_
+        .warning("E0806", object.name.span,
+                 fmt::format("`{}`, an object that only the engine knows, is left out", name))
+        .help = "what its states do at a reset has to be done by the engine or by another object";
   }
 
   /// By name, else by what they are if there is only one of that kind.
@@ -361,8 +374,11 @@ class Rebuilder {
 
   void remove_engine_nodes() {
     for (const auto& object : saved_.objects) {
+      if (failed_) saved_.unplaced.insert(object.name.value);
       std::erase_if(saved_.entities, [&](const SavedEntity& e) {
-        return e.name.value.starts_with(object.name.value + "/");
+        const bool inside = e.name.value.starts_with(object.name.value + "/");
+        if (inside && failed_) saved_.unplaced.insert(e.name.value);
+        return inside;
       });
     }
   }

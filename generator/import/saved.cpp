@@ -99,11 +99,25 @@ class SavedReader {
     }
   }
 
-  /// Only objects: of everything else the nodes themselves say more.
+  /// Objects; of everything else the nodes themselves say more.
   void read_backup(const YamlValue& backup) {
     for (const auto& entry : backup.entries) {
-      if (!entry.value.is_map() || entry.value.find("entity_type") == nullptr) continue;
+      if (!entry.value.is_map()) continue;
+      if (entry.value.find("entity_type") == nullptr) {
+        note_processors(entry);
+        continue;
+      }
       if (auto entity = read_entity(entry)) saved_.backup.push_back(std::move(*entity));
+    }
+  }
+
+  void note_processors(const YamlValue::Entry& node) {
+    const YamlValue* inputs = node.value.find("inputs");
+    if (inputs == nullptr || !inputs->is_map()) return;
+    for (const auto& input : inputs->entries) {
+      const YamlValue* processor = input.value.is_map() ? input.value.find("processor") : nullptr;
+      if (processor != nullptr && !processor->is_null())
+        saved_.processors_when_added.insert(fmt::format("{}.{}", node.key, input.key));
     }
   }
 
@@ -189,8 +203,10 @@ class SavedReader {
       SavedObject object;
       object.name = {entry.key, entry.key_span};
       object.parameters = plain_values(member(entry.value, "add_object"));
-      for (const auto& state : member(entry.value, "engine_states").entries)
+      for (const auto& state : member(entry.value, "engine_states").entries) {
         object.states.push_back({state.key, state.key_span});
+        object.engine_states.push_back({{state.key, state.key_span}, plain_values(state.value)});
+      }
       object.nodes = texts(entry.value.find("nodes"));
       saved_.objects.push_back(std::move(object));
     }
@@ -259,6 +275,13 @@ const YamlValue* SavedEntity::parameter(std::string_view key) const {
 
 const SavedEntity* SavedGraph::find(std::string_view name) const {
   return find_named(entities, name);
+}
+
+const SavedObject* SavedGraph::owner_of(std::string_view node) const {
+  for (const auto& object : objects) {
+    if (node.starts_with(object.name.value + "/")) return &object;
+  }
+  return nullptr;
 }
 
 bool SavedGraph::flattened() const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,7 @@ struct SavedObject {
   Spanned<std::string> name;
   YamlValue parameters;  // of the engine for this object
   std::vector<Spanned<std::string>> states;
+  std::vector<SavedPort> engine_states;  // with `state: {state_type, …}`
   std::vector<Spanned<std::string>> nodes;
 };
 
@@ -59,12 +61,19 @@ struct SavedGraph {
   FileId file = FileId::none;
   std::vector<SavedEntity> entities;
   std::vector<SavedLink> links;
-  std::vector<SavedEntity> backup;      // the objects as they were added
+  std::vector<SavedEntity> backup;  // the objects as they were added
+  /// "node.input" of nodes that were added with a processor.
+  std::set<std::string> processors_when_added;
   std::vector<SavedObject> objects;     // flattened files
   std::optional<std::string> env_name;  // flattened files
   std::optional<Spanned<std::string>> engine_id;
 
+  /// Objects that could not be put back, and their engine nodes.
+  std::set<std::string> unplaced;
+
   [[nodiscard]] const SavedEntity* find(std::string_view name) const;
+  /// The object that an engine node of a flattened file belongs to, or nullptr.
+  [[nodiscard]] const SavedObject* owner_of(std::string_view node) const;
   [[nodiscard]] bool flattened() const;  // written by BaseEnv.save
 };
 

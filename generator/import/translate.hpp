@@ -35,6 +35,8 @@ void remove_pictures(SavedGraph& saved, const Counterparts& counterparts, Diagno
 void translate_names(Translation& t);  // and the name of the graph
 void translate_entities(Translation& t);
 void choose_engine(Translation& t);
+/// Graph.save does not know the states of engine nodes, which EAGERx always has.
+void add_states_of_engine_nodes(Translation& t);
 void choose_rate(Translation& t);
 void translate_connections(Translation& t);
 void translate_environment(Translation& t);  // actions and observations

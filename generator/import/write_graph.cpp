@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "generator/import/import.hpp"
+#include "generator/import/written.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -14,44 +15,12 @@ namespace {
 
 constexpr std::size_t kWidth = 110;
 
-std::string joined(const std::vector<std::string>& items) {
-  return fmt::format("{{{}}}", fmt::join(items, ", "));
-}
-
-std::string text_of(const YamlValue& yaml) {
-  std::vector<std::string> items;
-  switch (yaml.kind) {
-    case YamlKind::null:
-      return "null";
-    case YamlKind::scalar:
-      return yaml.quoted ? yaml_string(yaml.text) : yaml_scalar(yaml.text);
-    case YamlKind::sequence:
-      for (const auto& item : yaml.items) items.push_back(text_of(item));
-      return fmt::format("[{}]", fmt::join(items, ", "));
-    case YamlKind::map:
-      for (const auto& entry : yaml.entries) {
-        items.push_back(fmt::format("{}: {}", yaml_scalar(entry.key), text_of(entry.value)));
-      }
-      return joined(items);
-  }
-  return "null";
-}
-
 std::string config_text(const std::vector<Setting>& config) {
   std::vector<std::string> items;
   items.reserve(config.size());
   for (const auto& setting : config)
     items.push_back(fmt::format("{}: {}", yaml_scalar(setting.name), text_of(setting.value)));
-  return joined(items);
-}
-
-std::string space_text(const SpaceSpec& space) {
-  std::vector<std::string> items;
-  if (space.dtype) items.push_back("dtype: " + yaml_scalar(space.dtype->value));
-  if (space.shape) items.push_back("shape: " + text_of(*space.shape));
-  if (space.low) items.push_back("low: " + text_of(*space.low));
-  if (space.high) items.push_back("high: " + text_of(*space.high));
-  return joined(items);
+  return in_braces(items);
 }
 
 std::string processor_text(const ProcessorSpec& processor) {
@@ -72,7 +41,7 @@ std::string connection_text(const ConnectionSpec& connection) {
   std::vector<std::string> items = {"from: " + yaml_scalar(connection.from.value),
                                     "to: " + yaml_scalar(connection.to.value)};
   add_settings(connection.settings, items);
-  return joined(items);
+  return in_braces(items);
 }
 
 std::string component_text(const ComponentSpec& component) {
@@ -80,7 +49,7 @@ std::string component_text(const ComponentSpec& component) {
   if (component.rate) items.push_back("rate: " + component.rate->value.to_string());
   if (component.space) items.push_back("space: " + space_text(*component.space));
   add_settings(component.settings, items);
-  return items.empty() ? "" : " " + joined(items);
+  return items.empty() ? "" : " " + in_braces(items);
 }
 
 class GraphWriter {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "generator/plan/counts.hpp"
 
@@ -13,11 +14,28 @@ constexpr std::int64_t kMaxTerm = std::int64_t{1}
                                   << 40;  // of a and b: products with ticks stay in 64 bits
 constexpr std::int64_t kMaxSimulatedTicks = 2'000'000;  // to find the exact need of a ring
 
+constexpr std::int64_t kNsPerSecond = 1'000'000'000;
+
+std::int64_t nanoseconds(const Rational& seconds) {
+  return (seconds * Rational(kNsPerSecond)).ceil();
+}
+
+/// The longest delay in s. One that an entity sets may come from a float32 state: 0.1 is then
+/// 0.10000000149. A skipped input has no room for that: it would have no message at tick 1.
+Rational longest_of(const Input& input) {
+  if (!input.max_delay_s) return input.delay_s;
+  if (!input.entity_sets_delay || input.skip) return *input.max_delay_s;
+  const auto single = static_cast<double>(static_cast<float>(input.max_delay_s->to_double()));
+  constexpr double kLargest_s = 9e9;  // in nanoseconds, 63 bits
+  if (!(single < kLargest_s)) return *input.max_delay_s;
+  const Rational rounded(static_cast<std::int64_t>(std::ceil(single * kNsPerSecond)), kNsPerSecond);
+  return std::max(*input.max_delay_s, rounded);
+}
+
 std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
                                 const Rational& rate, Diagnostics& diagnostics) {
   const Rational ratio = source_rate / rate;
-  const Rational quanta =
-      Rational(ratio.den()) * source_rate * input.max_delay_s.value_or(input.delay_s);
+  const Rational quanta = Rational(ratio.den()) * source_rate * longest_of(input);
   if (ratio.overflowed() || quanta.overflowed() || ratio.num() > kMaxTerm ||
       ratio.den() > kMaxTerm || quanta.ceil() > kMaxTerm) {
     diagnostics.error(
@@ -32,12 +50,6 @@ std::optional<Counts> counts_of(const Input& input, const Rational& source_rate,
   return Counts{ratio.num(), ratio.den(), now.ceil(), input.skip};
 }
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-
-std::int64_t nanoseconds(const Rational& seconds) {
-  return (seconds * Rational(kNsPerSecond)).ceil();
-}
-
 /// What a program needs to turn a delay into x.
 std::optional<Reception::Changing> changing_of(const Input& input, const Counts& counts,
                                                const Rational& source_rate,
@@ -48,7 +60,7 @@ std::optional<Reception::Changing> changing_of(const Input& input, const Counts&
   changing.num = factor.num();
   changing.den = factor.den();
   changing.first_ns = nanoseconds(input.delay_s);
-  changing.longest_ns = nanoseconds(*input.max_delay_s);
+  changing.longest_ns = nanoseconds(longest_of(input));
   std::int64_t product = 0;
   const bool fits = !factor.overflowed() &&
                     !__builtin_mul_overflow(changing.num, changing.longest_ns, &product) &&
@@ -164,7 +176,7 @@ void report_starving(const Input& input, const Counts& counts, const Rational& s
 /// counted.
 std::optional<Reception> arrived(const Input& input, const Counts& longest,
                                  Diagnostics& diagnostics) {
-  const Rational delay_ns = input.max_delay_s.value_or(input.delay_s) * Rational(kNsPerSecond);
+  const Rational delay_ns = longest_of(input) * Rational(kNsPerSecond);
   if (delay_ns.overflowed()) {
     diagnostics.error(
         "E0402", input.span,
@@ -181,7 +193,7 @@ std::optional<Reception> arrived(const Input& input, const Counts& longest,
   reception.x = longest.x;
   reception.delay_ns = nanoseconds(input.delay_s);
   if (input.max_delay_s) {
-    reception.changing = {1, 1, reception.delay_ns, nanoseconds(*input.max_delay_s)};
+    reception.changing = {1, 1, reception.delay_ns, nanoseconds(longest_of(input))};
   }
   reception.max_size = static_cast<std::uint64_t>(window);
   reception.always_full = false;
@@ -197,7 +209,7 @@ std::optional<Reception> plan_reception(const Input& input, const Ends& ends,
   if (!counts) return std::nullopt;
   Counts longest = *counts;
   if (input.max_delay_s)
-    longest.x = (Rational(counts->b) * ends.source_rate_hz * *input.max_delay_s).ceil();
+    longest.x = (Rational(counts->b) * ends.source_rate_hz * longest_of(input)).ceil();
   if (ends.asynchronous) return arrived(input, longest, diagnostics);
   if (starves(longest, input.window)) {
     report_starving(input, longest, ends.source_rate_hz, diagnostics);

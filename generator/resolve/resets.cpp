@@ -46,7 +46,7 @@ class ResetTargetResolver {
     }
     refuse_settings(connection);
     const auto state = find_state(owner, connection.from);
-    if (!state || !is_free(*node, name, connection)) return;
+    if (!state || !is_free(*node, name, connection) || !is_only(owner, *state, connection)) return;
     add(*node, *port, owner, *state, connection);
   }
 
@@ -145,6 +145,23 @@ class ResetTargetResolver {
                  fmt::format("`{}` is connected twice", connection.to.value))
           .notes.push_back({"the first connection", reset_target.span, ""});
       return false;
+    }
+    return true;
+  }
+
+  /// A state is brought about by one reset node: two would drive it to and fro.
+  bool is_only(const Owner& owner, std::size_t state, const ConnectionSpec& connection) {
+    for (const auto& other : draft_.nodes) {
+      for (const auto& target : other.node.reset_targets) {
+        if (target.state != state || target.object != owner.object || target.node != owner.node)
+          continue;
+        auto& problem = diagnostics().error("E0808", connection.to.span,
+                                            fmt::format("`{}` is the target of `{}` already",
+                                                        connection.from.value, other.node.name));
+        problem.notes.push_back({"the first connection", target.span, ""});
+        problem.help = "give the second reset node another state, or make one reset node of both";
+        return false;
+      }
     }
     return true;
   }

@@ -37,6 +37,19 @@ const char* Line::text() const {
   return count_ > 1 ? words_[1] : "";
 }
 
+bool Line::names_state_of_node(const char* field) const {
+  const char* object = std::strchr(text(), '/');
+  const char* state = std::strrchr(text(), '/');
+  if (object == state) return false;
+  const std::size_t object_size = static_cast<std::size_t>(object - text());
+  const std::size_t state_size = std::strlen(state);
+  const std::size_t size = std::strlen(field);
+  if (size <= object_size + state_size) return false;
+  const char* ending = field + size - state_size;
+  return std::strncmp(field, text(), object_size) == 0 && field[object_size] == '_' &&
+         *ending == '_' && std::strcmp(ending + 1, state + 1) == 0;
+}
+
 void refuse(const char* what, const char* name) {
   std::fprintf(stderr, "the program has no %s `%s`\n", what, name);
   std::exit(2);

@@ -28,6 +28,8 @@ class Line {
   std::size_t values() const;
   const char* value(std::size_t i) const;
   const char* text() const;
+  /// Whether both are `object/node/state` with the same object and state.
+  bool names_state_of_node(const char* field) const;
 
  private:
   static constexpr std::size_t kMost = 1U << 16U;
@@ -171,7 +173,14 @@ void set_state(States& states, const Line& line) {
     state.emplace();
     assign(*state, line);
   });
-  if (!found) refuse("state", line.text());
+  int same = 0;  // states of engine nodes, which may have other names than in EAGERx
+  states.for_each([&](const char* name, auto& state) {
+    if (found || !line.names_state_of_node(name)) return;
+    ++same;
+    state.emplace();
+    assign(*state, line);
+  });
+  if (!found && same != 1) refuse("state", line.text());
 }
 
 template <class Graph>

@@ -47,17 +47,28 @@ def built_generator(jobs):
     return folder / "eagerx-gen"
 
 
+def entity_words(folder):
+    """Ids of the entities below a folder, ours and EAGERx's."""
+    text = "".join(path.read_text() for path in pathlib.Path(folder).rglob("manifest.yaml"))
+    return set(re.findall(r"^id: (\w+)", text, re.MULTILINE)) | set(re.findall(r"[\w.]+/\w+", "".join(re.findall(r"^eagerx: (.*)", text, re.MULTILINE))))
+
+
 class Builder:
     """Makes programs below `work`; graphs whose code is the same share one."""
 
     def __init__(self, generator, work, library=(), compiler=None):
         self.generator, self.work = pathlib.Path(generator), pathlib.Path(work)
         self.library = [HERE / "models", *library]
+        # More entities, for those who have none of their own for them.
+        taken = {word for folder in library for word in entity_words(folder)}
+        if not taken & entity_words(HERE / "more_models"):
+            self.library.append(HERE / "more_models")
         self.compiler = compiler or os.environ.get("CXX", "c++")
         self.lock = threading.Lock()
         self.shared_lock = threading.Lock()
         self.shared_made = False
         self.programs = {}  # hash of the code → lock, program
+        self.lost = {}  # folder of generated code → inputs whose processors EAGERx loses
         self.count = 0
 
     def shared(self):
@@ -81,7 +92,7 @@ class Builder:
         rates = [Fraction(rate).limit_denominator(10**6) for rate in (recording.rate, recording.content["engine"]["rate"])]
         options = ["--rate", rates[0], "--engine-rate", rates[1]]
         engine = recording.nodes.get("engine")
-        return options + (["--engine", self.engines()[engine["entity_id"]]] if engine else [])
+        return options + (["--engine", self.engines()[engine["entity_id"]]] if engine and engine["entity_id"] in self.engines() else [])
 
     def engines(self):
         """Our names of EAGERx's engines."""
@@ -99,7 +110,7 @@ class Builder:
         with self.lock:
             self.count += 1
             out = self.work / "generated" / str(self.count)
-        command = [self.generator, "generate", graph, "-o", out, "--real", "double", "--quiet", *self.options(graph, recording)]
+        command = [self.generator, "generate", graph, "-o", out, "--real", "double", *self.options(graph, recording)]
         for folder in self.library:
             command += ["--path", folder]
         command = [str(part) for part in command]
@@ -108,11 +119,8 @@ class Builder:
             raise Refused(re.findall(r"error\[(E\d+)\]", result.stderr), result.stderr)
         if result.returncode:
             raise Failure(f"{' '.join(command)}\nexit code {result.returncode}\n{result.stderr}")
+        self.lost[out] = [(node, port) for node, port in re.findall(r"EAGERx loses the processor of `(.+?)\.(\w+)`", result.stderr)]
         return out
-
-    def program(self, graph, recording=None):
-        """The program of a graph file."""
-        return self.program_of(self.generate(graph, recording))
 
     def program_of(self, folder):
         """The program of generated code."""

@@ -34,6 +34,7 @@ class Recording:
         self.has_reset_nodes = any(node.get("targets") for node in self.nodes.values())
         self.exact = content.get("values_exact", True)
         self.rate = content["env_rate"]
+        self.pictures = {}  # node → whether it sends pictures
 
     @staticmethod
     def load(path):
@@ -56,7 +57,10 @@ class Recording:
 
     def is_picture(self, name):
         """Nodes that send pictures: recorded as checksums, and our objects have none."""
-        return any(flat(value) is None for ticks in self.ticks[name] for tick in ticks for value in (tick["out"] or {}).values())
+        if name not in self.pictures:
+            self.pictures[name] = any(flat(value) is None for ticks in self.ticks[name] for tick in ticks
+                                      for value in (tick["out"] or {}).values())
+        return self.pictures[name]
 
     def end(self, episode):
         """Time of the environment's last tick."""
@@ -65,7 +69,7 @@ class Recording:
     def states(self, episode):
         """The states that are set, by their address. After the last episode: what the reset nodes were asked for."""
         if episode < len(self.episodes):
-            return dict(self.episodes[episode]["states"])
+            return dict(self.episodes[episode]["states"]) | self.stale_states(episode)
         states = {}
         for name, node in self.nodes.items():
             for target in node.get("targets", []):
@@ -73,25 +77,67 @@ class Recording:
                     states[target["source"].replace("/states/", "/")] = tick["inputs"][target["name"]]["msgs"][0]
         return states
 
+    def stale_states(self, episode):
+        """In EAGERx a node may get the state of the reset before; its program goes on with what it got."""
+        if episode == 0:
+            return {}
+        asked, before = self.episodes[episode]["states"], self.episodes[episode - 1]["states"]
+        stale = {}
+        for event, name, states in self.episodes[episode].get("reset_events_unordered", []):
+            for state, value in states.items() if event == "node.reset" else ():
+                address = f"{name}/{state}"
+                if value is not None and address in asked and value != asked[address] and value == before.get(address):
+                    stale[address] = value
+        return stale
+
     def phase(self, node, episode):
         """Ticks of the routine of the reset nodes after an episode."""
         phases = self.phases.get(node, [])
         return phases[episode] if episode < len(phases) else []
 
     def phase_end(self, episode):
-        """Time of the last callback of a reset node after an episode; None without any."""
-        return max((tick["t_n"] for name, node in self.nodes.items() if node.get("targets")
-                    for tick in self.phase(name, episode)), default=None)
+        """Time at which all targets of all reset nodes are reached after an episode, from where on it is a matter of
+        chance how far EAGERx gets; None without a routine."""
+        flags, now = [], {}
+        for name in self.reset_nodes():
+            for tick in self.phase(name, episode):
+                for target in self.nodes[name]["targets"]:
+                    done = (tick["out"] or {}).get(f"{target['name']}/done")
+                    flags.append((tick["t_n"], f"{name}/{target['name']}", bool(done)))
+                    now[f"{name}/{target['name']}"] = False
+        flags.sort()
+        for place, (time, target, done) in enumerate(flags):
+            now[target] = done
+            if all(now.values()) and (place + 1 == len(flags) or flags[place + 1][0] > time):
+                return time
+        return flags[-1][0] if flags else None
+
+    def reset_nodes(self):
+        return [name for name, node in self.nodes.items() if node.get("targets")]
+
+    def all_states(self):
+        """Addresses of the states that a reset may set."""
+        return [state for node in self.content["nodes"].values() if "rate" not in node for state in node.get("states", [])]
+
+    def objects(self):
+        """Objects of the graph: the engine may know more."""
+        return {name.split("/")[0] for name in [*self.nodes, *self.all_states()] if "/" in name}
+
+    def source(self, node, name):
+        return next(port["source"] for port in self.nodes[node]["inputs"] if port["name"] == name)
 
     def asks_reset_nodes(self, episode):
         targets = {target["source"].replace("/states/", "/") for node in self.nodes.values() for target in node.get("targets", [])}
         return bool(targets & set(self.states(episode)))
 
     def begins_in(self, episode):
-        """States of objects that no reset sets: where the routine, or the episode before, happened to end."""
-        chosen = {address.split("/")[0] for address in self.states(episode)}
+        """States of objects that no reset sets, or not all: where the routine, or the episode before, happened to
+        end. Objects that only the engine knows are not ours."""
+        asked = set(self.states(episode))
+        open_states = {state.split("/")[0] for state in self.all_states() if state.count("/") == 1 and state not in asked}
+        chosen = {address.split("/")[0] for address in asked} - open_states
         return {thing: flat(sim["state"]) for thing, sim in self.ticks["engine"][episode][0].get("sim", {}).items()
-                if self.has_reset_nodes or thing not in chosen}
+                if thing in self.objects() and None not in (flat(sim.get("state")) or [None]) and (self.has_reset_nodes or thing not in chosen)}
 
     def script(self):
         """What tests/conformance/driver.hpp reads. EAGERx resets twice before the first episode; programs do that
@@ -122,5 +168,5 @@ class Recording:
 def words(*parts):
     items = []
     for part in parts:
-        items += [repr(value) for value in part] if isinstance(part, list) else [part]
+        items += [repr(int(value) if isinstance(value, bool) else value) for value in part] if isinstance(part, list) else [part]
     return " ".join(items)

@@ -32,6 +32,12 @@ class Episode:
         self.simulators = {}  # (object, tick of the engine) → {"input": values, "state": values}
         self.observations = []  # {name: values}
 
+    def rename(self, old, new):
+        if old in self.ticks:
+            self.ticks[new] = self.ticks.pop(old)
+        for tick, sent in self.before_engine.items():
+            self.before_engine[tick] = [(new if item[0] == old else item[0], *item[1:]) for item in sent]
+
     def tick(self, node, tick, time=None):
         ticks = self.ticks.setdefault(node, {})
         if tick not in ticks:

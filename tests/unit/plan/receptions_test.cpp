@@ -146,6 +146,20 @@ TEST(Receptions, RingsOfChangingDelaysHoldWhatAnyDelayNeedsAndNoMore) {
   EXPECT_GT(planned_connections, 500);
 }
 
+TEST(Receptions, ALongestDelayThatAnEntitySetsHoldsAsFloat) {
+  const Connection c{Rational(30), Rational(30), parsed("0.1"), false};
+  Diagnostics diagnostics;
+  Input input = input_of(c, 1);
+  input.max_delay_s = c.delay_s;
+  const auto drawn = plan_reception(input, ends_of(c, true), diagnostics);
+  input.entity_sets_delay = true;
+  const auto set = plan_reception(input, ends_of(c, true), diagnostics);
+  ASSERT_TRUE(drawn && set);
+  EXPECT_EQ(drawn->changing->longest_ns, 100'000'000);
+  EXPECT_EQ(set->changing->longest_ns, 100'000'002);  // 0.1F is 0.1000000014901161 s
+  EXPECT_EQ(set->keep, drawn->keep + 1);
+}
+
 TEST(Receptions, OnlySkippedInputsWithoutAMessageAtTickOneAreRefused) {
   for_each_connection([&](const Connection& c, std::uint32_t window, bool source_first) {
     const bool starves = c.skip && window > 0 && expected_count(c, 0) + expected_count(c, 1) == 0;

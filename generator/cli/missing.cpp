@@ -1,0 +1,76 @@
+#include "generator/cli/missing.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "generator/cli/new_folder.hpp"
+#include "generator/cli/paths.hpp"
+#include "generator/import/import.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+View ports_view(const std::vector<MissingEntity::Port>& ports) {
+  View view = list();
+  for (const auto& port : ports) {
+    View item = object();
+    item.set("name", port.name);
+    item.set("space", port.space);
+    item.set("optional", port.optional);
+    view.push_back(item);
+  }
+  return view;
+}
+
+View view_of(const MissingEntity& entity, const std::string& name, const fs::path& folder) {
+  View view = view_of_new(name, folder);
+  view.set("type", entity.type);
+  view.set("eagerx", entity.id);
+  view.set("kind", entity.kind);
+  view.set("manifest", entity.manifest);
+  view.set("has_class", entity.kind != "object");
+  view.set("is_engine", entity.kind == "engine");
+  view.set("users", fmt::format("{}", fmt::join(entity.users, ", ")));
+  view["inputs"] = ports_view(entity.inputs);
+  view["outputs"] = ports_view(entity.outputs);
+  view["states"] = ports_view(entity.states);
+  view["targets"] = ports_view(entity.targets);
+  return view;
+}
+
+void make_folder(Run& run, const MissingEntity& entity, const std::string& name,
+                 const fs::path& folder) {
+  const std::string templates =
+      (fs::path(data_root()) / "templates" / "missing" / entity.kind).string();
+  const auto files =
+      rendered_files(templates, name, view_of(entity, name, folder), run.diagnostics);
+  if (!run.diagnostics.has_errors()) write_new_folder(folder, files, run.diagnostics);
+}
+
+}  // namespace
+
+int missing_command(Run& run, const YamlValue& tree, const Options& options) {
+  load(run, options);
+  if (run.diagnostics.has_errors()) return finish(run, options);
+  const auto missing =
+      missing_entities(tree, run.library, {options.engine, options.engine_rate_hz, options.rate_hz},
+                       run.diagnostics);
+  if (!missing) return finish(run, options);
+  if (missing->empty()) say("every class has a counterpart\n");
+  for (const auto& entity : *missing) {
+    const std::string name = word_of(entity.type, '_');
+    const fs::path folder = fs::path(options.output) / name;
+    say("{}: {} for {}", entity.id, entity.kind, fmt::join(entity.users, ", "));
+    if (!options.output.empty() && is_free_place(folder, run.diagnostics)) {
+      make_folder(run, entity, name, folder);
+      if (!run.diagnostics.has_errors()) say(": {}", folder.string());
+    }
+    say("\n");
+  }
+  return finish(run, options);
+}
+
+}  // namespace eagerx::gen
