@@ -1,6 +1,7 @@
 #include "generator/network/cost.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "generator/network/panels.hpp"
 
@@ -30,6 +31,15 @@ std::string form_note(const Layer& layer) {
     return form->operation == Elementwise::Operation::none
                ? std::string()
                : fmt::format(" {}", to_string(form->operation));
+  }
+  if (const auto* form = std::get_if<Combination>(&layer.form)) {
+    return fmt::format(" {} of {}", to_string(form->operation), fmt::join(form->sizes, ", "));
+  }
+  if (const auto* form = std::get_if<Function>(&layer.form)) {
+    return fmt::format(" {}", to_string(form->kind));
+  }
+  if (const auto* form = std::get_if<Reduction>(&layer.form)) {
+    return fmt::format(" {}", to_string(form->kind));
   }
   return std::holds_alternative<Reorder>(layer.form) ? " reorder" : "";
 }
