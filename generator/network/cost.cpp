@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "generator/network/buffers.hpp"
 #include "generator/network/panels.hpp"
 
 namespace eagerx::gen {
@@ -74,7 +75,8 @@ LayerCost cost_of(const Layer& layer) {
     floats += layer.bias.size();
   }
   cost.bytes = floats * sizeof(float);
-  if (const auto* form = std::get_if<Reorder>(&layer.form)) {
+  const bool is_view = !layer.takes.empty() && first_of_slice(layer);  // of a network with branches
+  if (const auto* form = std::get_if<Reorder>(&layer.form); form != nullptr && !is_view) {
     cost.bytes += form->from.size() * (layer.inputs > 0xffff ? 4 : 2);
   }
   return cost;
