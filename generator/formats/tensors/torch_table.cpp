@@ -229,12 +229,6 @@ std::optional<StoredTensor> rebuilt_tensor(const Pickle& pickle, const PickleVal
 
 bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem) {
   for (const std::string& name : archive.names()) {
-    if (!name.ends_with("/constants.pkl")) continue;
-    problem = {"E0603", "is a TorchScript program, not its tensors",
-               "save `state_dict()` with `torch.save`, or export the actor to ONNX"};
-    return false;
-  }
-  for (const std::string& name : archive.names()) {
     if (name != kPickleName && !name.ends_with("/data.pkl")) continue;
     return TorchReader(&archive, all, table, problem)
         .run(name.substr(0, name.size() - kPickleName.size()));

@@ -20,7 +20,7 @@ constexpr const char* kExportOnnx =
 }  // namespace
 
 std::string TorchInterpreter::where() const {
-  return fmt::format("line {} of `{}`", line_, file_ == nullptr ? "" : printable(*file_));
+  return fmt::format("line {} of {}", line_, file_ == nullptr ? "" : printable(*file_));
 }
 
 std::nullopt_t TorchInterpreter::fail(const std::string& what) {

@@ -135,23 +135,26 @@ class TorchReading {
   bool find_sizes(std::size_t count, std::vector<std::int64_t>& sizes) {
     const std::vector<std::int64_t> candidates = candidates_for(count);
     std::vector<std::size_t> at(count, 0);
-    std::int64_t farthest = -1;
+    std::pair<std::size_t, std::int64_t> farthest;  // steps, statements
+    bool any = false;
     for (std::size_t tries = 0; tries < kMostTries && !candidates.empty(); ++tries) {
       sizes.clear();
       for (const std::size_t i : at) sizes.push_back(candidates[i]);
       TorchTry made;
       follow(sizes, made);
       if (made.passed) return true;
-      if (made.interpreter->followed() > farthest) {
-        farthest = made.interpreter->followed();
+      const std::pair reached(made.state.steps.size(), made.interpreter->followed());
+      if (!any || reached > farthest) {
+        farthest = reached;
         problem_ = made.problem;
       }
+      any = true;
       if (statements_ < 0 || values_ < 0) break;
       std::size_t k = count;
       while (k-- > 0 && ++at[k] == candidates.size()) at[k] = 0;
       if (k >= count) break;
     }
-    if (farthest < 0) {
+    if (!any) {
       problem_ = {"E0755", "has no tensors, so that the size of its observation is not known",
                   "export the actor again"};
     }

@@ -56,7 +56,7 @@ class Parser {
   }
   bool fail(const std::string& what) {
     problem_ = {"E0753",
-                fmt::format("has code that is not understood: {} (line {} of `{}`)", what,
+                fmt::format("has code that is not understood: {} (line {} of {})", what,
                             now().line, printable(file_)),
                 "export the actor to ONNX with `torch.onnx.export`"};
     return false;

@@ -102,7 +102,7 @@ class Tokenizer {
 
   bool fail(const char* what) {
     problem_ = {"E0753",
-                fmt::format("has code that is not understood: {} (line {} of `{}`)", what, line_,
+                fmt::format("has code that is not understood: {} (line {} of {})", what, line_,
                             printable(file_)),
                 "the file is damaged: export the actor again"};
     return false;

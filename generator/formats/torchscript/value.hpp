@@ -123,7 +123,7 @@ class TorchCall {
 
  private:
   std::string_view name_;
-  std::string where_;  // "line 7 of `code/__torch__.py`"
+  std::string where_;  // "line 7 of code/__torch__.py"
   std::vector<TorchValue> arguments_;
   std::vector<std::pair<std::string, TorchValue>> named_;
   OnnxCall::State& state_;

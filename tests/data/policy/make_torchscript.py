@@ -158,6 +158,26 @@ class Activations(nn.Module):
         return x
 
 
+class Small(nn.Module):
+    """Branches and a memory for the pendulum's three numbers: what tests/firmware runs."""
+
+    def __init__(self):
+        super().__init__()
+        self.encoder = mlp([3, 9, 4], nn.Tanh)
+        self.rnn = nn.GRU(3, 5)
+        self.register_buffer("hidden_state", torch.zeros(1, 1, 5))
+        self.head = nn.Linear(11, 9)
+        self.last = nn.Linear(9, 1)
+
+    def forward(self, x):
+        y, h = self.rnn(x.unsqueeze(0), self.hidden_state)
+        self.hidden_state[:] = h
+        z = F.normalize(self.encoder(x), dim=-1)
+        y = F.elu(self.head(torch.cat([x[:, 1:], z, y.squeeze(0)], dim=-1)))
+        y = y + torch.cos(y) * torch.exp(-y.abs())
+        return torch.tanh(self.last(y))
+
+
 class ByHand(nn.Module):
     """Products of matrices, as written by hand, in half precision."""
 
@@ -234,6 +254,7 @@ def main():
     write("gru", NewGru(6, 8, mlp([8, 6, 2], nn.ELU)), 6, "scripted")
     write("branches", Branches(6, 3, 4, 2), 18, "scripted", "traced", "onnx")
     write("residual", Residual(), 6, "scripted", "traced", "onnx")
+    write("small", Small(), 3, "scripted")
     write("by_hand", ByHand(), 4, "half")
 
 
