@@ -148,16 +148,16 @@ std::optional<TorchValue> TorchInterpreter::evaluate_call(const TorchExpression&
   // The first argument of these is a type.
   const bool has_type = name == "annotate" || name == "unchecked_cast" || name == "uninitialized";
   std::vector<TorchValue> arguments;
+  Named named;
+  const std::size_t unnamed = expression.parts.size() - expression.keywords.size();
   for (std::size_t i = has_type ? 2 : 1; i < expression.parts.size(); ++i) {
     auto value = evaluate(expression.parts[i], variables);
     if (!value) return std::nullopt;
-    arguments.push_back(std::move(*value));
-  }
-  Named named;
-  for (const auto& [key, part] : expression.keywords) {
-    auto value = evaluate(part, variables);
-    if (!value) return std::nullopt;
-    named.emplace_back(key, std::move(*value));
+    if (i < unnamed) {
+      arguments.push_back(std::move(*value));
+    } else {
+      named.emplace_back(expression.keywords[i - unnamed], std::move(*value));
+    }
   }
   if (name == "uninitialized") return TorchValue();
   if (has_type) return arguments.empty() ? fail("casts nothing") : std::optional(arguments.front());

@@ -56,8 +56,8 @@ class Parser {
   }
   bool fail(const std::string& what) {
     problem_ = {"E0753",
-                fmt::format("has code that is not understood: {} (line {} of {})", what,
-                            now().line, printable(file_)),
+                fmt::format("has code that is not understood: {} (line {} of {})", what, now().line,
+                            printable(file_)),
                 "export the actor to ONNX with `torch.onnx.export`"};
     return false;
   }
@@ -84,7 +84,7 @@ class Parser {
       next();
       if (take(":") && !skip_type()) return false;
       if (take("=")) {
-        parameter.otherwise.emplace();
+        parameter.otherwise = TorchExpression();
         if (!expression(*parameter.otherwise, 0)) return false;
       }
       made.parameters.push_back(std::move(parameter));
@@ -229,12 +229,12 @@ class Parser {
         std::string name(now().text);
         next();
         next();
-        made.keywords.emplace_back(std::move(name), TorchExpression{});
-        if (!expression(made.keywords.back().second, depth + 1)) return false;
-      } else {
-        made.parts.emplace_back();
-        if (!expression(made.parts.back(), depth + 1)) return false;
+        made.keywords.push_back(std::move(name));
+      } else if (!made.keywords.empty()) {
+        return fail("an argument without a name follows one with a name");
       }
+      made.parts.emplace_back();
+      if (!expression(made.parts.back(), depth + 1)) return false;
       if (!take(",") && !is(")")) return fail("an argument does not end");
     }
     next();

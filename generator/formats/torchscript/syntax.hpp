@@ -21,7 +21,7 @@ struct TorchExpression {
     real,       // real
     text,       // text
     attribute,  // parts[0].text
-    call,       // parts[0](parts[1], …), then `keywords`
+    call,       // parts[0](parts[1], …)
     subscript,  // parts[0][parts[1]]
     tuple,      // parts
     list,       // parts
@@ -31,7 +31,7 @@ struct TorchExpression {
   std::int64_t integer = 0;
   double real = 0.0;
   std::vector<TorchExpression> parts{};
-  std::vector<std::pair<std::string, TorchExpression>> keywords{};
+  std::vector<std::string> keywords{};  // of a call: names of its last arguments
 };
 
 struct TorchStatement {
