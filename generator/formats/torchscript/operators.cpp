@@ -13,7 +13,6 @@ namespace {
 
 using Torch = TorchCall;
 using Result = std::optional<OnnxValue>;
-using Operator = Result (*)(const Torch& call);
 
 /// With one input, as ONNX has it.
 template <const char* (*Name)()>
@@ -37,16 +36,6 @@ EAGERX_SAME(abs, "Abs")
 EAGERX_SAME(sqrt, "Sqrt")
 EAGERX_SAME(neg, "Neg")
 #undef EAGERX_SAME
-
-std::int64_t rank_of(const OnnxValue& x) {
-  return static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-}
-/// An axis, counted from the front.
-std::optional<std::int64_t> axis_of(const OnnxValue& x, std::optional<std::int64_t> axis) {
-  if (!axis || !x.shape) return std::nullopt;
-  const std::int64_t place = *axis < 0 ? *axis + rank_of(x) : *axis;
-  return place >= 0 && place < rank_of(x) ? std::optional(place) : std::nullopt;
-}
 
 Result with_factor(const Torch& call, const char* type) {
   const auto a = call.tensor(0);
@@ -111,7 +100,7 @@ OnnxValue turned(const Torch& call, const OnnxValue& matrix) {
 Result linear(const Torch& call) {
   const auto x = call.tensor(0);
   const auto weight = call.tensor(1, "weight");
-  if (!x || !weight || rank_of(*weight) != 2) return std::nullopt;
+  if (!x || !weight || torch_rank(*weight) != 2) return std::nullopt;
   const OnnxValue product = call.node("MatMul", {*x, turned(call, *weight)});
   if (call.argument(2, "bias").is_none()) return product;
   const auto bias = call.tensor(2, "bias");
@@ -266,113 +255,6 @@ Result cat(const Torch& call) {
   return call.node("Concat", parts, {{"axis", axis}});
 }
 
-Result transpose(const Torch& call) {
-  const auto x = call.tensor(0);
-  if (!x || !x->shape) return std::nullopt;
-  Integers order(x->shape->size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int64_t>(i);
-  const bool matrix = call.name() == "t" || call.name() == "numpy_T";
-  const auto a = matrix ? axis_of(*x, 0) : axis_of(*x, call.whole(1, "dim0", std::nullopt));
-  const auto b = matrix ? axis_of(*x, -1) : axis_of(*x, call.whole(2, "dim1", std::nullopt));
-  if (!a || !b || (matrix && order.size() > 2)) return std::nullopt;
-  std::swap(order[static_cast<std::size_t>(*a)], order[static_cast<std::size_t>(*b)]);
-  return call.node("Transpose", {*x}, {{"perm", {}, {}, order}});
-}
-Result permute(const Torch& call) {
-  const auto x = call.tensor(0);
-  auto order = call.list(1, "dims");
-  if (!x || !order) return std::nullopt;
-  for (std::int64_t& axis : *order) axis = axis < 0 ? axis + rank_of(*x) : axis;
-  return call.node("Transpose", {*x}, {{"perm", {}, {}, order}});
-}
-Result reshape(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto shape = call.list(1, "shape");
-  if (!x || !shape) return std::nullopt;
-  return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}, {"allowzero", 1}});
-}
-Result flatten(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto first = x ? axis_of(*x, call.whole(1, "start_dim", 0)) : std::nullopt;
-  const auto last = x ? axis_of(*x, call.whole(2, "end_dim", -1)) : std::nullopt;
-  if (!first || !last || *last < *first) return std::nullopt;
-  Integers shape;
-  for (std::int64_t i = 0; i < rank_of(*x); ++i) {
-    const std::int64_t size = (*x->shape)[static_cast<std::size_t>(i)];
-    if (i > *first && i <= *last) {
-      shape.back() *= size;
-    } else {
-      shape.push_back(size);
-    }
-  }
-  return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}});
-}
-Result unsqueeze(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = call.list(1, "dim");
-  return x && axis ? Result(call.node("Unsqueeze", {*x}, {{"axes", {}, {}, axis}})) : std::nullopt;
-}
-Result squeeze(const Torch& call) {
-  const auto x = call.tensor(0);
-  if (!x) return std::nullopt;
-  if (call.argument(1, "dim").is_none()) return call.node("Squeeze", {*x});
-  const auto axis = axis_of(*x, call.whole(1, "dim", std::nullopt));
-  if (!axis) return std::nullopt;
-  if ((*x->shape)[static_cast<std::size_t>(*axis)] != 1) return x;
-  return call.node("Squeeze", {*x}, {{"axes", {}, {}, Integers{*axis}}});
-}
-Result expand(const Torch& call) {
-  const auto x = call.tensor(0);
-  std::optional<Integers> shape;
-  if (call.name() == "expand_as") {
-    const auto other = call.tensor(1, "other");
-    if (other && other->shape) shape = *other->shape;
-  } else {
-    shape = call.list(1, "size");
-  }
-  if (!x || !x->shape || !shape || shape->size() < x->shape->size()) return std::nullopt;
-  const std::size_t more = shape->size() - x->shape->size();
-  for (std::size_t i = more; i < shape->size(); ++i) {
-    if ((*shape)[i] == -1) (*shape)[i] = (*x->shape)[i - more];
-  }
-  return call.node("Expand", {*x}, {{"shape", {}, {}, shape}});
-}
-
-OnnxValue part(const Torch& call, const OnnxValue& x, std::int64_t axis, std::int64_t first,
-               std::int64_t last, std::int64_t step = 1) {
-  return call.node("Slice", {x},
-                   {{"starts", {}, {}, Integers{first}},
-                    {"ends", {}, {}, Integers{last}},
-                    {"axes", {}, {}, Integers{axis}},
-                    {"steps", {}, {}, Integers{step}}});
-}
-Result slice(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = x ? axis_of(*x, call.whole(1, "dim", 0)) : std::nullopt;
-  const auto first = call.whole(2, "start", 0);
-  const auto last = call.whole(3, "end", std::numeric_limits<std::int64_t>::max());
-  const auto step = call.whole(4, "step", 1);
-  if (!axis || !first || !last || !step) return std::nullopt;
-  return part(call, *x, *axis, *first, *last, *step);
-}
-Result narrow(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = x ? axis_of(*x, call.whole(1, "dim", std::nullopt)) : std::nullopt;
-  const auto first = call.whole(2, "start", std::nullopt);
-  const auto count = call.whole(3, "length", std::nullopt);
-  const std::int64_t size = axis ? (*x->shape)[static_cast<std::size_t>(*axis)] : 0;
-  if (!axis || !first || !count || *first < 0 || *count < 1 || *first > size - *count) {
-    return std::nullopt;
-  }
-  return part(call, *x, *axis, *first, *first + *count);
-}
-Result select(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = x ? axis_of(*x, call.whole(1, "dim", std::nullopt)) : std::nullopt;
-  const auto index = call.whole(2, "index", std::nullopt);
-  if (!axis || !index) return std::nullopt;
-  return call.node("Gather", {*x, integers_value({*index}, {})}, {{"axis", axis}});
-}
 Result zeros(const Torch& call) {
   const auto shape = call.list(0, "size");
   const std::int64_t count =
@@ -387,99 +269,56 @@ Result number(const Torch& call) {
   return call.tensor(0);
 }
 
-const std::map<std::string_view, Operator>& operators() {
-  static const std::map<std::string_view, Operator> kTable = {{"relu", same<relu_name>},
-                                                              {"tanh", same<tanh_name>},
-                                                              {"sigmoid", same<sigmoid_name>},
-                                                              {"selu", same<selu_name>},
-                                                              {"sin", same<sin_name>},
-                                                              {"cos", same<cos_name>},
-                                                              {"exp", same<exp_name>},
-                                                              {"abs", same<abs_name>},
-                                                              {"sqrt", same<sqrt_name>},
-                                                              {"neg", same<neg_name>},
-                                                              {"add", add},
-                                                              {"sub", subtract},
-                                                              {"rsub", subtract_from},
-                                                              {"mul", multiply},
-                                                              {"div", divide},
-                                                              {"maximum", maximum},
-                                                              {"minimum", minimum},
-                                                              {"reciprocal", reciprocal},
-                                                              {"rsqrt", inverse_root},
-                                                              {"pow", power},
-                                                              {"square", power},
-                                                              {"linear", linear},
-                                                              {"addmm", addmm},
-                                                              {"matmul", matmul},
-                                                              {"mm", matmul},
-                                                              {"elu", elu},
-                                                              {"leaky_relu", leaky_relu},
-                                                              {"silu", silu},
-                                                              {"gelu", gelu},
-                                                              {"softplus", softplus},
-                                                              {"softmax", softmax},
-                                                              {"argmax", arg_max},
-                                                              {"clamp", clamp},
-                                                              {"clip", clamp},
-                                                              {"clamp_min", clamp_min},
-                                                              {"clamp_max", clamp_max},
-                                                              {"hardtanh", hard_tanh},
-                                                              {"relu6", relu6},
-                                                              {"layer_norm", layer_norm},
-                                                              {"batch_norm", batch_norm},
-                                                              {"mean", mean},
-                                                              {"norm", norm},
-                                                              {"linalg_vector_norm", norm},
-                                                              {"cat", cat},
-                                                              {"concat", cat},
-                                                              {"t", transpose},
-                                                              {"numpy_T", transpose},
-                                                              {"transpose", transpose},
-                                                              {"permute", permute},
-                                                              {"reshape", reshape},
-                                                              {"view", reshape},
-                                                              {"flatten", flatten},
-                                                              {"unsqueeze", unsqueeze},
-                                                              {"squeeze", squeeze},
-                                                              {"expand", expand},
-                                                              {"expand_as", expand},
-                                                              {"slice", slice},
-                                                              {"narrow", narrow},
-                                                              {"select", select},
-                                                              {"zeros", zeros},
-                                                              {"ones", zeros},
-                                                              {"tensor", number}};
+const std::map<std::string_view, TorchOperator>& operators() {
+  static const std::map<std::string_view, TorchOperator> kTable = {{"relu", same<relu_name>},
+                                                                   {"tanh", same<tanh_name>},
+                                                                   {"sigmoid", same<sigmoid_name>},
+                                                                   {"selu", same<selu_name>},
+                                                                   {"sin", same<sin_name>},
+                                                                   {"cos", same<cos_name>},
+                                                                   {"exp", same<exp_name>},
+                                                                   {"abs", same<abs_name>},
+                                                                   {"sqrt", same<sqrt_name>},
+                                                                   {"neg", same<neg_name>},
+                                                                   {"add", add},
+                                                                   {"sub", subtract},
+                                                                   {"rsub", subtract_from},
+                                                                   {"mul", multiply},
+                                                                   {"div", divide},
+                                                                   {"maximum", maximum},
+                                                                   {"minimum", minimum},
+                                                                   {"reciprocal", reciprocal},
+                                                                   {"rsqrt", inverse_root},
+                                                                   {"pow", power},
+                                                                   {"square", power},
+                                                                   {"linear", linear},
+                                                                   {"addmm", addmm},
+                                                                   {"matmul", matmul},
+                                                                   {"mm", matmul},
+                                                                   {"elu", elu},
+                                                                   {"leaky_relu", leaky_relu},
+                                                                   {"silu", silu},
+                                                                   {"gelu", gelu},
+                                                                   {"softplus", softplus},
+                                                                   {"softmax", softmax},
+                                                                   {"argmax", arg_max},
+                                                                   {"clamp", clamp},
+                                                                   {"clip", clamp},
+                                                                   {"clamp_min", clamp_min},
+                                                                   {"clamp_max", clamp_max},
+                                                                   {"hardtanh", hard_tanh},
+                                                                   {"relu6", relu6},
+                                                                   {"layer_norm", layer_norm},
+                                                                   {"batch_norm", batch_norm},
+                                                                   {"mean", mean},
+                                                                   {"norm", norm},
+                                                                   {"linalg_vector_norm", norm},
+                                                                   {"cat", cat},
+                                                                   {"concat", cat},
+                                                                   {"zeros", zeros},
+                                                                   {"ones", zeros},
+                                                                   {"tensor", number}};
   return kTable;
-}
-
-/// Neighbouring parts along an axis, as a list.
-std::optional<TorchValue> parts_of(const Torch& call) {
-  const auto x = call.tensor(0);
-  const auto axis = x ? axis_of(*x, call.whole(2, "dim", 0)) : std::nullopt;
-  auto sizes = call.list(1);
-  if (!axis || !sizes || sizes->empty()) return std::nullopt;
-  const std::int64_t size = (*x->shape)[static_cast<std::size_t>(*axis)];
-  if (call.argument(1).kind == TorchValue::Kind::integer) {
-    std::int64_t each = sizes->front();
-    if (each < 1) return std::nullopt;
-    if (call.name() == "chunk") each = (size + each - 1) / each;
-    sizes->clear();
-    constexpr std::int64_t kMostParts = 1024;
-    if (size > each * kMostParts) return std::nullopt;
-    for (std::int64_t first = 0; first < size; first += each) {
-      sizes->push_back(std::min(each, size - first));
-    }
-  }
-  std::vector<TorchValue> parts;
-  std::int64_t first = 0;
-  for (const std::int64_t count : *sizes) {
-    if (count < 1 || count > size - first) return std::nullopt;
-    parts.push_back(TorchValue::of(part(call, *x, *axis, first, first + count)));
-    first += count;
-  }
-  if (first != size) return std::nullopt;
-  return TorchValue::of(std::move(parts));
 }
 
 }  // namespace
@@ -488,19 +327,20 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
   const std::string_view name = call.name();
   if (name == "lstm" || name == "gru") return torch_recurrence(call, problem);
   if (name == "split" || name == "split_with_sizes" || name == "chunk") {
-    auto parts = parts_of(call);
+    auto parts = torch_parts(call);
     if (!parts) problem = call.misused("with sizes that are not those of the value");
     return parts;
   }
-  const auto found = operators().find(name);
-  if (found == operators().end()) {
+  const auto own = operators().find(name);
+  const TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
+  if (run == nullptr) {
     problem = {
         "E0754",
         fmt::format("calls `{}`, which is not supported ({})", printable(name), call.where()),
         "export the actor alone, or export it to ONNX with `torch.onnx.export`"};
     return std::nullopt;
   }
-  auto value = found->second(call);
+  auto value = run(call);
   if (value) return TorchValue::of(std::move(*value));
   problem = call.misused("in a way that is not supported");
   return std::nullopt;

@@ -132,6 +132,15 @@ class TorchCall {
 /// The result of an operator; nothing, and a problem, if it is not known or not used as it can be.
 std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem);
 
+using TorchOperator = std::optional<OnnxValue> (*)(const TorchCall& call);
+/// Operators that shape, pick and reorder (shapes.cpp); nullptr for others.
+TorchOperator torch_shape_operator(std::string_view name);
+/// Neighbouring parts along an axis, as a list: split and chunk.
+std::optional<TorchValue> torch_parts(const TorchCall& call);
+/// How many axes a value has, and one of them counted from the front.
+std::int64_t torch_rank(const OnnxValue& x);
+std::optional<std::int64_t> torch_axis(const OnnxValue& x, std::optional<std::int64_t> axis);
+
 /// LSTM and GRU (recurrent.cpp).
 std::optional<TorchValue> torch_recurrence(const TorchCall& call, PolicyProblem& problem);
 
