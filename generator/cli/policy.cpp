@@ -31,12 +31,23 @@ std::optional<Network> read(Run& run, const Options& options) {
   return read_policy(request, run.diagnostics);
 }
 
+/// In a network with branches: ", of the observation", ", of layers 2, 5".
+std::string sources_of(const Network& network, std::size_t i) {
+  if (network.is_chain()) return "";
+  std::vector<std::string> names;
+  for (const std::int32_t value : network.taken_by(i)) {
+    names.push_back(value < 0 ? "the observation" : fmt::format("layer {}", value + 1));
+  }
+  return fmt::format(", of {}", fmt::join(names, ", "));
+}
+
 void print_layers(const Network& network) {
   LayerCost sum;
   std::size_t remembered = 0;
   std::size_t int8 = 0;
   say("layers\n");
-  for (const Layer& layer : network.layers) {
+  for (std::size_t i = 0; i < network.layers.size(); ++i) {
+    const Layer& layer = network.layers[i];
     const LayerCost cost = cost_of(layer);
     sum.parameters += cost.parameters;
     sum.bytes += cost.bytes;
@@ -44,7 +55,8 @@ void print_layers(const Network& network) {
     remembered += layer.remembers();
     int8 += int8_bytes(layer);
     const bool plain = layer.is_dense() && layer.activation == Activation::identity && !layer.norm;
-    say("  {} -> {}{}\n", layer.inputs, layer.outputs, plain ? "" : note_of(layer));
+    say("  {}{} -> {}{}{}\n", network.is_chain() ? "" : fmt::format("{:<3} ", i + 1), layer.inputs,
+        layer.outputs, plain ? "" : note_of(layer), sources_of(network, i));
   }
   say("parameters     {}\n", sum.parameters);
   say("flash          {} bytes, {} with `weights: int8`\n", sum.bytes, int8);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "generator/emit/policy_tables.hpp"
+#include "generator/network/buffers.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -61,9 +62,10 @@ std::string kernel_literal(const KernelShape& kernel) {
 /// The statements of one layer, and the constants that they name.
 class Form {
  public:
-  Form(const Layer& layer, std::size_t number, data& view)
+  Form(const Layer& layer, std::size_t number, bool branches, data& view)
       : layer_(layer),
         number_(number),
+        branches_(branches),
         x_(view.get("input")->string_value()),
         y_(view.get("output")->string_value()),
         view_(view) {}
@@ -150,7 +152,24 @@ class Form {
                                  to_string(form.operation), number_, x_, y_));
   }
 
+  void write(const Combination& form) {
+    lines_.push_back(fmt::format("eagerx::policy::{}({}, {});", to_string(form.operation), y_, x_));
+  }
+  void write(const Function& form) {
+    lines_.push_back(fmt::format("eagerx::policy::{}({}, {});", to_string(form.kind), x_, y_));
+  }
+  void write(const Reduction& form) {
+    lines_.push_back(fmt::format("eagerx::policy::row_{}({}, {});", to_string(form.kind), x_, y_));
+  }
+
   void write(const Reorder& form) {
+    if (branches_ && first_of_slice(layer_)) {
+      if (y_ == "action") {
+        lines_.push_back(
+            fmt::format("eagerx::policy::join(action, {});", slice_expression(layer_, x_)));
+      }
+      return;
+    }
     data indices{data::type::object};
     indices.set("type", layer_.inputs > 0xffff ? "std::uint32_t" : "std::uint16_t");
     indices.set("count", std::to_string(form.from.size()));
@@ -187,6 +206,7 @@ class Form {
 
   const Layer& layer_;
   std::size_t number_;
+  bool branches_;
   std::string x_, y_;
   data& view_;
   std::vector<std::string> lines_;
@@ -195,21 +215,32 @@ class Form {
 
 }  // namespace
 
-void add_form(const Layer& layer, std::size_t number, data& view) {
-  Form(layer, number, view).write();
+std::string slice_expression(const Layer& layer, const std::string& input) {
+  return fmt::format("eagerx::policy::slice<{}, {}>({})", first_of_slice(layer).value_or(0),
+                     layer.outputs, input);
+}
+
+void add_form(const Layer& layer, std::size_t number, bool branches, data& view) {
+  Form(layer, number, branches, view).write();
 }
 
 void add_headers(const Network& network, data& view) {
   bool kernels = false;
   bool elements = false;
+  bool branches = false;
   for (const Layer& layer : network.layers) {
     kernels = kernels || std::holds_alternative<Convolution>(layer.form) ||
               std::holds_alternative<Pooling>(layer.form);
+    branches = branches || !layer.takes.empty() ||
+               std::holds_alternative<Combination>(layer.form) ||
+               std::holds_alternative<Function>(layer.form) ||
+               std::holds_alternative<Reduction>(layer.form);
     elements = elements || std::holds_alternative<Elementwise>(layer.form) ||
                std::holds_alternative<Reorder>(layer.form);
   }
   view.set("has_kernels", kernels);
   view.set("has_elements", elements);
+  view.set("has_parts", branches);
 }
 
 }  // namespace eagerx::gen

@@ -24,8 +24,12 @@ std::string list_of(const std::vector<double>& values);
 std::string slope_argument(const Layer& layer);
 
 /// Constants and statements of layer `number` (from 1), if it is not dense; "input" and "output" of
-/// the view are their variables.
-void add_form(const Layer& layer, std::size_t number, kainjow::mustache::data& view);
+/// the view are their variables. `branches`: of a network with branches, where slices are no
+/// copies.
+void add_form(const Layer& layer, std::size_t number, bool branches, kainjow::mustache::data& view);
+
+/// A slice of `input` as an expression.
+std::string slice_expression(const Layer& layer, const std::string& input);
 
 /// Headers that the network's layers need.
 void add_headers(const Network& network, kainjow::mustache::data& view);

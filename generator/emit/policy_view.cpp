@@ -10,6 +10,7 @@
 
 #include "generator/emit/literals.hpp"
 #include "generator/emit/policy_tables.hpp"
+#include "generator/network/buffers.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/evaluate.hpp"
 #include "generator/network/int8.hpp"
@@ -96,18 +97,43 @@ std::string weight_table(const Layer& layer) {
   return table.text();
 }
 
-namespace {}  // namespace
-
 std::string slope_argument(const Layer& layer) {
   return layer.slope == 0.0F ? std::string() : ", " + float_literal(layer.slope);
 }
 
 namespace {
 
-data layer_view(const Network& network, std::size_t i) {
+/// The variable of a value: -1 the observation, i the result of layer i.
+std::string variable_of(const Network& network, std::int32_t value) {
+  if (value < 0) return network.normalization ? "normalized" : "observation";
+  const auto i = static_cast<std::size_t>(value);
+  return i + 1 == network.layers.size() ? std::string("action") : fmt::format("hidden{}", i + 1);
+}
+
+std::string inputs_of(const Network& network, std::size_t i) {
+  std::vector<std::string> names;
+  for (const std::int32_t value : network.taken_by(i)) {
+    names.push_back(variable_of(network, value));
+  }
+  return joined(names);
+}
+
+/// The result of a layer in a network with branches: a part of a buffer, or of what the layer
+/// takes.
+std::string declaration_of(const Network& network, const BufferPlan& plan, std::size_t i) {
+  const Layer& layer = network.layers[i];
+  const std::string name = variable_of(network, static_cast<std::int32_t>(i));
+  if (plan.places[i]) {
+    return fmt::format("float(&{})[{}] = eagerx::policy::front<{}>(buffer{});", name, layer.outputs,
+                       layer.outputs, *plan.places[i] + 1);
+  }
+  return fmt::format("const float(&{})[{}] = {};", name, layer.outputs,
+                     slice_expression(layer, inputs_of(network, i)));
+}
+
+data layer_view(const Network& network, const BufferPlan* plan, std::size_t i) {
   const Layer& layer = network.layers[i];
   const bool last = i + 1 == network.layers.size();
-  const std::string first = network.normalization ? "normalized" : "observation";
   data view{data::type::object};
   view.set("number", std::to_string(i + 1));
   view.set("inputs", std::to_string(layer.inputs));
@@ -129,9 +155,11 @@ data layer_view(const Network& network, std::size_t i) {
     view.set("biases", bias_table(layer));
   }
   view.set("dense", network.profile == Profile::fast && !int8 ? "fast_dense" : "dense");
-  view.set("input", i == 0 ? first : fmt::format("hidden{}", i));
-  view.set("output", last ? std::string("action") : fmt::format("hidden{}", i + 1));
-  view.set("hidden", data{!last});
+  view.set("input", inputs_of(network, i));
+  view.set("output", variable_of(network, static_cast<std::int32_t>(i)));
+  view.set("hidden", data{plan == nullptr && !last});
+  view.set("in_buffer", data{plan != nullptr && !last});
+  if (plan != nullptr && !last) view.set("declaration", declaration_of(network, *plan, i));
   const bool plain = layer.is_dense() && layer.activation == Activation::identity;
   view.set("note", note_of(layer) + (plain ? " identity" : ""));
   view.set("norm", data{layer.norm.has_value()});
@@ -140,7 +168,7 @@ data layer_view(const Network& network, std::size_t i) {
     view.set("beta", list_of(layer.norm->beta));
     view.set("epsilon", float_literal(layer.norm->epsilon));
   }
-  add_form(layer, i + 1, view);
+  add_form(layer, i + 1, plan != nullptr, view);
   return view;
 }
 
@@ -174,18 +202,35 @@ void add_self_test(const Network& network, data& view) {
 
 }  // namespace
 
+namespace {
+
+void add_buffers(const std::optional<BufferPlan>& plan, data& view) {
+  data buffers{data::type::list};
+  for (std::size_t i = 0; plan && i < plan->sizes.size(); ++i) {
+    data item{data::type::object};
+    item.set("buffer", std::to_string(i + 1));
+    item.set("size", std::to_string(plan->sizes[i]));
+    buffers.push_back(item);
+  }
+  view.set("has_branches", data{plan.has_value()});
+  view.set("buffers", buffers);
+}
+
+}  // namespace
+
 data policy_view(const Network& network) {
   data layers{data::type::list};
   std::size_t parameters = 0;
   std::size_t stored = 0;
   bool int8 = false;
+  const auto plan = network.is_chain() ? std::nullopt : std::optional(plan_buffers(network));
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     const Layer& layer = network.layers[i];
     const LayerCost cost = cost_of(layer);
     parameters += cost.parameters;
     stored += layer.rounded.empty() ? cost.bytes : int8_bytes(layer);
     int8 = int8 || !layer.rounded.empty();
-    layers.push_back(layer_view(network, i));
+    layers.push_back(layer_view(network, plan ? &*plan : nullptr, i));
   }
   data view{data::type::object};
   view.set("file", network.file);
@@ -199,6 +244,7 @@ data policy_view(const Network& network) {
   view.set("tolerance", network.profile == Profile::fast ? ", 1e-4F" : "");
   view.set("layers", layers);
   view.set("has_memory", network.has_memory());
+  add_buffers(plan, view);
   add_headers(network, view);
   add_statistics(network, view);
   add_self_test(network, view);

@@ -12,6 +12,7 @@
 #include "generator/formats/onnx/read_onnx.hpp"
 #include "generator/formats/statistics.hpp"
 #include "generator/formats/tensors/containers.hpp"
+#include "generator/formats/torchscript/read_torchscript.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -25,6 +26,20 @@ PolicyProblem none_of_the_formats() {
   return {"E0603", "is in none of the formats that are read", kKnownFormats};
 }
 
+/// TorchScript says every step itself.
+std::optional<Network> read_program(const Archive& archive, const ReadContext& context,
+                                    PolicyProblem& problem) {
+  const char* said = !context.actor.empty()      ? "actor"
+                     : context.activation        ? "activation"
+                     : context.output_activation ? "output_activation"
+                                                 : nullptr;
+  if (said != nullptr) {
+    return refuse(problem, "E0626", "is TorchScript, which says every step of the actor",
+                  fmt::format("leave the graph's `{}` out", said));
+  }
+  return read_torchscript(archive, problem);
+}
+
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
                                 PolicyProblem& problem) {
   if (bytes.empty()) return refuse(problem, "E0603", "is empty", kKnownFormats);
@@ -34,7 +49,12 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
     return refuse(problem, "E0751", "is a table of tensors, which has no outputs with names",
                   "leave the graph's `output_name` out: only ONNX has such");
   }
-  if (is_zip) return read_zip_policy(bytes, context, problem);
+  if (is_zip) {
+    const auto archive = Archive::open(bytes, problem);
+    if (!archive) return std::nullopt;
+    return is_torchscript(*archive) ? read_program(*archive, context, problem)
+                                    : read_zip_policy(*archive, context, problem);
+  }
   if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
   if (is_legacy_torch(bytes)) return read_legacy_torch_policy(bytes, context, problem);
   if (auto other = foreign_file(bytes)) {

@@ -1,7 +1,9 @@
 #include "generator/network/cost.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include "generator/network/buffers.hpp"
 #include "generator/network/panels.hpp"
 
 namespace eagerx::gen {
@@ -30,6 +32,18 @@ std::string form_note(const Layer& layer) {
     return form->operation == Elementwise::Operation::none
                ? std::string()
                : fmt::format(" {}", to_string(form->operation));
+  }
+  if (const auto* form = std::get_if<Combination>(&layer.form)) {
+    return fmt::format(" {} of {}", to_string(form->operation), fmt::join(form->sizes, ", "));
+  }
+  if (const auto* form = std::get_if<Function>(&layer.form)) {
+    return fmt::format(" {}", to_string(form->kind));
+  }
+  if (const auto* form = std::get_if<Reduction>(&layer.form)) {
+    return fmt::format(" {}", to_string(form->kind));
+  }
+  if (const auto first = first_of_slice(layer); first && !layer.takes.empty()) {
+    return fmt::format(" slice from {}", *first);
   }
   return std::holds_alternative<Reorder>(layer.form) ? " reorder" : "";
 }
@@ -64,7 +78,8 @@ LayerCost cost_of(const Layer& layer) {
     floats += layer.bias.size();
   }
   cost.bytes = floats * sizeof(float);
-  if (const auto* form = std::get_if<Reorder>(&layer.form)) {
+  const bool is_view = !layer.takes.empty() && first_of_slice(layer);  // of a network with branches
+  if (const auto* form = std::get_if<Reorder>(&layer.form); form != nullptr && !is_view) {
     cost.bytes += form->from.size() * (layer.inputs > 0xffff ? 4 : 2);
   }
   return cost;

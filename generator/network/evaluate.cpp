@@ -4,6 +4,7 @@
 #include <cmath>
 #include <eagerx/policy.hpp>
 
+#include "generator/network/buffers.hpp"
 #include "generator/network/evaluate_layer.hpp"
 #include "generator/network/sums.hpp"
 
@@ -107,37 +108,59 @@ std::vector<float> normalized(const Network& network, std::vector<float> observa
   return observation;
 }
 
-std::vector<float> evaluate(const Network& network, std::vector<float> input,
-                            Memory<float>* memory) {
-  Memory<float> fresh;
+namespace {
+
+/// Calls `step(layer, input, memory)` for each layer; the last result. A result that no later layer
+/// takes is dropped at once: together they may be more than a machine holds.
+template <class Real, class Step>
+std::vector<Real> run_layers(const Network& network, std::vector<Real> input, Memory<Real>* memory,
+                             Step&& step) {
+  Memory<Real> fresh;
   if (memory == nullptr) memory = &fresh;
   memory->resize(network.layers.size());
+  const std::vector<std::size_t> last_uses = last_uses_of(network);
+  std::vector<std::vector<Real>> values(network.layers.size() + 1);  // [0]: the observation
+  values[0] = std::move(input);
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
-    const Layer& layer = network.layers[i];
-    std::vector<float> y = evaluate_layer(layer, input, (*memory)[i]);
-    if (layer.norm) apply_norm(*layer.norm, y);
-    activate(layer.activation, layer.slope, y);
-    input = std::move(y);
+    std::vector<Real> x;
+    for (const std::int32_t from : network.taken_by(i)) {
+      std::vector<Real>& value = values[static_cast<std::size_t>(from + 1)];
+      x.insert(x.end(), value.begin(), value.end());
+    }
+    for (const std::int32_t from : network.taken_by(i)) {
+      const auto k = static_cast<std::size_t>(from + 1);
+      if (last_uses[k] == i) std::vector<Real>().swap(values[k]);
+    }
+    values[i + 1] = step(network.layers[i], x, (*memory)[i]);
   }
-  return input;
+  return std::move(values.back());
+}
+
+}  // namespace
+
+std::vector<float> evaluate(const Network& network, std::vector<float> input,
+                            Memory<float>* memory) {
+  return run_layers<float>(network, std::move(input), memory,
+                           [](const Layer& layer, const auto& x, auto& remembered) {
+                             std::vector<float> y = evaluate_layer(layer, x, remembered);
+                             if (layer.norm) apply_norm(*layer.norm, y);
+                             activate(layer.activation, layer.slope, y);
+                             return y;
+                           });
 }
 
 std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input,
                                        Memory<double>* memory) {
-  Memory<double> fresh;
-  if (memory == nullptr) memory = &fresh;
-  memory->resize(network.layers.size());
-  std::vector<double> x(input.begin(), input.end());
-  for (std::size_t i = 0; i < network.layers.size(); ++i) {
-    const Layer& layer = network.layers[i];
-    std::vector<double> y = evaluate_layer(layer, x, (*memory)[i]);
-    if (layer.norm) apply_norm(*layer.norm, y);
-    for (double& value : y) {
-      value = activated(layer.activation, static_cast<double>(layer.slope), value);
-    }
-    x = std::move(y);
-  }
-  return x;
+  return run_layers<double>(network, {input.begin(), input.end()}, memory,
+                            [](const Layer& layer, const auto& x, auto& remembered) {
+                              std::vector<double> y = evaluate_layer(layer, x, remembered);
+                              if (layer.norm) apply_norm(*layer.norm, y);
+                              for (double& value : y) {
+                                value = activated(layer.activation,
+                                                  static_cast<double>(layer.slope), value);
+                              }
+                              return y;
+                            });
 }
 
 std::optional<std::vector<double>> action_of(const Network& network,

@@ -214,6 +214,88 @@ Real operated(Elementwise::Operation operation, Real x, Real c) {
   return x;
 }
 
+float function_of(Function::Kind kind, float x) {
+  switch (kind) {
+    case Function::Kind::sin:
+      return eagerx::sin(x);
+    case Function::Kind::cos:
+      return eagerx::cos(x);
+    case Function::Kind::exp:
+      return eagerx::exp(x);
+    case Function::Kind::abs:
+      return eagerx::abs(x);
+    case Function::Kind::sqrt:
+      break;
+  }
+  return eagerx::sqrt(x);
+}
+double function_of(Function::Kind kind, double x) {
+  switch (kind) {
+    case Function::Kind::sin:
+      return std::sin(x);
+    case Function::Kind::cos:
+      return std::cos(x);
+    case Function::Kind::exp:
+      return std::exp(x);
+    case Function::Kind::abs:
+      return std::fabs(x);
+    case Function::Kind::sqrt:
+      break;
+  }
+  return std::sqrt(x);
+}
+
+/// In the order of the numbers, as eagerx/policy/branches.hpp.
+template <class Real>
+Values<Real> reduce(const Reduction& form, const Values<Real>& x) {
+  Values<Real> y;
+  for (std::size_t first = 0; first < x.size(); first += form.length) {
+    Real sum(0);
+    for (std::size_t i = first; i < first + form.length; ++i) {
+      const Real term = form.kind == Reduction::Kind::norm ? x[i] * x[i] : x[i];
+      sum = sum + term;
+    }
+    if (form.kind == Reduction::Kind::mean) sum = sum / static_cast<Real>(form.length);
+    if (form.kind == Reduction::Kind::norm) sum = function_of(Function::Kind::sqrt, sum);
+    y.push_back(sum);
+  }
+  return y;
+}
+
+template <class Real>
+Real combined(Combination::Operation operation, Real a, Real b) {
+  using Operation = Combination::Operation;
+  switch (operation) {
+    case Operation::sum:
+      return a + b;
+    case Operation::difference:
+      return a - b;
+    case Operation::product:
+      return a * b;
+    case Operation::quotient:
+      return a / b;
+    case Operation::join:
+      break;
+  }
+  return b;
+}
+
+/// `x`: its values, one behind the other.
+template <class Real>
+Values<Real> combine(const Layer& layer, const Combination& form, const Values<Real>& x) {
+  if (form.operation == Combination::Operation::join) return x;
+  Values<Real> y(layer.outputs);
+  std::size_t first = 0;
+  for (const std::uint32_t size : form.sizes) {
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      const Real value = x[first + (size == 1 ? 0 : i)];
+      y[i] = first == 0 ? value : combined(form.operation, y[i], value);
+    }
+    first += size;
+  }
+  return y;
+}
+
 template <class Real>
 Values<Real> answer_of(const Layer& layer, const Values<Real>& x, Values<Real>& memory) {
   if (const auto* form = std::get_if<Convolution>(&layer.form)) return convolve(layer, *form, x);
@@ -226,6 +308,13 @@ Values<Real> answer_of(const Layer& layer, const Values<Real>& x, Values<Real>& 
     Values<Real> y;
     y.reserve(form->from.size());
     for (const std::uint32_t from : form->from) y.push_back(x[from]);
+    return y;
+  }
+  if (const auto* form = std::get_if<Combination>(&layer.form)) return combine(layer, *form, x);
+  if (const auto* form = std::get_if<Reduction>(&layer.form)) return reduce(*form, x);
+  if (const auto* form = std::get_if<Function>(&layer.form)) {
+    Values<Real> y;
+    for (const Real value : x) y.push_back(function_of(form->kind, value));
     return y;
   }
   if (const auto* form = std::get_if<Elementwise>(&layer.form)) {

@@ -83,6 +83,28 @@ struct Reorder {
   std::vector<std::uint32_t> from;  // [outputs]
 };
 
+/// Several values become one: side by side, or number by number from the first to the last, where a
+/// value of one number goes with each number of the others.
+struct Combination {
+  enum class Operation : std::uint8_t { join, sum, difference, product, quotient };
+  Operation operation = Operation::join;
+  std::vector<std::uint32_t> sizes;  // of the values, in order
+};
+const char* to_string(Combination::Operation operation);
+/// f(x), number by number. No weights.
+struct Function {
+  enum class Kind : std::uint8_t { sin, cos, exp, abs, sqrt };
+  Kind kind = Kind::sin;
+};
+const char* to_string(Function::Kind kind);
+/// Each row of `length` numbers becomes one; `norm` is the root of the sum of the squares.
+struct Reduction {
+  enum class Kind : std::uint8_t { sum, mean, norm };
+  Kind kind = Kind::sum;
+  std::uint32_t length = 1;
+};
+const char* to_string(Reduction::Kind kind);
+
 /// y = activation(norm(W x + b)), or what `form` says in place of W x + b.
 struct Layer {
   std::uint32_t inputs = 0;
@@ -92,9 +114,14 @@ struct Layer {
   Activation activation = Activation::identity;
   float slope = 0.0F;  // elu: its alpha; leaky relu: its negative slope
   std::optional<LayerNorm> norm{};
-  std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder> form{};
+  std::variant<Dense, Convolution, Pooling, Recurrence, Elementwise, Reorder, Combination, Function,
+               Reduction>
+      form{};
   std::vector<std::int8_t> rounded{};  // as weights, in place of them; empty: float32
   std::vector<float> scales{};         // as bias: a weight is rounded times this
+  /// What it takes: -1 the observation, i the result of layer i. Empty: the result of the layer
+  /// before it, as in a chain.
+  std::vector<std::int32_t> takes{};
 
   [[nodiscard]] bool is_dense() const { return std::holds_alternative<Dense>(form); }
   [[nodiscard]] const Recurrence* recurrence() const { return std::get_if<Recurrence>(&form); }

@@ -47,6 +47,21 @@ const char* to_string(Elementwise::Operation operation) {
   return kNames.at(static_cast<std::size_t>(operation));
 }
 
+const char* to_string(Combination::Operation operation) {
+  constexpr std::array kNames = {"join", "sum", "difference", "product", "quotient"};
+  return kNames.at(static_cast<std::size_t>(operation));
+}
+
+const char* to_string(Function::Kind kind) {
+  constexpr std::array kNames = {"sin", "cos", "exp", "abs", "sqrt"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
+const char* to_string(Reduction::Kind kind) {
+  constexpr std::array kNames = {"sum", "mean", "norm"};
+  return kNames.at(static_cast<std::size_t>(kind));
+}
+
 const char* to_string(ActionKind kind) {
   switch (kind) {
     case ActionKind::squashed:

@@ -16,7 +16,8 @@ namespace eagerx::gen {
 /// can.
 enum class Profile : std::uint8_t { exact, fast };
 
-/// Layers in a row: n_obs values in, n_act values out.
+/// Layers, each behind those that it takes its input from; the last one gives the action. Mostly
+/// they are a chain: n_obs values in, n_act values out.
 struct Network {
   std::string file;                    // as the user wrote it
   std::string format;                  // for people: "ONNX opset 17, exported by pytorch 1.13"
@@ -38,6 +39,17 @@ struct Network {
     return std::any_of(layers.begin(), layers.end(),
                        [](const Layer& layer) { return layer.remembers() > 0; });
   }
+  /// Whether every layer takes the result of the one before it, and the first the observation.
+  [[nodiscard]] bool is_chain() const {
+    return std::all_of(layers.begin(), layers.end(),
+                       [](const Layer& layer) { return layer.takes.empty(); });
+  }
+  /// Values that layer `i` takes: -1 the observation, k the result of layer k.
+  [[nodiscard]] std::vector<std::int32_t> taken_by(std::size_t i) const {
+    if (!layers[i].takes.empty()) return layers[i].takes;
+    return {static_cast<std::int32_t>(i) - 1};
+  }
+  /// The first layer always takes the whole observation.
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }
   /// What the file says; else squashed if the last layer is a tanh.

@@ -62,38 +62,36 @@ std::optional<Network> read_legacy_torch_policy(std::string_view bytes, const Re
   return make_said_actor(table, *facts, context, problem);
 }
 
-std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext& context,
+std::optional<Network> read_zip_policy(const Archive& archive, const ReadContext& context,
                                        PolicyProblem& problem) {
-  const auto archive = Archive::open(bytes, problem);
-  if (!archive) return std::nullopt;
   TensorTable table;
   PolicyFacts facts;
   std::string policy_buffer;
-  if (archive->has("policy.pth")) {
-    const auto inner_bytes = archive->read("policy.pth", policy_buffer, problem);
+  if (archive.has("policy.pth")) {
+    const auto inner_bytes = archive.read("policy.pth", policy_buffer, problem);
     if (!inner_bytes) return std::nullopt;
     if (!read_torch_bytes(*inner_bytes, !context.actor.empty(), table, problem))
       return std::nullopt;
     std::string data_buffer;
-    const auto data = archive->read("data", data_buffer, problem);
+    const auto data = archive.read("data", data_buffer, problem);
     if (!data) return std::nullopt;
     auto said = facts_of_sb3(*data, problem);
     if (!said) return std::nullopt;
     facts = std::move(*said);
     std::string version_buffer;
     PolicyProblem ignored;
-    const auto version = archive->read("_stable_baselines3_version", version_buffer, ignored);
+    const auto version = archive.read("_stable_baselines3_version", version_buffer, ignored);
     facts.format = "Stable-Baselines3";
     if (version && !version->empty()) {
       facts.format += " " + printable(version->substr(0, version->find('\n')));
     }
     return make_said_actor(table, facts, context, problem);
   }
-  const std::vector<std::string> names = archive->names();
+  const std::vector<std::string> names = archive.names();
   const bool is_npz = std::any_of(names.begin(), names.end(),
                                   [](const std::string& name) { return name.ends_with(".npy"); });
-  if (is_npz ? !read_npz(*archive, table, problem)
-             : !read_torch(*archive, !context.actor.empty(), table, problem)) {
+  if (is_npz ? !read_npz(archive, table, problem)
+             : !read_torch(archive, !context.actor.empty(), table, problem)) {
     return std::nullopt;
   }
   auto said = facts_of_notes(table, problem);

@@ -6,6 +6,7 @@
 
 #include "generator/formats/common/problem.hpp"
 #include "generator/formats/common/read_context.hpp"
+#include "generator/formats/tensors/archive.hpp"
 #include "generator/network/network.hpp"
 
 namespace eagerx::gen {
@@ -15,7 +16,7 @@ std::optional<Network> read_safetensors(std::string_view bytes, const ReadContex
                                         PolicyProblem& problem);
 
 /// The same of a zip archive: Stable-Baselines3, torch.save, npz.
-std::optional<Network> read_zip_policy(std::string_view bytes, const ReadContext& context,
+std::optional<Network> read_zip_policy(const Archive& archive, const ReadContext& context,
                                        PolicyProblem& problem);
 
 /// The same of what torch.save wrote before 1.6.

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 
 /// The formats that are read, as help.
 inline constexpr const char* kKnownFormats =
-    "the formats are Stable-Baselines3's zip, ONNX, safetensors, npz and torch.save";
+    "the formats are Stable-Baselines3's zip, ONNX, TorchScript, safetensors, npz and torch.save";
 
 /// What helps against arrays of JAX.
 inline constexpr const char* kJaxWay =

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "generator/network/limits.hpp"
@@ -66,27 +68,10 @@ std::int64_t parameters_of(const OnnxStep& step) {
   }
   const bool each = std::holds_alternative<OnnxElementwise>(step.what) ||
                     std::holds_alternative<OnnxNorm>(step.what) ||
+                    std::holds_alternative<Combination>(step.what) ||
+                    std::holds_alternative<Function>(step.what) ||
                     std::holds_alternative<Reorder>(step.what);
   return each ? step.count : 0;
-}
-
-/// The steps from the observation to `last`; nothing if they are too many or too large.
-std::optional<std::vector<const OnnxStep*>> path_to(const std::vector<OnnxStep>& steps,
-                                                    std::int32_t last, PolicyProblem& problem) {
-  std::vector<const OnnxStep*> path;
-  std::int64_t parameters = 0;
-  for (std::int32_t at = last; at >= 0; at = path.back()->before) {
-    path.push_back(&steps[static_cast<std::size_t>(at)]);
-    parameters += parameters_of(*path.back());
-    if (parameters > kMaxParameters || path.size() > 2 * kMaxLayers) {
-      problem = {
-          "E0619",
-          fmt::format("has more than {} layers or {} parameters", kMaxLayers, kMaxParameters),
-          "use a smaller network"};
-      return std::nullopt;
-    }
-  }
-  return std::vector<const OnnxStep*>(path.rbegin(), path.rend());
 }
 
 /// Layers, one after the other.
@@ -94,18 +79,40 @@ class LayerBuilder {
  public:
   LayerBuilder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
                PolicyProblem& problem)
-      : count_(inputs), used_(used), problem_(problem) {}
+      : observed_(inputs), used_(used), problem_(problem) {}
 
-  bool add(const OnnxStep& step) {
+  /// `is_shared`: more than one step takes what the step takes.
+  bool add(std::int32_t index, const OnnxStep& step, bool is_shared) {
     node_ = step.node;
     after_ = static_cast<std::uint32_t>(step.count);
-    const bool added = std::visit([this](const auto& work) { return add(work); }, step.what);
-    if (added) count_ = after_;
-    return added;
+    is_shared_ = is_shared;
+    takes_ = {value_of(step.before)};
+    for (const std::int32_t other : step.more) takes_.push_back(value_of(other));
+    count_ = takes_.front() < 0 ? observed_ : layer_before().outputs;
+    const std::size_t before = layers_.size();
+    if (!std::visit([this](const auto& work) { return add(work); }, step.what)) return false;
+    values_[index] = layers_.size() == before ? takes_.front() : newest();
+    return true;
   }
-  std::vector<Layer> take() { return std::move(layers_); }
+
+  std::vector<Layer> take() {
+    bool is_chain = true;
+    for (std::size_t i = 0; i < layers_.size(); ++i) {
+      is_chain = is_chain && layers_[i].takes == std::vector{static_cast<std::int32_t>(i) - 1};
+    }
+    for (Layer& layer : layers_) {
+      if (is_chain) layer.takes.clear();
+    }
+    return std::move(layers_);
+  }
 
  private:
+  std::int32_t newest() const { return static_cast<std::int32_t>(layers_.size()) - 1; }
+  std::int32_t value_of(std::int32_t step) const { return step < 0 ? -1 : values_.at(step); }
+  Layer& layer_before() { return layers_[static_cast<std::size_t>(takes_.front())]; }
+  /// Whether what follows may become a part of the layer before: nobody else takes its result.
+  bool may_extend() const { return takes_.front() >= 0 && !is_shared_; }
+
   bool fail(const char* code, std::string message, std::string help = kLayersHelp) {
     problem_ = {code, std::move(message), std::move(help)};
     return false;
@@ -116,6 +123,7 @@ class LayerBuilder {
     if (!layer) return false;
     use(dense.weights);
     if (dense.bias) use(*dense.bias);
+    layer->takes = takes_;
     layers_.push_back(std::move(*layer));
     return true;
   }
@@ -128,12 +136,11 @@ class LayerBuilder {
                   "export the actor again");
     }
     const bool relu = activation.kind == Activation::relu;
-    if (!layers_.empty() && relu && layers_.back().activation == Activation::relu) return true;
-    if (layers_.empty() || layers_.back().activation != Activation::identity) {
-      add_form(Elementwise{});
-    }
-    layers_.back().activation = activation.kind;
-    layers_.back().slope = activation.slope;
+    if (takes_.front() >= 0 && relu && layer_before().activation == Activation::relu) return true;
+    const bool fits = may_extend() && layer_before().activation == Activation::identity;
+    Layer& layer = fits ? layer_before() : add_form(Elementwise{});
+    layer.activation = activation.kind;
+    layer.slope = activation.slope;
     return true;
   }
 
@@ -152,11 +159,9 @@ class LayerBuilder {
       return fail("E0618", fmt::format("has a LayerNorm of another size than {} (node `{}`)",
                                        count_, node_));
     }
-    if (layers_.empty() || layers_.back().norm ||
-        layers_.back().activation != Activation::identity) {
-      add_form(Elementwise{});
-    }
-    layers_.back().norm = std::move(result);
+    const bool fits =
+        may_extend() && !layer_before().norm && layer_before().activation == Activation::identity;
+    (fits ? layer_before() : add_form(Elementwise{})).norm = std::move(result);
     return true;
   }
 
@@ -188,6 +193,27 @@ class LayerBuilder {
                                      node_));
   }
   bool add(const Reorder& work) {
+    add_form(work);
+    return true;
+  }
+  bool add(const Function& work) {
+    add_form(work);
+    return true;
+  }
+  bool add(const Reduction& work) {
+    add_form(work);
+    return true;
+  }
+  bool add(const Combination& work) {
+    if (layers_.empty()) {  // the first layer takes the observation alone
+      const std::uint32_t after = std::exchange(after_, observed_);
+      const auto takes = std::exchange(takes_, {-1});
+      add_form(Elementwise{});
+      takes_ = takes;
+      after_ = after;
+    }
+    count_ = 0;
+    for (const std::uint32_t size : work.sizes) count_ += size;
     add_form(work);
     return true;
   }
@@ -246,6 +272,7 @@ class LayerBuilder {
   template <class Form>
   Layer& add_form(Form form) {
     Layer layer;
+    layer.takes = takes_;
     layer.inputs = count_;
     layer.outputs = after_;
     layer.form = std::move(form);
@@ -261,27 +288,61 @@ class LayerBuilder {
     return true;
   }
 
-  std::uint32_t count_;      // values before the step
+  std::uint32_t observed_;
+  std::uint32_t count_ = 0;  // values before the step
   std::uint32_t after_ = 0;  // and after it
   std::string node_;
   std::unordered_set<const onnx::TensorProto*>& used_;
   PolicyProblem& problem_;
   std::vector<Layer> layers_;
+  std::vector<std::int32_t> takes_;  // values that the step takes
+  bool is_shared_ = false;
+  std::map<std::int32_t, std::int32_t> values_;  // of steps: -1 the observation, i layer i
 };
 
 }  // namespace
+
+std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& steps,
+                                                  std::int32_t last, PolicyProblem& problem) {
+  std::set<std::int32_t> found;
+  std::vector<std::int32_t> open = {last};
+  std::int64_t parameters = 0;
+  while (!open.empty()) {
+    const std::int32_t index = open.back();
+    open.pop_back();
+    if (index < 0 || !found.insert(index).second) continue;
+    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    parameters += parameters_of(step) + static_cast<std::int64_t>(step.more.size());
+    if (parameters > kMaxParameters || found.size() > 2 * kMaxLayers) {
+      return refuse(
+          problem, "E0619",
+          fmt::format("has more than {} layers or {} parameters", kMaxLayers, kMaxParameters),
+          "use a smaller network");
+    }
+    open.push_back(step.before);
+    open.insert(open.end(), step.more.begin(), step.more.end());
+  }
+  return std::vector<std::int32_t>(found.begin(), found.end());
+}
 
 std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps, std::int32_t last,
                                               std::uint32_t inputs,
                                               std::unordered_set<const onnx::TensorProto*>& used,
                                               PolicyProblem& problem) {
-  const auto path = path_to(steps, last, problem);
+  const auto path = steps_to(steps, last, problem);
   if (!path) return std::nullopt;
+  std::map<std::int32_t, int> takers;
+  for (const std::int32_t index : *path) {
+    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    ++takers[step.before];
+    for (const std::int32_t other : step.more) ++takers[other];
+  }
   LayerBuilder builder(inputs, used, problem);
   bool computes = false;
-  for (const OnnxStep* step : *path) {
-    if (!builder.add(*step)) return std::nullopt;
-    computes = computes || !std::holds_alternative<Reorder>(step->what);
+  for (const std::int32_t index : *path) {
+    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    if (!builder.add(index, step, takers[step.before] > 1)) return std::nullopt;
+    computes = computes || !std::holds_alternative<Reorder>(step.what);
   }
   if (!computes) {
     problem = {"E0620", "has no layer between its input and its action", kLayersHelp};

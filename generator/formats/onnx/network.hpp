@@ -9,6 +9,11 @@
 
 namespace eagerx::gen {
 
+/// The steps that lead to step `last`, each behind those that it takes; nothing if they are too
+/// many or too large: E0619.
+std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& steps,
+                                                  std::int32_t last, PolicyProblem& problem);
+
 /// The layers from `inputs` numbers up to step `last`; `used` receives the tensors in them.
 std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps, std::int32_t last,
                                               std::uint32_t inputs,

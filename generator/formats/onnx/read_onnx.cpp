@@ -205,7 +205,9 @@ bool gives_back(const OnnxValue& output, const OnnxStateSource& source, bool is_
 bool check_states(const std::vector<OnnxStep>& steps, std::int32_t last,
                   const std::vector<const OnnxValue*>& outputs, PolicyProblem& problem) {
   std::unordered_set<std::string> taken;
-  for (std::int32_t at = last; at >= 0; at = steps[static_cast<std::size_t>(at)].before) {
+  const auto path = steps_to(steps, last, problem);
+  if (!path) return false;
+  for (const std::int32_t at : *path) {
     const auto* work = std::get_if<OnnxRecurrence>(&steps[static_cast<std::size_t>(at)].what);
     if (work == nullptr) continue;
     for (const bool is_cell : {false, true}) {

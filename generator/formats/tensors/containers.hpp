@@ -1,6 +1,7 @@
 // Files that are nothing but named tensors: npz, torch.save, safetensors.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -21,6 +22,15 @@ std::optional<StoredTensor> read_npy(std::string_view bytes, const std::string& 
 /// `model_state_dict`, `state_dict`, `model` or `policy`; with `all` everything that it holds.
 /// Views into `archive`. E0621 to E0623.
 bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem);
+
+/// The bytes of the storage called `key`; nothing, and a problem, if there are none.
+using TorchStorages = std::function<std::optional<std::string_view>(std::string_view key)>;
+
+/// The tensor that a call of `torch._utils._rebuild_tensor_v2` stands for; its place in the bytes
+/// is not checked yet. E0614, E0623.
+std::optional<StoredTensor> rebuilt_tensor(const Pickle& pickle, const PickleValue& call,
+                                           const std::string& name, const TorchStorages& storages,
+                                           PolicyProblem& problem);
 
 /// Whether `bytes` are what torch.save wrote before 1.6, or writes with
 /// `_use_new_zipfile_serialization=False`: pickles, then the storages of their tensors.

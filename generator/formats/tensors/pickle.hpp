@@ -60,6 +60,7 @@ struct Pickle {
 enum class PickleNames : std::uint8_t {
   tensors,     // torch's state dicts
   statistics,  // also NumPy arrays, spaces, VecNormalize
+  program,     // TorchScript: tensors, lists, and the modules of the archive's own code
 };
 
 /// Whether pickles may name `name` ("module.name"): what makes tensors, arrays and plain values.

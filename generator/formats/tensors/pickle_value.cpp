@@ -67,6 +67,12 @@ constexpr std::array kStatisticsNames = {
     "_codecs.encode",
 };
 
+constexpr std::array kProgramNames = {
+    "torch.jit._pickle.restore_type_tag", "torch.jit._pickle.build_tensorlist",
+    "torch.jit._pickle.build_intlist",    "torch.jit._pickle.build_doublelist",
+    "torch.jit._pickle.build_boollist",
+};
+
 }  // namespace
 
 bool is_known_in_pickles(std::string_view name, PickleNames known) {
@@ -74,6 +80,9 @@ bool is_known_in_pickles(std::string_view name, PickleNames known) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   if (known == PickleNames::statistics) return among(kStatisticsNames);
+  if (known == PickleNames::program && (name.starts_with("__torch__.") || among(kProgramNames))) {
+    return true;
+  }
   return among(kTensorNames) || torch_storage_type(name).has_value();
 }
 

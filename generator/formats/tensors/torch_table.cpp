@@ -154,39 +154,10 @@ class TorchReader {
     return true;
   }
 
-  /// _rebuild_tensor_v2(storage, offset, shape, strides, needs gradient, hooks)
   bool add_tensor(const std::string& name, const PickleValue& call) {
-    const auto damaged = [&] {
-      return fail(fmt::format("a damaged tensor `{}`", printable(name)));
-    };
-    const std::vector<std::uint32_t>& arguments = pickle_.at(call.arguments).items;
-    if (arguments.size() < 4) return damaged();
-    const PickleValue& reference = pickle_.at(arguments[0]);
-    const auto shape = pickle_.integers(pickle_.at(arguments[2]));
-    const auto strides = pickle_.integers(pickle_.at(arguments[3]));
-    const std::int64_t offset = pickle_.at(arguments[1]).integer;
-    if (reference.kind != Kind::persistent || !shape || !strides || offset < 0 ||
-        offset > kMaxElements || strides->size() != shape->size()) {
-      return damaged();
-    }
-    // ('storage', class, key, where it was, number of elements)
-    const std::vector<std::uint32_t>& storage = pickle_.at(reference.function).items;
-    if (storage.size() < 5) return damaged();
-    const auto type = torch_storage_type(pickle_.at(storage[1]).text);
-    if (!type) return damaged();
-    const auto bytes = storage_bytes(pickle_.at(storage[2]).text);
-    if (!bytes) return false;
-    const std::size_t start = static_cast<std::size_t>(offset) * size_of(*type);
-    const auto said = static_cast<std::uint64_t>(pickle_.at(storage[4]).integer);
-    if (said != bytes->size() / size_of(*type)) {
-      problem_ = {"E0614",
-                  fmt::format("says that the storage of tensor `{}` has {} values, but it holds {}",
-                              printable(name), said, bytes->size() / size_of(*type)),
-                  kTorchHelp};
-      return false;
-    }
-    StoredTensor tensor{*type, *shape, *strides, bytes->substr(std::min(start, bytes->size()))};
-    return table_.add(name, std::move(tensor), problem_);
+    auto tensor = rebuilt_tensor(
+        pickle_, call, name, [this](std::string_view key) { return storage_bytes(key); }, problem_);
+    return tensor && table_.add(name, std::move(*tensor), problem_);
   }
 
   std::optional<std::string_view> storage_bytes(std::string_view key) {
@@ -220,13 +191,43 @@ class TorchReader {
 
 }  // namespace
 
-bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem) {
-  for (const std::string& name : archive.names()) {
-    if (!name.ends_with("/constants.pkl")) continue;
-    problem = {"E0603", "is a TorchScript program, not its tensors",
-               "save `state_dict()` with `torch.save`, or export the actor to ONNX"};
-    return false;
+/// _rebuild_tensor_v2(storage, offset, shape, strides, needs gradient, hooks)
+std::optional<StoredTensor> rebuilt_tensor(const Pickle& pickle, const PickleValue& call,
+                                           const std::string& name, const TorchStorages& storages,
+                                           PolicyProblem& problem) {
+  const auto damaged = [&] {
+    return refuse(problem, "E0623", fmt::format("has a damaged tensor `{}`", printable(name)),
+                  kTorchHelp);
+  };
+  const std::vector<std::uint32_t>& arguments = pickle.at(call.arguments).items;
+  if (arguments.size() < 4) return damaged();
+  const PickleValue& reference = pickle.at(arguments[0]);
+  const auto shape = pickle.integers(pickle.at(arguments[2]));
+  const auto strides = pickle.integers(pickle.at(arguments[3]));
+  const std::int64_t offset = pickle.at(arguments[1]).integer;
+  if (reference.kind != Kind::persistent || !shape || !strides || offset < 0 ||
+      offset > kMaxElements || strides->size() != shape->size()) {
+    return damaged();
   }
+  // ('storage', class, key, where it was, number of elements)
+  const std::vector<std::uint32_t>& storage = pickle.at(reference.function).items;
+  if (storage.size() < 5) return damaged();
+  const auto type = torch_storage_type(pickle.at(storage[1]).text);
+  if (!type) return damaged();
+  const auto bytes = storages(pickle.at(storage[2]).text);
+  if (!bytes) return std::nullopt;
+  const std::size_t start = static_cast<std::size_t>(offset) * size_of(*type);
+  const auto said = static_cast<std::uint64_t>(pickle.at(storage[4]).integer);
+  if (said != bytes->size() / size_of(*type)) {
+    return refuse(problem, "E0614",
+                  fmt::format("says that the storage of tensor `{}` has {} values, but it holds {}",
+                              printable(name), said, bytes->size() / size_of(*type)),
+                  kTorchHelp);
+  }
+  return StoredTensor{*type, *shape, *strides, bytes->substr(std::min(start, bytes->size()))};
+}
+
+bool read_torch(const Archive& archive, bool all, TensorTable& table, PolicyProblem& problem) {
   for (const std::string& name : archive.names()) {
     if (name != kPickleName && !name.ends_with("/data.pkl")) continue;
     return TorchReader(&archive, all, table, problem)

@@ -285,12 +285,5 @@ TEST(Torch, StatisticsOfEarlyVersionsHaveSets) {
   }
 }
 
-TEST(Torch, AProgramIsNotItsTensors) {
-  const Diagnostic diagnostic =
-      read_bad(test::zip({{"policy/data.pkl", "x"}, {"policy/constants.pkl", "x"}}));
-  EXPECT_EQ(diagnostic.code, "E0603");
-  EXPECT_THAT(diagnostic.message, HasSubstr("TorchScript"));
-}
-
 }  // namespace
 }  // namespace eagerx::gen

@@ -105,9 +105,9 @@ TEST(OnnxErrors, NoOutput) {
   expect_named(read_bad(builder.bytes()), "E0606", "without an output");
 }
 
-TEST(OnnxErrors, InputsThatAreAdded) {
+TEST(OnnxErrors, RowsThatAreAdded) {
   OnnxBuilder builder = test::two_layers();
-  builder.add_input("goal", {1, 3});
+  builder.add_input("goal", {1, 3, 3});
   builder.add_node("Add", {"g1", "goal"}, "sum");
   builder.graph().mutable_node(1)->set_input(0, "sum");
   expect_named(read_bad(builder.bytes()), "E0613", "does not add a constant");

@@ -192,7 +192,7 @@ TEST(OnnxExact, OuterProductsAreRefused) {
   silu.add_node("Sigmoid", {"observation"}, "gate");
   silu.add_node("Transpose", {"gate"}, "column");
   silu.add_node("Mul", {"observation", "column"}, "action");
-  expect_misused(silu, "not x times sigmoid(x)");
+  expect_misused(silu, "on shapes that do not fit");
 }
 
 TEST(OnnxExact, InfiniteBoundsAreNone) {

@@ -56,6 +56,9 @@ OnnxValue add(const OnnxCall& call) {
   const std::optional<Dims> sum = broadcast(call.input(0).shape, call.input(1).shape);
   if (!operands) {
     if (auto value = same_order(call)) return *value;
+    if (auto value = combined(call, call.input(0), call.input(1), Combination::Operation::sum)) {
+      return *value;
+    }
   }
   if (!operands || !sum) return call.misused("that does not add a constant to a layer", sum);
   const OnnxValue& data = operands->data;
@@ -85,6 +88,10 @@ OnnxValue subtract(const OnnxCall& call) {
   const auto operands = operands_of(call);
   if (!operands) {
     if (auto value = same_order(call)) return *value;
+    if (auto value =
+            combined(call, call.input(0), call.input(1), Combination::Operation::difference)) {
+      return *value;
+    }
   }
   if (!operands || operands->data_left) return with_constant(call, Operation::subtract);
   // c - x is (-1 x) + c, to the bit.
@@ -100,6 +107,9 @@ OnnxValue divide(const OnnxCall& call) {
   if (const auto part = part_of_formula(call)) return *part;
   const auto operands = operands_of(call);
   if (operands && !operands->data_left) return call.misused("of a constant by a layer");
+  if (auto value = combined(call, call.input(0), call.input(1), Combination::Operation::quotient)) {
+    return *value;
+  }
   return with_constant(call, Operation::divide);
 }
 
@@ -126,7 +136,8 @@ OnnxValue multiply(const OnnxCall& call) {
       return call.data_after(x->step, OnnxActivation{Activation::silu}, *shape);
     }
   }
-  return call.misused("that is not x times sigmoid(x)", shape);
+  if (auto value = combined(call, a, b, Combination::Operation::product)) return *value;
+  return call.misused("on shapes that do not fit", shape);
 }
 
 /// One bound of a Clip, which may be infinite; nothing if there is none; `known` is false if it is
@@ -286,13 +297,19 @@ std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue&
 }
 
 std::vector<OnnxOperatorEntry> elementwise_operators() {
-  return {{"Add", add},          {"Sub", subtract},
-          {"Mul", multiply},     {"Div", divide},
-          {"Neg", negate},       {"Clip", clip},
-          {"Max", maximum},      {"Min", minimum},
-          {"Pow", formula_only}, {"Sum", sum},
-          {"Selu", selu},        {"Sqrt", formula_only},
-          {"Erf", formula_only}, {"BatchNormalization", batch_normalization}};
+  return {{"Add", add},
+          {"Sub", subtract},
+          {"Mul", multiply},
+          {"Div", divide},
+          {"Neg", negate},
+          {"Clip", clip},
+          {"Max", maximum},
+          {"Min", minimum},
+          {"Pow", formula_only},
+          {"Sum", sum},
+          {"Selu", selu},
+          {"Erf", formula_only},
+          {"BatchNormalization", batch_normalization}};
 }
 
 }  // namespace eagerx::gen

@@ -197,7 +197,26 @@ std::pair<std::int32_t, Reorder> origin_of(const OnnxCall& call, const OnnxValue
   return {step, std::move(order)};
 }
 
-/// Parts of one layer, or of the observation, side by side.
+/// Values of several layers side by side, each of `rows` rows.
+OnnxValue joined_branches(const OnnxCall& call, const std::vector<OnnxValue>& values,
+                          std::int64_t rows, Dims shape) {
+  const OnnxValue whole = call.data_of(values, Combination::Operation::join, shape);
+  if (rows == 1 || whole.kind != Kind::data) return whole;
+  Reorder order;
+  for (std::int64_t row = 0; row < rows; ++row) {
+    std::int64_t first = 0;
+    for (const OnnxValue& value : values) {
+      const std::int64_t count = count_of(*value.shape);
+      for (std::int64_t i = row * (count / rows); i < (row + 1) * (count / rows); ++i) {
+        order.from.push_back(static_cast<std::uint32_t>(first + i));
+      }
+      first += count;
+    }
+  }
+  return reordered(call, whole, std::move(order), std::move(shape));
+}
+
+/// Parts of one layer, or of the observation, or of several layers, side by side.
 OnnxValue joined_data(const OnnxCall& call) {
   const OnnxValue& first = call.input(0);
   const auto rank = static_cast<std::int64_t>(first.shape->size());
@@ -211,6 +230,8 @@ OnnxValue joined_data(const OnnxCall& call) {
   Dims shape = *first.shape;
   shape[place] = 0;
   std::vector<std::pair<std::int32_t, Reorder>> parts;
+  std::vector<OnnxValue> values;
+  bool one_origin = true;
   for (std::size_t i = 0; i < call.input_count(); ++i) {
     const OnnxValue& part = call.input(i);
     if (part.kind != Kind::data) return call.misused("of a layer and other values");
@@ -221,11 +242,11 @@ OnnxValue joined_data(const OnnxCall& call) {
     if (other != shape) return call.misused("of values of other shapes");
     if (!call.spend(2 * count_of(*part.shape))) return call.too_much();
     parts.push_back(origin_of(call, part));
-    if (parts.back().first != parts.front().first) {
-      return call.misused("of values of several layers");
-    }
+    one_origin = one_origin && parts.back().first == parts.front().first;
+    values.push_back(part);
   }
   const std::int64_t outer = count_of(Dims(shape.begin(), shape.begin() + axis));
+  if (!one_origin) return joined_branches(call, values, outer, std::move(shape));
   Reorder order;
   for (std::int64_t row = 0; row < outer; ++row) {
     for (std::size_t i = 0; i < parts.size(); ++i) {

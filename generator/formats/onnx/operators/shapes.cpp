@@ -244,7 +244,13 @@ OnnxValue expand(const OnnxCall& call) {
   const OnnxValue& x = call.input(0);
   const std::optional<Integers> wanted = call.integers(1, "shape");
   if (!wanted || !x.shape) return call.misused("to a shape that is not constant");
-  return reshaped(call, x, broadcast(x.shape, Dims(*wanted)));
+  const auto shape = broadcast(x.shape, Dims(*wanted));
+  const bool repeats = x.kind == Kind::data && shape && element_count(*x.shape) == 1;
+  if (!repeats || element_count(*shape) == 1) return reshaped(call, x, shape);
+  const std::int64_t count = element_count(*shape).value_or(0);
+  if (!call.spend(count)) return call.too_much();
+  return reordered(call, x, Reorder{std::vector<std::uint32_t>(static_cast<std::size_t>(count))},
+                   *shape);
 }
 
 OnnxValue shape_of(const OnnxCall& call) {

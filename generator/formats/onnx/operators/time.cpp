@@ -218,23 +218,38 @@ std::optional<TimeMask> time_of_image(const OnnxCall& call, const OnnxValue& /*r
 /// The rule of an operator; nullptr for those that may look at anything.
 TimeRule rule_of(std::string_view name) {
   static constexpr std::pair<std::string_view, TimeRule> kRules[] = {
-      {"MatMul", time_of_matmul},       {"Gemm", time_of_gemm},
-      {"Transpose", time_of_transpose}, {"Squeeze", time_of_squeeze},
-      {"Unsqueeze", time_of_unsqueeze}, {"Flatten", time_of_flatten},
-      {"Reshape", time_of_reshape},     {"Gather", time_of_gather},
-      {"Slice", time_of_slice},         {"Split", time_of_split},
-      {"Concat", time_of_concat},       {"LayerNormalization", time_of_last_axis},
-      {"Softmax", time_of_softmax},     {"LogSoftmax", time_of_softmax},
-      {"ArgMax", time_of_arg_max},      {"ReduceMean", time_of_reduce},
-      {"ReduceMax", time_of_reduce},    {"ReduceSum", time_of_reduce},
-      {"Conv", time_of_image},          {"ReduceLogSumExp", time_of_reduce},
-      {"MaxPool", time_of_image},       {"BatchNormalization", time_of_by_channel},
-      {"AveragePool", time_of_image},   {"GlobalMaxPool", time_of_image},
-      {"Pad", time_of_image},           {"GlobalAveragePool", time_of_image}};
+      {"MatMul", time_of_matmul},
+      {"Gemm", time_of_gemm},
+      {"Transpose", time_of_transpose},
+      {"Squeeze", time_of_squeeze},
+      {"Unsqueeze", time_of_unsqueeze},
+      {"Flatten", time_of_flatten},
+      {"Reshape", time_of_reshape},
+      {"Gather", time_of_gather},
+      {"Slice", time_of_slice},
+      {"Split", time_of_split},
+      {"Concat", time_of_concat},
+      {"LayerNormalization", time_of_last_axis},
+      {"Softmax", time_of_softmax},
+      {"LogSoftmax", time_of_softmax},
+      {"ArgMax", time_of_arg_max},
+      {"ReduceMean", time_of_reduce},
+      {"ReduceMax", time_of_reduce},
+      {"ReduceSum", time_of_reduce},
+      {"ReduceL2", time_of_reduce},
+      {"Conv", time_of_image},
+      {"ReduceLogSumExp", time_of_reduce},
+      {"MaxPool", time_of_image},
+      {"BatchNormalization", time_of_by_channel},
+      {"AveragePool", time_of_image},
+      {"GlobalMaxPool", time_of_image},
+      {"Pad", time_of_image},
+      {"GlobalAveragePool", time_of_image}};
   constexpr std::string_view kEach[] = {
-      "Add",  "CastLike", "Celu", "Clip",      "Cast", "Div", "Dropout",  "Elu", "Erf",
-      "Gelu", "Expand",   "Neg",  "LeakyRelu", "Max",  "Min", "Identity", "Mul", "PRelu",
-      "Pow",  "Selu",     "Relu", "Softplus",  "Sqrt", "Sub", "Sigmoid",  "Sum", "Tanh"};
+      "Add",       "CastLike", "Celu", "Clip",     "Cast",    "Div",   "Dropout", "Elu",
+      "Erf",       "Sin",      "Cos",  "Exp",      "Abs",     "Gelu",  "Expand",  "Neg",
+      "LeakyRelu", "Max",      "Min",  "Identity", "Mul",     "PRelu", "Pow",     "Selu",
+      "Relu",      "Softplus", "Sqrt", "Sub",      "Sigmoid", "Sum",   "Tanh"};
   for (const auto& [known, rule] : kRules) {
     if (known == name) return rule;
   }

@@ -15,8 +15,8 @@ using Table = std::unordered_map<std::string_view, OnnxOperator>;
 std::vector<OnnxOperatorEntry> all_operators() {
   std::vector<OnnxOperatorEntry> all;
   for (const auto& part :
-       {layer_operators(), shape_operators(), order_operators(), elementwise_operators(),
-        image_operators(), recurrent_operators(), choice_operators()}) {
+       {layer_operators(), shape_operators(), order_operators(), branch_operators(),
+        elementwise_operators(), image_operators(), recurrent_operators(), choice_operators()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -164,6 +164,20 @@ OnnxValue OnnxCall::data_after(std::int32_t before, OnnxWork what, Dims shape) c
   return value;
 }
 
+OnnxValue OnnxCall::data_of(const std::vector<OnnxValue>& values, Combination::Operation operation,
+                            Dims shape) const {
+  Combination combination{operation, {}};
+  std::vector<std::int32_t> more;
+  for (const OnnxValue& value : values) {
+    const auto count = static_cast<std::uint32_t>(element_count(*value.shape).value_or(0));
+    combination.sizes.push_back(count);
+    if (combination.sizes.size() > 1) more.push_back(value.step);
+  }
+  OnnxValue result = data_after(values.front().step, std::move(combination), std::move(shape));
+  if (result.kind == OnnxValue::Kind::data) state_.steps.back().more = std::move(more);
+  return result;
+}
+
 std::optional<float> scalar_of(const OnnxValue& value) {
   PolicyProblem ignored;
   if (value.kind != OnnxValue::Kind::constant || element_count(value.constant.dims) != 1) {
@@ -197,14 +211,39 @@ std::optional<Dims> broadcast(const std::optional<Dims>& a, const std::optional<
   return shape;
 }
 
+namespace {
+
+/// The operator's result if what was thought to be a formula was not one.
+std::optional<OnnxValue> with_parts(const OnnxCall& call, OnnxOperator run) {
+  std::deque<OnnxValue> made;
+  std::vector<const OnnxValue*> inputs;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    inputs.push_back(&call.input(i));
+    auto value = materialized(call, call.input(i));
+    if (!value) continue;
+    made.push_back(std::move(*value));
+    inputs.back() = &made.back();
+  }
+  if (made.empty()) return std::nullopt;
+  const OnnxCall again(call.node(), std::move(inputs), call.state());
+  OnnxValue value = along_time(again, run(again));
+  if (value.kind != OnnxValue::Kind::data) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
 OnnxValue evaluate(const OnnxCall& call) {
   static const Table kTable = make_table();
   const std::string& domain = call.node().domain();
   const auto found = kTable.find(call.node().op_type());
   const bool known = domain.empty() || domain == "ai.onnx";
   if (auto value = known ? folded(call) : std::nullopt) return *value;
-  if (known && found != kTable.end()) return along_time(call, found->second(call));
-  return unsupported(call);
+  if (!known || found == kTable.end()) return unsupported(call);
+  OnnxValue value = along_time(call, found->second(call));
+  if (value.kind != OnnxValue::Kind::other || value.part.role != OnnxPart::Role::none) return value;
+  const auto again = with_parts(call, found->second);
+  return again ? *again : value;
 }
 
 }  // namespace eagerx::gen

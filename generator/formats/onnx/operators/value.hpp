@@ -70,16 +70,18 @@ struct OnnxElementwise {
   Dims shape;
 };
 
-using OnnxWork = std::variant<OnnxDense, OnnxActivation, OnnxNorm, OnnxConvolution, Pooling,
-                              OnnxPad, OnnxRecurrence, OnnxElementwise, Reorder>;
+using OnnxWork =
+    std::variant<OnnxDense, OnnxActivation, OnnxNorm, OnnxConvolution, Pooling, OnnxPad,
+                 OnnxRecurrence, OnnxElementwise, Reorder, Combination, Function, Reduction>;
 
-/// One thing that is done to the observation on its way. Steps form a tree: branches share their
-/// start.
+/// One thing that is done to the observation on its way. Branches share their start, and a
+/// Combination takes several.
 struct OnnxStep {
   std::int32_t before = -1;  // index of the step before, -1 for the observation itself
   OnnxWork what;
-  std::string node;        // printable name
-  std::int64_t count = 0;  // values after it
+  std::string node;                  // printable name
+  std::int64_t count = 0;            // values after it
+  std::vector<std::int32_t> more{};  // Combination: the steps of its other values
 };
 
 /// Part of a state after an observation: h or c of the layer of `step`.
@@ -190,6 +192,9 @@ class OnnxCall {
   [[nodiscard]] OnnxValue too_much() const;
   /// The observation after one more step.
   [[nodiscard]] OnnxValue data_after(std::int32_t before, OnnxWork what, Dims shape) const;
+  /// What comes of several values of the observation's, in order.
+  [[nodiscard]] OnnxValue data_of(const std::vector<OnnxValue>& values,
+                                  Combination::Operation operation, Dims shape) const;
 
  private:
   const onnx::NodeProto& node_;
@@ -220,6 +225,12 @@ std::optional<float> scalar_of(const OnnxValue& value);
 std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
                                           Elementwise::Operation operation,
                                           const OnnxValue& constant);
+/// Two values of the observation's, number by number; nothing unless one of them has the shape of
+/// the result, and the other as many numbers or one.
+std::optional<OnnxValue> combined(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b,
+                                  Combination::Operation operation);
+/// The part of a formula as a value of its own, if it is a simple one: the formula did not go on.
+std::optional<OnnxValue> materialized(const OnnxCall& call, const OnnxValue& value);
 /// Constants that are not in the file.
 OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers, const Dims& shape);
 OnnxValue made_constant(const OnnxCall& call, float number);
@@ -252,11 +263,12 @@ struct OnnxOperatorEntry {
   OnnxOperator run;
 };
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
-/// and reorder (order.cpp), with constants (elementwise.cpp), over images
-/// (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp).
+/// and reorder (order.cpp), of branches (branches.cpp), with constants (elementwise.cpp), over
+/// images (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
 std::vector<OnnxOperatorEntry> order_operators();
+std::vector<OnnxOperatorEntry> branch_operators();
 std::vector<OnnxOperatorEntry> elementwise_operators();
 std::vector<OnnxOperatorEntry> image_operators();
 std::vector<OnnxOperatorEntry> recurrent_operators();

@@ -1,0 +1,349 @@
+// torch's operators over tensors.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "generator/formats/torchscript/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Torch = TorchCall;
+using Result = std::optional<OnnxValue>;
+
+/// With one input, as ONNX has it.
+template <const char* (*Name)()>
+Result same(const Torch& call) {
+  const auto x = call.tensor(0);
+  return x ? Result(call.node(Name(), {*x})) : std::nullopt;
+}
+#define EAGERX_SAME(function, type) \
+  const char* function##_name() {   \
+    return type;                    \
+  }
+
+EAGERX_SAME(relu, "Relu")
+EAGERX_SAME(tanh, "Tanh")
+EAGERX_SAME(sigmoid, "Sigmoid")
+EAGERX_SAME(selu, "Selu")
+EAGERX_SAME(sin, "Sin")
+EAGERX_SAME(cos, "Cos")
+EAGERX_SAME(exp, "Exp")
+EAGERX_SAME(abs, "Abs")
+EAGERX_SAME(sqrt, "Sqrt")
+EAGERX_SAME(neg, "Neg")
+#undef EAGERX_SAME
+
+Result with_factor(const Torch& call, const char* type) {
+  const auto a = call.tensor(0);
+  auto b = call.tensor(1, "other");
+  const auto factor = call.number(2, "alpha", 1.0);
+  if (!a || !b || !factor) return std::nullopt;
+  if (*factor != 1.0) {
+    b = call.node("Mul", {*b, call.constant({static_cast<float>(*factor)}, {})});
+  }
+  return call.node(type, {*a, *b});
+}
+Result add(const Torch& call) {
+  return with_factor(call, "Add");
+}
+Result subtract(const Torch& call) {
+  return with_factor(call, "Sub");
+}
+Result subtract_from(const Torch& call) {  // rsub(a, b): b - a
+  const auto a = call.tensor(0);
+  const auto b = call.tensor(1, "other");
+  if (!a || !b || call.number(2, "alpha", 1.0) != 1.0) return std::nullopt;
+  return call.node("Sub", {*b, *a});
+}
+Result pair(const Torch& call, const char* type) {
+  const auto a = call.tensor(0);
+  const auto b = call.tensor(1, "other");
+  return a && b ? Result(call.node(type, {*a, *b})) : std::nullopt;
+}
+Result multiply(const Torch& call) {
+  return pair(call, "Mul");
+}
+Result divide(const Torch& call) {
+  if (!call.argument(2, "rounding_mode").is_none()) return std::nullopt;
+  return pair(call, "Div");
+}
+Result maximum(const Torch& call) {
+  return pair(call, "Max");
+}
+Result minimum(const Torch& call) {
+  return pair(call, "Min");
+}
+Result reciprocal(const Torch& call) {
+  const auto x = call.tensor(0);
+  return x ? Result(call.node("Div", {call.constant({1.0F}, {}), *x})) : std::nullopt;
+}
+Result inverse_root(const Torch& call) {
+  const auto x = call.tensor(0);
+  if (!x) return std::nullopt;
+  return call.node("Div", {call.constant({1.0F}, {}), call.node("Sqrt", {*x})});
+}
+Result power(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto exponent = call.name() == "square" ? 2.0 : call.number(1, "exponent", std::nullopt);
+  if (!x || !exponent) return std::nullopt;
+  if (*exponent == 0.5) return call.node("Sqrt", {*x});
+  return call.node("Pow", {*x, call.constant({static_cast<float>(*exponent)}, {})});
+}
+
+OnnxValue turned(const Torch& call, const OnnxValue& matrix) {
+  return call.node("Transpose", {matrix}, {{"perm", {}, {}, Integers{1, 0}}});
+}
+Result linear(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto weight = call.tensor(1, "weight");
+  if (!x || !weight || torch_rank(*weight) != 2) return std::nullopt;
+  const OnnxValue product = call.node("MatMul", {*x, turned(call, *weight)});
+  if (call.argument(2, "bias").is_none()) return product;
+  const auto bias = call.tensor(2, "bias");
+  return bias ? Result(call.node("Add", {product, *bias})) : std::nullopt;
+}
+Result addmm(const Torch& call) {  // addmm(b, x, w): beta b + alpha x w
+  const auto bias = call.tensor(0);
+  const auto x = call.tensor(1);
+  const auto weight = call.tensor(2);
+  const auto beta = call.number(3, "beta", 1.0);
+  const auto alpha = call.number(4, "alpha", 1.0);
+  if (!bias || !x || !weight || !beta || !alpha) return std::nullopt;
+  return call.node("Gemm", {*x, *weight, *bias}, {{"alpha", {}, alpha}, {"beta", {}, beta}});
+}
+Result matmul(const Torch& call) {
+  return pair(call, "MatMul");
+}
+
+Result elu(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto alpha = call.number(1, "alpha", 1.0);
+  const bool usual =
+      call.number(2, "scale", 1.0) == 1.0 && call.number(3, "input_scale", 1.0) == 1.0;
+  if (!x || !alpha || !usual) return std::nullopt;
+  return call.node("Elu", {*x}, {{"alpha", {}, alpha}});
+}
+Result leaky_relu(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto slope = call.number(1, "negative_slope", 0.01);
+  return x && slope ? Result(call.node("LeakyRelu", {*x}, {{"alpha", {}, slope}})) : std::nullopt;
+}
+Result silu(const Torch& call) {
+  const auto x = call.tensor(0);
+  return x ? Result(call.node("Mul", {*x, call.node("Sigmoid", {*x})})) : std::nullopt;
+}
+Result gelu(const Torch& call) {
+  const auto x = call.tensor(0);
+  const TorchValue& how = call.argument(1, "approximate");
+  const bool by_tanh = how.text == "tanh";
+  if (!x || (!how.is_none() && how.text != "none" && !by_tanh)) return std::nullopt;
+  return call.node("Gelu", {*x}, {{"approximate", {}, {}, {}, by_tanh ? "tanh" : "none"}});
+}
+Result softplus(const Torch& call) {
+  const auto x = call.tensor(0);
+  const bool usual =
+      call.number(1, "beta", 1.0) == 1.0 && call.number(2, "threshold", 20.0) == 20.0;
+  return x && usual ? Result(call.node("Softplus", {*x})) : std::nullopt;
+}
+Result softmax(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = call.whole(1, "dim", std::nullopt);
+  return x && axis ? Result(call.node("Softmax", {*x}, {{"axis", axis}})) : std::nullopt;
+}
+Result arg_max(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = call.whole(1, "dim", std::nullopt);
+  const auto keeps = call.whole(2, "keepdim", 0);
+  if (!x || !axis || !keeps) return std::nullopt;
+  return call.node("ArgMax", {*x}, {{"axis", axis}, {"keepdims", keeps}});
+}
+
+Result clamped(const Torch& call, const TorchValue& low, const TorchValue& high) {
+  const auto x = call.tensor(0);
+  if (!x) return std::nullopt;
+  OnnxValue value = *x;
+  for (const auto& [bound, type] : {std::pair{&low, "Max"}, std::pair{&high, "Min"}}) {
+    if (bound->is_none()) continue;
+    const auto number = bound->number();
+    if (!number && !bound->is_tensor()) return std::nullopt;
+    if (number == 0.0 && bound == &low) {
+      value = call.node("Relu", {value});
+    } else {
+      value = call.node(type, {value, number ? call.constant({static_cast<float>(*number)}, {})
+                                             : bound->tensor->value});
+    }
+  }
+  return value;
+}
+Result clamp(const Torch& call) {
+  return clamped(call, call.argument(1, "min"), call.argument(2, "max"));
+}
+Result clamp_min(const Torch& call) {
+  return clamped(call, call.argument(1, "min"), TorchValue());
+}
+Result clamp_max(const Torch& call) {
+  return clamped(call, TorchValue(), call.argument(1, "max"));
+}
+Result hard_tanh(const Torch& call) {
+  const auto low = call.number(1, "min_val", -1.0);
+  const auto high = call.number(2, "max_val", 1.0);
+  if (!low || !high) return std::nullopt;
+  return clamped(call, TorchValue::of(*low), TorchValue::of(*high));
+}
+Result relu6(const Torch& call) {
+  return clamped(call, TorchValue::of(0.0), TorchValue::of(6.0));
+}
+
+Result layer_norm(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto shape = call.list(1, "normalized_shape");
+  const auto epsilon = call.number(4, "eps", 1e-5);
+  if (!x || !x->shape || !shape || shape->size() != 1 || !epsilon) return std::nullopt;
+  if (x->shape->empty() || x->shape->back() != shape->front()) return std::nullopt;
+  const auto ones = [&] {
+    return call.constant(std::vector<float>(static_cast<std::size_t>(shape->front()), 1.0F),
+                         *shape);
+  };
+  const auto gamma = call.tensor(2, "weight");
+  const auto beta = call.tensor(3, "bias");
+  std::vector<OnnxValue> inputs = {*x, gamma ? *gamma : ones()};
+  if (beta) inputs.push_back(*beta);
+  return call.node("LayerNormalization", inputs, {{"axis", -1}, {"epsilon", {}, epsilon}});
+}
+Result batch_norm(const Torch& call) {  // x, weight, bias, mean, var, training, momentum, eps
+  const auto x = call.tensor(0);
+  const auto gamma = call.tensor(1);
+  const auto beta = call.tensor(2);
+  const auto mean = call.tensor(3);
+  const auto variance = call.tensor(4);
+  const auto epsilon = call.number(7, "eps", 1e-5);
+  if (!x || !gamma || !beta || !mean || !variance || !epsilon ||
+      call.whole(5, "training", 0) != 0) {
+    return std::nullopt;
+  }
+  return call.node("BatchNormalization", {*x, *gamma, *beta, *mean, *variance},
+                   {{"epsilon", {}, epsilon}});
+}
+
+Result reduce(const Torch& call, const char* type, std::size_t first) {
+  const auto x = call.tensor(0);
+  auto axes = call.list(first, "dim");
+  const auto keeps = call.whole(first + 1, "keepdim", 0);
+  if (!x || !x->shape || !axes || !keeps) return std::nullopt;
+  return call.node(type, {*x}, {{"axes", {}, {}, axes}, {"keepdims", keeps}});
+}
+Result mean(const Torch& call) {
+  return reduce(call, "ReduceMean", 1);
+}
+Result norm(const Torch& call) {
+  if (call.number(1, "p", 2.0) != 2.0) return std::nullopt;
+  return reduce(call, "ReduceL2", 2);
+}
+
+Result cat(const Torch& call) {
+  std::vector<OnnxValue> parts;
+  for (const TorchValue& item : call.argument(0).items) {
+    if (!item.is_tensor()) return std::nullopt;
+    parts.push_back(item.tensor->value);
+  }
+  const auto axis = call.whole(1, "dim", 0);
+  if (parts.empty() || !axis) return std::nullopt;
+  return call.node("Concat", parts, {{"axis", axis}});
+}
+
+Result zeros(const Torch& call) {
+  const auto shape = call.list(0, "size");
+  const std::int64_t count =
+      shape ? element_count(*shape).value_or(kMaxValues + 1) : kMaxValues + 1;
+  if (count > kMaxValues || !OnnxCall(onnx::NodeProto(), {}, call.state()).spend(count)) {
+    return std::nullopt;
+  }
+  const float value = call.name() == "ones" ? 1.0F : 0.0F;
+  return call.constant(std::vector<float>(static_cast<std::size_t>(count), value), *shape);
+}
+Result number(const Torch& call) {
+  return call.tensor(0);
+}
+
+const std::map<std::string_view, TorchOperator>& operators() {
+  static const std::map<std::string_view, TorchOperator> kTable = {{"relu", same<relu_name>},
+                                                                   {"tanh", same<tanh_name>},
+                                                                   {"sigmoid", same<sigmoid_name>},
+                                                                   {"selu", same<selu_name>},
+                                                                   {"sin", same<sin_name>},
+                                                                   {"cos", same<cos_name>},
+                                                                   {"exp", same<exp_name>},
+                                                                   {"abs", same<abs_name>},
+                                                                   {"sqrt", same<sqrt_name>},
+                                                                   {"neg", same<neg_name>},
+                                                                   {"add", add},
+                                                                   {"sub", subtract},
+                                                                   {"rsub", subtract_from},
+                                                                   {"mul", multiply},
+                                                                   {"div", divide},
+                                                                   {"maximum", maximum},
+                                                                   {"minimum", minimum},
+                                                                   {"reciprocal", reciprocal},
+                                                                   {"rsqrt", inverse_root},
+                                                                   {"pow", power},
+                                                                   {"square", power},
+                                                                   {"linear", linear},
+                                                                   {"addmm", addmm},
+                                                                   {"matmul", matmul},
+                                                                   {"mm", matmul},
+                                                                   {"elu", elu},
+                                                                   {"leaky_relu", leaky_relu},
+                                                                   {"silu", silu},
+                                                                   {"gelu", gelu},
+                                                                   {"softplus", softplus},
+                                                                   {"softmax", softmax},
+                                                                   {"argmax", arg_max},
+                                                                   {"clamp", clamp},
+                                                                   {"clip", clamp},
+                                                                   {"clamp_min", clamp_min},
+                                                                   {"clamp_max", clamp_max},
+                                                                   {"hardtanh", hard_tanh},
+                                                                   {"relu6", relu6},
+                                                                   {"layer_norm", layer_norm},
+                                                                   {"batch_norm", batch_norm},
+                                                                   {"mean", mean},
+                                                                   {"norm", norm},
+                                                                   {"linalg_vector_norm", norm},
+                                                                   {"cat", cat},
+                                                                   {"concat", cat},
+                                                                   {"zeros", zeros},
+                                                                   {"ones", zeros},
+                                                                   {"tensor", number}};
+  return kTable;
+}
+
+}  // namespace
+
+std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem) {
+  const std::string_view name = call.name();
+  if (name == "lstm" || name == "gru") return torch_recurrence(call, problem);
+  if (name == "split" || name == "split_with_sizes" || name == "chunk") {
+    auto parts = torch_parts(call);
+    if (!parts) problem = call.misused("with sizes that are not those of the value");
+    return parts;
+  }
+  const auto own = operators().find(name);
+  const TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
+  if (run == nullptr) {
+    problem = {
+        "E0754",
+        fmt::format("calls `{}`, which is not supported ({})", printable(name), call.where()),
+        "export the actor alone, or export it to ONNX with `torch.onnx.export`"};
+    return std::nullopt;
+  }
+  auto value = run(call);
+  if (value) return TorchValue::of(std::move(*value));
+  problem = call.misused("in a way that is not supported");
+  return std::nullopt;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,248 @@
+// The file does not say how many numbers an observation has, so sizes that its tensors have are
+// tried, from the smallest on: `forward` must go through.
+#include "generator/formats/torchscript/read_torchscript.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <unordered_set>
+#include <utility>
+
+#include "generator/formats/onnx/network.hpp"
+#include "generator/formats/torchscript/interpreter.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::string_view kConstants = "constants.pkl";
+constexpr std::int64_t kMostStatements = 400'000;
+constexpr std::size_t kMostTries = 1500;
+constexpr std::int64_t kOpset = 17;
+
+/// One try.
+struct TorchTry {
+  OnnxCall::State state;
+  std::optional<TorchInterpreter> interpreter;
+  OnnxValue result;
+  PolicyProblem problem;
+  bool passed = false;
+};
+
+class TorchReading {
+ public:
+  TorchReading(TorchArchive& archive, PolicyProblem& problem)
+      : archive_(archive), problem_(problem) {}
+
+  std::optional<Network> run() {
+    const auto names = inputs_of_forward();
+    if (!names) return std::nullopt;
+    std::vector<std::int64_t> sizes;
+    if (!find_sizes(names->size(), sizes)) return std::nullopt;
+    TorchTry found;
+    follow(sizes, found);
+    if (!check_states(found)) return std::nullopt;
+    Network network;
+    std::uint32_t observed = 0;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      observed += static_cast<std::uint32_t>(sizes[i]);
+      if (sizes.size() == 1) continue;
+      network.contract.observations.push_back(
+          {printable((*names)[i]), static_cast<std::uint64_t>(sizes[i])});
+    }
+    if (found.result.kind == OnnxValue::Kind::other) network.action = ActionKind::argmax;
+    const std::int32_t step =
+        found.result.kind == OnnxValue::Kind::other ? found.result.part.of : found.result.step;
+    std::unordered_set<const onnx::TensorProto*> used;
+    auto layers = make_layers(found.state.steps, step, observed, used, problem_);
+    if (!layers) return std::nullopt;
+    network.layers = std::move(*layers);
+    network.format = "TorchScript";
+    TorchTry longer;
+    ++sizes.back();
+    follow(sizes, longer);
+    if (longer.passed) {
+      network.assumed.push_back(
+          fmt::format("an observation of {} numbers: the file takes longer ones too", observed));
+    }
+    return network;
+  }
+
+ private:
+  /// Names of the arguments of `forward`.
+  std::optional<std::vector<std::string>> inputs_of_forward() {
+    const Pickle& modules = archive_.pickle(0);
+    const std::string type(modules.at(modules.top().function).text);
+    const std::size_t dot = type.rfind('.');
+    if (modules.top().kind != PickleValue::Kind::object || dot == std::string::npos) {
+      return refuse(problem_, "E0753", "is a TorchScript archive without a module",
+                    "export the actor again");
+    }
+    const TorchFunction* forward =
+        archive_.function(type.substr(0, dot), type.substr(dot + 1) + ".forward", problem_);
+    if (forward == nullptr) return std::nullopt;
+    std::vector<std::string> names;
+    for (const TorchFunction::Parameter& parameter : forward->parameters) {
+      if (!parameter.otherwise) names.push_back(parameter.name);
+    }
+    if (!names.empty()) names.erase(names.begin());  // self
+    constexpr std::size_t kMostInputs = 3;
+    if (!names.empty() && names.size() <= kMostInputs) return names;
+    return refuse(problem_, "E0754", fmt::format("has a `forward` with {} arguments", names.size()),
+                  "export a module that takes the observation");
+  }
+
+  void follow(const std::vector<std::int64_t>& sizes, TorchTry& made) {
+    made.state.opset = kOpset;
+    made.state.budget = values_;
+    std::vector<OnnxValue> inputs;
+    for (const std::int64_t size : sizes) {
+      OnnxValue input;
+      input.kind = OnnxValue::Kind::data;
+      input.shape = Dims{1, size};
+      if (sizes.size() > 1) {
+        Reorder order;
+        for (std::int64_t i = 0; i < size; ++i) {
+          order.from.push_back(static_cast<std::uint32_t>(made.state.observed + i));
+        }
+        input.step = static_cast<std::int32_t>(made.state.steps.size());
+        made.state.steps.push_back({-1, std::move(order), "observation", size, {}});
+      }
+      made.state.observed += size;
+      inputs.push_back(std::move(input));
+    }
+    made.interpreter.emplace(archive_, made.state, statements_, made.problem);
+    const auto result = made.interpreter->run(inputs);
+    values_ = made.state.budget;
+    if (!result) return;
+    if (!result->is_tensor()) {
+      made.problem = {"E0754", "has a `forward` that returns something else than one tensor",
+                      "export a module that returns the action"};
+      return;
+    }
+    made.result = result->tensor->value;
+    const bool is_choice = made.result.part.role == OnnxPart::Role::choice;
+    made.passed = made.result.kind == OnnxValue::Kind::data ||
+                  (made.result.kind == OnnxValue::Kind::other && is_choice);
+    if (made.passed) return;
+    made.problem =
+        made.result.kind == OnnxValue::Kind::other
+            ? made.result.problem
+            : PolicyProblem{"E0620", "has an action that is constant", "export the actor"};
+  }
+
+  /// The first sizes that go through. Else the problem of the try that came farthest.
+  bool find_sizes(std::size_t count, std::vector<std::int64_t>& sizes) {
+    const std::vector<std::int64_t> candidates = candidates_for(count);
+    std::vector<std::size_t> at(count, 0);
+    std::pair<std::size_t, std::int64_t> farthest;  // steps, statements
+    bool any = false;
+    for (std::size_t tries = 0; tries < kMostTries && !candidates.empty(); ++tries) {
+      sizes.clear();
+      for (const std::size_t i : at) sizes.push_back(candidates[i]);
+      TorchTry made;
+      follow(sizes, made);
+      if (made.passed) return true;
+      const std::pair reached(made.state.steps.size(), made.interpreter->followed());
+      if (!any || reached > farthest) {
+        farthest = reached;
+        problem_ = made.problem;
+      }
+      any = true;
+      if (statements_ < 0 || values_ < 0) break;
+      std::size_t k = count;
+      while (k-- > 0 && ++at[k] == candidates.size()) at[k] = 0;
+      if (k >= count) break;
+    }
+    if (!any) {
+      problem_ = {"E0755", "has no tensors, so that the size of its observation is not known",
+                  "export the actor again"};
+    }
+    return false;
+  }
+
+  /// Sizes of tensors; for one input also their sums: a part of an observation goes to a layer, and
+  /// the rest to another.
+  std::vector<std::int64_t> candidates_for(std::size_t count) const {
+    constexpr std::size_t kMostSums = 40;
+    const std::vector<std::int64_t> sizes = archive_.sizes();
+    std::set<std::int64_t> all(sizes.begin(), sizes.end());
+    for (std::size_t i = 0; count == 1 && sizes.size() <= kMostSums && i < sizes.size(); ++i) {
+      for (std::size_t k = 0; k <= i; ++k) all.insert(sizes[i] + sizes[k]);
+    }
+    return {all.begin(), all.end()};
+  }
+
+  /// Buffers that are written hold what cells remember, each its own, from zeros on.
+  bool check_states(const TorchTry& made) {
+    const auto fail = [&](const std::string& name, const char* what) {
+      problem_ = {"E0756", fmt::format("has a buffer `{}` {}", printable(name), what),
+                  "export the actor with its state as an input and an output, to ONNX"};
+      return false;
+    };
+    PolicyProblem ignored;
+    const std::vector<OnnxStep>& steps = made.state.steps;
+    std::set<const char*> kept;  // names of buffers, each its own text
+    for (const auto& [index, cell] : made.interpreter->cells()) {
+      if (!cell->is_written) continue;
+      const std::vector<OnnxRemembered>& parts = cell->value.remembered;
+      if (parts.empty())
+        return fail(std::string(cell->buffer),
+                    "that is changed, and is not the state of a GRU or LSTM");
+      for (std::size_t slot = 0; slot < parts.size(); ++slot) {
+        const auto& work =
+            std::get<OnnxRecurrence>(steps[static_cast<std::size_t>(parts[slot].step)].what);
+        const auto& from = parts[slot].is_cell ? work.c : work.h;
+        const bool is_own = from && from->name.data() == cell->buffer.data() &&
+                            from->slot == static_cast<std::int64_t>(slot);
+        if (!is_own) {
+          return fail(std::string(cell->buffer), "that does not come back to the layer it is of");
+        }
+      }
+      const OnnxValue* start = archive_.tensor(0, index, std::string(cell->buffer), ignored);
+      const auto numbers = start != nullptr ? read_floats(start->constant, ignored) : std::nullopt;
+      if (!numbers || std::ranges::any_of(*numbers, [](float x) { return x != 0.0F; })) {
+        return fail(std::string(cell->buffer),
+                    "that does not begin with zeros: reset it before the export");
+      }
+      kept.insert(cell->buffer.data());
+    }
+    for (const OnnxStep& step : steps) {
+      const auto* work = std::get_if<OnnxRecurrence>(&step.what);
+      for (int i = 0; work != nullptr && i < 2; ++i) {
+        const auto& from = i == 0 ? work->h : work->c;
+        if (from && !kept.contains(from->name.data())) {
+          return fail(std::string(from->name),
+                      "that a GRU or LSTM starts from and that is not kept");
+        }
+      }
+    }
+    return true;
+  }
+
+  TorchArchive& archive_;
+  PolicyProblem& problem_;
+  std::int64_t statements_ = kMostStatements;
+  std::int64_t values_ = OnnxCall::State().budget;
+};
+
+}  // namespace
+
+bool is_torchscript(const Archive& archive) {
+  return std::ranges::any_of(
+      archive.names(), [](const std::string& name) { return name.ends_with("/constants.pkl"); });
+}
+
+std::optional<Network> read_torchscript(const Archive& archive, PolicyProblem& problem) {
+  std::string folder;
+  for (const std::string& name : archive.names()) {
+    if (name.ends_with("/constants.pkl")) {
+      folder = name.substr(0, name.size() - kConstants.size());
+    }
+  }
+  TorchArchive program(archive, folder);
+  if (!program.open(problem)) return std::nullopt;
+  return TorchReading(program, problem).run();
+}
+
+}  // namespace eagerx::gen

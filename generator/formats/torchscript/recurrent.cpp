@@ -1,0 +1,186 @@
+// LSTM and GRU with torch's weights, layer by layer, as ONNX's operators.
+#include <fmt/core.h>
+
+#include <array>
+#include <utility>
+
+#include "generator/formats/torchscript/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+constexpr std::size_t kMostArguments = 9;
+constexpr std::int64_t kMostRecurrentLayers = 16;
+
+/// torch's gates in ONNX's order: i, f, g, o as i, o, f, g; r, z, n as z, r, n.
+std::vector<float> with_gates_of_onnx(const std::vector<float>& values, bool is_lstm) {
+  constexpr std::array<std::size_t, 4> kLstm = {0, 3, 1, 2};
+  constexpr std::array<std::size_t, 4> kGru = {1, 0, 2, 0};
+  const std::size_t gates = is_lstm ? 4 : 3;
+  const std::size_t size = values.size() / gates;
+  std::vector<float> result;
+  result.reserve(values.size());
+  for (std::size_t gate = 0; gate < gates; ++gate) {
+    const std::size_t from = is_lstm ? kLstm.at(gate) : kGru.at(gate);
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(from * size);
+    result.insert(result.end(), first, first + static_cast<std::ptrdiff_t>(size));
+  }
+  return result;
+}
+
+class Recurrent {
+ public:
+  Recurrent(const TorchCall& call, PolicyProblem& problem)
+      : call_(call), problem_(problem), is_lstm_(call.name() == "lstm") {}
+
+  /// lstm(input, [h, c], weights, has biases, layers, dropout, train, both directions, batch
+  /// first); gru takes h itself.
+  std::optional<TorchValue> run() {
+    const auto layers = call_.whole(4, "num_layers", std::nullopt);
+    const auto has_bias = call_.whole(3, "has_biases", std::nullopt);
+    const bool usual = call_.size() == kMostArguments && layers && has_bias &&
+                       call_.whole(6, "train", 0) == 0 && call_.whole(7, "bidirectional", 0) == 0;
+    auto x = call_.tensor(0);
+    if (!usual || !x || *layers < 1 || *layers > kMostRecurrentLayers) {
+      return fail("in training, in both directions, or over packed sequences");
+    }
+    if (call_.whole(8, "batch_first", 0) != 0 && !is_one_step(*x))
+      return fail("over several steps");
+    const std::size_t each = *has_bias != 0 ? 4 : 2;
+    const auto& weights = call_.argument(2).items;
+    if (weights.size() != each * static_cast<std::size_t>(*layers)) {
+      return fail("with projections, or without all weights");
+    }
+    std::vector<OnnxValue> new_h, new_c;
+    for (std::int64_t layer = 0; layer < *layers; ++layer) {
+      const auto inputs = inputs_of(*x, weights, each, layer, *layers);
+      if (!inputs) return std::nullopt;
+      const std::vector<TorchCall::Attribute> reset = {{"linear_before_reset", 1}};
+      const char* type = is_lstm_ ? "LSTM" : "GRU";
+      const auto attributes = is_lstm_ ? std::vector<TorchCall::Attribute>() : reset;
+      std::array<OnnxValue, 3> made;
+      std::size_t count = is_lstm_ ? 3 : 2;
+      // One cell, whose outputs are asked for one by one: only the first call makes a step.
+      make(type, *inputs, attributes, count, made);
+      if (made[0].kind != OnnxValue::Kind::data) {
+        problem_ = made[0].problem;
+        return std::nullopt;
+      }
+      x = call_.node("Squeeze", {made[0]}, {{"axes", {}, {}, Integers{1}}});
+      new_h.push_back(made[1]);
+      if (is_lstm_) new_c.push_back(made[2]);
+    }
+    std::vector<TorchValue> results = {TorchValue::of(*x), TorchValue::of(stacked(new_h))};
+    if (is_lstm_) results.push_back(TorchValue::of(stacked(new_c)));
+    return TorchValue::of(std::move(results));
+  }
+
+ private:
+  std::optional<TorchValue> fail(const std::string& how) {
+    problem_ = call_.misused(how);
+    return std::nullopt;
+  }
+  static bool is_one_step(const OnnxValue& x) {
+    return x.shape && x.shape->size() == 3 && (*x.shape)[0] == 1 && (*x.shape)[1] == 1;
+  }
+
+  void make(const char* type, const std::vector<OnnxValue>& inputs,
+            const std::vector<TorchCall::Attribute>& attributes, std::size_t count,
+            std::array<OnnxValue, 3>& made) {
+    made[0] = call_.node(type, inputs, attributes);
+    for (std::size_t i = 1; i < count; ++i) {
+      made.at(i) = made[0];
+      made.at(i).shape = Dims{1, 1, made[0].shape ? made[0].shape->back() : 0};
+      made.at(i).remembered = {{made[0].step, i == 2}};
+      if (i == 2) made[2].kind = OnnxValue::Kind::other;
+      if (i == 2) made[2].problem = call_.misused("and takes its cell state for something else");
+    }
+  }
+
+  /// The new states of all layers.
+  OnnxValue stacked(const std::vector<OnnxValue>& parts) {
+    if (parts.size() == 1) return parts.front();
+    OnnxValue all = parts.front();
+    all.remembered.clear();
+    for (const OnnxValue& part : parts) all.remembered.push_back(part.remembered.front());
+    all.kind = OnnxValue::Kind::other;
+    all.problem = call_.misused("and takes the states of several layers for something else");
+    all.shape = Dims{static_cast<std::int64_t>(parts.size()), 1, parts.front().shape->back()};
+    return all;
+  }
+
+  /// x, weights, hidden weights, biases, no lengths, h, c: as ONNX takes them.
+  std::optional<std::vector<OnnxValue>> inputs_of(const OnnxValue& x,
+                                                  const std::vector<TorchValue>& weights,
+                                                  std::size_t each, std::int64_t layer,
+                                                  std::int64_t layers) {
+    std::vector<OnnxValue> inputs = {x};
+    std::vector<float> bias;
+    for (std::size_t i = 0; i < each; ++i) {
+      const TorchValue& weight = weights[each * static_cast<std::size_t>(layer) + i];
+      if (!weight.is_tensor() || weight.tensor->value.kind != OnnxValue::Kind::constant) {
+        problem_ = call_.misused("with weights that are computed");
+        return std::nullopt;
+      }
+      const OnnxConstant& constant = weight.tensor->value.constant;
+      auto numbers = read_floats(constant, problem_);
+      if (!numbers) return std::nullopt;
+      const std::size_t gates = is_lstm_ ? 4 : 3;
+      if (constant.dims.empty() || constant.transposed || numbers->size() % gates != 0) {
+        problem_ = call_.misused("with weights of an impossible size");
+        return std::nullopt;
+      }
+      const auto ordered = with_gates_of_onnx(*numbers, is_lstm_);
+      if (i >= 2) {
+        bias.insert(bias.end(), ordered.begin(), ordered.end());
+        continue;
+      }
+      Dims dims = constant.dims;
+      dims.insert(dims.begin(), 1);
+      inputs.push_back(call_.constant(ordered, dims));
+    }
+    OnnxValue none;
+    inputs.push_back(none);
+    if (each == 4) {
+      inputs[3] = call_.constant(bias, {1, static_cast<std::int64_t>(bias.size())});
+    }
+    inputs.push_back(none);
+    const TorchValue& states = call_.argument(1);
+    for (std::size_t i = 0; i < (is_lstm_ ? 2U : 1U); ++i) {
+      const TorchValue* state = is_lstm_ && i < states.items.size() ? &states.items[i] : &states;
+      if (!state->is_tensor()) {
+        problem_ = call_.misused("with a state that is no tensor");
+        return std::nullopt;
+      }
+      inputs.push_back(state_of(*state->tensor, layer, layers));
+    }
+    return inputs;
+  }
+
+  /// A buffer of a module is what the cell remembers.
+  static OnnxValue state_of(const TorchTensor& tensor, std::int64_t layer, std::int64_t layers) {
+    const OnnxValue& value = tensor.value;
+    const bool is_buffer = !tensor.buffer.empty() && !tensor.is_written &&
+                           value.kind == OnnxValue::Kind::constant && value.shape &&
+                           value.shape->size() == 3 && value.shape->front() == layers;
+    if (!is_buffer) return value;
+    OnnxValue state;
+    state.kind = OnnxValue::Kind::state;
+    state.shape = Dims{1, (*value.shape)[1], (*value.shape)[2]};
+    state.state = {tensor.buffer, layer};
+    state.slots = 1;
+    return state;
+  }
+
+  const TorchCall& call_;
+  PolicyProblem& problem_;
+  bool is_lstm_;
+};
+
+}  // namespace
+
+std::optional<TorchValue> torch_recurrence(const TorchCall& call, PolicyProblem& problem) {
+  return Recurrent(call, problem).run();
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,173 @@
+// torch's operators that shape, pick and reorder.
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "generator/formats/torchscript/value.hpp"
+
+namespace eagerx::gen {
+
+std::int64_t torch_rank(const OnnxValue& x) {
+  return static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
+}
+std::optional<std::int64_t> torch_axis(const OnnxValue& x, std::optional<std::int64_t> axis) {
+  if (!axis || !x.shape) return std::nullopt;
+  const std::int64_t place = *axis < 0 ? *axis + torch_rank(x) : *axis;
+  return place >= 0 && place < torch_rank(x) ? std::optional(place) : std::nullopt;
+}
+
+namespace {
+
+using Torch = TorchCall;
+using Result = std::optional<OnnxValue>;
+
+Result transpose(const Torch& call) {
+  const auto x = call.tensor(0);
+  if (!x || !x->shape) return std::nullopt;
+  Integers order(x->shape->size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::int64_t>(i);
+  const bool matrix = call.name() == "t" || call.name() == "numpy_T";
+  const auto a = matrix ? torch_axis(*x, 0) : torch_axis(*x, call.whole(1, "dim0", std::nullopt));
+  const auto b = matrix ? torch_axis(*x, -1) : torch_axis(*x, call.whole(2, "dim1", std::nullopt));
+  if (!a || !b || (matrix && order.size() > 2)) return std::nullopt;
+  std::swap(order[static_cast<std::size_t>(*a)], order[static_cast<std::size_t>(*b)]);
+  return call.node("Transpose", {*x}, {{"perm", {}, {}, order}});
+}
+Result permute(const Torch& call) {
+  const auto x = call.tensor(0);
+  auto order = call.list(1, "dims");
+  if (!x || !order) return std::nullopt;
+  for (std::int64_t& axis : *order) axis = axis < 0 ? axis + torch_rank(*x) : axis;
+  return call.node("Transpose", {*x}, {{"perm", {}, {}, order}});
+}
+Result reshape(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto shape = call.list(1, "shape");
+  if (!x || !shape) return std::nullopt;
+  return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}, {"allowzero", 1}});
+}
+Result flatten(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto first = x ? torch_axis(*x, call.whole(1, "start_dim", 0)) : std::nullopt;
+  const auto last = x ? torch_axis(*x, call.whole(2, "end_dim", -1)) : std::nullopt;
+  if (!first || !last || *last < *first) return std::nullopt;
+  Integers shape;
+  for (std::int64_t i = 0; i < torch_rank(*x); ++i) {
+    const std::int64_t size = (*x->shape)[static_cast<std::size_t>(i)];
+    if (i > *first && i <= *last) {
+      shape.back() *= size;
+    } else {
+      shape.push_back(size);
+    }
+  }
+  return call.node("Reshape", {*x}, {{"shape", {}, {}, shape}});
+}
+Result unsqueeze(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = call.list(1, "dim");
+  return x && axis ? Result(call.node("Unsqueeze", {*x}, {{"axes", {}, {}, axis}})) : std::nullopt;
+}
+Result squeeze(const Torch& call) {
+  const auto x = call.tensor(0);
+  if (!x) return std::nullopt;
+  if (call.argument(1, "dim").is_none()) return call.node("Squeeze", {*x});
+  const auto axis = torch_axis(*x, call.whole(1, "dim", std::nullopt));
+  if (!axis) return std::nullopt;
+  if ((*x->shape)[static_cast<std::size_t>(*axis)] != 1) return x;
+  return call.node("Squeeze", {*x}, {{"axes", {}, {}, Integers{*axis}}});
+}
+Result expand(const Torch& call) {
+  const auto x = call.tensor(0);
+  std::optional<Integers> shape;
+  if (call.name() == "expand_as") {
+    const auto other = call.tensor(1, "other");
+    if (other && other->shape) shape = *other->shape;
+  } else {
+    shape = call.list(1, "size");
+  }
+  if (!x || !x->shape || !shape || shape->size() < x->shape->size()) return std::nullopt;
+  const std::size_t more = shape->size() - x->shape->size();
+  for (std::size_t i = more; i < shape->size(); ++i) {
+    if ((*shape)[i] == -1) (*shape)[i] = (*x->shape)[i - more];
+  }
+  return call.node("Expand", {*x}, {{"shape", {}, {}, shape}});
+}
+
+OnnxValue part(const Torch& call, const OnnxValue& x, std::int64_t axis, std::int64_t first,
+               std::int64_t last, std::int64_t step = 1) {
+  return call.node("Slice", {x},
+                   {{"starts", {}, {}, Integers{first}},
+                    {"ends", {}, {}, Integers{last}},
+                    {"axes", {}, {}, Integers{axis}},
+                    {"steps", {}, {}, Integers{step}}});
+}
+Result slice(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = x ? torch_axis(*x, call.whole(1, "dim", 0)) : std::nullopt;
+  const auto first = call.whole(2, "start", 0);
+  const auto last = call.whole(3, "end", std::numeric_limits<std::int64_t>::max());
+  const auto step = call.whole(4, "step", 1);
+  if (!axis || !first || !last || !step) return std::nullopt;
+  return part(call, *x, *axis, *first, *last, *step);
+}
+Result narrow(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = x ? torch_axis(*x, call.whole(1, "dim", std::nullopt)) : std::nullopt;
+  const auto first = call.whole(2, "start", std::nullopt);
+  const auto count = call.whole(3, "length", std::nullopt);
+  const std::int64_t size = axis ? (*x->shape)[static_cast<std::size_t>(*axis)] : 0;
+  if (!axis || !first || !count || *first < 0 || *count < 1 || *first > size - *count) {
+    return std::nullopt;
+  }
+  return part(call, *x, *axis, *first, *first + *count);
+}
+Result select(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = x ? torch_axis(*x, call.whole(1, "dim", std::nullopt)) : std::nullopt;
+  const auto index = call.whole(2, "index", std::nullopt);
+  if (!axis || !index) return std::nullopt;
+  return call.node("Gather", {*x, integers_value({*index}, {})}, {{"axis", axis}});
+}
+}  // namespace
+
+TorchOperator torch_shape_operator(std::string_view name) {
+  static const std::map<std::string_view, TorchOperator> kTable = {
+      {"t", transpose},     {"numpy_T", transpose},   {"transpose", transpose},
+      {"permute", permute}, {"reshape", reshape},     {"view", reshape},
+      {"flatten", flatten}, {"unsqueeze", unsqueeze}, {"squeeze", squeeze},
+      {"expand", expand},   {"expand_as", expand},    {"slice", slice},
+      {"narrow", narrow},   {"select", select}};
+  const auto found = kTable.find(name);
+  return found == kTable.end() ? nullptr : found->second;
+}
+
+std::optional<TorchValue> torch_parts(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = x ? torch_axis(*x, call.whole(2, "dim", 0)) : std::nullopt;
+  auto sizes = call.list(1);
+  if (!axis || !sizes || sizes->empty()) return std::nullopt;
+  const std::int64_t size = (*x->shape)[static_cast<std::size_t>(*axis)];
+  if (call.argument(1).kind == TorchValue::Kind::integer) {
+    std::int64_t each = sizes->front();
+    if (each < 1) return std::nullopt;
+    if (call.name() == "chunk") each = (size + each - 1) / each;
+    sizes->clear();
+    constexpr std::int64_t kMostParts = 1024;
+    if (size > each * kMostParts) return std::nullopt;
+    for (std::int64_t first = 0; first < size; first += each) {
+      sizes->push_back(std::min(each, size - first));
+    }
+  }
+  std::vector<TorchValue> parts;
+  std::int64_t first = 0;
+  for (const std::int64_t count : *sizes) {
+    if (count < 1 || count > size - first) return std::nullopt;
+    parts.push_back(TorchValue::of(part(call, *x, *axis, first, first + count)));
+    first += count;
+  }
+  if (first != size) return std::nullopt;
+  return TorchValue::of(std::move(parts));
+}
+
+}  // namespace eagerx::gen
