@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "targets/environments/train/options.hpp"
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/training.hpp"
 
 namespace eagerx::train {

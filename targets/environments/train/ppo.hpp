@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "targets/environments/train/rollout.hpp"
-#include "targets/environments/train/team.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <eagerx/math.hpp>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {

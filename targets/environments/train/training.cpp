@@ -10,8 +10,7 @@
 #include <numeric>
 
 #include "targets/environments/train/export.hpp"
-#include "targets/environments/train/files.hpp"
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {

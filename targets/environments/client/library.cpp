@@ -1,12 +1,12 @@
-#include "targets/environments/train/library.hpp"
+#include "targets/environments/client/library.hpp"
 
 #include <dlfcn.h>
 
 #include <numeric>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/client/problem.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 namespace {
 
 template <class Function>
@@ -72,4 +72,4 @@ Library::Library(const std::string& path) {
   description_ = read_description(functions_.describe());
 }
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

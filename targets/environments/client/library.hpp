@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "targets/environments/eagerx_environments.h"
-#include "targets/environments/train/description.hpp"
+#include "targets/environments/client/description.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 
 /// The functions of eagerx_environments.h that training needs.
 struct LibraryFunctions {
@@ -51,4 +51,4 @@ class Library {
   Description description_;
 };
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

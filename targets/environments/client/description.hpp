@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace eagerx::train {
+namespace eagerx::client {
 
 /// An observation or an action.
 struct Space {
@@ -35,4 +35,4 @@ struct Description {
 /// Reads the JSON of eagerx_describe(). Throws Problem if it is not understood.
 Description read_description(std::string_view json);
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

@@ -1,11 +1,11 @@
-#include "targets/environments/train/description.hpp"
+#include "targets/environments/client/description.hpp"
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/client/problem.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 namespace {
 
 using nlohmann::json;
@@ -74,4 +74,4 @@ Description read_description(std::string_view text) {
   }
 }
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client
