@@ -64,25 +64,23 @@ class SeenRows {
   std::vector<Place> places_;       // messages that the windows show
 };
 
-/// Writes `action` as a row. Throws Problem if float32 cannot say it.
+/// Writes `action` as a row. The name of a message that float32 cannot say; null: none.
 template <class Graph>
-void write_action(const typename Graph::Action& action, float* row) {
+const char* write_action(typename Graph::Action action, float* row) {
   const Layout<Graph>& layout = Layout<Graph>::get();
-  typename Graph::Action copy = action;
+  const char* refused = nullptr;
   std::size_t field = 0;
-  Graph::for_each_action(copy, [&](const char* name, const auto& message, const auto&) {
+  Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&) {
     using Message = std::remove_cvref_t<decltype(message)>;
     using Scalar = ScalarOf<Message>;
     float* const to = row + layout.actions.first(field++);
     for (std::size_t i = 0; i < size_of<Message>; ++i) {
       const Scalar x = element(message, i);
       to[i] = static_cast<float>(x);
-      if (from_row<Scalar>(to[i]) != x && x == x) {
-        throw Problem("float32 has no such action `" + std::string(name) +
-                      "` as the agent wants: generate the library for a graph of floats");
-      }
+      if (from_row<Scalar>(to[i]) != x && x == x) refused = name;
     }
   });
+  return refused;
 }
 
 /// The agent that the graph names. Throws Problem if it is none that a library can have.

@@ -127,6 +127,7 @@ class Batch {
     const target::Agent agent = agent_of_graph<Graph>();
     const std::size_t observed = layout_.observations.numbers();
     const std::size_t acted = layout_.actions.numbers();
+    std::atomic<const char*> refused = nullptr;
     each_block(acts_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
       for (std::uint32_t k = first; k < end; ++k) {
         if (episodes_[k].ended) continue;
@@ -135,9 +136,13 @@ class Batch {
           return target::act<Graph>(agent, key_of(episodes_[k]), episodes_[k].steps, observation,
                                     program);
         });
-        write_action<Graph>(action, actions + k * acted);
+        if (const char* name = write_action<Graph>(action, actions + k * acted)) refused = name;
       }
     });
+    if (refused != nullptr) {
+      throw Problem("float32 has no such action `" + std::string(refused) +
+                    "` as the agent wants: generate the library for a graph of floats");
+    }
   }
 
   void set_states(const std::uint8_t* mask, const float* states) {

@@ -26,7 +26,7 @@ std::vector<Space> spaces(const json& list) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Space> result;
   for (const json& one : list) {
-    Space space{one.at("name"), one.at("dtype"), 1, {}, {}};
+    Space space{one.at("name"), one.at("dtype"), 1, one.at("shape").empty(), {}, {}};
     for (const json& length : one.at("shape")) space.size *= length.get<std::size_t>();
     space.low = bounds(one, "low", -kInfinity, space.size);
     space.high = bounds(one, "high", kInfinity, space.size);
@@ -60,6 +60,8 @@ Description read_description(std::string_view text) {
     result.has_threads = all.value("threads", true);
     result.observations = spaces(all.at("observations"));
     result.actions = spaces(all.at("actions"));
+    result.states = spaces(all.at("states"));
+    result.agent = all.value("agent", "");
     const json& task = all.at("task");
     if (!task.is_object()) return result;
     result.has_task = true;

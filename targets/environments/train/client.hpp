@@ -6,6 +6,7 @@
 #include "targets/environments/client/library.hpp"
 #include "targets/environments/client/problem.hpp"
 #include "targets/environments/client/team.hpp"
+#include "targets/environments/client/words.hpp"
 
 namespace eagerx::train {
 
@@ -15,9 +16,11 @@ using client::Environments;
 using client::ExitCode;
 using client::Library;
 using client::LibraryFunctions;
+using client::minutes;
 using client::Problem;
 using client::read_description;
 using client::read_file;
+using client::rounded;
 using client::Space;
 using client::Team;
 using client::write_file;
