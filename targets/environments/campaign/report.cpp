@@ -93,7 +93,7 @@ Statistics statistics_of(const Report& report) {
 void add_percentiles(std::string& text, const char* name,
                      const std::array<double, kPercentages.size()>& values) {
   text += fmt::format("{:12}", name);
-  for (const double value : values) text += fmt::format("{:>11.6g}", value);
+  for (const double value : values) text += fmt::format("{:>12.6g}", value);
   text += "\n";
 }
 
@@ -188,7 +188,7 @@ std::string Report::text() const {
   for (const auto& [name, count] : results.faults)
     text += fmt::format("counted: {} {}\n", name, grouped(count));
   text += fmt::format("mean return: {:.6g}\n\n{:12}", all.mean_return, "percentile");
-  for (const unsigned one : kPercentages) text += fmt::format("{:>11}", one);
+  for (const unsigned one : kPercentages) text += fmt::format("{:>12}", one);
   text += "\n";
   add_percentiles(text, "return", all.returns);
   add_percentiles(text, "steps", all.lengths);
