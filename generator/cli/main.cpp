@@ -138,7 +138,7 @@ Command generate(Options& options) {
                                output(options),
                                selection(options),
                                rates(options),
-                               {library(options), warnings(options)},
+                               {agent_policy(options), library(options), warnings(options)},
                                diagnostics(options)}),
           .run = [&options] { return generate_command(options); }};
 }

@@ -9,8 +9,8 @@
 #include <limits>
 #include <numeric>
 
-#include "targets/environments/train/export.hpp"
 #include "targets/environments/train/client.hpp"
+#include "targets/environments/train/export.hpp"
 
 namespace eagerx::train {
 namespace {
