@@ -26,7 +26,7 @@ std::vector<Space> spaces(const json& list) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Space> result;
   for (const json& one : list) {
-    Space space{one.at("name"), one.at("dtype"), 1, one.at("shape").empty(), {}, {}};
+    Space space{one.at("name"), one.at("dtype"), 1, {}, {}, one.at("shape").empty()};
     for (const json& length : one.at("shape")) space.size *= length.get<std::size_t>();
     space.low = bounds(one, "low", -kInfinity, space.size);
     space.high = bounds(one, "high", kInfinity, space.size);

@@ -12,10 +12,10 @@ namespace eagerx::client {
 struct Space {
   std::string name;
   std::string dtype;
-  std::size_t size = 1;    // numbers, all messages of a window together
-  bool is_scalar = false;  // shape []
+  std::size_t size = 1;  // numbers, all messages of a window together
   std::vector<double> low,
-      high;  // [size], infinite where there is no bound; as one if all are equal
+      high;                // [size], infinite where there is no bound; as one if all are equal
+  bool is_scalar = false;  // shape []
 };
 
 struct Description {
