@@ -1,6 +1,7 @@
 // The commands of eagerx-gen.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,13 @@
 
 namespace eagerx::gen {
 
+/// What a graph is made for.
+enum class Purpose : std::uint8_t {
+  program,
+  training,  // the whole graph, whatever its agent is
+  campaign,  // the whole graph, with its agent
+};
+
 struct Options {
   std::string graph;
   std::string output;                               // empty: generated/<name of the graph>
@@ -20,13 +28,14 @@ struct Options {
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
-  std::vector<std::string> packages;           // kinds of packages that the output is to be as well
-  bool library = false;                        // headers for a main loop of one's own, no program
-  bool compile = false;                        // check: also the code of entities
-  bool standalone = false;                     // the output has all headers it needs
-  std::vector<std::string> program_options;    // run
-  bool training = false;                       // the whole graph, whatever its agent is
-  std::string image, build, baseline, run_on;  // size
+  std::vector<std::string> packages;         // kinds of packages that the output is to be as well
+  bool library = false;                      // headers for a main loop of one's own, no program
+  bool compile = false;                      // check: also the code of entities
+  bool standalone = false;                   // the output has all headers it needs
+  std::vector<std::string> program_options;  // run
+  Purpose purpose = Purpose::program;
+  std::string agent_policy;                            // a weight file; empty: the graph's agent
+  std::string image, build, baseline, run_on;          // size
   bool graph_schema = false, manifest_schema = false;  // schema
   bool json_output = false;
   std::string program, log, second_log, given;      // replay, identify
@@ -56,6 +65,8 @@ int build_command(const Options& options);
 int run_command(const Options& options);
 /// Makes the graph's library of environments, and becomes the trainer with it.
 int train_command(const Options& options);
+/// Makes the graph's library of environments, and becomes the program that runs many episodes.
+int campaign_command(const Options& options);
 int check_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);

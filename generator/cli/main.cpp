@@ -64,6 +64,11 @@ Argument rate(std::string name, std::string about, std::optional<Rational>& rate
   return argument;
 }
 
+Argument agent_policy(Options& options) {
+  return text("--policy", options.agent_policy,
+              "weight file of a policy that decides instead of the graph's `agent`", "FILE");
+}
+
 Arguments rates(Options& options) {
   return {
       rate("--rate", "use this rate of the environment instead of the graph's", options.rate_hz),
@@ -133,7 +138,7 @@ Command generate(Options& options) {
                                output(options),
                                selection(options),
                                rates(options),
-                               {library(options), warnings(options)},
+                               {agent_policy(options), library(options), warnings(options)},
                                diagnostics(options)}),
           .run = [&options] { return generate_command(options); }};
 }
@@ -146,7 +151,7 @@ Arguments building(Options& options) {
                              "DIR")},
        selection(options),
        rates(options),
-       {library(options), warnings(options)},
+       {agent_policy(options), library(options), warnings(options)},
        diagnostics(options)});
 }
 
@@ -183,18 +188,19 @@ Command run(Options& options) {
           .run = [&options] { return run_command(options); }};
 }
 
-/// An option that eagerx-train understands.
-Argument for_trainer(const std::string& name, std::string about, std::string type,
-                     Options& options) {
+/// An option that the program which is started understands.
+Argument handed_on(const std::string& name, std::string about, std::string type, Options& options) {
   return {name, std::move(about), std::move(type), [&options, name](const auto& values) {
-            options.program_options.push_back(name.substr(0, name.find(',')));
-            options.program_options.push_back(values.front());
+            for (const std::string& value : values) {
+              options.program_options.push_back(name.substr(0, name.find(',')));
+              options.program_options.push_back(value);
+            }
           }};
 }
 
 Command train(Options& options) {
   const auto option = [&options](const char* name, const char* about, const char* type) {
-    return for_trainer(name, about, type, options);
+    return handed_on(name, about, type, options);
   };
   return {
       .name = "train",
@@ -236,6 +242,57 @@ Command train(Options& options) {
            {library(options), warnings(options)},
            diagnostics(options)}),
       .run = [&options] { return train_command(options); }};
+}
+
+Command campaign(Options& options) {
+  const auto option = [&options](const char* name, const char* about, const char* type) {
+    return handed_on(name, about, type, options);
+  };
+  Argument vary = option("--vary",
+                         "draw a state or a delay of each run from this range, may be repeated; an "
+                         "element is NAME[0]",
+                         "NAME=LOW:HIGH");
+  vary.repeated = true;
+  return {
+      .name = "campaign",
+      .about = "run many episodes with the agent in the loop and count successes",
+      .examples =
+          {{"10,000 episodes: how often it succeeds, and what repeats the worst ones",
+            "eagerx-gen campaign pendulum.yaml --runs 10000"},
+           {"with masses drawn from a range; a row for each run",
+            "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
+           {"a long one that can be interrupted",
+            "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
+           {"and goes on",
+            "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"}},
+      .arguments = joined(
+          {{graph(options), option("--runs", "episodes (default: 1000)", "N"), std::move(vary),
+            agent_policy(options),
+            option("--steps",
+                   "end an episode after so many steps (default: what the task says, or 300)", "N"),
+            option("--seed",
+                   "where random numbers start: another seed is another campaign (default: 1)",
+                   "N"),
+            option("--threads",
+                   "how many threads; the report is the same for any number (default: one for each "
+                   "core)",
+                   "N"),
+            option("--worst", "name so many of the worst runs (default: 5)", "N"),
+            option("--csv", "write a table with a row for each run", "FILE"),
+            flag("--json", options.json_output, "print the report as JSON"),
+            option("--checkpoint", "add finished runs to this file, for --resume", "FILE"),
+            option("--resume", "go on from a checkpoint: the report is that of one long run",
+                   "FILE"),
+            text("--build", options.output,
+                 "folder for the library of environments (default: generated/<graph "
+                 "name>-environments)",
+                 "DIR"),
+            text("--engine", options.engine, "run the graph on this engine instead of its own",
+                 "NAME")},
+           rates(options),
+           {library(options), warnings(options)},
+           diagnostics(options)}),
+      .run = [&options] { return campaign_command(options); }};
 }
 
 Command check(Options& options) {
@@ -524,12 +581,13 @@ CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
-              .commands = {generate(options), build(options), run(options), train(options),
-                           check(options), info(options), picture(options), report(options),
-                           explain(options), import(options), schema(options), make_new(options),
-                           size(options), replay(options), identify(options),
-                           trace_commands(options), plot_commands(options), policies(options),
-                           pages(options)}},
+              .commands = {generate(options), build(options),          run(options),
+                           train(options),    campaign(options),       check(options),
+                           info(options),     picture(options),        report(options),
+                           explain(options),  import(options),         schema(options),
+                           make_new(options), size(options),           replay(options),
+                           identify(options), trace_commands(options), plot_commands(options),
+                           policies(options), pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

@@ -130,6 +130,44 @@ void prepare_for_training(Run& run) {
       "5.0}, success: {upright: abs(th) < 0.15, over_last: 2.0}}`";
 }
 
+/// All on one machine, where success can be seen.
+void prepare_for_campaign(Run& run) {
+  run.spec->placement.clear();
+  const AgentSpec& agent = run.spec->agent;
+  if (agent.kind == AgentSpec::Kind::csv) {
+    run.diagnostics
+        .error("E0381", agent.file.span,
+               "the agent is a file of actions, which many runs cannot all repeat")
+        .help =
+        "name a policy with `--policy FILE`, or in the graph: `agent: {policy: FILE}`; `zero` and "
+        "`random` are agents, too";
+  }
+  if (run.spec->task && !run.spec->task->success.empty()) return;
+  run.diagnostics
+      .error("E0380", run.spec->task ? run.spec->task->span : run.spec->name.span,
+             run.spec->task ? "the task has no `success:`, so there is nothing to count"
+                            : "the graph has no `task:`, so there is no success to count")
+      .help =
+      run.spec->task
+          ? "say when an episode is a success: `success: {upright: abs(th) < 0.15, over_last: 2.0}`"
+          : "add one that says when an episode ends and what success is: `task: {inputs: {th: "
+            "pendulum.theta}, reward: {upright: {value: th^2, weight: -1.0}}, truncated: {after: "
+            "5.0}, success: {upright: abs(th) < 0.15, over_last: 2.0}}`";
+}
+
+/// `--policy FILE` in place of the graph's agent; the graph names files beside itself.
+void take_policy(Run& run, const Options& options) {
+  if (options.agent_policy.empty()) return;
+  const Span span =
+      run.spec->agent.span.file == FileId::none ? run.spec->name.span : run.spec->agent.span;
+  const fs::path folder = fs::absolute(run.spec->path).parent_path();
+  AgentSpec agent;
+  agent.kind = AgentSpec::Kind::policy;
+  agent.span = span;
+  agent.file = {fs::absolute(options.agent_policy).lexically_relative(folder).string(), span};
+  run.spec->agent = std::move(agent);
+}
+
 /// From the tree of the graph's file on.
 bool make_of_tree(Run& run, const Options& options, Reading reading) {
   if (is_saved_graph(run.tree)) {
@@ -139,7 +177,9 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
   } else if (!read_own_graph(run, options, reading)) {
     return false;
   }
-  if (options.training) prepare_for_training(run);
+  take_policy(run, options);
+  if (options.purpose == Purpose::training) prepare_for_training(run);
+  if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
   // Before the graph is resolved, so that a bad file is told of along with everything else.
   run.policies = read_policies(*run.spec, run.library, run.diagnostics);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},

@@ -14,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <targets/common/run.hpp>
+#include <targets/environments/agent.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_memory.hpp>
 #include <targets/environments/pictures.hpp>
@@ -62,6 +63,7 @@ class Batch {
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
         team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
     packs_.make_room(team_.size());
+    seen_.resize(team_.size());
     if (target::is_real(programs_[0])) {
       throw Problem("engine `" + std::string(Graph::kEngine) +
                     "` moves real hardware, of which there is one: generate the library with "
@@ -116,6 +118,30 @@ class Batch {
     });
     for (auto& [k, traces] : traces_) {
       if (traces.now) traces.now->hand_on();
+    }
+  }
+
+  /// What the graph's agent does next, for environments whose episode has not ended.
+  void act(const float* observations, float* actions) {
+    require_begun();
+    const target::Agent agent = agent_of_graph<Graph>();
+    const std::size_t observed = layout_.observations.numbers();
+    const std::size_t acted = layout_.actions.numbers();
+    std::atomic<const char*> refused = nullptr;
+    each_block(acts_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
+      for (std::uint32_t k = first; k < end; ++k) {
+        if (episodes_[k].ended) continue;
+        const auto observation = seen_[member].of(observations + k * observed);
+        const auto action = with(k, [&](auto& program) {
+          return target::act<Graph>(agent, key_of(episodes_[k]), episodes_[k].steps, observation,
+                                    program);
+        });
+        if (const char* name = write_action<Graph>(action, actions + k * acted)) refused = name;
+      }
+    });
+    if (refused != nullptr) {
+      throw Problem("float32 has no such action `" + std::string(refused) +
+                    "` as the agent wants: generate the library for a graph of floats");
     }
   }
 
@@ -409,7 +435,8 @@ class Batch {
   PackMemory<Graph> packs_;
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;
-  Workload resets_, steps_;
+  std::vector<SeenRows<Graph>> seen_;  // [members]
+  Workload resets_, steps_, acts_;
   Team team_;
 };
 

@@ -171,7 +171,8 @@ std::string describe(const char* generator, const PackKernel<Graph>& kernel, con
   json.key("lanes").whole(in_packs ? kernel.lanes : 1);
   if (!in_packs) json.key("why_no_lanes").text(why_not);
   return json.str() + ", \"observations\": " + observations + ", \"actions\": " + actions +
-         ", \"states\": " + describe_states<Graph>() + ", \"task\": " + describe_task<Graph>() +
+         ", \"states\": " + describe_states<Graph>() + ", \"agent\": \"" + Graph::kDefaultAgent +
+         "\"" + ", \"task\": " + describe_task<Graph>() +
          ", \"render\": " + describe_render<Graph>() + "}";
 }
 

@@ -102,6 +102,16 @@ class Library {
     });
   }
 
+  static int act(Environments* environments, const float* observation, float* action) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      if (observation == nullptr && Layout<Graph>::get().observations.numbers() != 0)
+        throw Problem("observation is null");
+      if (action == nullptr && Layout<Graph>::get().actions.numbers() != 0)
+        throw Problem("action is null");
+      batch.act(observation, action);
+    });
+  }
+
   static int set_states(Environments* environments, const std::uint8_t* mask, const float* states) {
     return call(environments, [&](Batch<Graph>& batch) {
       check_states(states);

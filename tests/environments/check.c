@@ -284,8 +284,14 @@ static void check_calls(void) {
                "step of some before a reset");
   expect_error(eagerx_get_states(batch, states) != 0, "environment 2 has not begun",
                "states before a reset");
+  expect_error(eagerx_act(batch, b.rows.observation, b.action) != 0, "environment 2 has not begun",
+               "agent before a reset");
   eagerx_reset(batch, NULL, NULL, NULL);
   expect_error(eagerx_step(batch, NULL, &b.rows) != 0, "action is null", "no action");
+  expect_error(eagerx_act(batch, b.rows.observation, NULL) != 0, "action is null",
+               "agent without a row for its action");
+  expect_error(eagerx_act(batch, NULL, b.action) != 0, "observation is null",
+               "agent without an observation");
   b.rows.size = 8;
   expect_error(eagerx_step(batch, b.action, &b.rows) != 0, "eagerx_rows is of another version",
                "rows of another size");

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {

@@ -5,9 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "targets/environments/train/library.hpp"
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/policy.hpp"
-#include "targets/environments/train/team.hpp"
 
 namespace eagerx::train {
 

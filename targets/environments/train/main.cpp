@@ -4,8 +4,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/options.hpp"
-#include "targets/environments/train/problem.hpp"
 #include "targets/environments/train/training.hpp"
 
 namespace eagerx::train {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string_view>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {

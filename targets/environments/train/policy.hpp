@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "targets/environments/train/description.hpp"
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/network.hpp"
 #include "targets/environments/train/statistics.hpp"
 

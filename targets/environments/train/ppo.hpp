@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/rollout.hpp"
-#include "targets/environments/train/team.hpp"
 
 namespace eagerx::train {
 

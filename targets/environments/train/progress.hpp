@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/curve.hpp"
 
 namespace eagerx::train {
@@ -32,10 +33,5 @@ class Progress {
   double last_return_, last_success_;  // NaN: not yet
   Clock::time_point start_, shown_;
 };
-
-/// 75 as "1:15".
-std::string minutes(double seconds);
-/// 153211 as "153,000": three digits that matter.
-std::string rounded(double number);
 
 }  // namespace eagerx::train

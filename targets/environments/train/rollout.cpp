@@ -5,7 +5,7 @@
 #include <eagerx/math.hpp>
 
 #include "targets/environments/train/choice.hpp"
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {

@@ -4,7 +4,7 @@
 #include <eagerx/random.hpp>
 #include <vector>
 
-#include "targets/environments/train/library.hpp"
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/model.hpp"
 #include "targets/environments/train/policy.hpp"
 

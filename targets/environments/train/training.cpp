@@ -9,9 +9,8 @@
 #include <limits>
 #include <numeric>
 
+#include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
-#include "targets/environments/train/files.hpp"
-#include "targets/environments/train/problem.hpp"
 
 namespace eagerx::train {
 namespace {

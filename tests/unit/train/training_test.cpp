@@ -5,8 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "targets/environments/train/files.hpp"
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {

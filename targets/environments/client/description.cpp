@@ -1,11 +1,11 @@
-#include "targets/environments/train/description.hpp"
+#include "targets/environments/client/description.hpp"
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/client/problem.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 namespace {
 
 using nlohmann::json;
@@ -26,7 +26,7 @@ std::vector<Space> spaces(const json& list) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Space> result;
   for (const json& one : list) {
-    Space space{one.at("name"), one.at("dtype"), 1, {}, {}};
+    Space space{one.at("name"), one.at("dtype"), 1, {}, {}, one.at("shape").empty()};
     for (const json& length : one.at("shape")) space.size *= length.get<std::size_t>();
     space.low = bounds(one, "low", -kInfinity, space.size);
     space.high = bounds(one, "high", kInfinity, space.size);
@@ -64,6 +64,8 @@ Description read_description(std::string_view text) {
     result.has_threads = all.value("threads", true);
     result.observations = spaces(all.at("observations"));
     result.actions = spaces(all.at("actions"));
+    result.states = spaces(all.at("states"));
+    result.agent = all.value("agent", "");
     const json& task = all.at("task");
     if (!task.is_object()) return result;
     result.has_task = true;
@@ -78,4 +80,4 @@ Description read_description(std::string_view text) {
   }
 }
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace eagerx::train {
+namespace eagerx::client {
 
 /// Exit codes, as those of eagerx-gen.
 enum ExitCode : int { kDone = 0, kProblems = 1, kUsage = 2, kInputOutput = 3 };
@@ -16,4 +16,4 @@ struct Problem : std::runtime_error {
   std::string help;  // empty: nothing to say
 };
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace eagerx::train {
+namespace eagerx::client {
 
 /// Writes `bytes` to another name, then renames it. Throws Problem, and leaves what was there.
 void write_file(const std::string& path, std::string_view bytes);
@@ -15,4 +15,4 @@ void check_writable(const std::string& path);
 /// Throws Problem if it cannot be read.
 std::string read_file(const std::string& path);
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

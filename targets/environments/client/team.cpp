@@ -1,8 +1,8 @@
-#include "targets/environments/train/team.hpp"
+#include "targets/environments/client/team.hpp"
 
 #include <utility>
 
-namespace eagerx::train {
+namespace eagerx::client {
 
 Team::Team(unsigned threads) {
   for (unsigned i = 1; i < threads; ++i) helpers_.emplace_back([this] { serve(); });
@@ -49,4 +49,4 @@ void Team::run(std::size_t parts, const std::function<void(std::size_t)>& work) 
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

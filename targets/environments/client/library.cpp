@@ -1,21 +1,13 @@
-#include "targets/environments/train/library.hpp"
+#include "targets/environments/client/library.hpp"
 
 #include <dlfcn.h>
 
 #include <numeric>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/client/problem.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 namespace {
-
-template <class Function>
-void find(void* library, const std::string& path, const char* name, Function& function) {
-  function = reinterpret_cast<Function>(dlsym(library, name));  // NOLINT: POSIX says so
-  if (function != nullptr) return;
-  throw Problem(kInputOutput, "`" + path + "` is no library of environments: it has no " + name,
-                "make one with `eagerx-gen generate GRAPH.yaml --target environments`");
-}
 
 [[noreturn]] void fail(const LibraryFunctions& library, const char* what) {
   throw Problem(kProblems, std::string(what) + ": " + library.error());
@@ -48,14 +40,20 @@ void Environments::step(const float* action, const eagerx_rows& rows) {
   }
 }
 
-Library::Library(const std::string& path) {
+void* Library::address(const char* name) const {
+  void* const found = dlsym(library_, name);
+  if (found != nullptr) return found;
+  throw Problem(kInputOutput, "`" + path_ + "` is no library of environments: it has no " + name,
+                "make one with `eagerx-gen generate GRAPH.yaml --target environments`");
+}
+
+Library::Library(const std::string& path) : path_(path) {
   const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
-  // Never closed: threads and statics of a library may live on.
-  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) {
+  library_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library_ == nullptr) {
     throw Problem(kInputOutput, "cannot load `" + path + "`: " + dlerror());
   }
-  find(library, path, "eagerx_version", functions_.version);
+  functions_.version = find<decltype(&eagerx_version)>("eagerx_version");
   if (functions_.version() != EAGERX_ENVIRONMENTS_VERSION) {
     throw Problem(kInputOutput,
                   "`" + path + "` has version " + std::to_string(functions_.version()) +
@@ -63,13 +61,13 @@ Library::Library(const std::string& path) {
                       std::to_string(EAGERX_ENVIRONMENTS_VERSION),
                   "build the library again with this version of eagerx-gen");
   }
-  find(library, path, "eagerx_describe", functions_.describe);
-  find(library, path, "eagerx_error", functions_.error);
-  find(library, path, "eagerx_create", functions_.create);
-  find(library, path, "eagerx_destroy", functions_.destroy);
-  find(library, path, "eagerx_reset", functions_.reset);
-  find(library, path, "eagerx_step", functions_.step);
+  functions_.describe = find<decltype(&eagerx_describe)>("eagerx_describe");
+  functions_.error = find<decltype(&eagerx_error)>("eagerx_error");
+  functions_.create = find<decltype(&eagerx_create)>("eagerx_create");
+  functions_.destroy = find<decltype(&eagerx_destroy)>("eagerx_destroy");
+  functions_.reset = find<decltype(&eagerx_reset)>("eagerx_reset");
+  functions_.step = find<decltype(&eagerx_step)>("eagerx_step");
   description_ = read_description(functions_.describe());
 }
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

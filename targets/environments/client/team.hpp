@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace eagerx::train {
+namespace eagerx::client {
 
 class Team {
  public:
@@ -38,4 +38,4 @@ class Team {
   std::exception_ptr failure_;
 };
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

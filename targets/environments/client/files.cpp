@@ -1,4 +1,4 @@
-#include "targets/environments/train/files.hpp"
+#include "targets/environments/client/files.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,9 +10,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "targets/environments/train/problem.hpp"
+#include "targets/environments/client/problem.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ std::string read_file(const std::string& path) {
   return std::move(bytes).str();
 }
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

@@ -1,16 +1,16 @@
-// A library of environments, loaded while the trainer runs.
+// A library of environments, loaded while a program runs.
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "targets/environments/client/description.hpp"
 #include "targets/environments/eagerx_environments.h"
-#include "targets/environments/train/description.hpp"
 
-namespace eagerx::train {
+namespace eagerx::client {
 
-/// The functions of eagerx_environments.h that training needs.
+/// The functions of eagerx_environments.h that all programs need.
 struct LibraryFunctions {
   decltype(&eagerx_version) version;
   decltype(&eagerx_describe) describe;
@@ -32,6 +32,8 @@ class Environments {
   /// All begin an episode, the first of `seed`. observation [count][observation numbers].
   void reset(std::uint64_t seed, float* observation);
   void step(const float* action, const eagerx_rows& rows);
+  /// For other functions of the library.
+  eagerx_environments* handle() const { return handle_.get(); }
 
  private:
   const LibraryFunctions& library_;
@@ -45,10 +47,19 @@ class Library {
 
   const LibraryFunctions& functions() const { return functions_; }
   const Description& description() const { return description_; }
+  /// Another of its functions. Throws Problem if it has none of this name.
+  template <class Function>
+  Function find(const char* name) const {
+    return reinterpret_cast<Function>(address(name));  // NOLINT: POSIX says so
+  }
 
  private:
+  void* address(const char* name) const;
+
+  std::string path_;
+  void* library_ = nullptr;  // of dlopen; never closed: its threads and statics may live on
   LibraryFunctions functions_{};
   Description description_;
 };
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

@@ -6,23 +6,25 @@
 #include <string_view>
 #include <vector>
 
-namespace eagerx::train {
+namespace eagerx::client {
 
-/// An observation or an action.
+/// An observation, an action or a state.
 struct Space {
   std::string name;
   std::string dtype;
   std::size_t size = 1;  // numbers, all messages of a window together
   std::vector<double> low,
-      high;  // [size], infinite where there is no bound; as one if all are equal
+      high;                // [size], infinite where there is no bound; as one if all are equal
+  bool is_scalar = false;  // shape []
 };
 
 struct Description {
   std::string graph;
   std::string hash;
   double rate_hz = 0.0;
-  bool has_threads = true;                   // whether several environments may be stepped at once
-  std::vector<Space> observations, actions;  // in the order of the columns
+  bool has_threads = true;  // whether several environments may be stepped at once
+  std::vector<Space> observations, actions, states;  // in the order of the columns
+  std::string agent;  // what eagerx_act() does; empty: an old library
   bool has_task = false;
   std::vector<std::string> terms;  // of the reward
   bool has_success = false;
@@ -37,4 +39,4 @@ struct Description {
 /// Reads the JSON of eagerx_describe(). Throws Problem if it is not understood.
 Description read_description(std::string_view json);
 
-}  // namespace eagerx::train
+}  // namespace eagerx::client

@@ -1,0 +1,95 @@
+// The graph's agent, over rows of numbers.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/message.hpp>
+#include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
+#include <memory>
+#include <string>
+#include <targets/common/run.hpp>
+#include <targets/environments/layout.hpp>
+#include <targets/environments/problem.hpp>
+#include <type_traits>
+#include <vector>
+
+namespace eagerx::environments {
+
+/// Makes observations of rows again. A policy's inputs are float32 whatever the type of an
+/// observation, so a row has all that it can see.
+template <class Graph>
+class SeenRows {
+ public:
+  using Observation = typename Graph::Observation;
+
+  SeenRows() {
+    std::size_t places = 0;
+    Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {
+      using Observed = typename decltype(observed)::type;
+      using Message = typename Observed::value_type;
+      static_assert(alignof(Message) <= alignof(Place));
+      first_.push_back(places);
+      places += (messages_of<Observed>() * sizeof(Message) + sizeof(Place) - 1) / sizeof(Place);
+    });
+    places_.resize(places);
+  }
+
+  /// Valid until the next call. A window of size 0 is full of what its row has.
+  Observation of(const float* row) {
+    auto observation = std::bit_cast<Observation>(std::array<std::byte, sizeof(Observation)>{});
+    std::size_t field = 0;
+    Graph::for_each_observation(observation, [&](const char*, const auto& window, const auto&) {
+      using Observed = std::remove_cvref_t<decltype(window)>;
+      using Message = typename Observed::value_type;
+      const float* from = row + layout_.observations.first(field);
+      auto* const messages = reinterpret_cast<Message*>(places_.data() + first_[field++]);
+      for (std::uint32_t w = 0; w < messages_of<Observed>(); ++w) {
+        Message* const message = std::construct_at(messages + w);
+        for (std::size_t i = 0; i < size_of<Message>; ++i)
+          element(*message, i) = from_row<ScalarOf<Message>>(*from++);
+      }
+      // `observation` is no constant, only what for_each_observation() shows of it.
+      std::construct_at(const_cast<Observed*>(&window), messages, Seq{messages_of<Observed>()});
+    });
+    return observation;
+  }
+
+ private:
+  using Place = std::max_align_t;
+  const Layout<Graph>& layout_ = Layout<Graph>::get();
+  std::vector<std::size_t> first_;  // [fields] in places_
+  std::vector<Place> places_;       // messages that the windows show
+};
+
+/// Writes `action` as a row. The name of a message that float32 cannot say; null: none.
+template <class Graph>
+const char* write_action(typename Graph::Action action, float* row) {
+  const Layout<Graph>& layout = Layout<Graph>::get();
+  const char* refused = nullptr;
+  std::size_t field = 0;
+  Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&) {
+    using Message = std::remove_cvref_t<decltype(message)>;
+    using Scalar = ScalarOf<Message>;
+    float* const to = row + layout.actions.first(field++);
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      const Scalar x = element(message, i);
+      to[i] = static_cast<float>(x);
+      if (from_row<Scalar>(to[i]) != x && x == x) refused = name;
+    }
+  });
+  return refused;
+}
+
+/// The agent that the graph names. Throws Problem if it is none that a library can have.
+template <class Graph>
+target::Agent agent_of_graph() {
+  constexpr target::Agent kAgent = target::default_agent<Graph>();
+  if (kAgent == target::Agent::csv)
+    throw Problem("the agent of the graph is a file of actions, which a library cannot read");
+  return kAgent;
+}
+
+}  // namespace eagerx::environments

@@ -1,0 +1,19 @@
+// A campaign from its first chunk to its report.
+#pragma once
+
+#include "targets/environments/campaign/options.hpp"
+#include "targets/environments/client/library.hpp"
+
+namespace eagerx::campaign {
+
+inline constexpr int kInterrupted = 130;  // exit code
+
+/// Runs what is not done yet and prints the report. The exit code. `interrupted` is asked between
+/// chunks. Throws Problem.
+int run_campaign(const Options& options, const client::Library& library,
+                 const volatile int& interrupted);
+
+/// Throws Problem if a file of the options could not be written or read.
+void check_files(const Options& options);
+
+}  // namespace eagerx::campaign

@@ -1,0 +1,43 @@
+// The finished chunks of a campaign on the disk, so that one that was killed can go on.
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "targets/environments/campaign/plan.hpp"
+#include "targets/environments/campaign/results.hpp"
+
+namespace eagerx::campaign {
+
+/// A line that says what the campaign is, then a record for each chunk, in any order: sizes, runs,
+/// check sum. Records are only added. One that a kill has cut off ends the file.
+class Journal {
+ public:
+  /// `identity`: a line; results of another one are none of ours. No file is touched yet.
+  Journal(std::string path, std::string identity);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// A new file. Throws Problem if it cannot be written.
+  void begin();
+  /// Reads what is there into `results` and goes on behind it. True for chunks that are done.
+  /// Throws Problem if it is no journal, or of another campaign.
+  std::vector<bool> resume(const Plan& plan, Results& results);
+  /// By one thread at a time. Throws Problem if it cannot be written.
+  void add(std::uint32_t chunk, const Results& results);
+
+ private:
+  void open(int flags);
+  void write(const std::string& bytes) const;
+
+  std::string path_, header_;
+  int file_ = -1;
+};
+
+/// Puts the results of a chunk in their place.
+void put(const Plan& plan, std::uint32_t chunk, const Results& part, Results& all);
+
+}  // namespace eagerx::campaign

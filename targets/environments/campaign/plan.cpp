@@ -1,0 +1,150 @@
+#include "targets/environments/campaign/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <eagerx/random.hpp>
+#include <limits>
+#include <numeric>
+#include <set>
+
+#include "targets/environments/client/problem.hpp"
+
+namespace eagerx::campaign {
+namespace {
+
+using client::Description;
+using client::kProblems;
+using client::Problem;
+using client::Space;
+
+std::vector<std::string> columns_of(const std::vector<Space>& states) {
+  std::vector<std::string> names;
+  for (const Space& state : states) {
+    for (std::size_t i = 0; i < state.size; ++i)
+      names.push_back(state.is_scalar ? state.name : fmt::format("{}[{}]", state.name, i));
+  }
+  return names;
+}
+
+/// Letters to insert, remove or replace (Levenshtein).
+std::size_t distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t above = row[j + 1];
+      row[j + 1] = std::min({above + 1, row[j] + 1, diagonal + (a[i] == b[j] ? 0U : 1U)});
+      diagonal = above;
+    }
+  }
+  return row.back();
+}
+
+[[noreturn]] void refuse_name(const std::string& name, const Description& description) {
+  std::string near;
+  std::vector<std::string> names;
+  for (const Space& state : description.states) {
+    names.push_back(state.name);
+    if (near.empty() || distance(name, state.name) < distance(name, near)) near = state.name;
+  }
+  const std::string write =
+      "a state that can be varied is under `states:` of the graph, a delay has "
+      "a range in the graph: what is only in `config:` is compiled in";
+  const bool is_near = !near.empty() && distance(name, near) <= 2;
+  const std::string help = is_near ? fmt::format("did you mean `{}`?", near)
+                           : names.empty()
+                               ? "this graph has nothing to vary; " + write
+                               : fmt::format("there is {}; {}", fmt::join(names, ", "), write);
+  throw Problem(kProblems, fmt::format("`{}` cannot be varied", name), help);
+}
+
+/// The columns of a name, which may be an element.
+struct Place {
+  const Space& space;
+  std::size_t first = 0, size = 0, element = 0;
+};
+Place place_of(const std::string& name, const Description& description) {
+  std::size_t column = 0;
+  for (const Space& state : description.states) {
+    if (name == state.name) return {state, column, state.size, 0};
+    for (std::size_t i = 0; !state.is_scalar && i < state.size; ++i) {
+      if (name == fmt::format("{}[{}]", state.name, i)) return {state, column + i, 1, i};
+    }
+    column += state.size;
+  }
+  refuse_name(name.substr(0, name.find('[')), description);
+}
+
+void check_range(const Variation& variation, const Place& place) {
+  for (std::size_t i = 0; i < place.size; ++i) {
+    const double low = place.space.low[place.element + i],
+                 high = place.space.high[place.element + i];
+    // Bounds are those of float32, ours are decimals.
+    const bool fits = static_cast<float>(variation.low) >= static_cast<float>(low) &&
+                      static_cast<float>(variation.high) <= static_cast<float>(high);
+    if (fits) continue;
+    throw Problem(kProblems,
+                  fmt::format("`{}` cannot be from {} to {}: its space is from {} to {}",
+                              variation.name, variation.low, variation.high, low, high),
+                  "choose a range within it, or give the state another `space` in the graph");
+  }
+}
+
+void check_graph(const Description& description) {
+  if (!description.has_success) {
+    throw Problem(kProblems, "the graph has no success to count",
+                  "write into its `task:` what success is, such as "
+                  "`success: {upright: abs(th) < 0.15, over_last: 2.0}`");
+  }
+  const auto is_double = [](const Space& space) { return space.dtype == "float64"; };
+  if (std::ranges::any_of(description.observations, is_double) ||
+      std::ranges::any_of(description.actions, is_double) ||
+      std::ranges::any_of(description.states, is_double)) {
+    throw Problem(kProblems, "the graph calculates in double, but a campaign's rows are float32",
+                  "leave out `real: double`");
+  }
+}
+
+}  // namespace
+
+std::vector<float> Plan::states_of(std::uint32_t run) const {
+  std::vector<float> row(columns.size(), std::numeric_limits<float>::quiet_NaN());
+  for (const Drawn& one : drawn) {
+    Random random({seed, run, 0}, entity_id(one.stream.c_str()));
+    row[one.column] =
+        one.is_real ? random.uniform(static_cast<float>(one.low), static_cast<float>(one.high))
+                    : static_cast<float>(random.uniform(static_cast<std::int64_t>(one.low),
+                                                        static_cast<std::int64_t>(one.high)));
+  }
+  return row;
+}
+
+Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t runs,
+               std::uint32_t steps, std::vector<Variation> variations) {
+  check_graph(description);
+  Plan plan;
+  plan.seed = seed;
+  plan.runs = runs;
+  plan.longest = steps != 0                       ? steps
+                 : description.episode_steps != 0 ? description.episode_steps
+                                                  : kDefaultSteps;
+  plan.columns = columns_of(description.states);
+  std::set<std::size_t> taken;
+  for (const Variation& variation : variations) {
+    const Place place = place_of(variation.name, description);
+    check_range(variation, place);
+    for (std::size_t i = 0; i < place.size; ++i) {
+      const std::size_t column = place.first + i;
+      if (!taken.insert(column).second)
+        throw Problem(client::kUsage, fmt::format("`{}` is varied twice", plan.columns[column]));
+      plan.drawn.push_back({column, "campaign/" + plan.columns[column],
+                            place.space.dtype.starts_with("float"), variation.low, variation.high});
+    }
+  }
+  plan.variations = std::move(variations);
+  return plan;
+}
+
+}  // namespace eagerx::campaign

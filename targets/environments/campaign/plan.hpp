@@ -1,0 +1,55 @@
+// What a campaign runs: its results depend on a plan and a library, and on nothing else.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "targets/environments/client/description.hpp"
+
+namespace eagerx::campaign {
+
+/// `--vary NAME=LOW:HIGH`: a state or a delay, or one of its elements (`NAME[i]`).
+struct Variation {
+  std::string name;
+  double low = 0.0, high = 0.0;
+};
+
+/// Runs in a chunk: what is computed together, by one thread, and written to the checkpoint at
+/// once. Constant, because nothing may depend on the number of threads.
+inline constexpr std::uint32_t kChunk = 256;
+
+/// Steps of an episode that the task does not end, as in programs for Linux.
+inline constexpr std::uint32_t kDefaultSteps = 300;
+
+/// A number of the states that each run draws for itself.
+struct Drawn {
+  std::size_t column = 0;  // in a row of states
+  std::string stream;      // what its random numbers are called
+  bool is_real = true;     // else a whole number
+  double low = 0.0, high = 0.0;
+};
+
+struct Plan {
+  std::uint64_t seed = 1;
+  std::uint32_t runs = 0;
+  std::uint32_t longest = 0;  // steps
+  std::vector<Variation> variations;
+  std::vector<Drawn> drawn;
+  std::vector<std::string> columns;  // names of the numbers of the states
+
+  std::uint32_t chunks() const { return (runs + kChunk - 1) / kChunk; }
+  std::uint32_t first_of(std::uint32_t chunk) const { return chunk * kChunk; }
+  std::uint32_t size_of(std::uint32_t chunk) const {
+    return runs - first_of(chunk) < kChunk ? runs - first_of(chunk) : kChunk;
+  }
+  /// States of a run, [columns]: a function of (seed, run, name). NaN: drawn as the graph says.
+  std::vector<float> states_of(std::uint32_t run) const;
+};
+
+/// `steps`: 0 for what the task says. Throws Problem if the graph has no success to count, or for
+/// what cannot be varied.
+Plan make_plan(const client::Description& description, std::uint64_t seed, std::uint32_t runs,
+               std::uint32_t steps, std::vector<Variation> variations);
+
+}  // namespace eagerx::campaign

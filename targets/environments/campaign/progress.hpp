@@ -1,0 +1,28 @@
+// How far a campaign is, for people.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+
+namespace eagerx::campaign {
+
+/// On a terminal one line that is written anew each second, elsewhere one more line every five
+/// seconds. Goes to stderr.
+class Progress {
+ public:
+  Progress(std::uint32_t runs, bool is_quiet);
+
+  /// So many runs were done before.
+  void begin(std::uint32_t done);
+  void show(std::uint32_t done, std::uint32_t successes);
+  /// Removes the line of a terminal.
+  void finish();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::uint32_t runs_, before_ = 0;
+  bool is_quiet_, is_terminal_, is_shown_ = false;
+  Clock::time_point start_, shown_;
+};
+
+}  // namespace eagerx::campaign

@@ -1,0 +1,107 @@
+#include "targets/environments/campaign/runner.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "targets/environments/client/problem.hpp"
+
+namespace eagerx::campaign {
+
+/// The environments of a chunk while it runs.
+class Runner::Chunk {
+ public:
+  Chunk(const Runner& runner, std::uint32_t chunk)
+      : runner_(runner),
+        count_(runner.plan_.size_of(chunk)),
+        environments_(runner.library_.functions(), count_, runner.plan_.first_of(chunk),
+                      runner.plan_.seed, runner.plan_.longest, EAGERX_DISABLED),
+        observation_(count_ * runner.library_.description().observation_numbers()),
+        action_(count_ * runner.library_.description().action_numbers()),
+        reward_(count_),
+        terminated_(count_),
+        truncated_(count_),
+        success_(count_),
+        ended_(count_),
+        results_(count_, runner.plan_.columns.size()) {
+    begin(runner.plan_.first_of(chunk));
+  }
+
+  Results run() {
+    const eagerx_rows rows{.size = sizeof(eagerx_rows),
+                           .observation = observation_.data(),
+                           .reward = reward_.data(),
+                           .terminated = terminated_.data(),
+                           .truncated = truncated_.data(),
+                           .success = success_.data(),
+                           .terms = nullptr,
+                           .final_observation = nullptr};
+    for (std::uint32_t running = count_; running != 0;) {
+      check(runner_.functions_.act(environments_.handle(), observation_.data(), action_.data()));
+      environments_.step(action_.data(), rows);
+      for (std::uint32_t e = 0; e < count_; ++e) running -= note_step(e) ? 1U : 0U;
+    }
+    note_faults();
+    return std::move(results_);
+  }
+
+ private:
+  void check(int failed) const {
+    if (failed == 0) return;
+    throw client::Problem(client::kProblems, std::string("the library refuses: ") +
+                                                 runner_.library_.functions().error());
+  }
+
+  void begin(std::uint32_t first) {
+    const Plan& plan = runner_.plan_;
+    if (!plan.drawn.empty()) {
+      for (std::uint32_t e = 0; e < count_; ++e) {
+        const std::vector<float> row = plan.states_of(first + e);
+        std::ranges::copy(row,
+                          results_.states.begin() + static_cast<std::ptrdiff_t>(e * row.size()));
+      }
+      check(runner_.functions_.set_states(environments_.handle(), nullptr, results_.states.data()));
+    }
+    environments_.reset(plan.seed, observation_.data());
+    if (!plan.columns.empty())
+      check(runner_.functions_.get_states(environments_.handle(), results_.states.data()));
+  }
+
+  /// Whether the step ended the episode.
+  bool note_step(std::uint32_t e) {
+    if (ended_[e] != 0) return false;
+    results_.returns[e] += reward_[e];
+    ++results_.steps[e];
+    if (terminated_[e] == 0 && truncated_[e] == 0) return false;
+    results_.flags[e] = static_cast<std::uint8_t>((success_[e] != 0 ? kSuccess : 0) |
+                                                  (terminated_[e] != 0 ? kTerminated : 0) |
+                                                  (truncated_[e] != 0 ? kTruncated : 0));
+    return (ended_[e] = 1) == 1;
+  }
+
+  void note_faults() {
+    const char* text = runner_.functions_.counts(environments_.handle());
+    check(text == nullptr ? -1 : 0);
+    results_.faults = nlohmann::json::parse(text).get<Faults>();
+  }
+
+  const Runner& runner_;
+  std::uint32_t count_;
+  client::Environments environments_;
+  std::vector<float> observation_, action_, reward_;
+  std::vector<std::uint8_t> terminated_, truncated_, success_, ended_;
+  Results results_;
+};
+
+Runner::Runner(const client::Library& library, const Plan& plan)
+    : library_(library),
+      plan_(plan),
+      functions_{library.find<decltype(&eagerx_act)>("eagerx_act"),
+                 library.find<decltype(&eagerx_set_states)>("eagerx_set_states"),
+                 library.find<decltype(&eagerx_get_states)>("eagerx_get_states"),
+                 library.find<decltype(&eagerx_counts)>("eagerx_counts")} {}
+
+Results Runner::run(std::uint32_t chunk) const {
+  return Chunk(*this, chunk).run();
+}
+
+}  // namespace eagerx::campaign

@@ -1,0 +1,33 @@
+// A chunk of runs, with the graph's agent in the loop.
+#pragma once
+
+#include "targets/environments/campaign/plan.hpp"
+#include "targets/environments/campaign/results.hpp"
+#include "targets/environments/client/library.hpp"
+
+namespace eagerx::campaign {
+
+class Runner {
+ public:
+  /// Throws Problem if the library is older than campaigns.
+  Runner(const client::Library& library, const Plan& plan);
+
+  /// Run k is the first episode of environment k of the plan's seed. May be called by several
+  /// threads at once. Throws Problem for what the library refuses.
+  Results run(std::uint32_t chunk) const;
+
+ private:
+  struct Functions {
+    decltype(&eagerx_act) act;
+    decltype(&eagerx_set_states) set_states;
+    decltype(&eagerx_get_states) get_states;
+    decltype(&eagerx_counts) counts;
+  };
+  class Chunk;
+
+  const client::Library& library_;
+  const Plan& plan_;
+  Functions functions_;
+};
+
+}  // namespace eagerx::campaign

@@ -1,0 +1,23 @@
+#include "targets/environments/client/words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace eagerx::client {
+
+std::string minutes(double seconds) {
+  const auto whole = static_cast<long>(std::ceil(seconds));
+  return fmt::format("{}:{:02}", whole / 60, whole % 60);
+}
+
+std::string rounded(double number) {
+  const double power =
+      std::pow(10.0, std::max(0.0, std::floor(std::log10(std::max(number, 1.0))) - 2.0));
+  std::string digits = fmt::format("{:.0f}", std::round(number / power) * power);
+  for (std::size_t at = digits.size(); at > 3;) digits.insert(at -= 3, ",");
+  return digits;
+}
+
+}  // namespace eagerx::client

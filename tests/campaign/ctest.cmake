@@ -1,0 +1,10 @@
+# Many runs of a graph: `campaign` looks at the whole report, on libraries that other tests have built and on one whose
+# policy remembers.
+if(EAGERX_SANITIZE)
+  return() # the library is opened by programs without sanitizers
+endif()
+eagerx_add_graph(TARGET campaign_memory GRAPH ${CMAKE_CURRENT_LIST_DIR}/memory.yaml BOARD environments)
+eagerx_add_graph(TARGET campaign_memory_alone GRAPH ${CMAKE_CURRENT_LIST_DIR}/memory.yaml)
+add_test(NAME campaign COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-campaign>
+         swing=$<TARGET_FILE:environments_swing>=$<TARGET_FILE:environments_swing_alone>
+         memory=$<TARGET_FILE:campaign_memory>=$<TARGET_FILE:campaign_memory_alone>)
