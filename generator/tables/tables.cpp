@@ -156,7 +156,7 @@ class TableReader {
     } else if (names.empty()) {
       problem.help = fmt::format("it has no names; write a number from 1 to {}", width);
     } else if (names.size() <= kMostListed) {
-      problem.help = fmt::format("its columns are {}", fmt::join(names, ", "));
+      problem.help = fmt::format("its columns are `{}`", fmt::join(names, "`, `"));
     } else {
       problem.help = fmt::format("the first line has the names of its {} columns", names.size());
     }
