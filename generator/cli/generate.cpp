@@ -145,6 +145,7 @@ std::string depfile_text(const Run& run, const Options& options) {
                                  : options.depfile;
   std::vector<std::string> inputs = {options.graph};
   for (const auto& [id, entity] : run.library.entities) inputs.push_back(entity.path);
+  inputs.insert(inputs.end(), run.tables.begin(), run.tables.end());
   if (run.policies.agent) inputs.push_back(run.graph->agent.path);
   for (const auto& file : run.graph->agent.other_files) inputs.push_back(file);
   const fs::path folder = fs::path(run.spec->path).parent_path();

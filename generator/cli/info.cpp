@@ -74,6 +74,8 @@ std::string_view type_of(const Parameter& parameter) {
       return "ints";
     case Parameter::Type::numbers:
       return "floats";
+    case Parameter::Type::model:
+      return "object of";
   }
   return "";
 }
@@ -84,6 +86,7 @@ void print_parameters(const std::vector<Parameter>& parameters) {
   for (const auto& parameter : parameters) {
     std::string more = std::string(type_of(parameter));
     if (!parameter.options.empty()) more = fmt::format("{}", fmt::join(parameter.options, " | "));
+    if (!parameter.engine.empty()) more += " " + parameter.engine;
     if (!parameter.unit.empty()) more += " " + parameter.unit;
     if (parameter.low) more += fmt::format(", at least {}", to_string(*parameter.low));
     if (parameter.high) more += fmt::format(", at most {}", to_string(*parameter.high));

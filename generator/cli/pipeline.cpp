@@ -9,6 +9,7 @@
 
 #include "generator/cli/paths.hpp"
 #include "generator/diagnostics/pages.hpp"
+#include "generator/tables/tables.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -180,6 +181,8 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
   take_policy(run, options);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
+  run.tables = read_tables(*run.spec, run.sources, run.diagnostics);
+  if (run.diagnostics.has_errors()) return false;
   // Before the graph is resolved, so that a bad file is told of along with everything else.
   run.policies = read_policies(*run.spec, run.library, run.diagnostics);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},

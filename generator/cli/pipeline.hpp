@@ -20,6 +20,7 @@ struct Run {
   Library library;
   YamlValue tree;  // of the graph's file
   std::optional<GraphSpec> spec;
+  std::vector<std::string> tables;  // files with numbers of the graph
   std::optional<Graph> graph;
   Policies policies;
   std::optional<Plan> plan;

@@ -18,11 +18,17 @@ namespace fs = std::filesystem;
 template <class F>
 void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
   const Graph& graph = *plan.graph;
-  const auto add = [&](const Entity& entity, const CppClass& cpp) {
+  const auto add = [&](const Entity& entity, const CppClass& cpp, const Config& config) {
     f(entity.include_root, cpp, entity.id.span);
+    for (const ConfigValue& item : config) {
+      const auto* use = std::get_if<std::shared_ptr<const ModelUse>>(&item.value);
+      if (use == nullptr) continue;
+      const ObjectEngine& made = *(*use)->implementation;
+      f(made.include_root, made.model, made.engine.span);
+    }
   };
   const auto add_processor = [&](const std::optional<Processor>& processor) {
-    if (processor) add(*processor->entity, processor->entity->cpp);
+    if (processor) add(*processor->entity, processor->entity->cpp, processor->config);
   };
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];
@@ -31,17 +37,17 @@ void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
     }
     for (const auto& target : node.reset_targets) add_processor(target.processor);
     if (!names.runs(n)) continue;
-    if (node.entity != nullptr) add(*node.entity, node.entity->cpp);
+    if (node.entity != nullptr) add(*node.entity, node.entity->cpp, node.config);
     for (const auto& output : node.outputs) add_processor(output.processor);
     for (const auto& state : node.states) add_processor(state.processor);
   }
   if (!names.has_engine()) return;
-  add(*graph.engine().entity, graph.engine().entity->simulator);
+  add(*graph.engine().entity, graph.engine().entity->simulator, {});
   for (const auto& item : graph.objects) {
     const ObjectEngine& made = *item.implementation;
     f(made.include_root, made.model, made.engine.span);
     for (const auto& state : item.states) {
-      add(*state.engine_state, state.engine_state->cpp);
+      add(*state.engine_state, state.engine_state->cpp, state.config);
       add_processor(state.processor);
     }
   }

@@ -10,12 +10,11 @@
 namespace eagerx::gen {
 namespace {
 
-/// What a struct is compiled for; false where that is nothing.
-View config_view(const Config& config) {
-  if (config.empty()) return View(false);
+View parameter_views(const Config& config) {
   View parameters = list();
   for (const auto& item : config) {
     const CppValue cpp = cpp_value(item);
+    if (cpp.type.empty()) continue;
     View parameter = object();
     parameter.set("key", item.parameter->name.value);
     parameter.set("type", cpp.type);
@@ -23,8 +22,33 @@ View config_view(const Config& config) {
     parameter.set("comment", text_or_false(item.parameter->unit));
     parameters.push_back(parameter);
   }
+  return parameters;
+}
+
+/// Objects whose models an entity calculates with.
+View model_views(const Config& config) {
+  View models = list();
+  for (const auto& item : config) {
+    const auto* use = std::get_if<std::shared_ptr<const ModelUse>>(&item.value);
+    if (use == nullptr) continue;
+    View model = object();
+    model.set("key", item.parameter->name.value);
+    model.set("object", (*use)->object->id.value);
+    model.set("engine", (*use)->implementation->engine.value);
+    model.set("class", (*use)->implementation->model.name);
+    model.set("has_parameters", !(*use)->config.empty());
+    model["parameters"] = parameter_views((*use)->config);
+    models.push_back(model);
+  }
+  return models;
+}
+
+/// What a struct is compiled for; false where that is nothing.
+View config_view(const Config& config) {
+  if (config.empty()) return View(false);
   View view = object();
-  view["parameters"] = std::move(parameters);
+  view["parameters"] = parameter_views(config);
+  view["models"] = model_views(config);
   return view;
 }
 

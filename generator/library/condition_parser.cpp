@@ -305,6 +305,7 @@ class ConditionMaker : public Maker {
         return Type::Kind::boolean;
       case Parameter::Type::text:
       case Parameter::Type::keyword:
+      case Parameter::Type::model:
         return Type::Kind::text;
       case Parameter::Type::integers:
       case Parameter::Type::numbers:

@@ -23,7 +23,16 @@ struct EagerxId {
 
 /// One parameter of an entity.
 struct Parameter {
-  enum class Type : std::uint8_t { integer, number, boolean, text, keyword, integers, numbers };
+  enum class Type : std::uint8_t {
+    integer,
+    number,
+    boolean,
+    text,
+    keyword,
+    integers,
+    numbers,
+    model
+  };
   Spanned<std::string> name;
   Type type = Type::number;
   std::string unit, about;
@@ -31,6 +40,7 @@ struct Parameter {
   std::optional<ConditionNumber> low, high;
   std::vector<std::string> options;  // keyword
   std::string cpp_class;             // keyword: the C++ enumeration
+  std::string engine;                // model: the engine whose model of an object it is
   std::string eagerx;                // its name in EAGERx
 };
 

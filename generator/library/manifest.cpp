@@ -34,6 +34,7 @@ Parameter::Type parameter_type(const std::string& word) {
   if (word == "bool") return Parameter::Type::boolean;
   if (word == "string") return Parameter::Type::text;
   if (word == "enum") return Parameter::Type::keyword;
+  if (word == "model") return Parameter::Type::model;
   return word == "ints" ? Parameter::Type::integers : Parameter::Type::numbers;
 }
 
@@ -83,7 +84,7 @@ void check_options(const YamlValue& options, Diagnostics& diagnostics) {
 void refuse_bounds_without_numbers(const YamlValue::Entry& parameter, Parameter::Type type,
                                    Diagnostics& diagnostics) {
   const bool numbers = type != Parameter::Type::boolean && type != Parameter::Type::text &&
-                       type != Parameter::Type::keyword;
+                       type != Parameter::Type::keyword && type != Parameter::Type::model;
   for (const char* key : {"low", "high"}) {
     const YamlValue* bound = parameter.value.find(key);
     if (numbers || bound == nullptr) continue;
@@ -119,6 +120,15 @@ std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagn
       diagnostics.error(
           "E0206", entry.key_span,
           fmt::format("`{}`: an enum, and only an enum, has `options` and a `class`", entry.key));
+    }
+    parameter.engine = text_at(entry.value, "engine");
+    if ((parameter.type == Parameter::Type::model) == parameter.engine.empty()) {
+      diagnostics.error("E0206", entry.key_span,
+                        fmt::format("`{}`: a model, and only a model, has an `engine`", entry.key));
+    }
+    if (parameter.type == Parameter::Type::model && text_at(root, "kind") == "object") {
+      diagnostics.error("E0206", entry.key_span,
+                        fmt::format("`{}`: a parameter of an object cannot be a model", entry.key));
     }
     refuse_bounds_without_numbers(entry, parameter.type, diagnostics);
     result.push_back(std::move(parameter));

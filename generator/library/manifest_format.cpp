@@ -32,8 +32,9 @@ FormatPtr eagerx_format() {
 FormatPtr parameter_format() {
   return format::record(
       "a parameter",
-      {{"type", format::keyword({"int", "float", "bool", "string", "enum", "ints", "floats"}), true,
-        "type"},
+      {{"type",
+        format::keyword({"int", "float", "bool", "string", "enum", "ints", "floats", "model"}),
+        true, "type"},
        {"about", format::text("a text"), true, "what it means, in one line"},
        {"unit", format::text("a unit"), false, "unit"},
        {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
@@ -42,7 +43,9 @@ FormatPtr parameter_format() {
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
        {"options", texts(), false, "the choices of an enum"},
-       {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"}});
+       {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"},
+       {"engine", format::name("the id of an engine"), false,
+        "the engine whose model of an object a `model` is"}});
 }
 
 FormatPtr requirements_format() {

@@ -47,7 +47,30 @@ Json number_schema(const Parameter& parameter, bool whole) {
   return schema;
 }
 
-Json parameter_schema(const Parameter& parameter) {
+/// `{csv: FILE, column: NAME}`.
+Json table_schema() {
+  Json file{{"type", "string"}, {"description", "a csv file, from the graph's folder"}};
+  Json column{{"type", Json::List{"string", "integer"}},
+              {"description", "a column, by its name or its number from 1 on (default: all)"}};
+  return Json{{"type", "object"},
+              {"properties", Json{{"csv", std::move(file)}, {"column", std::move(column)}}},
+              {"required", Json::List{"csv"}},
+              {"additionalProperties", false}};
+}
+
+Json type_schema(const Library& library, EntityKind kind);
+
+/// An object, by its id or with its `config`.
+Json model_schema(const Library& library) {
+  const Json type = type_schema(library, EntityKind::object);
+  Json written{{"type", "object"},
+               {"properties", Json{{"type", type}, {"config", Json{{"type", "object"}}}}},
+               {"required", Json::List{"type"}},
+               {"additionalProperties", false}};
+  return Json{{"anyOf", Json::List{type, std::move(written)}}};
+}
+
+Json parameter_schema(const Library& library, const Parameter& parameter) {
   using Is = Parameter::Type;
   Json schema;
   if (parameter.type == Is::boolean) {
@@ -56,24 +79,28 @@ Json parameter_schema(const Parameter& parameter) {
     schema["type"] = Json::List{"string", "number", "boolean"};
   } else if (parameter.type == Is::keyword) {
     schema["enum"] = parameter.options;
+  } else if (parameter.type == Is::model) {
+    schema = model_schema(library);
   } else {
     const Json one =
         number_schema(parameter, parameter.type == Is::integer || parameter.type == Is::integers);
     const bool list = parameter.type == Is::integers || parameter.type == Is::numbers;
     schema = one;
     // A single number is a list of one.
-    if (list) schema = Json{{"anyOf", Json::List{one, Json{{"type", "array"}, {"items", one}}}}};
+    if (list)
+      schema =
+          Json{{"anyOf", Json::List{one, Json{{"type", "array"}, {"items", one}}, table_schema()}}};
   }
   set_description(schema, parameter.about, parameter.unit);
   return schema;
 }
 
 /// `config:` of an entity.
-Json config_schema(const Entity& entity) {
+Json config_schema(const Library& library, const Entity& entity) {
   Json properties = Json::object();
   Json required = Json::list();
   for (const Parameter& parameter : entity.config) {
-    properties[parameter.name.value] = parameter_schema(parameter);
+    properties[parameter.name.value] = parameter_schema(library, parameter);
     if (!parameter.fallback) required.push_back(parameter.name.value);
   }
   const bool any_required = !required.as<Json::List>()->empty();
@@ -123,7 +150,7 @@ void specialise(Json& schema, const Library& library, EntityKind kind) {
   for (const std::string& id : library.ids(kind)) {
     const Entity& entity = *library.find(id);
     Json properties;
-    properties["config"] = config_schema(entity);
+    properties["config"] = config_schema(library, entity);
     const auto add = [&](const char* key, const std::vector<PortManifest>& ports, bool list) {
       properties[key] = ports_schema(ports, list);
     };

@@ -34,6 +34,8 @@ Json json_of(const Config& config) {
           if constexpr (std::is_same_v<Held, std::vector<std::int64_t>> ||
                         std::is_same_v<Held, std::vector<double>>)
             return list_of(held);
+          else if constexpr (std::is_same_v<Held, std::shared_ptr<const ModelUse>>)
+            return Json(held->object->id.value);
           else
             return Json(held);
         },

@@ -10,6 +10,7 @@
 
 #include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/resolve/draft.hpp"
 #include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
@@ -35,6 +36,8 @@ std::string_view type_name(Parameter::Type type) {
       return "a list of integers";
     case Parameter::Type::numbers:
       return "a list of numbers";
+    case Parameter::Type::model:
+      return "an object";
   }
   return "";
 }
@@ -80,8 +83,9 @@ YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
 
 class Reader {
  public:
-  Reader(const Parameter& parameter, const YamlValue& yaml, Diagnostics& diagnostics)
-      : parameter_(parameter), yaml_(yaml), diagnostics_(diagnostics) {}
+  Reader(const Library& library, const Parameter& parameter, const YamlValue& yaml,
+         Diagnostics& diagnostics)
+      : library_(library), parameter_(parameter), yaml_(yaml), diagnostics_(diagnostics) {}
 
   std::optional<ConfigValue> read() {
     switch (parameter_.type) {
@@ -99,6 +103,11 @@ class Reader {
         return list<std::int64_t>([](const YamlValue& n) { return parse_whole(n.text); });
       case Parameter::Type::numbers:
         return list<double>(number_of);
+      case Parameter::Type::model: {
+        if (is_unresolved(yaml_)) return std::nullopt;
+        auto model = read_model(library_, parameter_, yaml_, diagnostics_);
+        return model ? value(std::move(model)) : std::nullopt;
+      }
     }
     return std::nullopt;
   }
@@ -175,6 +184,7 @@ class Reader {
     return std::nullopt;
   }
 
+  const Library& library_;
   const Parameter& parameter_;
   const YamlValue& yaml_;
   Diagnostics& diagnostics_;
@@ -204,11 +214,6 @@ std::vector<std::string> report_unknown_parameters(const Entity& entity,
   return meant;
 }
 
-std::string with_article(EntityKind kind) {
-  const std::string_view name = to_string(kind);
-  return fmt::format("{} {}", name.front() == 'e' || name.front() == 'o' ? "an" : "a", name);
-}
-
 /// Whether a whole number of the dtype survives as a double. The largest of a dtype does, as the
 /// double behind it stands for it.
 bool is_exact_as_double(std::string_view text, std::optional<Dtype> dtype) {
@@ -227,8 +232,9 @@ bool is_exact_as_double(std::string_view text, std::optional<Dtype> dtype) {
 
 }  // namespace
 
-Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
-                      Diagnostics& diagnostics, const References& outside) {
+Config resolve_config(const Library& library, const Entity& entity,
+                      const std::vector<Setting>& settings, Span span, Diagnostics& diagnostics,
+                      const References& outside) {
   const std::vector<std::string> meant = report_unknown_parameters(entity, settings, diagnostics);
   Config result;
   for (const auto& parameter : entity.config) {
@@ -249,7 +255,7 @@ Config resolve_config(const Entity& entity, const std::vector<Setting>& settings
     }
     const YamlValue read =
         in_unit_of(parameter, setting != nullptr ? *yaml : substitute(*yaml, outside, diagnostics));
-    auto value = Reader(parameter, read, diagnostics).read();
+    auto value = Reader(library, parameter, read, diagnostics).read();
     if (!value) continue;
     value->given = setting != nullptr;
     value->span = setting != nullptr ? setting->value.span : span;
@@ -405,47 +411,6 @@ std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics)
   diagnostics.error("E0204", yaml.span,
                     fmt::format("expected a rate in Hz, found {}", describe(yaml)));
   return std::nullopt;
-}
-
-const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
-                          Diagnostics& diagnostics) {
-  if (id.value.empty()) return nullptr;  // told of when the graph was read
-  const Entity* entity = library.find(id.value);
-  if (entity != nullptr && entity->kind == kind) return entity;
-  if (entity != nullptr) {
-    auto& problem = diagnostics.error("E0304", id.span,
-                                      fmt::format("`{}` is {}, not {}", id.value,
-                                                  with_article(entity->kind), with_article(kind)));
-    problem.notes.push_back({"defined here", entity->id.span, ""});
-    if (entity->kind == EntityKind::object && kind == EntityKind::node)
-      problem.help = "objects go under `objects:`";
-    if (entity->kind == EntityKind::node && kind == EntityKind::object)
-      problem.help = "nodes go under `nodes:`";
-    return nullptr;
-  }
-  auto& problem = diagnostics.error("E0303", id.span,
-                                    fmt::format("unknown {} `{}`", to_string(kind), id.value));
-  const std::vector<std::string> known = library.ids(kind);
-  const std::vector<std::string> family = library.engines_of_family(id.value);
-  if (kind == EntityKind::engine && !family.empty()) {
-    problem.help =
-        fmt::format("`{}` is a family of engines: choose {}", id.value, fmt::join(family, " or "));
-    return nullptr;
-  }
-  const std::string near = nearest(id.value, known);
-  constexpr std::size_t kMostListed = 8;
-  if (!near.empty()) {
-    problem.help = fmt::format("did you mean `{}`?", near);
-  } else if (!known.empty() && known.size() <= kMostListed) {
-    problem.help =
-        fmt::format("there is {}; folders of your own are given with `library:` or `--path`",
-                    fmt::join(known, ", "));
-  } else {
-    problem.help =
-        "`eagerx-gen info` lists what there is; folders of your own are given with `library:` or "
-        "`--path`";
-  }
-  return nullptr;
 }
 
 }  // namespace eagerx::gen

@@ -14,10 +14,17 @@ namespace eagerx::gen {
 using References = std::map<std::string, YamlValue, std::less<>>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
-/// unknown, E0321 missing, E0322 wrong type, E0323 out of range). `span`: where a missing one
+/// unknown, E0321 missing, E0322 wrong type, E0323 out of range, and for an object as a parameter
+/// those of entities). `span`: where a missing one
 /// should have been. `outside`: what a `$(…)` in a default refers to.
-Config resolve_config(const Entity& entity, const std::vector<Setting>& settings, Span span,
-                      Diagnostics& diagnostics, const References& outside = {});
+Config resolve_config(const Library& library, const Entity& entity,
+                      const std::vector<Setting>& settings, Span span, Diagnostics& diagnostics,
+                      const References& outside = {});
+
+/// The value of a parameter that is an object with a model for the parameter's engine; nullptr
+/// after a problem (those of entities, of their parameters, and of the form of the value).
+std::shared_ptr<const ModelUse> read_model(const Library& library, const Parameter& parameter,
+                                           const YamlValue& yaml, Diagnostics& diagnostics);
 
 /// The references that a config gives rise to: `config NAME` for every parameter.
 References references_of(const Entity& entity, const std::vector<Setting>& settings);

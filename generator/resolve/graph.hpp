@@ -26,16 +26,25 @@ struct Space {
   [[nodiscard]] std::string describe() const;
 };
 
+struct ModelUse;
+
 /// A parameter's value, checked against its manifest.
 struct ConfigValue {
   const Parameter* parameter = nullptr;
   std::variant<std::int64_t, double, bool, std::string, std::vector<std::int64_t>,
-               std::vector<double>>
+               std::vector<double>, std::shared_ptr<const ModelUse>>
       value;
   bool given = false;  // false: the manifest's default
   Span span{};         // where it was given, else where it could have been
 };
 using Config = std::vector<ConfigValue>;  // in the order of the manifest
+
+/// An object as a parameter: its model on one engine, without the object.
+struct ModelUse {
+  const Entity* object = nullptr;
+  const ObjectEngine* implementation = nullptr;
+  Config config;  // of the object
+};
 
 struct Processor {
   const Entity* entity = nullptr;

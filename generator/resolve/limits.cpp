@@ -13,6 +13,9 @@ struct FactOf {
   ConditionValue operator()(const std::vector<T>& list) const {
     return std::vector<ConditionNumber>(list.begin(), list.end());
   }
+  ConditionValue operator()(const std::shared_ptr<const ModelUse>& model) const {
+    return model->object->id.value;
+  }
   template <class T>
   ConditionValue operator()(const T& value) const {
     return value;
@@ -45,13 +48,21 @@ Facts facts_of(const Processor& processor) {
   return facts;
 }
 
+/// A long list, which may be from a file, by its ends.
+std::string brief(const ConditionValue& value) {
+  constexpr std::size_t kMostShown = 40;  // order x order values of a small system
+  const auto* list = std::get_if<std::vector<ConditionNumber>>(&value);
+  if (list == nullptr || list->size() <= kMostShown) return to_string(value);
+  return fmt::format("[{}, {}, … {}], {} values", to_string((*list)[0]), to_string((*list)[1]),
+                     to_string(list->back()), list->size());
+}
+
 /// "`cutoff_hz` is 20, `rate` is 30"
 std::string shown(const Condition& condition, const Facts& facts) {
   std::vector<std::string> items;
   for (const auto& step : condition) {
     if (step.op != ConditionStep::Op::fact) continue;
-    const std::string item =
-        fmt::format("`{}` is {}", step.written, to_string(facts.at(step.fact)));
+    const std::string item = fmt::format("`{}` is {}", step.written, brief(facts.at(step.fact)));
     if (!contains(items, item)) items.push_back(item);
   }
   return fmt::format("{}", fmt::join(items, ", "));

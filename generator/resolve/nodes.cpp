@@ -118,8 +118,8 @@ void add_engine(Draft& draft, const ResolveOptions& options) {
   engine.node.rate_hz = rate_of(spec.rate->value, draft.diagnostics).value_or(Rational{});
   engine.node.entity = find_entity(draft.library, spec.type, EntityKind::engine, draft.diagnostics);
   if (engine.node.entity != nullptr) {
-    engine.node.config = resolve_config(*engine.node.entity, spec.config, spec.type.span,
-                                        draft.diagnostics, draft.safety);
+    engine.node.config = resolve_config(draft.library, *engine.node.entity, spec.config,
+                                        spec.type.span, draft.diagnostics, draft.safety);
   }
   DraftOutput tick{"tick", engine.node.span, {}, std::nullopt};
   tick.declared.dtype = Dtype::int64;
@@ -141,8 +141,8 @@ void add_nodes(Draft& draft) {
     if (entity == nullptr) {
       draft.doubtful.insert(spec.name.value);
     } else {
-      node.node.config =
-          resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics, draft.safety);
+      node.node.config = resolve_config(draft.library, *entity, spec.config, spec.type.span,
+                                        draft.diagnostics, draft.safety);
       const MakingPorts making(draft, spec.name.value);
       const References references = references_of(*entity, spec.config);
       if (!report_unknown(spec.inputs, entity->inputs, *entity, "input", draft.diagnostics))

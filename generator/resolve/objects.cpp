@@ -105,8 +105,8 @@ class ObjectBuilder {
 
   void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {
     const auto settings = substitute(spec.config, references_, diagnostics());
-    node.node.config =
-        resolve_config(entity, settings, spec.type.span, diagnostics(), draft_.safety);
+    node.node.config = resolve_config(draft_.library, entity, settings, spec.type.span,
+                                      diagnostics(), draft_.safety);
     const References references = references_of(entity, settings);
     const Entity& engine = *draft_.nodes[Graph::kEngine].node.entity;
     if (!entity.works_on(engine))
@@ -359,7 +359,8 @@ void add_objects(Draft& draft) {
     }
     Object object{spec.name.value, entity, implementation, {}, {}, spec.name.span};
     if (entity != nullptr)
-      object.config = resolve_config(*entity, spec.config, spec.type.span, draft.diagnostics);
+      object.config =
+          resolve_config(draft.library, *entity, spec.config, spec.type.span, draft.diagnostics);
     draft.graph.objects.push_back(std::move(object));
     if (implementation != nullptr) {
       const MakingPorts making(draft, spec.name.value);

@@ -15,7 +15,7 @@ std::optional<Processor> make_processor(const Library& library, const ProcessorS
   Processor processor;
   processor.entity = entity;
   processor.span = spec.type.span;
-  processor.config = resolve_config(*entity, spec.config, spec.type.span, diagnostics);
+  processor.config = resolve_config(library, *entity, spec.config, spec.type.span, diagnostics);
   if (diagnostics.error_count() != errors_before) return std::nullopt;  // spaces may refer to it
   const References references = references_of(*entity, spec.config);
   const PartialSpace takes = partial_space(entity->inputs.front().space, references, diagnostics);

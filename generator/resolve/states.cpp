@@ -272,7 +272,8 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
     report_wrong_engine(*state.engine_state, engine, found->type.span, draft.diagnostics);
   const References references = references_of(*object.entity, spec.config);
   const auto settings = substitute(found->config, references, draft.diagnostics);
-  state.config = resolve_config(*state.engine_state, settings, found->type.span, draft.diagnostics);
+  state.config = resolve_config(draft.library, *state.engine_state, settings, found->type.span,
+                                draft.diagnostics);
   check_space_of_state(state, references_of(*state.engine_state, settings), found->type.span,
                        draft.diagnostics);
 }

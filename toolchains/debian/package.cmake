@@ -3,7 +3,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME eagerx-gen)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
-set(CPACK_PACKAGE_CONTACT "eagerx-gen maintainers <maintainers@users.noreply.github.com>")
+set(CPACK_PACKAGE_CONTACT "eagerx-gen developers <maintainers@users.noreply.h-seed-552e7f32.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "static code generator for graphs of robots")
 set(CPACK_PACKAGE_DESCRIPTION
     "eagerx-gen reads a robotic environment, described as a graph of nodes, objects\nand an engine in the words of EAGERx, \

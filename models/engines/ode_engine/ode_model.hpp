@@ -19,6 +19,8 @@ namespace eagerx::models {
 ///   static Coefficients precompute(const Array<Real, kParameters>& p,
 ///                                  const Array<Real, kInputs>& u);
 ///   static Array<Real, kStates> derivative(const Coefficients& c, Array<Real, kStates> x);
+/// It may have ∂f/∂x, row-major, with the same arguments as `derivative`, for those who linearise:
+///   static Array<Real, kStates, kStates> jacobian(…);
 /// x is taken by value so that a small state stays in registers where the compiler does not inline.
 template <class Model>
 concept OdeModel = (Model::kStates > 0) && (Model::kInputs > 0) && (Model::kParameters > 0) &&

@@ -67,11 +67,18 @@ class Covariance {
     return gain;
   }
 
+  /// Of plain numbers.
+  [[nodiscard]] bool is_finite() const {
+    bool finite = true;
+    for (const Real& x : p_) finite = finite && eagerx::isfinite(x);
+    return finite;
+  }
+
  private:
   template <class Lane, std::size_t Size>
   void add(const std::array<Lane, Size>& list) {
     static_assert(Size == N || Size == N * N,
-                  "KalmanFilter: `p` and `q` have a value for each state, or order x order values");
+                  "`p` and `q` have a value for each state, or order x order values");
     if constexpr (Size == N) {
       for (std::size_t i = 0; i < N; ++i) p_[i * N + i] += Real(list[i]);
     } else {

@@ -1,21 +1,24 @@
-// Test signals: step, ramp, sine, chirp.
+// Test signals: step, ramp, sine, chirp, and recorded ones.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/rate.hpp>
 #include <models/nodes/block.hpp>
+#include <models/nodes/lookup_table/lookup_table.hpp>
 #include <numbers>
 
 namespace eagerx::models {
 
-enum class ReferenceShape : std::uint8_t { step, ramp, sine, chirp };
+enum class ReferenceShape : std::uint8_t { step, ramp, sine, chirp, table };
 
 /// y = offset before `start`; then, with t the seconds since `start`:
 ///   step   offset + amplitude
 ///   ramp   offset + amplitude·min(t/duration, 1)
 ///   sine   offset + amplitude·sin(2π·(f·t + phase))
 ///   chirp  the same with f·t + (f1 − f)·t²/(2·duration), and after `duration` with f1
+///   table  offset + amplitude·f(t), f between the points (times[k], values[k]) as `interpolation`
+///          says, and beyond the ends the value there
 /// Linear chirp: scipy.signal.chirp(method="linear", phi=-90).
 template <class Io>
 class Reference {
@@ -40,6 +43,11 @@ class Reference {
   static constexpr auto kEndFrequency = constant<Real>(Config::end_frequency);
   static_assert(Config::duration > 0.0, "Reference: `duration` is above 0");
 
+  static_assert(Config::times.size() == Config::values.size(),
+                "Reference: `times` and `values` have the same number of values");
+  static_assert(Config::shape != ReferenceShape::table || increases(Config::times),
+                "Reference: there are at least two `times`, each after the one before");
+
   static Lane shape(Lane t) {
     if constexpr (Config::shape == ReferenceShape::step) {
       return Lane(1);
@@ -47,11 +55,30 @@ class Reference {
       return eagerx::min(t / kDuration, Lane(1));
     } else if constexpr (Config::shape == ReferenceShape::sine) {
       return wave(kFrequency * t);
+    } else if constexpr (Config::shape == ReferenceShape::table) {
+      return between_points(t);
     } else {
       const Lane sweep = eagerx::min(t, kDuration);
       const Lane rise = (kEndFrequency - kFrequency) * (sweep / (Lane(2) * kDuration)) * sweep;
       return wave(kFrequency * sweep + rise + kEndFrequency * (t - sweep));
     }
+  }
+  static constexpr std::size_t kPoints = Config::times.size();
+  static constexpr auto kTimes = constants<Real>(Config::times);
+  static constexpr auto kValues = constants<Real>(Config::values);
+
+  static Lane between_points(Lane t) {
+    if (t < kTimes[0]) return kValues[0];
+    std::size_t before = 0;
+    std::size_t after = kPoints;
+    while (after - before > 1) {  // the logarithm of kPoints times
+      const std::size_t middle = before + (after - before) / 2;
+      (t < kTimes[middle] ? after : before) = middle;
+    }
+    if (Config::interpolation == Interpolation::previous || after == kPoints)
+      return kValues[before];
+    const Lane share = (t - kTimes[before]) / (kTimes[after] - kTimes[before]);
+    return kValues[before] + share * (kValues[after] - kValues[before]);
   }
   /// `turns` without whole ones first: the sine of a large number is the less exact.
   static Lane wave(Lane turns) {

@@ -57,6 +57,12 @@ struct DcMotorOde {
     const Real omega = x[1];
     return {{omega, c.motor - c.damping * omega - c.friction * eagerx::tanh(c.per_speed * omega)}};
   }
+
+  /// ∂f/∂x, row-major.
+  static constexpr Array<Real, kStates, kStates> jacobian(const Coefficients& c, State x) {
+    const Real t = eagerx::tanh(c.per_speed * x[1]);
+    return {{Real(0), Real(1), Real(0), -c.damping - c.friction * c.per_speed * (Real(1) - t * t)}};
+  }
 };
 
 }  // namespace eagerx::models

@@ -68,7 +68,7 @@ struct PendulumOde {
                         c.friction * eagerx::tanh(c.friction_slope * omega)}};
   }
 
-  /// ∂f/∂x, row-major: [∂(dθ/dt)/∂θ, ∂(dθ/dt)/∂ω; ∂(dω/dt)/∂θ, ∂(dω/dt)/∂ω]. For implicit methods.
+  /// ∂f/∂x, row-major: [∂(dθ/dt)/∂θ, ∂(dθ/dt)/∂ω; ∂(dω/dt)/∂θ, ∂(dω/dt)/∂ω].
   static constexpr Array<Real, kStates, kStates> jacobian(const Coefficients& c, State x) {
     const Real t = eagerx::tanh(c.friction_slope * x[1]);
     return {{Real(0), Real(1), c.gravity * eagerx::cos(x[0]),

@@ -59,7 +59,7 @@ struct TestPendulumOde {
     return {{x[1], c.motor + c.gravity * eagerx::sin(x[0]) - c.damping * x[1]}};
   }
 
-  /// ∂f/∂x, row-major. For implicit methods.
+  /// ∂f/∂x, row-major.
   static constexpr Array<Real, kStates, kStates> jacobian(const Coefficients& c, State x) {
     return {{Real(0), Real(1), c.gravity * eagerx::cos(x[0]), -c.damping}};
   }

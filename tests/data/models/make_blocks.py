@@ -91,5 +91,49 @@ error = setpoint - measured
 add("pid", measured, setpoint, forward, 2 * error + signal.lfilter([4 * T], [1, -1], error)
     - 0.05 / T * np.diff(measured, prepend=measured[0]) + forward)
 
+# Reference table: amplitude 2, offset 0.5 from 0.1 s on; straight lines and steps.
+t = np.arange(310) / 100 - 0.1
+TIMES, VALUES = [0.255, 0.505, 1.005, 2.495], [1.0, -3.0, 0.25, 7.0]
+lines = np.interp(t, TIMES, VALUES)
+steps = interpolate.interp1d(TIMES, VALUES, kind="previous", bounds_error=False, fill_value=(1.0, 7.0))(t)
+add("reference_table", *(np.where(np.arange(310) < 10, 0.5, 0.5 + 2 * f) for f in (lines, steps)))
+
+# Extended Kalman filter of Pendulum (pendulum_ode.hpp): the derivative of the Runge-Kutta steps by complex
+# differences, which round nothing away; all elements at once, with the inverse and Joseph's form.
+INERTIA, MASS, LENGTH, DAMPING, MOTOR, RESISTANCE, FRICTION, SLOPE = (
+    0.000159931461600856, 0.0508581731919534, 0.0415233722862552, 1.43298488358436e-05, 0.0333391179016334,
+    7.73125142447252, 0.000975041213361349, 165.417960777425)
+
+
+def pendulum(x, volts):
+    torque = (MOTOR / RESISTANCE * volts + MASS * 9.81 * LENGTH * np.sin(x[0]) - DAMPING * x[1]
+              - MOTOR**2 / RESISTANCE * x[1] - FRICTION * np.tanh(SLOPE / 2 * x[1]))
+    return np.array([x[1], torque / INERTIA])
+
+
+def predicted(x, volts, h=T / 4):
+    for _ in range(4):
+        k1 = pendulum(x, volts)
+        k2 = pendulum(x + h / 2 * k1, volts)
+        k3 = pendulum(x + h / 2 * k2, volts)
+        k4 = pendulum(x + h * k3, volts)
+        x = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+    return x
+
+
+y, u = noise(60, 2) * [1.0, 4.0], noise(60)
+Q, R, P = np.diag([1e-4, 0.5]), np.diag([0.01, 0.4]), np.diag([1.0, 2.0])
+I, C = np.eye(2), np.array([[1.0, 0.0], [0.5, 1.0]])
+estimate, found = np.array([0.5, -1.0]), []
+for n in range(60):
+    if n > 0:
+        F = np.column_stack([predicted(estimate + 1e-30j * e, u[n, 0]).imag / 1e-30 for e in I])
+        estimate, P = predicted(estimate, u[n, 0]), F @ P @ F.T + Q
+    K = P @ C.T @ np.linalg.inv(C @ P @ C.T + R)
+    estimate = estimate + K @ (y[n] - C @ estimate)
+    P = (I - K @ C) @ P @ (I - K @ C).T + K @ R @ K.T
+    found.append(estimate)
+add("extended_kalman", y, u, found)
+
 with open("blocks.csv", "w", newline="", encoding="utf-8") as file:
     csv.writer(file, lineterminator="\n").writerows([["case", "numbers"], *ROWS])

@@ -28,6 +28,7 @@
 #include <models/nodes/derivative/derivative.hpp>
 #include <models/nodes/difference/difference.hpp>
 #include <models/nodes/discrete_transfer_function/discrete_transfer_function.hpp>
+#include <models/nodes/extended_kalman_filter/extended_kalman_filter.hpp>
 #include <models/nodes/fallback_controller/fallback_controller.hpp>
 #include <models/nodes/first_order_lag/first_order_lag.hpp>
 #include <models/nodes/gain/gain.hpp>
@@ -243,12 +244,15 @@ template class Observer<blocks::SystemIo<float>>;
 template class Observer<blocks::SystemIo<double>>;
 template class KalmanFilter<blocks::SystemIo<float>>;
 template class KalmanFilter<blocks::SystemIo<double>>;
+template class ExtendedKalmanFilter<blocks::ExtendedIo<float>>;
+template class ExtendedKalmanFilter<blocks::ExtendedIo<double>>;
 template class SensorModel<blocks::NoisyIo<float>>;
 template class SensorModel<blocks::NoisyIo<double>>;
 template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::step>>>;
 template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::ramp>>>;
 template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::sine>>>;
 template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::chirp>>>;
+template class Reference<blocks::SourceIo<float, blocks::ReferenceConfig<ReferenceShape::table>>>;
 template struct Scale<ConversionIo<float, Array<float, 2>, Array<float, 2>>>;
 template struct Offset<ConversionIo<float, Array<float, 2>, Array<float, 2>>>;
 template struct Clip<ConversionIo<float, Array<float, 2>, Array<float, 2>>>;
@@ -256,6 +260,7 @@ template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<Refere
 template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::ramp>>>;
 template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::sine>>>;
 template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::chirp>>>;
+template class Reference<blocks::SourceIo<double, blocks::ReferenceConfig<ReferenceShape::table>>>;
 template struct Scale<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;
 template struct Offset<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;
 template struct Clip<ConversionIo<double, Array<float, 2>, Array<float, 2>>>;

@@ -5,6 +5,7 @@
 #include <models/nodes/integrator/integrator.hpp>
 #include <models/nodes/lookup_table/lookup_table.hpp>
 #include <models/nodes/reference/reference.hpp>
+#include <models/objects/pendulum/pendulum_ode.hpp>
 #include <optional>
 
 #include "tests/unit/models/io.hpp"
@@ -119,6 +120,12 @@ struct ReferenceConfig {
   static constexpr double frequency = 1.5;
   static constexpr double end_frequency = 4.0;
   static constexpr double phase = 0.0;
+  static constexpr std::array<double, 4> times = {0.255, 0.505, 1.005, 2.495};  // table
+  static constexpr std::array<double, 4> values = {1.0, -3.0, 0.25, 7.0};
+  static constexpr auto interpolation = Interpolation::linear;
+};
+struct StepsOfTableConfig : ReferenceConfig<ReferenceShape::table> {
+  static constexpr auto interpolation = Interpolation::previous;
 };
 struct LimitsConfig {
   static constexpr std::array<double, 1> low = {-1.0};
@@ -393,6 +400,39 @@ struct WholeMatricesConfig : SystemConfig {
 };
 struct WholeMatricesIo : SystemIo<double> {
   using Config = WholeMatricesConfig;
+};
+/// Pendulum with the measurements of make_blocks.py.
+template <class RealType>
+struct PendulumModelIo {
+  using Real = RealType;
+  struct Config {};
+  using Model = PendulumOde<PendulumModelIo>;
+};
+template <class ModelIo>
+struct ExtendedConfig {
+  using model = ModelIo;
+  static constexpr int order = 2;
+  static constexpr std::array<double, 0> parameters = {};
+  static constexpr std::array<double, 4> c = {1.0, 0.0, 0.5, 1.0};
+  static constexpr std::array<double, 1> turn = {0.0};
+  static constexpr std::array<double, 2> q = {1e-4, 0.5};
+  static constexpr std::array<double, 2> r = {0.01, 0.4};
+  static constexpr std::array<double, 2> p = {1.0, 2.0};
+  static constexpr std::array<double, 2> initial = {0.5, -1.0};
+  static constexpr int substeps = 4;
+};
+template <class Real, class ConfigType = ExtendedConfig<PendulumModelIo<Real>>>
+struct ExtendedIo : BlockIo<Real, ConfigType> {
+  struct Inputs {
+    Skipped<V<Real, 2>> measured;
+    Skipped<V<Real>> u;
+  };
+  struct Outputs {
+    V<Real, 2>& x;
+  };
+  struct States {
+    std::optional<V<Real, 2>> x{};
+  };
 };
 struct IdealConfig {
   static constexpr std::array<double, 1> scale = {1.0};

@@ -112,6 +112,24 @@ TEST(Reference, IsScipysChirp) {
   for (const auto& row : reference("chirp")) expect_near(chirp(), row, 0, 0.0);
 }
 
+template <class Real>
+void expect_table(double in_float) {
+  Ticking<Reference, SourceIo<Real, ReferenceConfig<ReferenceShape::table>>> lines;
+  Ticking<Reference, SourceIo<Real, StepsOfTableConfig>> steps;
+  for (int episode = 0; episode < 2; ++episode) {
+    for (const auto& row : reference("reference_table")) {
+      expect_near(lines(), row, 0, in_float);
+      expect_near(steps(), row, 1, in_float);
+    }
+    lines.reset();
+    steps.reset();
+  }
+}
+TEST(Reference, IsItsTable) {
+  expect_table<double>(0.0);
+  expect_table<float>(2e-5);
+}
+
 TEST(Saturation, MovesIntoLimitsThatAResetMaySet) {
   Ticking<Saturation, LimitsIo<double>> plain;
   EXPECT_EQ(plain(D2{{-3.0, 1.0}}), (D2{{-1.0, 0.5}}));
