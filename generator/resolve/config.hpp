@@ -15,8 +15,8 @@ using References = std::map<std::string, YamlValue, std::less<>>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
 /// unknown, E0321 missing, E0322 wrong type, E0323 out of range, and for an object as a parameter
-/// those of entities). `span`: where a missing one
-/// should have been. `outside`: what a `$(…)` in a default refers to.
+/// those of entities). `span`: where a missing one should have been. `outside`: what a `$(…)` in a
+/// default refers to.
 Config resolve_config(const Library& library, const Entity& entity,
                       const std::vector<Setting>& settings, Span span, Diagnostics& diagnostics,
                       const References& outside = {});

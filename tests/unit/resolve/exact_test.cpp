@@ -30,7 +30,7 @@ config:
                                         sources, diagnostics);
   const auto entity = read_entity_manifest(tree, "manifest.yaml", diagnostics);
   EXPECT_TRUE(entity) << render_text(diagnostics, sources, false);
-  const Config config = resolve_config(*entity, {{"n", {}, scalar(value)}}, {}, diagnostics);
+  const Config config = resolve_config({}, *entity, {{"n", {}, scalar(value)}}, {}, diagnostics);
   return diagnostics.all().empty() ? "" : diagnostics.all().front().code;
 }
 
