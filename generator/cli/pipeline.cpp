@@ -181,8 +181,9 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
   take_policy(run, options);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
+  const std::size_t errors = run.diagnostics.error_count();
   run.tables = read_tables(*run.spec, run.sources, run.diagnostics);
-  if (run.diagnostics.has_errors()) return false;
+  if (run.diagnostics.error_count() > errors) return false;  // lists that are not there
   // Before the graph is resolved, so that a bad file is told of along with everything else.
   run.policies = read_policies(*run.spec, run.library, run.diagnostics);
   run.graph = resolve(*run.spec, run.library, {options.engine, options.real, placement_of(options)},
