@@ -67,7 +67,7 @@ class Comparison:
         for name in self.recording.reset_nodes():
             ours = [tick for tick, item in self.episode.ticks.get(name, {}).items() if item.phase]
             theirs = [record["tick"] for record in self.recording.phase(name, self.index)]
-            delayed = any(port["delay"] for port in self.recording.nodes[name]["feedthroughs"])
+            delayed = any(port.get("delay", 0) for port in self.recording.nodes[name]["feedthroughs"])
             if delayed and ours and theirs and min(ours) < min(theirs):
                 return True
         return False
