@@ -103,7 +103,7 @@ class Wire {
 
   void add_sealed(const Bytes& payload) {
     auto frame = std::make_unique<OutFrame<300>>();
-    frame->append(payload.data(), payload.size());
+    if (!payload.empty()) frame->append(payload.data(), payload.size());
     const auto kind = static_cast<Kind>(random() % 8);
     // A greeting of the right size is one of a new host: that begins a session (ANewHostStarts…).
     const bool greeting = to_board && kind == Kind::hello && payload.size() == Greeting::kBytes;
