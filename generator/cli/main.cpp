@@ -198,6 +198,19 @@ Argument handed_on(const std::string& name, std::string about, std::string type,
           }};
 }
 
+/// What making a library of environments takes.
+Arguments on_environments(Options& options) {
+  return joined({{text("--build", options.output,
+                       "folder for the library of environments (default: generated/<graph "
+                       "name>-environments)",
+                       "DIR"),
+                  text("--engine", options.engine,
+                       "run the graph on this engine instead of its own", "NAME")},
+                 rates(options),
+                 {library(options), warnings(options)},
+                 diagnostics(options)});
+}
+
 Command train(Options& options) {
   const auto option = [&options](const char* name, const char* about, const char* type) {
     return handed_on(name, about, type, options);
@@ -231,16 +244,8 @@ Command train(Options& options) {
             option("--resume", "go on from a checkpoint: the policy is that of one long run",
                    "FILE"),
             option("--csv", "write the learning curve as a table", "FILE"),
-            option("--curve", "write the learning curve as a picture (SVG)", "FILE"),
-            text("--build", options.output,
-                 "folder for the library of environments (default: generated/<graph "
-                 "name>-environments)",
-                 "DIR"),
-            text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME")},
-           rates(options),
-           {library(options), warnings(options)},
-           diagnostics(options)}),
+            option("--curve", "write the learning curve as a picture (SVG)", "FILE")},
+           on_environments(options)}),
       .run = [&options] { return train_command(options); }};
 }
 
@@ -282,16 +287,8 @@ Command campaign(Options& options) {
             flag("--json", options.json_output, "print the report as JSON"),
             option("--checkpoint", "add finished runs to this file, for --resume", "FILE"),
             option("--resume", "go on from a checkpoint: the report is that of one long run",
-                   "FILE"),
-            text("--build", options.output,
-                 "folder for the library of environments (default: generated/<graph "
-                 "name>-environments)",
-                 "DIR"),
-            text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME")},
-           rates(options),
-           {library(options), warnings(options)},
-           diagnostics(options)}),
+                   "FILE")},
+           on_environments(options)}),
       .run = [&options] { return campaign_command(options); }};
 }
 
