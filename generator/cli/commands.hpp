@@ -15,8 +15,15 @@ namespace eagerx::gen {
 /// What a graph is made for.
 enum class Purpose : std::uint8_t {
   program,
-  training,  // the whole graph, whatever its agent is
-  campaign,  // the whole graph, with its agent
+  training,    // the whole graph, whatever its agent is
+  campaign,    // the whole graph, with its agent
+  simulation,  // the whole graph, with whatever agent
+};
+
+/// A weight file, and what is said besides it.
+struct PolicyFile {
+  std::string file;  // as the user wrote it
+  std::string normalize, activation, output_activation, output_name, actor;
 };
 
 struct Options {
@@ -49,10 +56,13 @@ struct Options {
   bool engine_graph = false;                        // graph
   std::vector<std::string> logs, images;            // report
   std::size_t points = 0;                           // report; 0: as many as fit
-  std::string policy, golden;                       // policy
-  std::string normalize, activation;                // policy
-  std::string output_activation;                    // policy
-  std::string output_name, actor;                   // policy
+  bool simulate = false;                            // report
+  PolicyFile policy, second_policy;                 // policy
+  std::string golden, observations;                 // policy
+  std::size_t rows = 0;                             // policy; 0: not said
+  std::optional<std::uint32_t> seed;                // policy
+  std::optional<double> tolerance;                  // policy
+  bool int8 = false, said_too_often = false;        // policy
   bool json = false;                                // --diagnostics=json
   bool quiet = false;
   bool warnings_as_errors = false;
@@ -81,11 +91,19 @@ int replay_command(const Options& options);
 int identify_command(const Options& options);
 int new_command(const Options& options);
 int policy_command(const Options& options);
+/// Writes observations with a policy's answers.
+int policy_golden_command(const Options& options);
+/// How far the answers of two policies are apart.
+int policy_compare_command(const Options& options);
+/// What these take.
+Command policy_commands(Options& options);
 /// Writes a log in the form of other tools.
 int trace_command(const Options& options);
 /// Draws channels of a log.
 int plot_command(const Options& options);
-/// What these two take.
+/// What these take.
+Command train_commands(Options& options);
+Command campaign_commands(Options& options);
 Command trace_commands(Options& options);
 Command plot_commands(Options& options);
 /// Writes `pages` below the folder `output`.

@@ -5,81 +5,17 @@
 #include <exception>
 #include <utility>
 
+#include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/kinds.hpp"
 #include "generator/cli/topics.hpp"
 #include "generator/command_line/command_line.hpp"
 #include "generator/picture/picture.hpp"
-#include "generator/read/quantity.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-using Arguments = std::vector<Argument>;
-
 CommandLine command_line(Options& options);
-
-Arguments joined(std::initializer_list<Arguments> parts) {
-  Arguments all;
-  for (const Arguments& part : parts) all.insert(all.end(), part.begin(), part.end());
-  return all;
-}
-
-Argument graph(Options& options) {
-  return required(text("graph", options.graph, "the graph file", "GRAPH.yaml"));
-}
-
-std::string check_split(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool complete = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-  return complete ? std::string() : text + " is not NAME[,NAME...]=BOARD";
-}
-
-Arguments selection(Options& options) {
-  Argument split =
-      texts("--split", options.split,
-            "make two programs, one for a board and one for Linux; on the board run the named "
-            "nodes, `agent`, or `controller` (the agent and all nodes). Replaces the graph's "
-            "`placement`",
-            "NAME[,NAME...]=BOARD");
-  split.check = check_split;
-  return {
-      text("--engine", options.engine, "run the graph on this engine instead of its own", "NAME"),
-      choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
-             [&options](const std::string& real) { options.real = real; }),
-      texts("--target", options.targets,
-            "target to make a program for, may be repeated (default: linux-sim)", "NAME"),
-      std::move(split)};
-}
-
-Argument rate(std::string name, std::string about, std::optional<Rational>& rate_hz) {
-  Argument argument{std::move(name), std::move(about), "HZ", [&rate_hz](const auto& values) {
-                      rate_hz = parse_quantity(values.front(), Quantity::rate);
-                    }};
-  argument.check = [](const std::string& text) {
-    const auto value = parse_quantity(text, Quantity::rate);
-    return value && *value > Rational() ? std::string()
-                                        : text + " is not a rate such as 30, 30Hz or 30000/1001";
-  };
-  return argument;
-}
-
-Argument agent_policy(Options& options) {
-  return text("--policy", options.agent_policy,
-              "weight file of a policy that decides instead of the graph's `agent`", "FILE");
-}
-
-Arguments rates(Options& options) {
-  return {
-      rate("--rate", "use this rate of the environment instead of the graph's", options.rate_hz),
-      rate("--engine-rate", "use this rate of the engine instead of the graph's",
-           options.engine_rate_hz)};
-}
-
-Argument library(Options& options) {
-  return texts("--path", options.paths,
-               "folder with entities or targets of your own, may be repeated", "DIR");
-}
 
 Arguments output(Options& options) {
   return {
@@ -95,34 +31,6 @@ Arguments output(Options& options) {
       text("--depfile", options.depfile,
            "also write the files that the output depends on; the make target is FILE without .d",
            "FILE.d")};
-}
-
-Arguments diagnostics(Options& options) {
-  return {choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
-                 [&options](const std::string& form) { options.json = form == "json"; }),
-          flag("-q,--quiet", options.quiet, "print problems only")};
-}
-
-Argument warnings(Options& options) {
-  return flag("--warnings-as-errors", options.warnings_as_errors,
-              "a warning is a problem: exit code 1, and nothing is written");
-}
-
-Arguments policy(Options& options) {
-  return joined(
-      {{required(text("file", options.policy, "the weight file", "FILE")),
-        text("--normalize", options.normalize,
-             "statistics of the observations: VecNormalize.save, npz or JSON", "FILE"),
-        text("--activation", options.activation,
-             "activation of the hidden layers, if the file does not say it", "NAME"),
-        text("--output-activation", options.output_activation,
-             "what follows the last layer (such as none or tanh), if the file does not say it",
-             "NAME"),
-        text("--actor", options.actor,
-             "of a file with several actors: how the names of its tensors begin", "NAME"),
-        text("--output", options.output_name, "which output of an ONNX file is the action",
-             "NAME")},
-       diagnostics(options)});
 }
 
 Command generate(Options& options) {
@@ -186,110 +94,6 @@ Command run(Options& options) {
                 return options.targets.size() > 1 ? "one --target can be run at a time" : "";
               },
           .run = [&options] { return run_command(options); }};
-}
-
-/// An option that the program which is started understands.
-Argument handed_on(const std::string& name, std::string about, std::string type, Options& options) {
-  return {name, std::move(about), std::move(type), [&options, name](const auto& values) {
-            for (const std::string& value : values) {
-              options.program_options.push_back(name.substr(0, name.find(',')));
-              options.program_options.push_back(value);
-            }
-          }};
-}
-
-/// What making a library of environments takes.
-Arguments on_environments(Options& options) {
-  return joined({{text("--build", options.output,
-                       "folder for the library of environments (default: generated/<graph "
-                       "name>-environments)",
-                       "DIR"),
-                  text("--engine", options.engine,
-                       "run the graph on this engine instead of its own", "NAME")},
-                 rates(options),
-                 {library(options), warnings(options)},
-                 diagnostics(options)});
-}
-
-Command train(Options& options) {
-  const auto option = [&options](const char* name, const char* about, const char* type) {
-    return handed_on(name, about, type, options);
-  };
-  return {
-      .name = "train",
-      .about = "train a policy on the graph, whose `task:` says what is good",
-      .examples =
-          {{"until it succeeds: writes policy.safetensors", "eagerx-gen train pendulum.yaml"},
-           {"with another seed, and a picture of the learning curve",
-            "eagerx-gen train pendulum.yaml --seed 2 --curve curve.svg -o swing_up.safetensors"},
-           {"a long one that can be interrupted",
-            "eagerx-gen train robot.yaml --steps 50000000 --checkpoint robot.checkpoint"},
-           {"and goes on",
-            "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"}},
-      .arguments = joined(
-          {{graph(options),
-            option("-o,--output", "the policy (default: policy.safetensors)", "FILE"),
-            option("--algorithm", "ppo (default); there is no other", "NAME"),
-            option("--steps", "steps of all environments, at most (default: 5000000)", "N"),
-            option("--seed",
-                   "where random numbers start: another seed gives another policy (default: 1)",
-                   "N"),
-            option("--threads",
-                   "how many threads; the policy is the same for any number (default: one for each "
-                   "core)",
-                   "N"),
-            option("--hidden", "widths of the hidden layers (default: 64,64)", "N,N"),
-            option("--discount", "weight of a reward one step later (default: 0.99)", "X"),
-            option("--checkpoint", "write here, every few seconds, what --resume needs", "FILE"),
-            option("--resume", "go on from a checkpoint: the policy is that of one long run",
-                   "FILE"),
-            option("--csv", "write the learning curve as a table", "FILE"),
-            option("--curve", "write the learning curve as a picture (SVG)", "FILE")},
-           on_environments(options)}),
-      .run = [&options] { return train_command(options); }};
-}
-
-Command campaign(Options& options) {
-  const auto option = [&options](const char* name, const char* about, const char* type) {
-    return handed_on(name, about, type, options);
-  };
-  Argument vary = option("--vary",
-                         "draw a state or a delay of each run from this range, may be repeated; an "
-                         "element is NAME[0]",
-                         "NAME=LOW:HIGH");
-  vary.repeated = true;
-  return {
-      .name = "campaign",
-      .about = "run many episodes with the agent in the loop and count successes",
-      .examples =
-          {{"10,000 episodes: how often it succeeds, and what repeats the worst ones",
-            "eagerx-gen campaign pendulum.yaml --runs 10000"},
-           {"with masses drawn from a range; a row for each run",
-            "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
-           {"a long one that can be interrupted",
-            "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
-           {"and goes on",
-            "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"}},
-      .arguments = joined(
-          {{graph(options), option("--runs", "episodes (default: 1000)", "N"), std::move(vary),
-            agent_policy(options),
-            option("--steps",
-                   "end an episode after so many steps (default: what the task says, or 300)", "N"),
-            option("--seed",
-                   "where random numbers start: another seed is another campaign (default: 1)",
-                   "N"),
-            option("--threads",
-                   "how many threads; the report is the same for any number (default: one for each "
-                   "core)",
-                   "N"),
-            option("--worst", "name so many of the worst runs (default: 5)", "N"),
-            option("--csv", "write a table with a row for each run", "FILE"),
-            flag("--json", options.json_output, "print the report as JSON"),
-            option("--checkpoint", "add finished runs to this file, for --resume", "FILE"),
-            option("--resume", "go on from a checkpoint: the report is that of one long run",
-                   "FILE")},
-           on_environments(options)}),
-      .run = [&options] { return campaign_command(options); }};
 }
 
 Command check(Options& options) {
@@ -375,7 +179,9 @@ Command report(Options& options) {
                     "eagerx-gen report pendulum.yaml"},
                    {"with a run as plots, and the flash and RAM of an image",
                     "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
-                    "run.html"}},
+                    "run.html"},
+                   {"with the simulation, which runs in the browser; needs Emscripten",
+                    "eagerx-gen report pendulum.yaml --simulate"}},
       .arguments = joined(
           {{graph(options),
             text("-o,--output", options.output, "the page (default: <graph name>.html)", "FILE"),
@@ -383,7 +189,11 @@ Command report(Options& options) {
             texts("--image", options.images, "an image of a board, may be repeated", "IMAGE.elf"),
             text("--build", options.build,
                  "build folder of the image (default: the folder that it lies in)", "DIR"),
-            std::move(points)},
+            std::move(points),
+            flag("--simulate", options.simulate,
+                 "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
+                 "into "
+                 "the page: reset, step, play, by the policy or by hand")},
            {text("--engine", options.engine, "run the graph on this engine instead of its own",
                  "NAME")},
            rates(options),
@@ -538,32 +348,6 @@ Command identify(Options& options) {
       .run = [&options] { return identify_command(options); }};
 }
 
-Command policies(Options& options) {
-  const auto run = [&options] { return policy_command(options); };
-  return {
-      .name = "policy",
-      .about = "look into a trained policy",
-      .examples = {{"layers, size and what it expects", "eagerx-gen policy info swing_up.onnx"},
-                   {"its error on known answers",
-                    "eagerx-gen policy test swing_up.onnx answers.csv"}},
-      .commands = {
-          {.name = "info",
-           .about = "layers, size and what it expects of a graph",
-           .examples = {{"an ONNX file", "eagerx-gen policy info swing_up.onnx"},
-                        {"a model of Stable-Baselines3 with its statistics",
-                         "eagerx-gen policy info sac.zip --normalize vec_normalize.pkl"}},
-           .arguments = policy(options),
-           .run = run},
-          {.name = "test",
-           .about = "compare its answers with known answers",
-           .examples = {{"rows of a CSV file", "eagerx-gen policy test swing_up.onnx answers.csv"}},
-           .arguments = joined(
-               {policy(options),
-                {required(text("golden", options.golden, "rows of observations and known answers",
-                               "GOLDEN.csv|npz"))}}),
-           .run = run}}};
-}
-
 Command pages(Options& options) {
   return {
       .name = "pages",
@@ -578,13 +362,26 @@ CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-gen",
               .about = "Checks an EAGERx graph and writes a C++ program for it.",
-              .commands = {generate(options), build(options),          run(options),
-                           train(options),    campaign(options),       check(options),
-                           info(options),     picture(options),        report(options),
-                           explain(options),  import(options),         schema(options),
-                           make_new(options), size(options),           replay(options),
-                           identify(options), trace_commands(options), plot_commands(options),
-                           policies(options), pages(options)}},
+              .commands = {generate(options),
+                           build(options),
+                           run(options),
+                           train_commands(options),
+                           campaign_commands(options),
+                           check(options),
+                           info(options),
+                           picture(options),
+                           report(options),
+                           explain(options),
+                           import(options),
+                           schema(options),
+                           make_new(options),
+                           size(options),
+                           replay(options),
+                           identify(options),
+                           trace_commands(options),
+                           plot_commands(options),
+                           policy_commands(options),
+                           pages(options)}},
       .footer =
           "`eagerx-gen GRAPH.yaml` is short for `eagerx-gen generate GRAPH.yaml`. A graph may "
           "also be a file that EAGERx's Graph.save or BaseEnv.save wrote.\n"

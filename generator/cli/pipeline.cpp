@@ -181,6 +181,7 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
   take_policy(run, options);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
+  if (options.purpose == Purpose::simulation) run.spec->placement.clear();
   const std::size_t errors = run.diagnostics.error_count();
   run.tables = read_tables(*run.spec, run.sources, run.diagnostics);
   if (run.diagnostics.error_count() > errors) return false;  // lists that are not there

@@ -4,32 +4,14 @@
 #include <limits>
 
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/policy_file.hpp"
 #include "generator/formats/golden.hpp"
-#include "generator/formats/read.hpp"
 #include "generator/network/cost.hpp"
 #include "generator/network/int8.hpp"
 #include "generator/network/network.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-std::optional<Network> read(Run& run, const Options& options) {
-  PolicyRequest request;
-  request.path = request.name = options.policy;
-  request.normalize_path = request.normalize_name = options.normalize;
-  request.context.output_name = options.output_name;
-  request.context.actor = options.actor;
-  for (const auto& [name, said] :
-       {std::pair{&options.activation, &request.context.activation},
-        std::pair{&options.output_activation, &request.context.output_activation}}) {
-    if (name->empty()) continue;
-    *said = activation_of(*name);
-    if (*said) continue;
-    run.diagnostics.error("E0303", {}, fmt::format("unknown activation `{}`", *name));
-    return std::nullopt;
-  }
-  return read_policy(request, run.diagnostics);
-}
 
 /// In a network with branches: ", of the observation", ", of layers 2, 5".
 std::string sources_of(const Network& network, std::size_t i) {
@@ -116,7 +98,7 @@ int test(Run& run, const Options& options, const Network& network) {
   const auto result =
       rows ? compare(network, *rows, options.golden, {}, run.diagnostics) : std::nullopt;
   if (!result) return finish(run, options);
-  say("{} against {}: {} rows\n", options.policy, options.golden, result->rows);
+  say("{} against {}: {} rows\n", options.policy.file, options.golden, result->rows);
   if (!network.normalization && !rows->normalized.empty()) {
     say("normalised     taken from the rows, because there is no `--normalize`\n");
   }
@@ -143,10 +125,10 @@ int test(Run& run, const Options& options, const Network& network) {
 
 int policy_command(const Options& options) {
   Run run;
-  const auto network = read(run, options);
+  const auto network = read_policy_file(options.policy, run.diagnostics);
   if (!network) return finish(run, options);
   if (!options.golden.empty()) return test(run, options, *network);
-  say("{}: {}\n", options.policy, network->format);
+  say("{}: {}\n", options.policy.file, network->format);
   print_layers(*network);
   say("with int8      off by {}\n",
       to_string(rounding_error(*network, with_int8_weights(*network), nullptr)));

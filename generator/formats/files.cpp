@@ -58,4 +58,19 @@ std::optional<std::string> read_bytes(const std::string& path, const std::string
   return bytes;
 }
 
+FilesBeside files_beside(const std::string& path) {
+  return [path](const std::string& name, std::string& why) -> std::optional<std::string> {
+    const std::filesystem::path file = std::filesystem::path(path).parent_path() / name;
+    std::error_code error;
+    if (std::filesystem::is_symlink(file, error)) {
+      why = "which is a link";
+      return std::nullopt;
+    }
+    Diagnostics found;
+    auto bytes = read_bytes(file.string(), name, {}, "values", found);
+    if (!bytes) why = "which is not there, cannot be read, or is too large";
+    return bytes;
+  };
+}
+
 }  // namespace eagerx::gen

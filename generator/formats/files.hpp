@@ -7,6 +7,7 @@
 
 #include "generator/diagnostics/diagnostics.hpp"
 #include "generator/formats/common/problem.hpp"
+#include "generator/formats/common/read_context.hpp"
 
 namespace eagerx::gen {
 
@@ -16,6 +17,9 @@ std::vector<std::string> entries_of_folder(const std::string& path);
 /// The bytes of a file. `what` is for messages ("policy", "statistics"). E0601, E0602.
 std::optional<std::string> read_bytes(const std::string& path, const std::string& name,
                                       Span mention, const char* what, Diagnostics& diagnostics);
+
+/// Files in the folder of `path`, no links, no larger than policies may be.
+FilesBeside files_beside(const std::string& path);
 
 /// Adds "{what} `{name}` {problem}" at `mention`.
 void report_problem(const PolicyProblem& problem, const char* what, const std::string& name,

@@ -15,4 +15,7 @@ namespace eagerx::gen {
 std::optional<GoldenRows> read_golden(const std::string& path, const std::string& name,
                                       Span mention, Diagnostics& diagnostics);
 
+/// The rows as such a CSV file; `about` is its first line. It is read back with the same numbers.
+std::string golden_csv(const GoldenRows& rows, const std::string& about);
+
 }  // namespace eagerx::gen

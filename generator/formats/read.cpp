@@ -65,7 +65,7 @@ std::optional<Network> read_any(std::string_view bytes, const ReadContext& conte
     return refuse(problem, "E0625", "is no table of tensors, which may hold several actors",
                   "leave the graph's `actor` out; of ONNX say `output_name`");
   }
-  auto network = read_onnx(bytes, context.output_name, problem);
+  auto network = read_onnx(bytes, context.output_name, context.files, problem);
   if (network && (context.activation || context.output_activation)) {
     return refuse(problem, "E0626", "is ONNX, which says the activation of every layer",
                   fmt::format("leave the graph's `{}` out",
@@ -121,6 +121,14 @@ bool add_normalization(const PolicyRequest& request, Network& network, Diagnosti
                "leave `normalize` out, or name the file that belongs to the policy"};
     statistics.reset();
   }
+  if (statistics && !network.contract.choices.empty()) {
+    problem = {"E0627",
+               fmt::format("normalise what the policy `{}` takes as choices, which stay whole "
+                           "numbers",
+                           request.name),
+               "leave `normalize` out"};
+    statistics.reset();
+  }
   if (!statistics) {
     report_problem(problem, "statistics", request.normalize_name, request.normalize_span,
                    diagnostics);
@@ -154,8 +162,9 @@ std::optional<Network> read_policy(const PolicyRequest& request, Diagnostics& di
   }
   const auto bytes = read_bytes(request.path, request.name, request.span, "policy", diagnostics);
   if (!bytes) return std::nullopt;
-  auto network =
-      read_policy_bytes(*bytes, request.name, request.span, diagnostics, request.context);
+  ReadContext context = request.context;
+  if (!context.files) context.files = files_beside(request.path);
+  auto network = read_policy_bytes(*bytes, request.name, request.span, diagnostics, context);
   if (!network) return std::nullopt;
   if (!request.normalize_path.empty() && !add_normalization(request, *network, diagnostics)) {
     return std::nullopt;

@@ -39,8 +39,10 @@ struct PolicyContract {
   std::vector<NamedPart> observations;                    // in the order of the inputs
   std::vector<double> action_low, action_high;            // one for each output, or for all
   std::vector<double> observation_low, observation_high;  // one for each input, or empty
-  std::optional<std::int64_t> first_choice;               // argmax: the action of output 0
-  std::optional<double> rate_hz;                          // steps a second in training
+  /// How many whole numbers from 0 on an input may be, 0 for any number; one for each, or empty.
+  std::vector<std::uint32_t> choices{};
+  std::optional<std::int64_t> first_choice;  // argmax: the action of output 0
+  std::optional<double> rate_hz;             // steps a second in training
 };
 
 }  // namespace eagerx::gen

@@ -136,17 +136,30 @@ std::vector<Real> run_layers(const Network& network, std::vector<Real> input, Me
   return std::move(values.back());
 }
 
+std::vector<float> result_of(const Layer& layer, const std::vector<float>& x,
+                             std::vector<float>& remembered) {
+  std::vector<float> y = evaluate_layer(layer, x, remembered);
+  if (layer.norm) apply_norm(*layer.norm, y);
+  activate(layer.activation, layer.slope, y);
+  return y;
+}
+
 }  // namespace
 
 std::vector<float> evaluate(const Network& network, std::vector<float> input,
                             Memory<float>* memory) {
-  return run_layers<float>(network, std::move(input), memory,
-                           [](const Layer& layer, const auto& x, auto& remembered) {
-                             std::vector<float> y = evaluate_layer(layer, x, remembered);
-                             if (layer.norm) apply_norm(*layer.norm, y);
-                             activate(layer.activation, layer.slope, y);
-                             return y;
-                           });
+  return run_layers<float>(network, std::move(input), memory, result_of);
+}
+
+std::vector<std::vector<float>> results_of_layers(const Network& network, std::vector<float> input,
+                                                  Memory<float>* memory) {
+  std::vector<std::vector<float>> results;
+  run_layers<float>(network, std::move(input), memory,
+                    [&](const Layer& layer, const auto& x, auto& remembered) {
+                      results.push_back(result_of(layer, x, remembered));
+                      return results.back();
+                    });
+  return results;
 }
 
 std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input,

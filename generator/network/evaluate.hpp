@@ -21,6 +21,10 @@ using Memory = std::vector<std::vector<Real>>;
 std::vector<float> evaluate(const Network& network, std::vector<float> input,
                             Memory<float>* memory = nullptr);
 
+/// The same, with the results of all layers, the last of which is the outputs.
+std::vector<std::vector<float>> results_of_layers(const Network& network, std::vector<float> input,
+                                                  Memory<float>* memory = nullptr);
+
 /// The same in float64, with the weights as they are in the file.
 std::vector<double> evaluate_in_double(const Network& network, const std::vector<float>& input,
                                        Memory<double>* memory = nullptr);

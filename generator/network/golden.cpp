@@ -185,10 +185,12 @@ std::vector<float> input_of_row(const Network& network, const GoldenRows& rows, 
   return normalized(network, to_float(rows.observations[i]));
 }
 
-std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width) {
+std::vector<std::vector<float>> drawn_rows(std::size_t count, std::size_t width,
+                                           std::uint32_t seed) {
   constexpr unsigned kUnused = 16;
+  constexpr std::uint32_t kApart = 2654435769U;  // 2^32 over the golden ratio: seeds lie far apart
   std::vector<std::vector<float>> result(count, std::vector<float>(width));
-  std::uint32_t state = 1;
+  std::uint32_t state = 1U + (seed - 1U) * kApart;
   for (std::vector<float>& row : result) {
     for (float& value : row) {
       state = state * 1664525U + 1013904223U;  // Numerical Recipes' generator

@@ -46,6 +46,7 @@ struct KernelShape {
   std::uint32_t dilation_down = 1, dilation_right = 1;
   std::uint32_t out_height = 1, out_width = 1;
   [[nodiscard]] std::uint32_t places() const { return out_height * out_width; }
+  bool operator==(const KernelShape&) const = default;
 };
 
 /// What a layer is.
@@ -55,12 +56,14 @@ struct Convolution {
   KernelShape kernel;
   std::uint32_t groups = 1;
   std::uint32_t channels = 1;  // of the result
+  bool operator==(const Convolution&) const = default;
 };
 /// No weights.
 struct Pooling {
   enum class Kind : std::uint8_t { max, average, average_with_padding };
   KernelShape kernel;
   Kind kind = Kind::max;
+  bool operator==(const Pooling&) const = default;
 };
 /// weights [gates * outputs][inputs], bias [gates * outputs]; gates in torch's order: GRU reset,
 /// update, candidate; LSTM input, forget, candidate, output. The state is what it remembers.
@@ -76,11 +79,13 @@ struct Recurrence {
 struct Elementwise {
   enum class Operation : std::uint8_t { add, subtract, multiply, divide, at_least, at_most, none };
   Operation operation = Operation::none;
+  bool operator==(const Elementwise&) const = default;
 };
 const char* to_string(Elementwise::Operation operation);
 /// Number `from[i]` of the input becomes number i.
 struct Reorder {
   std::vector<std::uint32_t> from;  // [outputs]
+  bool operator==(const Reorder&) const = default;
 };
 
 /// Several values become one: side by side, or number by number from the first to the last, where a
@@ -89,12 +94,14 @@ struct Combination {
   enum class Operation : std::uint8_t { join, sum, difference, product, quotient };
   Operation operation = Operation::join;
   std::vector<std::uint32_t> sizes;  // of the values, in order
+  bool operator==(const Combination&) const = default;
 };
 const char* to_string(Combination::Operation operation);
 /// f(x), number by number. No weights.
 struct Function {
   enum class Kind : std::uint8_t { sin, cos, exp, abs, sqrt };
   Kind kind = Kind::sin;
+  bool operator==(const Function&) const = default;
 };
 const char* to_string(Function::Kind kind);
 /// Each row of `length` numbers becomes one; `norm` is the root of the sum of the squares.
@@ -102,6 +109,7 @@ struct Reduction {
   enum class Kind : std::uint8_t { sum, mean, norm };
   Kind kind = Kind::sum;
   std::uint32_t length = 1;
+  bool operator==(const Reduction&) const = default;
 };
 const char* to_string(Reduction::Kind kind);
 

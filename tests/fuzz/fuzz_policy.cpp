@@ -2,6 +2,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,7 +37,12 @@ void answer(const eagerx::gen::Network& network) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   eagerx::gen::Diagnostics diagnostics;
-  const auto network = eagerx::gen::read_policy_bytes(bytes, "fuzz", {}, diagnostics);
+  // A file beside it has half of the same bytes.
+  eagerx::gen::ReadContext context;
+  context.files = [bytes](const std::string& /*name*/, std::string& /*why*/) {
+    return std::optional<std::string>(bytes.substr(bytes.size() / 2));
+  };
+  const auto network = eagerx::gen::read_policy_bytes(bytes, "fuzz", {}, diagnostics, context);
   if (diagnostics.all().size() != (network ? 0U : 1U)) std::abort();
   if (network) answer(*network);
   return 0;

@@ -68,10 +68,23 @@ class Assembly {
   /// Whether a tensor that nothing has read is for training only.
   bool may_be_left(std::string_view name) const {
     const auto has = [&](std::string_view part) { return name.find(part) != name.npos; };
-    constexpr std::array kParts = {"critic",  "value",         "vf_",    "target",
-                                   "logstd",  "sigma",         "rnd.",   "num_batches_tracked",
-                                   "ret_rms", "discriminator", ".steps", "memory_c",
-                                   ".c_rnn",  ".c_layer_norm"};
+    constexpr std::array kParts = {"critic",
+                                   "value",
+                                   "vf_",
+                                   "target",
+                                   "logstd",
+                                   "sigma",
+                                   "rnd.",
+                                   "num_batches_tracked",
+                                   "ret_rms",
+                                   "discriminator",
+                                   ".steps",
+                                   "memory_c",
+                                   ".c_rnn",
+                                   ".c_layer_norm",
+                                   "_disc_mlp",
+                                   "_disc_logits",
+                                   "returns_normalizer"};
     if (std::any_of(kParts.begin(), kParts.end(), has)) return true;
     if (has("std") && !has("obs") && !has("norm") && !has("mean")) return true;
     constexpr std::array kNotes = {"low",      "high",  "rate",  "squash",
@@ -108,6 +121,7 @@ class Assembly {
       layer.bias = {255.0F};
       network_.layers.push_back(std::move(layer));
     }
+    if (!add_one_hot({table_, facts_, network_, used_, problem_})) return false;
     const auto first = table_.tensors.lower_bound(layout_.extractor + "cnn.");
     const bool has_cnn = !layout_.extractor.empty() && first != table_.tensors.end() &&
                          first->first.starts_with(layout_.extractor + "cnn.");
@@ -380,7 +394,10 @@ class Assembly {
     network_.action = facts_.action;
     if (network_.action || layout_.output_rule == OutputRule::unknown) return true;
     // rl_games' `clip_actions` maps -1…1 to the bounds, and is not in its checkpoints.
-    if (layout_.about == "rl_games") {
+    if (layout_.about == "Sample Factory") {
+      network_.assumed.push_back("no `obs_subtract_mean`, `obs_scale` and `continuous_tanh_scale`");
+    }
+    if (layout_.about == "rl_games" && layout_.action != ActionKind::argmax) {
       network_.assumed.push_back(
           "actions are clipped to the bounds; with rl_games' `clip_actions` and bounds other than "
           "-1…1 say `output: squashed`");

@@ -3,9 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 
+#include "generator/formats/actor/known_layouts.hpp"
 #include "generator/formats/actor/parts.hpp"
 #include "generator/formats/common/foreign.hpp"
 
@@ -42,215 +42,13 @@ Sequences find_sequences(const TensorTable& table) {
   return sequences;
 }
 
-/// `bodies` are followed by an activation each, then comes `head`: a layer or a sequence.
-struct KnownLayout {
-  const char* about;
-  const char* algorithms;
-  std::array<const char*, 2> bodies;
-  const char* head;
-  bool head_is_sequence;
-  std::array<const char*, 2> must_have;  // names that start like one of these tell layouts apart
-  const char* must_not_have;
-  /// Names, or with a dot at their end beginnings of names, one of which a file without its zip
-  /// must have to be of this library. None: `must_have` is enough.
-  std::array<const char*, 5> marks = {};
-  ActionKind action;
-  std::optional<Activation> activation;
-  Activation output = Activation::identity;
-  bool has_bias = false;
-  const char* memory = "";  // a GRU or LSTM before the bodies
-  MemoryPlace memory_place = MemoryPlace::unknown;
-  std::array<const char*, 2> extractors = {};  // the first that is there
-  Squash squash = Squash::never;
-  bool has_quantiles = false;
-  OutputRule output_rule = OutputRule::fixed;
-  bool is_alone = false;  // the file has one tensor
-};
-constexpr std::array kKnownLayouts = {
-    KnownLayout{.about = "eagerx-gen train",
-                .algorithms = "",
-                .bodies = {"policy.hidden."},
-                .head = "policy.action",
-                .head_is_sequence = false,
-                .must_have = {"policy.hidden.", "policy.action.weight"},
-                .must_not_have = nullptr,
-                .action = ActionKind::squashed,
-                .activation = Activation::tanh,
-                .output = Activation::tanh,
-                .has_bias = true},
-    KnownLayout{.about = "Stable-Baselines3's SAC",
-                .algorithms = "SAC TQC CROSSQ",
-                .bodies = {"actor.latent_pi."},
-                .head = "actor.mu",
-                .head_is_sequence = false,
-                .must_have = {"actor.latent_pi.", "actor.mu.weight"},
-                .must_not_have = nullptr,
-                .action = ActionKind::squashed,
-                .activation = Activation::relu,
-                .output = Activation::tanh,
-                .has_bias = true,
-                .extractors = {"actor.features_extractor."}},
-    KnownLayout{.about = "Stable-Baselines3's TD3",
-                .algorithms = "TD3 DDPG",
-                .bodies = {},
-                .head = "actor.mu.",
-                .head_is_sequence = true,
-                .must_have = {"actor.mu.0."},
-                .must_not_have = "actor.latent_pi.",
-                .marks = {"actor_target.", "critic.qf0.", "critic_target."},
-                .action = ActionKind::squashed,
-                .activation = Activation::relu,
-                .output = Activation::tanh,
-                .has_bias = true,
-                .extractors = {"actor.features_extractor."}},
-    KnownLayout{.about = "Stable-Baselines3's RecurrentPPO",
-                .algorithms = "RecurrentPPO",
-                .bodies = {"mlp_extractor.policy_net."},
-                .head = "action_net",
-                .head_is_sequence = false,
-                .must_have = {"lstm_actor."},
-                .must_not_have = nullptr,
-                .action = ActionKind::raw,
-                .activation = Activation::tanh,
-                .has_bias = true,
-                .memory = "lstm_actor",
-                .extractors = {"pi_features_extractor.", "features_extractor."},
-                .squash = Squash::if_said},
-    KnownLayout{.about = "Stable-Baselines3's PPO or A2C",
-                .algorithms = "PPO A2C TRPO MaskablePPO",
-                .bodies = {"mlp_extractor.shared_net.", "mlp_extractor.policy_net."},
-                .head = "action_net",
-                .head_is_sequence = false,
-                .must_have = {"action_net.weight", "mlp_extractor.policy_net."},
-                .must_not_have = "lstm_actor.",
-                .marks = {"mlp_extractor.", "value_net.", "log_std", "features_extractor."},
-                .action = ActionKind::raw,
-                .activation = Activation::tanh,
-                .has_bias = true,
-                .extractors = {"pi_features_extractor.", "features_extractor."},
-                .squash = Squash::if_said},
-    KnownLayout{.about = "sb3-contrib's ARS",
-                .algorithms = "ARS",
-                .bodies = {},
-                .head = "action_net.",
-                .head_is_sequence = true,
-                .must_have = {"action_net.0."},
-                .must_not_have = nullptr,
-                .marks = {""},  // its zip only
-                .action = ActionKind::raw,
-                .activation = Activation::relu,
-                .extractors = {"features_extractor."},
-                .squash = Squash::unless_linear},
-    KnownLayout{.about = "sb3-contrib's ARS",  // its LinearPolicy before 2.0
-                .algorithms = "ARS",
-                .bodies = {},
-                .head = "action_net",
-                .head_is_sequence = false,
-                .must_have = {"action_net.weight"},
-                .must_not_have = nullptr,
-                .marks = {""},  // its zip only
-                .action = ActionKind::raw,
-                .activation = Activation::relu,
-                .is_alone = true},
-    KnownLayout{.about = "Stable-Baselines3's DQN",
-                .algorithms = "DQN",
-                .bodies = {},
-                .head = "q_net.q_net.",
-                .head_is_sequence = true,
-                .must_have = {"q_net.q_net."},
-                .must_not_have = nullptr,
-                .action = ActionKind::argmax,
-                .activation = Activation::relu,
-                .has_bias = true,
-                .extractors = {"q_net.features_extractor."}},
-    KnownLayout{.about = "sb3-contrib's QR-DQN",
-                .algorithms = "QRDQN",
-                .bodies = {},
-                .head = "quantile_net.quantile_net.",
-                .head_is_sequence = true,
-                .must_have = {"quantile_net.quantile_net."},
-                .must_not_have = nullptr,
-                .action = ActionKind::argmax,
-                .activation = Activation::relu,
-                .has_bias = true,
-                .extractors = {"quantile_net.features_extractor."},
-                .has_quantiles = true},
-    KnownLayout{.about = "rl_games",
-                .algorithms = "",
-                .bodies = {"a2c_network.actor_mlp."},
-                .head = "a2c_network.mu",
-                .head_is_sequence = false,
-                .must_have = {"a2c_network.actor_mlp."},
-                .must_not_have = nullptr,
-                .action = ActionKind::raw,
-                .activation = std::nullopt,
-                .memory_place = MemoryPlace::before_head,
-                .output_rule = OutputRule::usual},
-    KnownLayout{
-        .about = "rsl_rl",
-        .algorithms = "",
-        .bodies = {},
-        .head = "actor.",
-        .head_is_sequence = true,
-        .must_have = {"actor.0."},
-        .must_not_have = nullptr,
-        .marks = {"std", "log_std", "actor_obs_normalizer.", "obs_norm_state_dict.", "memory_a."},
-        .action = ActionKind::raw,
-        .activation = std::nullopt,
-        .memory_place = MemoryPlace::first,
-        .output_rule = OutputRule::usual},
-    KnownLayout{.about = "skrl",
-                .algorithms = "",
-                .bodies = {"net_container."},
-                .head = "policy_layer",
-                .head_is_sequence = false,
-                .must_have = {"policy_layer."},
-                .must_not_have = nullptr,
-                .marks = {"log_std_parameter", "state_preprocessor.", "observation_preprocessor."},
-                .action = ActionKind::raw,
-                .activation = std::nullopt,
-                .output_rule = OutputRule::usual},
-    KnownLayout{.about = "CleanRL's PPO",
-                .algorithms = "",
-                .bodies = {},
-                .head = "actor_mean.",
-                .head_is_sequence = true,
-                .must_have = {"actor_mean.0."},
-                .must_not_have = nullptr,
-                .marks = {"actor_logstd"},
-                .action = ActionKind::raw,
-                .activation = std::nullopt,
-                .output_rule = OutputRule::usual},
-    KnownLayout{.about = "CleanRL's SAC",
-                .algorithms = "",
-                .bodies = {"fc"},
-                .head = "fc_mean",
-                .head_is_sequence = false,
-                .must_have = {"fc_mean."},
-                .must_not_have = nullptr,
-                .marks = {"fc_logstd.", "action_scale"},
-                .action = ActionKind::squashed,
-                .activation = Activation::relu,
-                .output = Activation::tanh},
-    KnownLayout{.about = "CleanRL's TD3 or DDPG",
-                .algorithms = "",
-                .bodies = {"fc"},
-                .head = "fc_mu",
-                .head_is_sequence = false,
-                .must_have = {"fc_mu."},
-                .must_not_have = nullptr,
-                .marks = {"action_scale"},
-                .action = ActionKind::squashed,
-                .activation = Activation::relu,
-                .output = Activation::tanh},
-};
-
 class Layouts {
  public:
   Layouts(const TensorTable& table, bool is_zip, PolicyProblem& problem)
       : table_(table), is_zip_(is_zip), problem_(problem), sequences_(find_sequences(table)) {}
 
   std::optional<ActorLayout> find() {
+    if (!check_supported()) return std::nullopt;
     std::vector<ActorLayout> found;
     for (const KnownLayout& known : kKnownLayouts) {
       if (!matches(known)) continue;
@@ -285,6 +83,32 @@ class Layouts {
     return is_zip_ || known.marks.front() == nullptr || std::ranges::any_of(known.marks, is_there);
   }
 
+  /// What libraries have besides the layouts that are known, by its names.
+  bool check_supported() {
+    constexpr const char* kExport = "export the actor to ONNX, which says every step";
+    const auto fail = [&](const char* how) {
+      problem_ = {"E0628", how, kExport};
+      return false;
+    };
+    if (any_starts_with("a2c_network.logits.0.")) {
+      return fail("is of rl_games and makes several choices at once (MultiDiscrete)");
+    }
+    if (any_starts_with("action_parameterization.") && any_starts_with("obs_normalizer.") &&
+        any_starts_with("encoder.encoders.obs.") &&
+        !any_starts_with("encoder.encoders.obs.mlp_head.")) {
+      return fail("is of Sample Factory, with an encoder that is no MLP");
+    }
+    if (!any_starts_with("action_parameterization.distribution_linear.")) return true;
+    if (!any_starts_with("action_parameterization.learned_stddev")) {
+      return fail(
+          "is of Sample Factory, and does not say whether its outputs are scores of choices, or "
+          "means with deviations (`adaptive_stddev`)");
+    }
+    const bool remembers = any_starts_with("core.") || any_starts_with("actor_core.");
+    const bool decodes = any_starts_with("decoder.") || any_starts_with("actor_decoder.");
+    return !remembers || !decodes || fail("is of Sample Factory, with a memory and a decoder");
+  }
+
   std::nullopt_t ambiguous(const std::string& a, const std::string& b) {
     return refuse(
         problem_, "E0625", fmt::format("has two actors: {} and {}", a, b),
@@ -297,7 +121,8 @@ class Layouts {
   }
 
   /// Appends the modules of a sequence; `last_activates`: an activation follows the last one too.
-  bool append(std::string_view prefix, bool last_activates, ActorLayout& layout) {
+  bool append(std::string_view prefix, bool last_activates, ActorLayout& layout,
+              bool is_list = false) {
     const auto found = sequences_.find(prefix);
     if (found == sequences_.end()) return true;
     const Sequence& sequence = found->second;
@@ -314,7 +139,7 @@ class Layouts {
       before = it->first;
       const auto next = std::next(it);
       const bool last = next == sequence.end();
-      const bool gap = !dotted || (!last && next->first - it->first > 1);
+      const bool gap = !dotted || (!last && (is_list || next->first - it->first > 1));
       if (!gap && !last && is_linear(it->second) && is_linear(next->second)) {
         return nothing_between(it->second, next->second);
       }
@@ -369,7 +194,7 @@ class Layouts {
       if (body != nullptr && !append(body, true, layout)) return std::nullopt;
     }
     if (known.head_is_sequence) {
-      if (!append(known.head, false, layout)) return std::nullopt;
+      if (!append(known.head, false, layout, known.is_list)) return std::nullopt;
     } else {
       const std::string head = known.head;
       const std::string weight = head + std::string(kWeight);
@@ -430,7 +255,7 @@ class Layouts {
           fmt::format("has no actor among its {} tensors", table_.tensors.size()),
           "known actors are those of Stable-Baselines3 (PPO, A2C, SAC, TD3, DDPG, DQN) and "
           "sb3-contrib (ARS, CrossQ, QR-DQN, RecurrentPPO, TQC, TRPO), rsl_rl, rl_games, "
-          "skrl, CleanRL, and one torch `Sequential` alone");
+          "skrl, CleanRL, Sample Factory, safe-control-gym, and one torch `Sequential` alone");
     }
     const std::string critic = sequences_.begin()->first;
     std::erase_if(sequences_, [](const auto& item) { return is_critic(item.first); });

@@ -28,6 +28,11 @@ struct ActorParts {
 /// E0619, E0628.
 bool add_nature_cnn(const ActorParts& parts, const std::string& prefix);
 
+/// The one-hot numbers that SB3 makes of Discrete and MultiDiscrete observations, in their place:
+/// 1 where the number is the choice, else 0, for the whole numbers that such observations are.
+/// E0619.
+bool add_one_hot(const ActorParts& parts);
+
 /// Whether `base` is a BatchNorm1d of torch, or sb3-contrib's BatchRenorm1d.
 bool is_batch_norm(const TensorTable& table, const std::string& base);
 

@@ -196,39 +196,116 @@ class DataReader {
     facts_.scales_pixels = scales_pixels_ && is_bytes && all("low", 0.0) && all("high", 255.0);
   }
 
+  /// The choices of a Discrete or MultiDiscrete, `[0, …]` of a MultiBinary or Box; nothing if it is
+  /// no space, or none that can be read.
+  std::optional<std::vector<std::uint32_t>> choices_of(const Pickle& pickle,
+                                                       const PickleValue& space) const {
+    constexpr double kMost = 1e6;
+    const auto count = [&](double value) -> std::optional<std::uint32_t> {
+      if (!(value >= 1.0 && value < kMost)) return std::nullopt;
+      return static_cast<std::uint32_t>(value);
+    };
+    const auto starts_at_zero = [&] {
+      const PickleValue* start = pickle.find(space, "start");
+      if (start == nullptr || start->kind == PickleValue::Kind::none) return true;
+      const auto array = pickle.array(*start);
+      if (!array) return pickle.number(start) == 0.0;
+      const std::vector<double> starts = values_of(*array);
+      return std::ranges::all_of(starts, [](double value) { return value == 0.0; });
+    };
+    if (is_space(pickle, space, ".Discrete")) {
+      const auto n = pickle.number(pickle.find(space, "n"));
+      const auto choices = n && starts_at_zero() ? count(*n) : std::nullopt;
+      return choices ? std::optional(std::vector{*choices}) : std::nullopt;
+    }
+    if (is_space(pickle, space, ".MultiDiscrete")) {
+      const PickleValue* value = pickle.find(space, "nvec");
+      const auto array = value != nullptr ? pickle.array(*value) : std::nullopt;
+      if (!array || array->shape.size() != 1 || !starts_at_zero()) return std::nullopt;
+      std::vector<std::uint32_t> all;
+      for (const double n : values_of(*array)) {
+        const auto choices = count(n);
+        if (!choices) return std::nullopt;
+        all.push_back(*choices);
+      }
+      return all;
+    }
+    constexpr std::uint64_t kMostNumbers = std::uint64_t{1} << 23U;
+    const bool is_plain =
+        is_space(pickle, space, ".Box") || is_space(pickle, space, ".MultiBinary");
+    auto size = is_plain ? size_of_box(pickle, space) : std::nullopt;
+    if (is_plain && !size) {
+      const auto n = pickle.number(pickle.find(space, "n"));
+      if (n && *n >= 1.0 && *n < kMost) size = static_cast<std::uint64_t>(*n);
+    }
+    if (!size || *size > kMostNumbers) return std::nullopt;
+    return std::vector<std::uint32_t>(static_cast<std::size_t>(*size), 0);
+  }
+
+  /// What is not a Box has no bounds of its own: they are those of its choices.
+  void add_bounds_of_choices(bool is_binary) {
+    PolicyContract& contract = facts_.contract;
+    for (const std::uint32_t count : contract.choices) {
+      contract.observation_low.push_back(0.0);
+      contract.observation_high.push_back(is_binary ? 1.0 : static_cast<double>(count) - 1.0);
+    }
+  }
+
+  bool read_dictionary(const Pickle& pickle, const PickleValue& top) {
+    const PickleValue* spaces = pickle.find(top, "spaces");
+    if (spaces == nullptr) return fail("whose `observation_space` cannot be read");
+    std::vector<std::uint32_t>& choices = facts_.contract.choices;
+    for (std::size_t i = 0; i + 1 < spaces->items.size(); i += 2) {
+      const PickleValue& name = pickle.at(spaces->items[i]);
+      constexpr std::size_t kLongestName = 4096;  // one may be there often
+      if (name.text.size() > kLongestName) {
+        return fail("whose `observation_space` has a name of impossible length");
+      }
+      const auto part = choices_of(pickle, pickle.at(spaces->items[i + 1]));
+      if (!part) {
+        return fail(
+            "whose `observation_space` has parts that are no Box, Discrete from 0 on, "
+            "MultiDiscrete or MultiBinary");
+      }
+      facts_.contract.observations.push_back({std::string(name.text), part->size()});
+      choices.insert(choices.end(), part->begin(), part->end());
+      if (choices.size() >= static_cast<std::size_t>(kMaxElements)) {
+        return fail("whose `observation_space` is too large");
+      }
+    }
+    return true;
+  }
+
   bool read_observations() {
     std::string bytes;
     const auto pickle = space("observation_space", bytes);
     if (!pickle) return false;
     const PickleValue& top = pickle->top();
-    std::uint64_t total = 0;
-    if (is_space(*pickle, top, ".Box")) {
-      const auto size = size_of_box(*pickle, top);
-      if (!size) return fail("whose `observation_space` has no shape");
-      total = *size;
-      read_image(*pickle, top);
-      facts_.contract.observation_low = bounds(*pickle, top, "low").value_or(std::vector<double>());
-      facts_.contract.observation_high =
-          bounds(*pickle, top, "high").value_or(std::vector<double>());
-    } else if (is_space(*pickle, top, ".Dict")) {
-      const PickleValue* spaces = pickle->find(top, "spaces");
-      if (spaces == nullptr) return fail("whose `observation_space` cannot be read");
-      for (std::size_t i = 0; i + 1 < spaces->items.size(); i += 2) {
-        const PickleValue& box = pickle->at(spaces->items[i + 1]);
-        constexpr std::size_t kLongestName = 4096;  // one may be there often
-        if (pickle->at(spaces->items[i]).text.size() > kLongestName) {
-          return fail("whose `observation_space` has a name of impossible length");
-        }
-        const auto size = is_space(*pickle, box, ".Box") ? size_of_box(*pickle, box) : std::nullopt;
-        if (!size) return fail("whose `observation_space` has parts that are not a Box");
-        facts_.contract.observations.push_back(
-            {std::string(pickle->at(spaces->items[i]).text), *size});
-        total += *size;
-      }
+    std::vector<std::uint32_t>& choices = facts_.contract.choices;
+    if (is_space(*pickle, top, ".Dict")) {
+      if (!read_dictionary(*pickle, top)) return false;
     } else {
-      return fail("whose `observation_space` is neither a Box nor a Dict of them");
+      auto found = choices_of(*pickle, top);
+      if (!found) {
+        return fail(
+            "whose `observation_space` is no Box, Discrete from 0 on, MultiDiscrete of one "
+            "dimension, MultiBinary, or Dict of them");
+      }
+      choices = std::move(*found);
+      if (is_space(*pickle, top, ".Box")) {
+        read_image(*pickle, top);
+        facts_.contract.observation_low =
+            bounds(*pickle, top, "low").value_or(std::vector<double>());
+        facts_.contract.observation_high =
+            bounds(*pickle, top, "high").value_or(std::vector<double>());
+      } else {
+        add_bounds_of_choices(is_space(*pickle, top, ".MultiBinary"));
+      }
     }
-    if (total < std::uint64_t{kMaxElements}) facts_.observations = static_cast<std::int64_t>(total);
+    facts_.observations = static_cast<std::int64_t>(choices.size());
+    if (std::ranges::all_of(choices, [](std::uint32_t count) { return count == 0; })) {
+      choices.clear();
+    }
     return true;
   }
 

@@ -24,6 +24,10 @@ struct KnownStatistics {
 };
 
 constexpr std::array kKnownStatistics = {
+    KnownStatistics{"obs_normalizer.mean", "obs_normalizer.var", false, true, 1e-8, 10.0},
+    KnownStatistics{"obs_normalizer.running_mean_std.running_mean_std.obs.running_mean",
+                    "obs_normalizer.running_mean_std.running_mean_std.obs.running_var", false, true,
+                    1e-5, 5.0},
     KnownStatistics{"obs_rms.mean", "obs_rms.var", false, true, 1e-8, 10.0},
     KnownStatistics{"running_mean_std.running_mean", "running_mean_std.running_var", false, true,
                     1e-5, 5.0},

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "generator/formats/onnx/external.hpp"
 #include "generator/formats/onnx/graph.hpp"
 #include "generator/formats/onnx/guard.hpp"
 #include "generator/formats/onnx/inputs.hpp"
@@ -271,9 +272,12 @@ std::string describe(const onnx::ModelProto& model, std::int64_t opset) {
 }  // namespace
 
 std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
-                                 PolicyProblem& problem) {
-  const std::optional<onnx::ModelProto> model = parse(bytes, problem);
+                                 const FilesBeside& files, PolicyProblem& problem) {
+  std::optional<onnx::ModelProto> model = parse(bytes, problem);
   if (!model) return std::nullopt;
+  if (model->has_graph() && !take_external_values(*model->mutable_graph(), files, problem)) {
+    return std::nullopt;
+  }
   const std::optional<std::int64_t> opset = checked_opset(*model, problem);
   if (!opset) return std::nullopt;
   const onnx::GraphProto& graph = model->graph();

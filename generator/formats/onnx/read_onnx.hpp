@@ -5,13 +5,15 @@
 #include <string_view>
 
 #include "generator/formats/common/problem.hpp"
+#include "generator/formats/common/read_context.hpp"
 #include "generator/network/network.hpp"
 
 namespace eagerx::gen {
 
 /// The actor in the bytes of an ONNX file, `file` left empty; or why there is none. Its action is
-/// the output `output`; empty: the one that is known to be it. E0751, E0752.
+/// the output `output`; empty: the one that is known to be it. Values may be in `files`. E0617,
+/// E0751, E0752.
 std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
-                                 PolicyProblem& problem);
+                                 const FilesBeside& files, PolicyProblem& problem);
 
 }  // namespace eagerx::gen

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <bit>
+#include <map>
 
 namespace eagerx::gen {
 namespace {
@@ -162,7 +163,39 @@ class Reader {
     if (!pop(object.arguments) || !pop(object.function)) return false;
     if (value(object.function).kind != Kind::name)
       return fail("calls something that is not a function");
+    if (value(object.function).text == "_codecs.encode") {
+      if (const std::string* encoded = encoded_of(value(object.arguments))) {
+        return push_text(Kind::bytes, *encoded);
+      }
+    }
     return push(std::move(object));
+  }
+
+  /// Protocol 2, which is torch's, has no bytes: they are a text of characters below 256, encoded
+  /// with latin1. nullptr if it is none. Kept, as the same text may be there often.
+  const std::string* encoded_of(const PickleValue& arguments) {
+    if (arguments.kind != Kind::sequence || arguments.items.size() != 2) return nullptr;
+    const Index index = arguments.items.front();
+    const PickleValue& text = value(index);
+    const PickleValue& codec = value(arguments.items.back());
+    if (text.kind != Kind::text || codec.kind != Kind::text || codec.text != "latin1") {
+      return nullptr;
+    }
+    if (const auto known = encoded_.find(index); known != encoded_.end()) return known->second;
+    constexpr unsigned kAscii = 0x80, kTwoBytes = 0xC2, kLast = 0xC3, kBits = 0x3F;
+    std::string bytes;
+    for (std::size_t i = 0; i < text.text.size(); ++i) {
+      const auto first = static_cast<unsigned char>(text.text[i]);
+      if (first < kAscii) {
+        bytes += text.text[i];
+        continue;
+      }
+      if (first < kTwoBytes || first > kLast || i + 1 == text.text.size()) return nullptr;
+      const auto second = static_cast<unsigned char>(text.text[++i]);
+      bytes += static_cast<char>(static_cast<unsigned char>((first << 6U) | (second & kBits)));
+    }
+    pickle_.names.push_back(std::move(bytes));
+    return encoded_.emplace(index, &pickle_.names.back()).first->second;
   }
   bool build() {
     Index state = 0;
@@ -245,6 +278,7 @@ class Reader {
   Pickle pickle_;
   std::vector<Index> stack_;
   std::vector<Index> memo_;
+  std::map<Index, const std::string*> encoded_;  // of texts
   std::uint64_t next_memo_ = 0;
 };
 

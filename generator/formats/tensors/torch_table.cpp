@@ -65,17 +65,25 @@ class TorchReader {
     }
     const PickleValue& top = *dictionary;
     if (all_) return add_all(top, "", 0);
+    // safe-control-gym's agents hold their network and their optimizers.
+    const PickleValue* agent = pickle_.find(top, "agent");
+    if (agent != nullptr && pickle_.find(*agent, "ac") != nullptr) {
+      dictionary = pickle_.find(*agent, "ac");
+    }
     for (const char* key :
          {"actor_state_dict", "model_state_dict", "state_dict", "model", "policy"}) {
+      if (dictionary != &top) break;
       const PickleValue* inner = pickle_.find(*dictionary, key);
       if (inner == nullptr || pickle_.made_by(*inner, "torch._utils._rebuild_tensor_v2")) continue;
       dictionary = inner;
       break;
     }
     if (dictionary == &top) return add_all(top, "", 0);
-    for (const char* key :
-         {"obs_norm_state_dict", "state_preprocessor", "observation_preprocessor"}) {
+    for (const char* key : {"obs_norm_state_dict", "state_preprocessor", "observation_preprocessor",
+                            "obs_normalizer", "running_mean_std"}) {
       const PickleValue* beside = pickle_.find(top, key);
+      // rl_games has its statistics in the model since 1.2, and beside it before.
+      if (pickle_.find(*dictionary, std::string(key) + ".running_mean") != nullptr) continue;
       if (beside != nullptr && !add_all(*beside, std::string(key) + ".", 1)) return false;
     }
     return add_all(*dictionary, "", 0);
@@ -146,12 +154,28 @@ class TorchReader {
       }
       if (pickle_.made_by(*item, "torch._utils._rebuild_tensor_v2")) {
         if (!add_tensor(name, *item)) return false;
+      } else if (item->kind == Kind::object &&
+                 pickle_.at(item->function).text.ends_with("multiarray._reconstruct")) {
+        auto array = pickle_.array(*item);
+        // Statistics that cannot be read must not be left out.
+        if (!array && !all_) {
+          return fail(fmt::format("a NumPy array `{}` that cannot be read", printable(name)));
+        }
+        if (array && !add_array(name, std::move(*array))) return false;
       } else if (item->kind == Kind::dictionary ||
                  pickle_.made_by(*item, "collections.OrderedDict")) {
         if (!add_all(*item, name + ".", depth + 1)) return false;
       }
     }
     return true;
+  }
+
+  /// Its bytes may lie in the pickle, which is gone before the table.
+  bool add_array(const std::string& name, StoredTensor array) {
+    unpacked_ += array.bytes.size();  // the same array may be there under many names
+    if (unpacked_ > kMaxPolicyBytes) return fail("more NumPy arrays than the 64 MB that are read");
+    array.bytes = table_.buffers.emplace_back(array.bytes);
+    return table_.add(name, std::move(array), problem_);
   }
 
   bool add_tensor(const std::string& name, const PickleValue& call) {

@@ -95,6 +95,23 @@ void measure(const char* name) {
   semihosting_write("\n");
 }
 
+/// A network with branches: its instructions, its products, the bits of its first answer.
+void measure_branches() {
+  using bench::Branches;
+  static constexpr Branches::Weights kWeights = Branches::make();
+  static float x[Branches::kHistory];
+  bench::Draw draw;
+  for (float& value : x) value = draw.next();
+  float y[Branches::kActions] = {};
+  semihosting_write("branches_45_256_128_64_12 ");
+  print(instructions([&] { Branches::run(kWeights, x, y); }));
+  semihosting_write(" products ");
+  print(static_cast<std::uint32_t>(Branches::kProducts));
+  semihosting_write(" ");
+  print(std::bit_cast<std::uint32_t>(y[0]));
+  semihosting_write("\n");
+}
+
 }  // namespace
 
 int main() {
@@ -106,5 +123,6 @@ int main() {
   measure<bench::Tanh64>("tanh_64_64");
   measure<bench::Relu256>("relu_256_256");
   measure<bench::Relu400>("relu_400_300");
+  measure_branches();
   eagerx::board::semihosting_exit(0);
 }

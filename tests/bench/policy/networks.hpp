@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/policy.hpp>
+#include <eagerx/policy/branches.hpp>
 #include <eagerx/policy/fast.hpp>
 #include <eagerx/policy/int8.hpp>
 
@@ -105,5 +106,49 @@ using Relu64 = Mlp<64, 64, eagerx::Activation::relu>;
 using Tanh64 = Mlp<64, 64, eagerx::Activation::tanh>;
 using Relu256 = Mlp<256, 256, eagerx::Activation::relu>;
 using Relu400 = Mlp<400, 300, eagerx::Activation::relu>;
+
+/// A policy of a legged robot: 5 observations of 45 numbers through an encoder 225 -> 128 -> 16,
+/// and the newest one beside its answer through 256-128-64 to 12 actions, as the generator writes
+/// it.
+struct Branches {
+  static constexpr std::size_t kObservation = 45, kHistory = 5 * kObservation, kLatent = 16;
+  static constexpr std::size_t kJoined = kObservation + kLatent, kActions = 12;
+  static constexpr std::size_t kProducts =
+      kHistory * 128 + 128 * kLatent + kJoined * 256 + 256 * 128 + 128 * 64 + 64 * kActions;
+  struct Weights {
+    eagerx::DenseWeights<kHistory, 128> encoder1;
+    eagerx::DenseWeights<128, kLatent> encoder2;
+    eagerx::DenseWeights<kJoined, 256> first;
+    eagerx::DenseWeights<256, 128> second;
+    eagerx::DenseWeights<128, 64> third;
+    eagerx::DenseWeights<64, kActions> fourth;
+  };
+  static constexpr Weights make() {
+    Draw draw;
+    return {drawn<kHistory, 128>(draw), drawn<128, kLatent>(draw), drawn<kJoined, 256>(draw),
+            drawn<256, 128>(draw),      drawn<128, 64>(draw),      drawn<64, kActions>(draw)};
+  }
+
+  [[gnu::noipa]] static void run(const Weights& weights, const float (&x)[kHistory],
+                                 float (&y)[kActions]) {
+    using enum eagerx::Activation;
+    using eagerx::policy::front;
+    float buffer1[256];
+    float buffer2[128];
+    float(&hidden1)[128] = front<128>(buffer1);
+    float(&latent)[kLatent] = front<kLatent>(buffer2);
+    eagerx::dense<relu>(weights.encoder1, x, hidden1);
+    eagerx::dense<identity>(weights.encoder2, hidden1, latent);
+    const float(&newest)[kObservation] =
+        eagerx::policy::slice<kHistory - kObservation, kObservation>(x);
+    float joined[kJoined];
+    eagerx::policy::join(joined, newest, latent);
+    eagerx::dense<relu>(weights.first, joined, buffer1);
+    eagerx::dense<relu>(weights.second, buffer1, buffer2);
+    float(&hidden3)[64] = front<64>(buffer1);
+    eagerx::dense<relu>(weights.third, buffer2, hidden3);
+    eagerx::dense<tanh>(weights.fourth, hidden3, y);
+  }
+};
 
 }  // namespace bench

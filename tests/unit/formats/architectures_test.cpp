@@ -49,6 +49,19 @@ TEST(Architectures, AnswerAsTorchDoes) {
   }
 }
 
+TEST(Architectures, ValuesMayBeInAFileBesideTheOnnxFile) {
+  Diagnostics diagnostics;
+  const auto rows =
+      read_golden(std::string(kArchitectures) + "scaled_golden.npz", "rows", {}, diagnostics);
+  ASSERT_TRUE(rows.has_value());
+  EXPECT_TRUE(compare(read_architecture("external.onnx"), *rows, "rows", {}, diagnostics));
+  std::ifstream file(std::string(kArchitectures) + "external.onnx", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_FALSE(read_policy_bytes(bytes, "external.onnx", {}, diagnostics).has_value());
+  EXPECT_EQ(diagnostics.all().back().code, "E0617");
+  EXPECT_THAT(diagnostics.all().back().message, HasSubstr("`external.onnx.data`, which is not"));
+}
+
 TEST(Architectures, LayersAreThoseOfTheFile) {
   const Network gru = read_architecture("gru.onnx");
   ASSERT_EQ(gru.layers.size(), 2U);

@@ -36,6 +36,8 @@ Network read_library(const std::string& name) {
   request.name = name;
   const bool says_it = name.ends_with(".zip") || name.starts_with("cleanrl");
   if (!says_it) request.context.activation = Activation::elu;
+  if (name.starts_with("rl_games_amp")) request.context.activation = Activation::relu;
+  if (name.starts_with("safe_control")) request.context.activation = Activation::tanh;
   Diagnostics diagnostics;
   auto network = read_policy(request, diagnostics);
   for (const auto& problem : diagnostics.all()) ADD_FAILURE() << name << ": " << problem.message;
@@ -87,7 +89,16 @@ INSTANTIATE_TEST_SUITE_P(
         Saved{"td3_legacy.zip", "td3", kSquashed, "TD3"},
         Saved{"rsl_rl_3.pt", "rsl_rl", kRaw, "rsl_rl"},
         Saved{"rl_games.pth", "rl_games", kRaw, "rl_games"}, Saved{"skrl.pt", "skrl", kRaw, "skrl"},
-        Saved{"cleanrl_td3.pth", "cleanrl_td3", kSquashed, "CleanRL"}),
+        Saved{"cleanrl_td3.pth", "cleanrl_td3", kSquashed, "CleanRL"},
+        Saved{"ppo_discrete_obs.zip", "ppo_discrete_obs", kRaw, "PPO"},
+        Saved{"ppo_multi_discrete_obs.zip", "ppo_multi_discrete_obs", kChoice, "PPO"},
+        Saved{"ppo_multi_binary_obs.zip", "ppo_multi_binary_obs", kRaw, "PPO"},
+        Saved{"ppo_dict_obs.zip", "ppo_dict_obs", kRaw, "PPO"},
+        Saved{"rl_games_discrete.pth", "rl_games_discrete", kChoice, "rl_games"},
+        Saved{"rl_games_amp.pth", "rl_games_amp", kRaw, "rl_games"},
+        Saved{"sample_factory.pth", "sample_factory", kRaw, "Sample Factory"},
+        Saved{"sample_factory_separate.pth", "sample_factory_separate", kRaw, "Sample Factory"},
+        Saved{"safe_control_gym.pt", "safe_control_gym", kRaw, "safe-control-gym"}),
     [](const auto& test) {
       std::string name = test.param.file;
       for (char& c : name) {
@@ -143,6 +154,57 @@ TEST(Activation, OfAZipIsKnownAndOfTensorsAloneAssumed) {
   EXPECT_THAT(read_good(safetensors(tensors)).assumed, ElementsAre(HasSubstr("activation tanh")));
   const std::string said = R"("activation":"elu")";
   EXPECT_TRUE(read_good(safetensors(tensors, said)).assumed.empty());
+}
+
+TEST(Choices, AreNumbersOfTheObservation) {
+  const Network one = read_library("ppo_discrete_obs.zip");
+  EXPECT_EQ(one.inputs(), 1U);
+  EXPECT_THAT(one.contract.choices, ElementsAre(5));
+  EXPECT_THAT(one.contract.observation_high, ElementsAre(4.0));
+  EXPECT_THAT(read_library("ppo_multi_discrete_obs.zip").contract.choices, ElementsAre(3, 4));
+  EXPECT_THAT(read_library("ppo_multi_binary_obs.zip").contract.observation_high,
+              ElementsAre(1.0, 1.0, 1.0, 1.0));
+  const Network parts = read_library("ppo_dict_obs.zip");
+  EXPECT_THAT(parts.contract.choices, ElementsAre(0, 0, 3, 0));
+  EXPECT_EQ(parts.contract.observations.at(1).name, "gear");
+  EXPECT_FALSE(parts.is_chain());
+}
+
+TEST(Choices, AreNotNormalised) {
+  PolicyRequest request;
+  request.path = kLibraries + "ppo_dict_obs.zip";
+  request.normalize_path = kLibraries + "../ppo_64_vecnormalize.pkl";
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_policy(request, diagnostics).has_value());
+  EXPECT_EQ(diagnostics.all().front().code, "E0627");
+}
+
+TEST(SampleFactory, SaysWhetherItsOutputsAreScoresOrIsRefused) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "encoder.encoders.obs.mlp_head.0", 3, 2);
+  add_linear(tensors, "action_parameterization.distribution_linear", 2, 4);
+  Diagnostic diagnostic = read_bad(safetensors(tensors));
+  EXPECT_EQ(diagnostic.code, "E0628");
+  EXPECT_THAT(diagnostic.message, HasSubstr("scores of choices, or means"));
+  tensors.push_back({"action_parameterization.learned_stddev", {4}, {0, 0, 0, 0}});
+  EXPECT_EQ(read_good(safetensors(tensors)).outputs(), 4U);
+  add_linear(tensors, "decoder.mlp.0", 2, 2);
+  tensors.push_back({"core.core.weight_ih_l0", {4, 1}, std::vector<float>(4)});
+  EXPECT_THAT(read_bad(safetensors(tensors)).message, HasSubstr("a memory and a decoder"));
+}
+
+TEST(RlGames, SeveralChoicesAtOnceAreRefusedByName) {
+  std::vector<NamedValues> tensors;
+  add_linear(tensors, "a2c_network.actor_mlp.0", 3, 2);
+  add_linear(tensors, "a2c_network.logits.0", 2, 3);
+  add_linear(tensors, "a2c_network.logits.1", 2, 3);
+  const Diagnostic diagnostic = read_bad(safetensors(tensors));
+  EXPECT_EQ(diagnostic.code, "E0628");
+  EXPECT_THAT(diagnostic.message, HasSubstr("MultiDiscrete"));
+}
+
+TEST(RlGames, StatisticsBesideTheModelCountToo) {
+  EXPECT_TRUE(read_library("rl_games_amp.pth").normalization.has_value());
 }
 
 TEST(CrossQ, NothingFollowsItsLastBatchNorm) {

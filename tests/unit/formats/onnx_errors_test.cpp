@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "generator/formats/read.hpp"
 #include "tests/unit/formats/onnx_builder.hpp"
@@ -291,7 +293,43 @@ TEST(OnnxErrors, ExternalData) {
   onnx::StringStringEntryProto& entry = *weights.add_external_data();
   entry.set_key("location");
   entry.set_value("../../etc/passwd");
-  expect_named(read_bad(builder.bytes()), "E0617", "`w1` in another file");
+  expect_named(read_bad(builder.bytes()), "E0617", "which is not in the same folder");
+}
+
+/// Two layers whose first weights are in `location`, from `offset` on, `length` bytes.
+std::string with_external(const char* location, const char* offset, const char* length) {
+  OnnxBuilder builder = test::two_layers();
+  onnx::TensorProto& weights = *builder.graph().mutable_initializer(0);
+  weights.clear_float_data();
+  weights.set_data_location(onnx::TensorProto::EXTERNAL);
+  for (const auto& [key, value] : {std::pair{"location", location}, std::pair{"offset", offset},
+                                   std::pair{"length", length}}) {
+    onnx::StringStringEntryProto& entry = *weights.add_external_data();
+    entry.set_key(key);
+    entry.set_value(value);
+  }
+  return builder.bytes();
+}
+
+TEST(OnnxErrors, ExternalDataThatIsNotWhatItsTensorSays) {
+  ReadContext context;
+  context.files = [](const std::string& name, std::string& why) {
+    why = "which is not there";
+    return name == "w" ? std::optional(std::string(64, '\0')) : std::nullopt;
+  };
+  const auto problem = [&](const std::string& bytes) {
+    Diagnostics diagnostics;
+    const auto network = read_policy_bytes(bytes, "p", {}, diagnostics, context);
+    return network ? std::string("none") : diagnostics.all().front().code;
+  };
+  for (const char* name : {"/w", "a/w", "..", ".", "", "\\w", "other"}) {
+    EXPECT_EQ(problem(with_external(name, "0", "8")), "E0617") << name;
+  }
+  for (const char* number : {"65", "-1", "18446744073709551615", "1e3", "x", ""}) {
+    EXPECT_EQ(problem(with_external("w", number, "8")), "E0617") << number;
+    EXPECT_EQ(problem(with_external("w", "8", number)), "E0617") << number;
+  }
+  EXPECT_EQ(problem(with_external("w", "0", "5")), "E0614");
 }
 
 TEST(OnnxErrors, LayersThatDoNotFitTogether) {

@@ -1,0 +1,106 @@
+#include "generator/cli/arguments.hpp"
+
+#include <utility>
+
+#include "generator/read/quantity.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+std::string check_split(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  const bool complete = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+  return complete ? std::string() : text + " is not NAME[,NAME...]=BOARD";
+}
+
+Argument rate(std::string name, std::string about, std::optional<Rational>& rate_hz) {
+  Argument argument{std::move(name), std::move(about), "HZ", [&rate_hz](const auto& values) {
+                      rate_hz = parse_quantity(values.front(), Quantity::rate);
+                    }};
+  argument.check = [](const std::string& text) {
+    const auto value = parse_quantity(text, Quantity::rate);
+    return value && *value > Rational() ? std::string()
+                                        : text + " is not a rate such as 30, 30Hz or 30000/1001";
+  };
+  return argument;
+}
+
+}  // namespace
+
+Arguments joined(std::initializer_list<Arguments> parts) {
+  Arguments all;
+  for (const Arguments& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+Argument graph(Options& options) {
+  return required(text("graph", options.graph, "the graph file", "GRAPH.yaml"));
+}
+
+Arguments selection(Options& options) {
+  Argument split =
+      texts("--split", options.split,
+            "make two programs, one for a board and one for Linux; on the board run the named "
+            "nodes, `agent`, or `controller` (the agent and all nodes). Replaces the graph's "
+            "`placement`",
+            "NAME[,NAME...]=BOARD");
+  split.check = check_split;
+  return {
+      text("--engine", options.engine, "run the graph on this engine instead of its own", "NAME"),
+      choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
+             [&options](const std::string& real) { options.real = real; }),
+      texts("--target", options.targets,
+            "target to make a program for, may be repeated (default: linux-sim)", "NAME"),
+      std::move(split)};
+}
+
+Argument agent_policy(Options& options) {
+  return text("--policy", options.agent_policy,
+              "weight file of a policy that decides instead of the graph's `agent`", "FILE");
+}
+
+Arguments rates(Options& options) {
+  return {
+      rate("--rate", "use this rate of the environment instead of the graph's", options.rate_hz),
+      rate("--engine-rate", "use this rate of the engine instead of the graph's",
+           options.engine_rate_hz)};
+}
+
+Argument library(Options& options) {
+  return texts("--path", options.paths,
+               "folder with entities or targets of your own, may be repeated", "DIR");
+}
+
+Arguments diagnostics(Options& options) {
+  return {choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
+                 [&options](const std::string& form) { options.json = form == "json"; }),
+          flag("-q,--quiet", options.quiet, "print problems only")};
+}
+
+Argument warnings(Options& options) {
+  return flag("--warnings-as-errors", options.warnings_as_errors,
+              "a warning is a problem: exit code 1, and nothing is written");
+}
+
+Argument handed_on(const std::string& name, std::string about, std::string type, Options& options) {
+  return {name, std::move(about), std::move(type), [&options, name](const auto& values) {
+            for (const std::string& value : values) {
+              options.program_options.push_back(name.substr(0, name.find(',')));
+              options.program_options.push_back(value);
+            }
+          }};
+}
+
+Arguments on_environments(Options& options) {
+  return joined({{text("--build", options.output,
+                       "folder for the library of environments (default: generated/<graph "
+                       "name>-environments)",
+                       "DIR"),
+                  text("--engine", options.engine,
+                       "run the graph on this engine instead of its own", "NAME")},
+                 rates(options),
+                 {library(options), warnings(options)},
+                 diagnostics(options)});
+}
+
+}  // namespace eagerx::gen
