@@ -25,6 +25,16 @@ View ports_view(const std::vector<MissingEntity::Port>& ports) {
   return view;
 }
 
+View texts_view(const std::vector<std::string>& lines) {
+  View view = list();
+  for (const auto& line : lines) {
+    View item = object();
+    item.set("text", line);
+    view.push_back(item);
+  }
+  return view;
+}
+
 View view_of(const MissingEntity& entity, const std::string& name, const fs::path& folder) {
   View view = view_of_new(name, folder);
   view.set("type", entity.type);
@@ -33,6 +43,9 @@ View view_of(const MissingEntity& entity, const std::string& name, const fs::pat
   view.set("manifest", entity.manifest);
   view.set("has_class", entity.kind != "object");
   view.set("is_engine", entity.kind == "engine");
+  view.set("engine", entity.engine);
+  view["implementation"] = texts_view(entity.implementation);
+  view["model"] = texts_view(entity.model);
   view.set("users", fmt::format("{}", fmt::join(entity.users, ", ")));
   view["inputs"] = ports_view(entity.inputs);
   view["outputs"] = ports_view(entity.outputs);
@@ -43,10 +56,13 @@ View view_of(const MissingEntity& entity, const std::string& name, const fs::pat
 
 void make_folder(Run& run, const MissingEntity& entity, const std::string& name,
                  const fs::path& folder) {
-  const std::string templates =
-      (fs::path(data_root()) / "templates" / "missing" / entity.kind).string();
-  const auto files =
-      rendered_files(templates, name, view_of(entity, name, folder), run.diagnostics);
+  const fs::path templates = fs::path(data_root()) / "templates" / "missing";
+  const View view = view_of(entity, name, folder);
+  auto files = rendered_files((templates / entity.kind).string(), name, view, run.diagnostics);
+  if (!entity.engine.empty()) {
+    for (auto& file : rendered_files((templates / "model").string(), name, view, run.diagnostics))
+      files.push_back(std::move(file));
+  }
   if (!run.diagnostics.has_errors()) write_new_folder(folder, files, run.diagnostics);
 }
 

@@ -149,7 +149,7 @@ std::optional<std::string> render_file(const std::string& path, const std::strin
   std::erase(rendered, kEmptyLine);
   if (!context.missing().empty()) {
     diagnostics.error("E0501", {},
-                      fmt::format("the template `{}` names `{}`, which there is not", path,
+                      fmt::format("the template `{}` names `{}`, which does not exist", path,
                                   *context.missing().begin()));
     return std::nullopt;
   }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "generator/import/translate.hpp"
+#include "generator/import/written.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 
@@ -33,7 +34,8 @@ constexpr std::array kAlways = {"name",
                                 "simulate_delays",
                                 "real_time_factor",
                                 "target_addresses",
-                                "processor_type"};
+                                "processor_type",
+                                "state_type"};
 
 /// The names of the second list that the first has not, and the other way round.
 template <class A, class B>
@@ -106,6 +108,26 @@ bool holds(const std::vector<Setting>& when, const YamlValue& config) {
   });
 }
 
+/// Python takes [0], and [0, 0] for all joints alike, where ours takes 0; and a list of names where
+/// ours takes a text.
+YamlValue value_of(Parameter::Type type, const YamlValue& saved) {
+  const bool list = type == Parameter::Type::integers || type == Parameter::Type::numbers;
+  if (list || !saved.is_sequence() || saved.items.empty()) return saved;
+  if (type == Parameter::Type::text) {
+    const auto names = joined_names(saved);
+    return names ? made_scalar(*names, saved.span) : saved;
+  }
+  const bool alike = std::ranges::all_of(
+      saved.items, [&](const YamlValue& item) { return same_value(item, saved.items[0]); });
+  return alike ? saved.items[0] : saved;
+}
+
+bool is_condition(const Entity& entity, std::string_view name) {
+  return std::ranges::any_of(entity.eagerx_ids, [&](const EagerxId& eagerx) {
+    return std::ranges::any_of(eagerx.when, [&](const Setting& s) { return s.name == name; });
+  });
+}
+
 std::string class_of(const std::string& id) {
   return id.substr(id.rfind('/') + 1);
 }
@@ -123,7 +145,45 @@ std::pair<const Entity*, std::string> namesake(const Library& library, const std
   return {nullptr, ""};
 }
 
+constexpr const char* kApart = "apart";
+
+void set_apart(SavedPort& port) {
+  if (port.find(kApart) == nullptr)
+    port.settings.entries.push_back({kApart, port.name.span, made_scalar("true", port.name.span)});
+}
+
+/// The same class with other ports, or other spaces of them: what its users do not share is left
+/// open.
+void widen(SavedEntity& known, const SavedEntity& other) {
+  for (const auto& [section, ports] : other.ports) {
+    for (const auto& port : ports) {
+      auto& mine = known.ports[section];
+      const auto found = std::ranges::find(
+          mine, port.name.value, [](const SavedPort& p) { return std::string_view(p.name.value); });
+      if (found == mine.end()) {
+        mine.push_back(port);
+        continue;
+      }
+      const YamlValue* a = found->find("space");
+      const YamlValue* b = port.find("space");
+      if (a == nullptr || b == nullptr || same_value(*a, *b)) continue;
+      set_apart(*found);
+      for (auto& entry : found->settings.entries) {
+        if (entry.key != "space") continue;
+        std::erase_if(entry.value.entries, [&](const YamlValue::Entry& e) {
+          return e.key != "dtype" || b->find("dtype") == nullptr ||
+                 !same_value(e.value, *b->find("dtype"));
+        });
+      }
+    }
+  }
+}
+
 }  // namespace
+
+bool has_spaces_apart(const SavedPort& port) {
+  return port.find(kApart) != nullptr;
+}
 
 const char* to_string(Use use) {
   static constexpr std::array kNames = {"engine",    "node",        "object",
@@ -205,7 +265,11 @@ const Entity* Counterparts::require(const SavedEntity& saved, Use use, const std
   if (known != nullptr) return known;
   find(saved.id, saved.config, use, user);
   Missing& missing = missing_.at(saved.id.value);
-  if (missing.saved.id.value.empty()) missing.saved = saved;
+  if (missing.saved.id.value.empty()) {
+    missing.saved = saved;
+  } else {
+    widen(missing.saved, saved);
+  }
   return nullptr;
 }
 
@@ -253,7 +317,9 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
   for (const auto& parameter : entity.config) {
     taken.push_back(parameter.eagerx);
     const auto entry = std::ranges::find(config.entries, parameter.eagerx, &YamlValue::Entry::key);
-    if (entry == config.entries.end() || entry->value.is_null()) continue;
+    if (entry == config.entries.end() || entry->value.is_null() ||
+        is_condition(entity, parameter.eagerx))
+      continue;
     if (is_python_object(entry->value)) {
       diagnostics_
           .error("E0803", entry->value.span,
@@ -262,13 +328,9 @@ std::vector<Setting> Counterparts::settings(const Entity& entity, const YamlValu
           .help = "save the graph with a plain number, text or list in its place";
       continue;
     }
-    if (parameter.fallback && same_value(*parameter.fallback, entry->value)) continue;
-    // Python takes [0] where ours takes 0.
-    const bool list =
-        parameter.type == Parameter::Type::integers || parameter.type == Parameter::Type::numbers;
-    const bool single = entry->value.is_sequence() && entry->value.items.size() == 1;
-    result.push_back({parameter.name.value, entry->key_span,
-                      single && !list ? entry->value.items[0] : entry->value});
+    YamlValue value = value_of(parameter.type, entry->value);
+    if (parameter.fallback && same_value(*parameter.fallback, value)) continue;
+    result.push_back({parameter.name.value, entry->key_span, std::move(value)});
   }
   for (const auto& eagerx : entity.eagerx_ids) {
     for (const auto& condition : eagerx.when) taken.push_back(condition.name);

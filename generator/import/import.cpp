@@ -43,6 +43,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
   remove_pictures(*saved, counterparts, diagnostics);
+  rename_ports(*saved, counterparts);
   require_all(*saved, counterparts);
   const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
   Translation t{*saved, counterparts, options, diagnostics, {}, {}, {}, {}, {}};

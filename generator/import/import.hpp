@@ -46,6 +46,10 @@ struct MissingEntity {
   std::vector<std::string> users;  // "the node `smooth`"
   std::string manifest;            // but for `header:` and `class:`, which a folder knows
   std::vector<Port> inputs, outputs, states, targets;
+  // Of an object in a file that says how its engine makes it:
+  std::string engine;                       // empty: the file does not say it
+  std::vector<std::string> implementation;  // lines below `engines: {ENGINE: …}`, but for `model:`
+  std::vector<std::string> model;           // what the engine is given, "key: value"
 };
 
 /// All of them; nullopt after E0802.

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 
+#include "generator/import/implementation.hpp"
 #include "generator/import/translate.hpp"
 #include "generator/import/written.hpp"
 #include "generator/quote/quote.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
-namespace {
 
-/// The type of a parameter with this default; empty: nothing that a manifest can say.
 std::string type_of_parameter(const YamlValue& value) {
   if (is_python_object(value)) return "";
   if (value.is_scalar()) {
@@ -20,6 +19,7 @@ std::string type_of_parameter(const YamlValue& value) {
     if (parse_int(value.text)) return "int";
     return parse_number(value.text) ? "float" : "string";
   }
+  if (joined_names(value)) return "string";
   if (!value.is_sequence()) return "";
   bool whole = true;
   for (const auto& item : value.items) {
@@ -29,10 +29,34 @@ std::string type_of_parameter(const YamlValue& value) {
   return whole ? "ints" : "floats";
 }
 
+std::optional<SpaceSpec> whole_space(const SavedPort& port) {
+  auto space = saved_space(port);
+  if (!space || space->shape) return space;
+  for (const auto& bound : {space->low, space->high}) {
+    if (!bound || !bound->is_sequence()) continue;
+    const std::string length = fmt::format("{}", bound->items.size());
+    space->shape = made_list({made_scalar(length, bound->span)}, bound->span);
+    return space;
+  }
+  return space;
+}
+
+bool is_parameter_of_manifest(const YamlValue::Entry& entry) {
+  return !is_common_parameter(entry.key) && !entry.value.is_null() &&
+         !type_of_parameter(entry.value).empty() && is_identifier(entry.key);
+}
+
+namespace {
+
 class ManifestWriter {
  public:
-  ManifestWriter(const std::string& id, const Missing& missing, const std::string& engine)
-      : id_(id), missing_(missing), saved_(missing.saved), engine_(engine) {}
+  ManifestWriter(const std::string& id, const Missing& missing, const std::string& engine,
+                 SavedImplementation inside)
+      : id_(id),
+        missing_(missing),
+        saved_(missing.saved),
+        engine_(engine),
+        inside_(std::move(inside)) {}
 
   MissingEntity write(const std::string& type) {
     made_.id = id_;
@@ -69,17 +93,19 @@ class ManifestWriter {
   void add_parameters() {
     std::vector<std::string> lines;
     for (const auto& entry : saved_.config.entries) {
-      if (is_common_parameter(entry.key) || entry.key == "state_type") continue;
+      if (is_common_parameter(entry.key)) continue;
       const std::string name = in_comment(entry.key);
       const std::string type = type_of_parameter(entry.value);
-      if (entry.value.is_null() || type.empty() || !is_identifier(entry.key)) {
+      if (!is_parameter_of_manifest(entry)) {
         lines.push_back(fmt::format("  # {}: {}", name,
                                     entry.value.is_null() ? "None in the file, so of any type"
                                                           : "of a type that C++ does not have"));
         continue;
       }
+      const auto names = joined_names(entry.value);
       lines.push_back(fmt::format("  {}: {{type: {}, default: {}, about: {}}}", name, type,
-                                  text_of(entry.value), name));
+                                  names ? yaml_text(*names) : text_of(entry.value),
+                                  names ? yaml_text(name + ", with blanks between them") : name));
     }
     const bool any = std::ranges::any_of(lines, [](const auto& text) { return text[2] != '#'; });
     if (!lines.empty()) line(any ? "config:" : "# config:");
@@ -94,7 +120,7 @@ class ManifestWriter {
       add_section("sensors", nullptr);
       add_section("actuators", nullptr);
       add_states();
-      line("# engines: how it is made on each engine: `eagerx-gen new object` makes an example");
+      add_implementation();
       return;
     }
     add_section("inputs", &made_.inputs);
@@ -103,7 +129,22 @@ class ManifestWriter {
     add_states();
   }
 
-  void add_states() { add_section("states", &made_.states); }
+  void add_states() {
+    add_section("states", &made_.states);
+    if (list_of("states").empty() && !inside_.states.empty()) line("states:");
+    for (const auto& state : inside_.states) line("  " + state);
+  }
+
+  /// A folder knows the header of the model.
+  void add_implementation() {
+    if (inside_.empty() || engine_.empty()) {
+      line("# engines: how it is made on each engine: `eagerx-gen new object` makes an example");
+      return line("# (a file of BaseEnv.save says it, and then it is made of that)");
+    }
+    made_.engine = engine_;
+    made_.model = inside_.parameters;
+    made_.implementation = inside_.lines;
+  }
 
   void add_space_of_state() {
     for (const auto& port : list_of("states")) {
@@ -126,27 +167,27 @@ class ManifestWriter {
       const bool optional = (section == "inputs" || section == "outputs") &&
                             !saved_.is_selected(section, port.name.value) &&
                             made_.kind != "engine_node";
-      const auto space = with_shape(saved_space(port));
-      const std::string text = space ? space_text(*space) : "";
+      const auto space = whole_space(port);
+      const bool known = space && (space->shape || has_spaces_apart(port));
+      const std::string like = known ? "" : space_like(section);
+      const std::string text = !like.empty() ? like : space ? space_text(*space) : "";
       line(fmt::format("  {}: {}", port.name.value, port_text(section, port, text, optional)));
       if (into != nullptr) into->push_back({port.name.value, text, optional});
     }
   }
 
-  /// Bounds tell the length where EAGERx saved no shape.
-  static std::optional<SpaceSpec> with_shape(std::optional<SpaceSpec> space) {
-    if (!space || space->shape) return space;
-    for (const auto& bound : {space->low, space->high}) {
-      if (!bound || !bound->is_sequence()) continue;
-      const std::string length = fmt::format("{}", bound->items.size());
-      space->shape = made_list({made_scalar(length, bound->span)}, bound->span);
-      return space;
+  /// What EAGERx gave no space is most often what was applied of the action.
+  [[nodiscard]] std::string space_like(const std::string& section) const {
+    if (section != "outputs" || made_.kind != "engine_node") return "";
+    std::vector<std::string> inputs;
+    for (const auto& input : list_of("inputs")) {
+      if (input.name.value != "tick") inputs.push_back(input.name.value);
     }
-    return space;
+    return inputs.size() == 1 ? fmt::format("{{like: {}}}", inputs.front()) : "";
   }
 
-  static std::string port_text(const std::string& section, const SavedPort& port,
-                               const std::string& space, bool optional) {
+  [[nodiscard]] std::string port_text(const std::string& section, const SavedPort& port,
+                                      const std::string& space, bool optional) const {
     std::vector<std::string> items;
     const bool object = section == "sensors" || section == "actuators";
     if (optional) items.emplace_back("optional: true");
@@ -155,7 +196,8 @@ class ManifestWriter {
       items.push_back("rate: " + (value ? value->to_string() : text_of(*rate)));
     }
     if (!space.empty()) items.push_back("space: " + space);
-    if (section == "inputs" || section == "actuators") {
+    // Those of an engine node's input belong to its connection.
+    if ((section == "inputs" && made_.kind != "engine_node") || section == "actuators") {
       if (const YamlValue* window = port.find("window"); window != nullptr && window->text != "1")
         items.push_back("window: " + text_of(*window));
       if (const YamlValue* skip = port.find("skip"); skip != nullptr && skip->text == "true")
@@ -169,6 +211,7 @@ class ManifestWriter {
   const Missing& missing_;
   const SavedEntity& saved_;
   const std::string& engine_;
+  const SavedImplementation inside_;
   MissingEntity made_;
 };
 
@@ -193,6 +236,7 @@ std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
   remove_pictures(*saved, counterparts, diagnostics);
+  rename_ports(*saved, counterparts);
   require_all(*saved, counterparts);
   std::set<std::string> taken;
   std::map<std::string, std::string> types;
@@ -204,8 +248,12 @@ std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root
     engine = known != nullptr ? known->id.value : types[own->id.value];
   }
   std::vector<MissingEntity> result;
-  for (const auto& [id, missing] : counterparts.missing())
-    result.push_back(ManifestWriter(id, missing, engine).write(types.at(id)));
+  for (const auto& [id, missing] : counterparts.missing()) {
+    SavedImplementation inside;
+    if (missing.use == Use::object)
+      inside = saved_implementation(*saved, missing.saved, counterparts, types);
+    result.push_back(ManifestWriter(id, missing, engine, std::move(inside)).write(types.at(id)));
+  }
   return result;
 }
 

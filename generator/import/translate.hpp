@@ -31,6 +31,9 @@ struct Translation {
 /// graph without them.
 void remove_pictures(SavedGraph& saved, const Counterparts& counterparts, Diagnostics& diagnostics);
 
+/// Ports of entities that are known, by the names that our manifests give them.
+void rename_ports(SavedGraph& saved, const Counterparts& counterparts);
+
 // In this order.
 void translate_names(Translation& t);  // and the name of the graph
 void translate_entities(Translation& t);

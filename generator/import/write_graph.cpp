@@ -15,20 +15,6 @@ namespace {
 
 constexpr std::size_t kWidth = 110;
 
-std::string config_text(const std::vector<Setting>& config) {
-  std::vector<std::string> items;
-  items.reserve(config.size());
-  for (const auto& setting : config)
-    items.push_back(fmt::format("{}: {}", yaml_scalar(setting.name), text_of(setting.value)));
-  return in_braces(items);
-}
-
-std::string processor_text(const ProcessorSpec& processor) {
-  if (processor.config.empty()) return yaml_scalar(processor.type.value);
-  return fmt::format("{{type: {}, config: {}}}", yaml_scalar(processor.type.value),
-                     config_text(processor.config));
-}
-
 /// What EAGERx can say of a connection: it has no `max_delay` and draws no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
   if (settings.window) items.push_back("window: " + text_of(*settings.window));

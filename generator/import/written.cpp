@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "generator/quote/quote.hpp"
+#include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
+
 std::string in_braces(const std::vector<std::string>& items) {
   return fmt::format("{{{}}}", fmt::join(items, ", "));
 }
@@ -30,6 +32,18 @@ std::string text_of(const YamlValue& yaml) {
   return "null";
 }
 
+std::optional<std::string> joined_names(const YamlValue& yaml) {
+  if (!yaml.is_sequence() || yaml.items.empty()) return std::nullopt;
+  std::string result;
+  for (const auto& item : yaml.items) {
+    if (!item.is_scalar() || item.text.empty() || parse_number(item.text) ||
+        item.text.find_first_of(" \t\n") != std::string::npos)
+      return std::nullopt;
+    result += (result.empty() ? "" : " ") + item.text;
+  }
+  return result;
+}
+
 std::string space_text(const SpaceSpec& space) {
   std::vector<std::string> items;
   if (space.dtype) items.push_back("dtype: " + yaml_scalar(space.dtype->value));
@@ -37,6 +51,20 @@ std::string space_text(const SpaceSpec& space) {
   if (space.low) items.push_back("low: " + text_of(*space.low));
   if (space.high) items.push_back("high: " + text_of(*space.high));
   return in_braces(items);
+}
+
+std::string config_text(const std::vector<Setting>& config) {
+  std::vector<std::string> items;
+  items.reserve(config.size());
+  for (const auto& setting : config)
+    items.push_back(fmt::format("{}: {}", yaml_scalar(setting.name), text_of(setting.value)));
+  return in_braces(items);
+}
+
+std::string processor_text(const ProcessorSpec& processor) {
+  if (processor.config.empty()) return yaml_scalar(processor.type.value);
+  return fmt::format("{{type: {}, config: {}}}", yaml_scalar(processor.type.value),
+                     config_text(processor.config));
 }
 
 }  // namespace eagerx::gen

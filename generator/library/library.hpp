@@ -57,6 +57,7 @@ struct PortManifest {
   Spanned<std::string> name;
   SpaceSpec space;
   std::string unit, about;
+  std::string eagerx;             // its name in EAGERx
   std::optional<YamlValue> rate;  // sensors and actuators; may be `$(config x)`
   ConnectionSettings settings;    // with a `max_delay` the entity sets the delay at its reset
   bool optional = false;          // of a node: a graph may do without it

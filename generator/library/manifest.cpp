@@ -181,6 +181,8 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
     if (const YamlValue* space = entry.value.find("space")) port.space = read_space(*space);
     port.unit = text_at(entry.value, "unit");
     port.about = text_at(entry.value, "about");
+    const YamlValue* eagerx = entry.value.find("eagerx");
+    port.eagerx = eagerx != nullptr ? eagerx->text : entry.key;
     port.rate = value_at(entry.value, "rate");
     port.settings = read_connection_settings(entry.value, diagnostics);
     port.optional = text_at(entry.value, "optional") == "true";

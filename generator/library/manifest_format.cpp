@@ -61,6 +61,7 @@ FormatPtr requirements_format() {
 Fields port_fields(bool like = false) {
   return {{"space", space_format(Reference::accept, like), false, "what its messages may hold"},
           {"unit", format::text("a unit"), false, "unit"},
+          {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
           {"about", format::text("a text"), false, "what it means, in one line"}};
 }
 

@@ -77,7 +77,7 @@ PartialSpace partial_space(const SpaceSpec& spec, const References& references,
     diagnostics.error(
         "E0326", bounds,
         fmt::format("`low` has {} values and `high` {}", result.low.size(), result.high.size()));
-    result.low.clear();  // told of; it need not be said again of what they are laid over
+    result.low.clear();  // reported above: the signal that they limit gets no second error
     result.high.clear();
   }
   for (std::size_t i = 0; scalar_bounds && !result.low.empty() && !result.high.empty() &&

@@ -90,6 +90,10 @@ class OpenDynamicsSimulator {
     joint_wanted_[joint] = true;
     placed_ = false;
   }
+  /// What want_joint() was last given for the next place(), else what it is.
+  JointCoordinates next_joint(std::size_t joint) const {
+    return joint_wanted_[joint] ? wanted_joint_[joint] : present(joint);
+  }
   /// Of a body that no joint holds; the rotation need not have length 1.
   void want_pose(std::size_t body, const Pose& pose) {
     wanted_body_[body].position = {{pose[0], pose[1], pose[2]}};

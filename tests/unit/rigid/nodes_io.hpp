@@ -19,7 +19,9 @@
 #include <models/engine_states/body_twist/body_twist.hpp>
 #include <models/engine_states/geometry_friction/geometry_friction.hpp>
 #include <models/engine_states/gravity/gravity.hpp>
+#include <models/engine_states/joint_positions/joint_positions.hpp>
 #include <models/engine_states/joint_state/joint_state.hpp>
+#include <models/engine_states/joint_velocities/joint_velocities.hpp>
 #include <models/engine_states/model_parameters/model_parameters.hpp>
 #include <models/objects/pendulum/pendulum_bodies.hpp>
 #include <models/objects/pushed_box/pushed_box.hpp>

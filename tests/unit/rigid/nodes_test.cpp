@@ -53,6 +53,23 @@ TEST(RigidNodes, JointsInTheOrderOfTheirNames) {
   EXPECT_NEAR(scene.simulator.joint_position(1), 0.5, 1e-7);
 }
 
+TEST(RigidNodes, PositionsAndVelocitiesOfJointsAreSetApart) {
+  ArmScene scene;
+  using Io = JointsIo<ArmScene::Simulator, 2>;
+  using StateIo = RigidStateIo<Io, Array<float, 2>>;
+  JointVelocities<StateIo>::reset({{1.5F, 2.5F}}, scene.simulator);
+  JointPositions<StateIo>::reset({{0.5F, -0.25F}}, scene.simulator);
+  scene.reset();
+  EXPECT_NEAR(scene.simulator.joint_position(1), 0.5, 1e-6);  // the list begins with the elbow
+  EXPECT_NEAR(scene.simulator.joint_position(0), -0.25, 1e-6);
+  EXPECT_NEAR(scene.simulator.joint_velocity(1), 1.5, 1e-6);
+  EXPECT_NEAR(scene.simulator.joint_velocity(0), 2.5, 1e-6);
+  JointPositions<StateIo>::reset({{0.0F, 0.0F}}, scene.simulator);  // velocities stay
+  scene.reset();
+  EXPECT_NEAR(scene.simulator.joint_position(1), 0.0, 1e-6);
+  EXPECT_NEAR(scene.simulator.joint_velocity(1), 1.5, 1e-6);
+}
+
 TEST(RigidNodes, TorquesAreSetAndSeen) {
   ArmScene scene;
   using Io = JointActionIo<ArmScene::Simulator, 2>;
