@@ -16,8 +16,11 @@ foreach(program rigid_pendulum pushed_box two_link_arm quadruped)
 endforeach()
 add_executable(no_alloc_guard ${CMAKE_CURRENT_LIST_DIR}/guard.cpp ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
 target_link_libraries(no_alloc_guard PRIVATE eagerx_warnings)
+# The implicit method of OdeEngine alone: a whole program of it would take longer to build.
+add_executable(no_alloc_stiff ${CMAKE_CURRENT_LIST_DIR}/stiff.cpp ${PROJECT_SOURCE_DIR}/tests/support/no_alloc.cpp)
+target_link_libraries(no_alloc_stiff PRIVATE eagerx_warnings eagerx::runtime)
 add_test(NAME no_alloc COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:no_alloc_swing_up> $<TARGET_FILE:no_alloc_guard>
-         $<TARGET_FILE:no_alloc_rigid_pendulum> $<TARGET_FILE:no_alloc_pushed_box> $<TARGET_FILE:no_alloc_two_link_arm>
+         $<TARGET_FILE:no_alloc_stiff> $<TARGET_FILE:no_alloc_rigid_pendulum> $<TARGET_FILE:no_alloc_pushed_box> $<TARGET_FILE:no_alloc_two_link_arm>
          $<TARGET_FILE:no_alloc_quadruped>)
 # The same program does what the example promises.
 add_test(NAME examples.pendulum_swing_up.OpenDynamicsEngine

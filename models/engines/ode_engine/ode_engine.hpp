@@ -7,20 +7,24 @@
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <limits>
+#include <models/engines/ode_engine/adaptive.hpp>
 #include <models/engines/ode_engine/dopri5.hpp>
+#include <models/engines/ode_engine/ode_jacobian.hpp>
 #include <models/engines/ode_engine/ode_model.hpp>
 #include <models/engines/ode_engine/ode_simulator.hpp>
 #include <models/engines/ode_engine/rk4.hpp>
+#include <models/engines/ode_engine/rodas4.hpp>
 
 namespace eagerx::models {
 
-enum class OdeMethod : std::uint8_t { rk4, dopri5 };
+enum class OdeMethod : std::uint8_t { rk4, dopri5, rodas4 };
 
 /// Advances every object's OdeSimulator by one period of the engine, with its input held constant.
 ///
 /// No callback throws or stops. What could not be integrated as asked is counted in the simulator's
 /// faults(), and the simulation goes on, as EAGERx's does after odeint's warning:
-///   dopri5, more than `mxstep` steps tried, or the tolerances not met in the shortest step (also
+///   dopri5 and rodas4, more than `mxstep` steps tried, or the tolerances not met in the shortest
+///   step (also
 ///     because the derivative is NaN or infinite): the state is the last one that met the
 ///     tolerances. The object is then late by what was not integrated.
 ///   rk4: the state after the tick is not finite. It is published as it is.
@@ -40,12 +44,20 @@ class OdeEngine {
 
   template <class Simulator>
   static void advance(Simulator& simulator) {
-    const OdeDerivative<typename Simulator::Model> derivative(simulator.parameters,
-                                                              simulator.input);
-    if constexpr (Config::method == OdeMethod::rk4) {
-      advance_rk4(derivative, simulator);
+    using Model = typename Simulator::Model;
+    using Real = typename Simulator::Real;
+    if constexpr (Config::method == OdeMethod::rodas4) {
+      const OdeJacobian<Model> jacobian(simulator.parameters, simulator.input);
+      Rodas4<OdeJacobian<Model>, Real, Model::kStates> method(jacobian);
+      advance_adaptively(method, simulator);
     } else {
-      advance_dopri5(derivative, simulator);
+      const OdeDerivative<Model> derivative(simulator.parameters, simulator.input);
+      if constexpr (Config::method == OdeMethod::rk4) {
+        advance_rk4(derivative, simulator);
+      } else {
+        Dopri5<OdeDerivative<Model>, Real, Model::kStates> method(derivative);
+        advance_adaptively(method, simulator);
+      }
     }
   }
 
@@ -60,18 +72,18 @@ class OdeEngine {
     simulator.add_fault_if(!all_finite(x));
   }
 
-  template <class Derivative, class Simulator>
-  static void advance_dopri5(const Derivative& derivative, Simulator& simulator) {
+  template <class Method, class Simulator>
+  static void advance_adaptively(Method& method, Simulator& simulator) {
     using Real = typename Simulator::Real;
     constexpr Real kPeriod = static_cast<Real>(Io::Rate::period_s);
-    constexpr auto kSettings = dopri5_settings<Real>();
-    const auto outcome = dopri5(derivative, simulator.state, kPeriod, simulator.step_s, kSettings);
-    simulator.add_fault_if(outcome != Dopri5Outcome::done);
+    constexpr auto kSettings = adaptive_settings<Real>();
+    const auto outcome = integrate(method, simulator.state, kPeriod, simulator.step_s, kSettings);
+    simulator.add_fault_if(outcome != AdaptiveOutcome::done);
   }
 
   /// The configuration with odeint's meaning of 0, and tolerances that Real can resolve.
   template <class Real>
-  static constexpr Dopri5Settings<Real> dopri5_settings() {
+  static constexpr AdaptiveSettings<Real> adaptive_settings() {
     constexpr auto kLeastRtol = 10.0 * static_cast<double>(std::numeric_limits<Real>::epsilon());
     constexpr auto kLeastAtol = static_cast<double>(std::numeric_limits<Real>::min());
     constexpr double kHmax = Config::hmax;

@@ -21,6 +21,9 @@ namespace eagerx::models {
 ///   static Array<Real, kStates> derivative(const Coefficients& c, Array<Real, kStates> x);
 /// It may have ∂f/∂x, row-major, with the same arguments as `derivative`, for those who linearise:
 ///   static Array<Real, kStates, kStates> jacobian(…);
+/// Without it, `derivative` is computed with Real = eagerx::Dual (eagerx/math/dual.hpp), so it must
+/// be written over Io::Real alone. One that cannot (a table over whole numbers) says
+///   static constexpr bool dual_numbers = false;        // central differences
 /// x is taken by value so that a small state stays in registers where the compiler does not inline.
 template <class Model>
 concept OdeModel = (Model::kStates > 0) && (Model::kInputs > 0) && (Model::kParameters > 0) &&

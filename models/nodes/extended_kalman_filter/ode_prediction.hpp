@@ -1,86 +1,11 @@
 // A state that follows a differential equation, and how it depends on where it began.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <eagerx/math.hpp>
-#include <eagerx/message.hpp>
+#include <models/engines/ode_engine/ode_jacobian.hpp>
 #include <models/engines/ode_engine/ode_model.hpp>
-#include <type_traits>
 
 namespace eagerx::models {
-
-/// ∂f/∂x [N][N] of a model with its parameters and input held constant: the model's own `jacobian`
-/// of the same arguments as its `derivative`, else central differences.
-template <OdeModel Model>
-class OdeJacobian {
- public:
-  using Real = typename Model::Real;
-  using State = OdeState<Model>;
-  static constexpr std::size_t kStates = Model::kStates;
-  using Matrix = std::array<Real, kStates * kStates>;
-
-  OdeJacobian(const OdeParameterSet<Model>& p, const OdeInputs<Model>& u)
-      : derivative_(p, u), prepared_(prepare(p, u)) {}
-
-  State slope(const State& x) const { return derivative_(x); }
-
-  Matrix operator()(const State& x) const {
-    Matrix result;
-    if constexpr (requires { prepared_.jacobian(x); }) {
-      const auto own = prepared_.jacobian(x);
-      for (std::size_t i = 0; i < result.size(); ++i) result[i] = own[i];
-    } else {
-      for (std::size_t j = 0; j < kStates; ++j) {
-        const Real step = kStep * eagerx::max(Real(1), eagerx::abs(x[j]));
-        State above = x;
-        State below = x;
-        above[j] += step;
-        below[j] -= step;
-        const Real width = above[j] - below[j];  // as it is after rounding
-        const State high = derivative_(above);
-        const State low = derivative_(below);
-        for (std::size_t i = 0; i < kStates; ++i)
-          result[i * kStates + j] = (high[i] - low[i]) / width;
-      }
-    }
-    return result;
-  }
-
- private:
-  /// The cube root of the resolution: there the errors of rounding and of the method are alike.
-  static constexpr auto kStep = std::is_same_v<Real, double> ? Real(6e-6) : Real(5e-3);
-
-  /// What `derivative` takes before x.
-  struct ParametersAndInput {
-    OdeParameterSet<Model> p;
-    OdeInputs<Model> u;
-    template <class M = Model>
-    auto jacobian(const State& x) const requires requires {
-      M::jacobian(p, u, x);
-    }
-    { return M::jacobian(p, u, x); }
-  };
-  template <class Coefficients>
-  struct Prepared {
-    Coefficients c;
-    template <class M = Model>
-    auto jacobian(const State& x) const requires requires {
-      M::jacobian(c, x);
-    }
-    { return M::jacobian(c, x); }
-  };
-  static auto prepare(const OdeParameterSet<Model>& p, const OdeInputs<Model>& u) {
-    if constexpr (HasCoefficients<Model>) {
-      return Prepared<typename Model::Coefficients>{Model::precompute(p, u)};
-    } else {
-      return ParametersAndInput{p, u};
-    }
-  }
-
-  OdeDerivative<Model> derivative_;
-  decltype(prepare(OdeParameterSet<Model>{}, OdeInputs<Model>{})) prepared_;
-};
 
 /// x [N] after some time, and F = ∂x/∂(x at the beginning) [N][N].
 template <OdeModel Model>

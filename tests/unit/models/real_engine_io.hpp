@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <models/engine_nodes/real_actuator/real_actuator.hpp>
+#include <models/engine_nodes/real_output/real_output.hpp>
 #include <models/engine_nodes/real_sensor/real_sensor.hpp>
 #include <models/engines/real_engine/hardware_engine.hpp>
 #include <models/engines/real_engine/hardware_simulator.hpp>

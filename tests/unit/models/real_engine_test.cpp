@@ -247,5 +247,40 @@ TEST_F(RealEngineTest, NoHardwareAtTheStart) {
   EXPECT_EQ(count("starts without hardware"), 1U);
 }
 
+/// A simulator whose model has three sensors, as far as RealOutput sees it.
+struct ThreeSensors {
+  using Real = float;
+  struct Model {
+    static constexpr std::size_t kSensors = 3;
+  };
+  std::array<std::array<float, 2>, 3> limits{};
+  void limit_sensor(std::size_t i, float low, float high) { limits.at(i) = {low, high}; }
+  static float value(std::size_t i) { return 10.0F + static_cast<float>(i); }
+};
+struct OutputIo : SensorIo {
+  using Simulator = ThreeSensors;
+  struct Config {
+    static constexpr int index = 1;
+    static constexpr std::array<double, 2> low = {-1.0, -2.0};
+    static constexpr std::array<double, 2> high = {3.0, 4.0};
+  };
+  struct Outputs {
+    Array<float, 2>& observation;
+  };
+};
+TEST(RealOutput, HasItsSensorsAndTheirLimits) {
+  RealOutput<OutputIo> node;
+  ThreeSensors simulator;
+  node.reset({}, simulator);
+  EXPECT_EQ(simulator.limits[0], (std::array<float, 2>{}));
+  EXPECT_EQ(simulator.limits[1], (std::array<float, 2>{-1.0F, 3.0F}));
+  EXPECT_EQ(simulator.limits[2], (std::array<float, 2>{-2.0F, 4.0F}));
+  const std::int64_t ticks[1] = {0};
+  Array<float, 2> observation{};
+  OutputIo::Outputs out{observation};
+  node.callback({1}, {{ticks, 1}}, out, simulator);
+  EXPECT_EQ(observation, (Array<float, 2>{{11.0F, 12.0F}}));
+}
+
 }  // namespace
 }  // namespace eagerx::models::testing

@@ -63,6 +63,22 @@ refuse '`size` must be one more than the message has elements' \
   'template struct AngleDecomposition<testing::ProcessorIo<float, Array<float, 4>, Array<float, 4>>>;'
 refuse '`filtered` must have as many elements as `signal`' \
   'template class MovingAverageFilter<MeanIo<float, TwoFloats, float>>;'
+cast() { # SAYS: a model on rodas4 whose derivative leaves Io::Real
+  echo "template <class Io> struct Cast {
+    using Real = typename Io::Real;
+    static constexpr std::size_t kStates = 1, kInputs = 1, kParameters = 1;
+    $1
+    static constexpr Array<Real, 1> default_parameters() { return {{Real(1)}}; }
+    static Array<Real, 1> derivative(const Array<Real, 1>&, const Array<Real, 1>&, Array<Real, 1> x) {
+      return {{Real(static_cast<int>(x[0]))}};
+    }
+  };
+  struct Rodas4Config : OdeConfig { static constexpr auto method = OdeMethod::rodas4; };
+  inline void use(OdeSimulator<Cast<PendulumModelIo<float>>>& s) { tick<EngineIo<float, Rodas4Config>>(s); }"
+}
+refuse 'a number with derivatives cannot become a plain one' "$(cast '')"
+compile "$(cast 'static constexpr bool dual_numbers = false;')"
+compile "$(cast 'template <class P, class U> static Array<Real, 1, 1> jacobian(P, U, Array<Real, 1>) { return {{Real(0)}}; }')"
 # refuse_block WORDS BLOCK IO CONFIG: a block with another configuration than that of its Io.
 refuse_block() {
   local header among='"tests/unit/models/block_io.hpp"'
