@@ -1,9 +1,15 @@
 // eagerx-gen campaign: many runs are the work of eagerx-campaign (targets/environments/campaign).
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
 #include <string_view>
 
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/become.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
+#include "generator/cli/paths.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -32,6 +38,43 @@ std::string command_of_one_run(const Options& options) {
   return text;
 }
 
+constexpr const char* kAlone = "eagerx-campaign";
+
+/// What mpirun tells its processes; 0 of 1 for one that it has not started.
+struct Rank {
+  long number = 0, size = 1;
+};
+Rank rank_of_this() {
+  using Names = std::array<const char*, 2>;
+  constexpr std::array kNames = {Names{"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"},  // Open MPI
+                                 Names{"PMI_RANK", "PMI_SIZE"}};                         // MPICH
+  for (const Names& names : kNames) {
+    const char* const number = std::getenv(names[0]);
+    const char* const size = std::getenv(names[1]);
+    if (number != nullptr && size != nullptr)
+      return {std::strtol(number, nullptr, 10), std::strtol(size, nullptr, 10)};
+  }
+  return {};
+}
+
+/// Rank 0 builds the library, and the others get it from there.
+int become_rank(const Rank& rank, const Options& options, std::vector<std::string> words) {
+  constexpr const char* kProgram = "eagerx-campaign-mpi";
+  const std::string program = helper_program(kProgram);
+  std::error_code error;
+  if (!std::filesystem::exists(program, error)) {
+    if (rank.number == 0)
+      complain(
+          "error: this eagerx-gen was built without MPI\n"
+          "help: `toolchains/install-packages mpi`, and build it with `cmake -DEAGERX_MPI=ON`\n");
+    return kInputOutput;
+  }
+  if (rank.number == 0)
+    return become_with_environments({kProgram, kAlone}, options, std::move(words));
+  words.insert(words.begin(), "the library of rank 0");
+  return become(program, words);
+}
+
 }  // namespace
 
 int campaign_command(const Options& options) {
@@ -40,7 +83,53 @@ int campaign_command(const Options& options) {
   std::vector<std::string> words = options.program_options;
   if (options.json_output) words.emplace_back("--json");
   words.insert(words.end(), {"--replay", command_of_one_run(options)});
-  return become_with_environments("eagerx-campaign", campaign, std::move(words));
+  if (const Rank rank = rank_of_this(); rank.size > 1)
+    return become_rank(rank, campaign, std::move(words));
+  return become_with_environments({kAlone, kAlone}, campaign, std::move(words));
+}
+
+Command campaign_commands(Options& options) {
+  const auto option = [&options](const char* name, const char* about, const char* type) {
+    return handed_on(name, about, type, options);
+  };
+  Argument vary = option("--vary",
+                         "draw a state or a delay of each run from this range, may be repeated; an "
+                         "element is NAME[0]",
+                         "NAME=LOW:HIGH");
+  vary.repeated = true;
+  return {
+      .name = "campaign",
+      .about = "run many episodes with the agent in the loop and count successes",
+      .examples =
+          {{"10,000 episodes: how often it succeeds, and what repeats the worst ones",
+            "eagerx-gen campaign pendulum.yaml --runs 10000"},
+           {"with masses drawn from a range; a row for each run",
+            "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
+           {"a long one that can be interrupted",
+            "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
+           {"and goes on", "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
+           {"on four processes, for an eagerx-gen with MPI",
+            "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
+      .arguments = joined(
+          {{graph(options), option("--runs", "episodes (default: 1000)", "N"), std::move(vary),
+            agent_policy(options),
+            option("--steps",
+                   "end an episode after so many steps (default: what the task says, or 300)", "N"),
+            option("--seed",
+                   "where random numbers start: another seed is another campaign (default: 1)",
+                   "N"),
+            option("--threads",
+                   "how many threads; the report is the same for any number (default: one for each "
+                   "core)",
+                   "N"),
+            option("--worst", "name so many of the worst runs (default: 5)", "N"),
+            option("--csv", "write a table with a row for each run", "FILE"),
+            flag("--json", options.json_output, "print the report as JSON"),
+            option("--checkpoint", "add finished runs to this file, for --resume", "FILE"),
+            option("--resume", "go on from a checkpoint: the report is that of one long run",
+                   "FILE")},
+           on_environments(options)}),
+      .run = [&options] { return campaign_command(options); }};
 }
 
 }  // namespace eagerx::gen

@@ -18,11 +18,10 @@ std::vector<std::string> joined(std::vector<std::string> words,
 
 }  // namespace
 
-int become_with_environments(const char* program, const Options& options,
+int become_with_environments(const Helper& helper, const Options& options,
                              std::vector<std::string> words) {
-  const std::string helper = helper_program(program);
   if (options.quiet) words.emplace_back("--quiet");
-  const auto checked = run_process(joined({helper, "--check"}, words));
+  const auto checked = run_process(joined({helper_program(helper.checker), "--check"}, words));
   if (checked && checked->exit_code != 0) {
     complain_text(checked->output);
     return checked->exit_code;
@@ -34,7 +33,7 @@ int become_with_environments(const char* program, const Options& options,
   const auto built = build_graph(run, library, code);
   code = std::max(finish(run, options), code);
   if (!built) return code;
-  return become(helper, joined({built->back().image}, words));
+  return become(helper_program(helper.program), joined({built->back().image}, words));
 }
 
 }  // namespace eagerx::gen

@@ -8,3 +8,7 @@ eagerx_add_graph(TARGET campaign_memory_alone GRAPH ${CMAKE_CURRENT_LIST_DIR}/me
 add_test(NAME campaign COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-campaign>
          swing=$<TARGET_FILE:environments_swing>=$<TARGET_FILE:environments_swing_alone>
          memory=$<TARGET_FILE:campaign_memory>=$<TARGET_FILE:campaign_memory_alone>)
+if(EAGERX_MPI)
+  add_test(NAME campaign.mpi COMMAND ${CMAKE_CURRENT_LIST_DIR}/mpi ${PROJECT_BINARY_DIR})
+  set_tests_properties(campaign.mpi PROPERTIES PROCESSORS 2)
+endif()

@@ -3,13 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <exception>
 #include <mutex>
 #include <optional>
+#include <stop_token>
+#include <string_view>
 #include <thread>
 
 #include "targets/environments/campaign/journal.hpp"
 #include "targets/environments/campaign/progress.hpp"
+#include "targets/environments/campaign/record.hpp"
 #include "targets/environments/campaign/report.hpp"
 #include "targets/environments/campaign/runner.hpp"
 #include "targets/environments/client/files.hpp"
@@ -38,51 +43,105 @@ std::string identity_of(const std::string& library, const Plan& plan) {
 
 class Campaign {
  public:
-  Campaign(const Options& options, const client::Library& library)
+  Campaign(const Options& options, const client::Library& library, Ranks& ranks)
       : options_(options),
         library_(library),
+        ranks_(ranks),
         plan_(make_plan(library.description(), options.seed, options.runs, options.steps,
                         options.variations)),
         runner_(library, plan_),
-        results_(plan_.runs, plan_.columns.size()),
-        done_(plan_.chunks()) {
-    if (!journal_path().empty()) {
+        results_(ranks.is_first() ? plan_.runs : 0, plan_.columns.size()),
+        done_(plan_.chunks(), '\0'),
+        progress_(plan_.runs, options.is_quiet || !ranks.is_first()) {
+    if (ranks_.is_first() && !journal_path().empty()) {
       journal_.emplace(journal_path(), identity_of(options.library, plan_));
       if (options.resume.empty()) {
         journal_->begin();
       } else {
-        done_ = journal_->resume(plan_, results_);
+        std::ranges::copy(journal_->resume(plan_, results_), done_.begin());
       }
     }
+    done_ = ranks_.share(std::move(done_));
   }
 
   int run(const volatile int& interrupted) {
-    Progress progress(plan_.runs, options_.is_quiet);
-    std::uint32_t runs = 0, successes = 0;
-    for (std::uint32_t chunk = 0; chunk < plan_.chunks(); ++chunk) {
-      if (done_[chunk]) note(chunk, runs, successes);
-    }
-    progress.begin(runs);
+    return ranks_.is_first() ? collect(interrupted) : contribute(interrupted);
+  }
+
+ private:
+  /// This rank's share of the chunks. `add(chunk, results)` by one thread at a time.
+  template <class Add>
+  void compute(const volatile int& interrupted, const Add& add) {
     client::Team team(threads());
     team.run(plan_.chunks(), [&](std::size_t part) {
       const auto chunk = static_cast<std::uint32_t>(part);
-      if (done_[chunk] || interrupted != 0) return;
+      if (done_[chunk] != 0 || interrupted != 0 || chunk % ranks_.size() != ranks_.rank()) return;
       const Results some = runner_.run(chunk);
       const std::lock_guard lock(mutex_);
-      put(plan_, chunk, some, results_);
-      if (journal_) journal_->add(chunk, some);
-      note(chunk, runs, successes);
-      progress.show(runs, successes);
+      add(chunk, some);
     });
-    progress.finish();
-    if (runs == plan_.runs) return tell();
-    fmt::print(stderr, "interrupted after {} of {} runs\n", runs, plan_.runs);
+  }
+
+  /// Nothing is the last that a rank sends.
+  int contribute(const volatile int& interrupted) {
+    compute(interrupted,
+            [&](std::uint32_t chunk, const Results& some) { ranks_.send(record_of(chunk, some)); });
+    ranks_.send({});
+    return client::kDone;
+  }
+
+  int collect(const volatile int& interrupted) {
+    for (std::uint32_t chunk = 0; chunk < plan_.chunks(); ++chunk) {
+      if (done_[chunk] != 0) note(chunk);
+    }
+    progress_.begin(runs_);
+    {
+      std::exception_ptr failure;
+      std::jthread listener([&](const std::stop_token& token) {
+        try {
+          listen(token);
+        } catch (...) {
+          failure = std::current_exception();
+        }
+      });
+      compute(interrupted, [&](std::uint32_t chunk, const Results& some) { add(chunk, some); });
+      listener.join();
+      if (failure) std::rethrow_exception(failure);
+    }
+    progress_.finish();
+    if (runs_ == plan_.runs) return tell();
+    fmt::print(stderr, "interrupted after {} of {} runs\n", runs_, plan_.runs);
     if (journal_)
       fmt::print(stderr, "help: the same command with `--resume {}` goes on\n", journal_path());
     return kInterrupted;
   }
 
- private:
+  /// Until all other ranks have sent their last. Asks now and then: MPI waits with a whole core.
+  void listen(const std::stop_token& token) {
+    constexpr std::chrono::milliseconds kPause(1);
+    for (std::uint32_t others = ranks_.size() - 1; others != 0 && !token.stop_requested();) {
+      const std::optional<std::string> bytes = ranks_.take();
+      if (!bytes) {
+        std::this_thread::sleep_for(kPause);
+      } else if (bytes->empty()) {
+        --others;
+      } else {
+        std::string_view left = *bytes;
+        const auto record = take_record(left, plan_);
+        if (!record) throw client::Problem(client::kInputOutput, "a rank has sent damaged results");
+        const std::lock_guard lock(mutex_);
+        add(record->chunk, record->results);
+      }
+    }
+  }
+
+  void add(std::uint32_t chunk, const Results& some) {
+    put(plan_, chunk, some, results_);
+    if (journal_) journal_->add(record_of(chunk, some));
+    note(chunk);
+    progress_.show(runs_, successes_);
+  }
+
   const std::string& journal_path() const {
     return options_.resume.empty() ? options_.checkpoint : options_.resume;
   }
@@ -94,11 +153,11 @@ class Campaign {
     return library_.description().has_threads ? std::min(wanted, plan_.chunks()) : 1;
   }
 
-  void note(std::uint32_t chunk, std::uint32_t& runs, std::uint32_t& successes) const {
+  void note(std::uint32_t chunk) {
     const std::uint32_t first = plan_.first_of(chunk), size = plan_.size_of(chunk);
     for (std::uint32_t run = first; run < first + size; ++run)
-      successes += results_.succeeded(run) ? 1U : 0U;
-    runs += size;
+      successes_ += results_.succeeded(run) ? 1U : 0U;
+    runs_ += size;
   }
 
   int tell() const {
@@ -114,19 +173,22 @@ class Campaign {
 
   const Options& options_;
   const client::Library& library_;
+  Ranks& ranks_;
   Plan plan_;
   Runner runner_;
-  Results results_;
-  std::vector<bool> done_;  // [chunks] before this program began
+  Results results_;   // in rank 0
+  std::string done_;  // [chunks] not 0: before this program began
   std::optional<Journal> journal_;
-  std::mutex mutex_;
+  Progress progress_;
+  std::mutex mutex_;  // of what stands below, and of all that is told of results
+  std::uint32_t runs_ = 0, successes_ = 0;
 };
 
 }  // namespace
 
-int run_campaign(const Options& options, const client::Library& library,
+int run_campaign(const Options& options, const client::Library& library, Ranks& ranks,
                  const volatile int& interrupted) {
-  return Campaign(options, library).run(interrupted);
+  return Campaign(options, library, ranks).run(interrupted);
 }
 
 void check_files(const Options& options) {

@@ -2,15 +2,16 @@
 #pragma once
 
 #include "targets/environments/campaign/options.hpp"
+#include "targets/environments/campaign/ranks.hpp"
 #include "targets/environments/client/library.hpp"
 
 namespace eagerx::campaign {
 
 inline constexpr int kInterrupted = 130;  // exit code
 
-/// Runs what is not done yet and prints the report. The exit code. `interrupted` is asked between
-/// chunks. Throws Problem.
-int run_campaign(const Options& options, const client::Library& library,
+/// Runs what is not done yet, each rank its share; rank 0 prints the report. The exit code.
+/// `interrupted` is asked between chunks. Throws Problem.
+int run_campaign(const Options& options, const client::Library& library, Ranks& ranks,
                  const volatile int& interrupted);
 
 /// Throws Problem if a file of the options could not be written or read.

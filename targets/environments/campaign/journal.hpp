@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -11,8 +10,8 @@
 
 namespace eagerx::campaign {
 
-/// A line that says what the campaign is, then a record for each chunk, in any order: sizes, runs,
-/// check sum. Records are only added. One that a kill has cut off ends the file.
+/// A line that says what the campaign is, then a record (record.hpp) for each chunk, in any order.
+/// Records are only added. One that a kill has cut off ends the file.
 class Journal {
  public:
   /// `identity`: a line; results of another one are none of ours. No file is touched yet.
@@ -27,7 +26,7 @@ class Journal {
   /// Throws Problem if it is no journal, or of another campaign.
   std::vector<bool> resume(const Plan& plan, Results& results);
   /// By one thread at a time. Throws Problem if it cannot be written.
-  void add(std::uint32_t chunk, const Results& results);
+  void add(const std::string& record);
 
  private:
   void open(int flags);

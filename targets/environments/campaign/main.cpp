@@ -1,10 +1,14 @@
 // eagerx-campaign LIBRARY: many episodes of a graph with its agent in the loop.
 #include <fmt/format.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <cstdio>
+#include <string_view>
 
 #include "targets/environments/campaign/campaign.hpp"
+#include "targets/environments/client/files.hpp"
 #include "targets/environments/client/problem.hpp"
 
 namespace eagerx::campaign {
@@ -17,26 +21,55 @@ extern "C" void interrupt(int /*signal*/) {
   std::signal(SIGINT, SIG_DFL);  // the second one ends the program
 }
 
+/// A file of this process alone with these bytes, for dlopen().
+std::string file_of(const std::string& bytes) {
+  const int file = memfd_create("library", MFD_CLOEXEC);
+  std::string_view left = bytes;
+  while (file >= 0 && !left.empty()) {
+    const ssize_t written = write(file, left.data(), left.size());
+    if (written < 0) throw client::Problem(client::kInputOutput, "no memory for the library");
+    left.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return "/proc/self/fd/" + std::to_string(file);
+}
+
+/// Rank 0 alone looks at options and files. What it shares is the library, which need not be on the
+/// machines of the others; nothing, if there is nothing to do.
+int run_ranks(int argc, char** argv, Ranks& ranks) {
+  const std::string bytes = ranks.is_first() ? std::string() : ranks.share({});
+  if (!ranks.is_first() && bytes.empty()) return client::kDone;
+  Options options = parse_options(argc, argv);
+  if (ranks.is_first()) {
+    if (options.wants_help) fmt::print("{}", help_text());
+    if (!options.wants_help) check_files(options);
+    const bool is_all = options.wants_help || options.only_checks;
+    ranks.share(is_all || ranks.size() == 1 ? std::string() : client::read_file(options.library));
+    if (is_all) return client::kDone;
+  }
+  const client::Library library(ranks.is_first() ? options.library : file_of(bytes));
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  return run_campaign(options, library, ranks, interrupted);
+}
+
+/// Prints what is wrong. The exit code.
+int tell(const std::exception& error) {
+  fmt::print(stderr, "error: {}\n", error.what());
+  const auto* const problem = dynamic_cast<const client::Problem*>(&error);
+  if (problem == nullptr) return client::kProblems;
+  if (!problem->help.empty()) fmt::print(stderr, "help: {}\n", problem->help);
+  return problem->code;
+}
+
 int run(int argc, char** argv) {
+  std::unique_ptr<Ranks> ranks;
   try {
-    const Options options = parse_options(argc, argv);
-    if (options.wants_help) {
-      fmt::print("{}", help_text());
-      return client::kDone;
-    }
-    check_files(options);
-    if (options.only_checks) return client::kDone;
-    const client::Library library(options.library);
-    std::signal(SIGINT, interrupt);
-    std::signal(SIGTERM, interrupt);
-    return run_campaign(options, library, interrupted);
-  } catch (const client::Problem& problem) {
-    fmt::print(stderr, "error: {}\n", problem.what());
-    if (!problem.help.empty()) fmt::print(stderr, "help: {}\n", problem.help);
-    return problem.code;
+    ranks = make_ranks(argc, argv);
+    return run_ranks(argc, argv, *ranks);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "error: {}\n", error.what());
-    return client::kProblems;
+    const int code = tell(error);
+    if (ranks && ranks->size() > 1) ranks->abort(code);  // the others wait for this one
+    return code;
   }
 }
 

@@ -1,0 +1,96 @@
+#include "targets/environments/campaign/record.hpp"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+
+namespace eagerx::campaign {
+namespace {
+
+/// FNV-1a, 64 bits.
+std::uint64_t check_sum(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
+
+template <class T>
+void append(std::string& bytes, const T* values, std::size_t count) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
+}
+
+/// Takes numbers from the front of some bytes; all are 0 once there are too few.
+class Reader {
+ public:
+  explicit Reader(std::string_view bytes) : bytes_(bytes) {}
+
+  template <class T>
+  void take(T* values, std::size_t count) {
+    is_complete_ = is_complete_ && bytes_.size() >= count * sizeof(T);
+    if (!is_complete_ || count == 0) return;
+    std::memcpy(values, bytes_.data(), count * sizeof(T));
+    bytes_.remove_prefix(count * sizeof(T));
+  }
+  template <class T>
+  T take() {
+    T value{};
+    take(&value, 1);
+    return value;
+  }
+  std::string_view take_bytes(std::size_t count) {
+    is_complete_ = is_complete_ && bytes_.size() >= count;
+    if (!is_complete_) return {};
+    const std::string_view taken = bytes_.substr(0, count);
+    bytes_.remove_prefix(count);
+    return taken;
+  }
+  bool is_complete() const { return is_complete_; }
+  std::size_t left() const { return bytes_.size(); }
+
+ private:
+  std::string_view bytes_;
+  bool is_complete_ = true;
+};
+
+}  // namespace
+
+std::string record_of(std::uint32_t chunk, const Results& results) {
+  std::string body;
+  append(body, &chunk, 1);
+  append(body, results.returns.data(), results.size());
+  append(body, results.steps.data(), results.size());
+  append(body, results.flags.data(), results.size());
+  append(body, results.states.data(), results.states.size());
+  body += nlohmann::json(results.faults).dump();
+  std::string record;
+  const auto size = static_cast<std::uint32_t>(body.size());
+  const std::uint64_t sum = check_sum(body);
+  append(record, &size, 1);
+  append(record, &sum, 1);
+  return record + body;
+}
+
+std::optional<Record> take_record(std::string_view& bytes, const Plan& plan) {
+  Reader reader(bytes);
+  const auto size = reader.take<std::uint32_t>();
+  const auto sum = reader.take<std::uint64_t>();
+  const std::string_view body = reader.take_bytes(size);
+  if (!reader.is_complete() || check_sum(body) != sum) return std::nullopt;
+  Reader in(body);
+  const auto chunk = in.take<std::uint32_t>();
+  if (chunk >= plan.chunks()) return std::nullopt;
+  Record record{chunk, Results(plan.size_of(chunk), plan.columns.size())};
+  Results& part = record.results;
+  in.take(part.returns.data(), part.size());
+  in.take(part.steps.data(), part.size());
+  in.take(part.flags.data(), part.size());
+  in.take(part.states.data(), part.states.size());
+  const auto faults = nlohmann::json::parse(in.take_bytes(in.left()), nullptr, false);
+  if (!in.is_complete() || !faults.is_object()) return std::nullopt;
+  part.faults = faults.get<Faults>();
+  bytes.remove_prefix(bytes.size() - reader.left());
+  return record;
+}
+
+}  // namespace eagerx::campaign

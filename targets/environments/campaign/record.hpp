@@ -1,0 +1,27 @@
+// The results of a chunk as bytes: in a checkpoint, and between the ranks of a campaign.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "targets/environments/campaign/plan.hpp"
+#include "targets/environments/campaign/results.hpp"
+
+namespace eagerx::campaign {
+
+struct Record {
+  std::uint32_t chunk = 0;
+  Results results;
+};
+
+/// Size, check sum, number of the chunk, runs, counts of faults as JSON; numbers as this machine
+/// has them.
+std::string record_of(std::uint32_t chunk, const Results& results);
+
+/// Takes one from the front of `bytes`. Without a value if it is cut off, damaged or of no chunk of
+/// `plan`.
+std::optional<Record> take_record(std::string_view& bytes, const Plan& plan);
+
+}  // namespace eagerx::campaign
