@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "generator/cli/built.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/page/page.hpp"
@@ -29,6 +30,25 @@ std::vector<PageImage> read_images(Run& run, const Options& options) {
   return images;
 }
 
+/// The module of target wasm that simulates the graph, built. Nothing if there is a problem, which
+/// has been told; `code` is the exit code.
+std::optional<std::string> build_module(const Options& options, int& code) {
+  Options wasm = options;
+  wasm.targets = {"wasm"};
+  wasm.output.clear();
+  wasm.purpose = Purpose::simulation;
+  Run run;
+  const auto built = build_graph(run, wasm, code);
+  std::optional<std::string> module;
+  if (built) {
+    // Its warnings are those of the page, which tells them.
+    run.diagnostics = {};
+    module = load_module(built->back().image, run.diagnostics);
+  }
+  code = std::max(finish(run, options), code);
+  return module;
+}
+
 }  // namespace
 
 int report_command(const Options& options) {
@@ -37,13 +57,18 @@ int report_command(const Options& options) {
   std::vector<PageImage> images = read_images(run, options);
   Json logs = read_logs(options.logs, *run.plan, options.points, run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
+  PageContents contents;
   const std::vector<const Target*> no_targets;
   check_plausibility({*run.spec, *run.graph, *run.plan, no_targets}, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
+  if (options.simulate) {
+    int code = kDone;
+    contents.module = build_module(options, code);
+    if (!contents.module) return code;
+  }
   run.diagnostics.sort_by_place();
   const PlanReport report = report_of(*run.plan);
-  PageContents contents;
   contents.spec = &*run.spec;
   contents.policies = &run.policies;
   contents.report = &report;
@@ -55,8 +80,8 @@ int report_command(const Options& options) {
   const auto warnings =
       std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity);
   run.diagnostics = {};  // what was found is on the page
-  const auto text =
-      page_text((fs::path(run.root) / "templates" / "report").string(), page, run.diagnostics);
+  const auto text = page_text((fs::path(run.root) / "templates" / "report").string(), page,
+                              contents.module.has_value(), run.diagnostics);
   const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;
   if (text && write_file(path, *text, run.diagnostics) && !options.quiet)
     say("{}: {} kB{}\n", path, (text->size() + 999) / 1000,

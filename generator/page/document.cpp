@@ -42,6 +42,13 @@ std::optional<std::string> with_included(std::string text, const std::string& fo
   return text;
 }
 
+/// Scripts that only pages with a simulation have.
+constexpr std::string_view kSimulation =
+    "@include ../../targets/wasm/simulation.js@\n"
+    "@include live_plots.js@\n"
+    "@include live_controls.js@\n"
+    "@include live.js@\n";
+
 /// What is between the first `<name>` and its end.
 std::string_view element(std::string_view text, std::string_view name) {
   const std::string begin = fmt::format("<{}>", name), end = fmt::format("</{}>", name);
@@ -69,9 +76,18 @@ std::string for_markup(const std::string& json) {
 
 }  // namespace
 
-std::optional<std::string> page_text(const std::string& folder, const Json& data,
+std::optional<std::string> load_module(const std::string& path, Diagnostics& diagnostics) {
+  return read_part(path, diagnostics);
+}
+
+std::optional<std::string> page_text(const std::string& folder, const Json& data, bool simulates,
                                      Diagnostics& diagnostics) {
   auto text = read_part(std::filesystem::path(folder) / "report.html", diagnostics);
+  if (text) {
+    replace(*text, "@simulation@", simulates ? kSimulation : "");
+    // Compiling a module counts as evaluating text; nothing else is allowed with it.
+    replace(*text, "@wasm@", simulates ? " 'wasm-unsafe-eval'" : "");
+  }
   if (text) text = with_included(std::move(*text), folder, diagnostics);
   if (!text) return std::nullopt;
   const std::string style = sha256_base64(element(*text, "style"));

@@ -106,20 +106,6 @@ const char* name_of(NodeRole role) {
   return "engine node";
 }
 
-const char* name_of(ScheduleForm form) {
-  switch (form) {
-    case ScheduleForm::constants:
-      return "masks known to the compiler";
-    case ScheduleForm::kinds:
-      return "a table of kinds of slots, masks known to the compiler";
-    case ScheduleForm::table:
-      return "a table of masks";
-    case ScheduleForm::countdown:
-      break;
-  }
-  return "a countdown a rate";
-}
-
 class Nodes {
  public:
   explicit Nodes(const Plan& plan) : plan_(plan), graph_(*plan.graph) {}
@@ -148,7 +134,7 @@ class Nodes {
 
   Json schedule() const {
     Json json{{"quantum", time_of(quantum_s())},
-              {"form", name_of(plan_.schedule.form)},
+              {"form", text_of(plan_.schedule.form)},
               {"asynchronous", graph_.asynchronous}};
     json["slots"] = plan_.schedule.slots ? Json(*plan_.schedule.slots) : Json(nullptr);
     std::vector<std::size_t> order = plan_.before;

@@ -74,6 +74,7 @@ Json page_json(const PageContents& contents) {
   page["diagnostics"] = diagnostics_json(contents);
   page["images"] = images_json(contents.images);
   page["logs"] = contents.logs;
+  if (contents.module) page["module"] = base64(*contents.module);
   return page;
 }
 

@@ -30,7 +30,8 @@ struct PageContents {
   const SourceMap* sources = nullptr;
   const Diagnostics* diagnostics = nullptr;
   std::vector<PageImage> images = {};
-  Json logs = Json::list();  // of read_logs()
+  Json logs = Json::list();                          // of read_logs()
+  std::optional<std::string> module = std::nullopt;  // of WebAssembly, which simulates the graph
 };
 
 /// The block of data of the page: `info` is what `eagerx-gen info --json` prints.
@@ -38,9 +39,13 @@ Json page_json(const PageContents& contents);
 
 /// The page: the file `report.html` of `folder` with what it includes, and the data in it. Bytes
 /// are the same on every machine. What stands in `data` stays data: it can close no element and
-/// begin none. Problems: E0301 a file of the template cannot be read.
-std::optional<std::string> page_text(const std::string& folder, const Json& data,
+/// begin none. `simulates`: the data has a module, which the page may run and shows. Problems:
+/// E0301 a file of the template cannot be read.
+std::optional<std::string> page_text(const std::string& folder, const Json& data, bool simulates,
                                      Diagnostics& diagnostics);
+
+/// The bytes of a module of WebAssembly. Problems: E0301 it cannot be read.
+std::optional<std::string> load_module(const std::string& path, Diagnostics& diagnostics);
 
 /// Traces, thinned to the least and the greatest value of each part of the time, so that no plot
 /// has more than `points` of these; 0: so many that the page stays below 5 MB. Each must be of this

@@ -74,6 +74,8 @@ enum class ScheduleForm : std::uint8_t {
   table,      // a table of masks
   countdown,  // hyperperiod too long for a table: one countdown a rate
 };
+/// In words for reports, such as "a table of masks".
+const char* text_of(ScheduleForm form);
 
 struct Schedule {
   /// Neighbouring slots that are alike.

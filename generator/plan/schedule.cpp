@@ -182,6 +182,20 @@ std::optional<Rational> find_grid(const Graph& graph, Diagnostics& diagnostics) 
 
 }  // namespace
 
+const char* text_of(ScheduleForm form) {
+  switch (form) {
+    case ScheduleForm::constants:
+      return "masks known to the compiler";
+    case ScheduleForm::kinds:
+      return "a table of kinds of slots, masks known to the compiler";
+    case ScheduleForm::table:
+      return "a table of masks";
+    case ScheduleForm::countdown:
+      break;
+  }
+  return "a countdown a rate";
+}
+
 std::optional<std::vector<RateClass>> find_rates(const Graph& graph, Diagnostics& diagnostics) {
   std::vector<RateClass> rates;
   for (const auto& node : graph.nodes) {

@@ -6,20 +6,6 @@
 namespace eagerx::gen {
 namespace {
 
-std::string_view name_of(ScheduleForm form) {
-  switch (form) {
-    case ScheduleForm::constants:
-      return "masks known to the compiler";
-    case ScheduleForm::kinds:
-      return "a table of kinds of slots, masks known to the compiler";
-    case ScheduleForm::table:
-      return "a table of masks";
-    case ScheduleForm::countdown:
-      return "a countdown a rate";
-  }
-  return "";
-}
-
 std::string milliseconds(const Rational& seconds) {
   return (seconds * Rational(1000)).is_integer()
              ? fmt::format("{} ms", (seconds * Rational(1000)).to_string())
@@ -61,9 +47,9 @@ std::string plan_text(const PlanReport& report) {
     text += "\n";
   }
   text += plan.schedule.slots ? fmt::format("\n{} slots in a hyperperiod, {}\n",
-                                            *plan.schedule.slots, name_of(plan.schedule.form))
+                                            *plan.schedule.slots, text_of(plan.schedule.form))
                               : fmt::format("\ntoo many slots in a hyperperiod to count, {}\n",
-                                            name_of(plan.schedule.form));
+                                            text_of(plan.schedule.form));
   std::uint64_t messages = 0, bytes = 0;
   for (const auto& ring : plan.rings) {
     messages += ring.capacity;

@@ -12,6 +12,7 @@
 #include <numeric>
 #include <optional>
 #include <string>
+#include <targets/common/from_number.hpp>
 #include <targets/environments/json.hpp>
 #include <type_traits>
 #include <vector>
@@ -60,23 +61,10 @@ constexpr std::uint32_t messages_of() {
   }
 }
 
-/// A number of a row as what a message holds: whole numbers are cut towards zero and moved into
-/// their type's range, NaN becomes 0 where the type has none.
+/// A number of a row as what a message holds.
 template <class T>
 T from_row(float x) {
-  if constexpr (std::is_same_v<T, bool>) {
-    return x == x && x != 0.0F;
-  } else if constexpr (std::is_integral_v<T>) {
-    if (x != x) return T{0};
-    // Exact powers of two, unlike the highest number of the type.
-    const float beyond = std::ldexp(1.0F, std::numeric_limits<T>::digits);
-    if (x >= beyond) return std::numeric_limits<T>::max();
-    if (x <= static_cast<float>(std::numeric_limits<T>::min()))
-      return std::numeric_limits<T>::min();
-    return static_cast<T>(x);
-  } else {
-    return static_cast<T>(x);
-  }
+  return target::from_number<T>(x);
 }
 
 /// The rows of a graph.

@@ -49,7 +49,11 @@ class TraceRecorder : public Shows<Graph> {
   /// Every run is one of the experiment's from now on.
   void measure(identification::Experiment* experiment) { experiment_ = experiment; }
   static bool is_interrupted() { return stop_if_told(), interrupted(); }
-  bool runs_engine() const { return replay_ == nullptr || replay_->runs_engine(); }
+  /// An engine that acts on the world itself is neither started nor called.
+  void leave_engine_alone() { engine_is_left_alone_ = true; }
+  bool runs_engine() const {
+    return !engine_is_left_alone_ && (replay_ == nullptr || replay_->runs_engine());
+  }
   std::uint64_t hash() const { return hash_.hash(); }
 
   void episode(std::uint32_t index) {
@@ -97,6 +101,7 @@ class TraceRecorder : public Shows<Graph> {
   std::uint32_t episode_ = 0;
   bool timed_ = false;
   bool measures_ = false;
+  bool engine_is_left_alone_ = false;
 };
 
 }  // namespace eagerx::linux_sim

@@ -19,6 +19,8 @@ const views = [
     badge: data.diagnostics.filter((problem) => problem.severity === "warning").length
   },
   {id: "traces", name: "Traces", make: makeTracesView, there: data.logs.length > 0},
+  // Only pages with a module have its function.
+  {id: "simulation", name: "Simulation", make: (panel) => makeSimulationView(panel), there: data.module !== undefined},
 ].filter((view) => view.there);
 
 for (const view of views) {
@@ -138,7 +140,7 @@ searchBox.addEventListener("keydown", (event) => {
 const help = document.getElementById("help");
 function showHelp() {
   const keys = [
-    ["1 … 8", "views"], ["/", "search"], ["Escape", "nothing is selected"], ["t", "light or dark"],
+    ["1 … 9", "views"], ["/", "search"], ["Escape", "nothing is selected"], ["t", "light or dark"],
     ["arrows", "graph: from box to box; timetable and plots: move"], ["Shift and arrows", "graph: move"],
     ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"],
     ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"], ["?", "these keys"]
@@ -191,4 +193,4 @@ document.getElementById("summary").textContent = [
 new ResizeObserver(onFrame(() => state.view && state.view.parts.resized())).observe(document.getElementById("views"));
 addEventListener("hashchange", () => showView(location.hash.slice(1)));
 showTheme(prefersDark.matches);
-showView(location.hash.slice(1) || "graph");
+showView(location.hash.slice(1) || (data.module ? "simulation" : "graph"));

@@ -22,7 +22,8 @@ function rangeOf(series, of) {
   return [low - room, high + room];
 }
 
-function drawAxes(context, width, height, [low, high], last) {
+/** `frame`: {begin, span} of what is to be seen, in seconds. */
+function drawAxes(context, width, height, [low, high], last, frame = plots) {
   const bottom = height - (last ? kBottom : 4), y = (value) => bottom - ((value - low) / (high - low)) * (bottom - 6);
   context.strokeStyle = colour("grid");
   context.fillStyle = colour("faint");
@@ -36,11 +37,11 @@ function drawAxes(context, width, height, [low, high], last) {
     context.lineTo(width, at);
     context.fillText(short(i * step, 4), kLeft - 8, at);
   }
-  const x = (time) => kLeft + ((time - plots.begin) / plots.span) * (width - kLeft);
-  const seconds10 = stepOf(plots.span, (width - kLeft) / 90);
+  const x = (time) => kLeft + ((time - frame.begin) / frame.span) * (width - kLeft);
+  const seconds10 = stepOf(frame.span, (width - kLeft) / 90);
   const digits = Math.max(0, -Math.floor(Math.log10(seconds10)));
   context.textAlign = "center";
-  for (let i = Math.max(0, Math.ceil(plots.begin / seconds10)); i * seconds10 <= plots.begin + plots.span; ++i) {
+  for (let i = Math.max(0, Math.ceil(frame.begin / seconds10)); i * seconds10 <= frame.begin + frame.span; ++i) {
     const at = Math.round(x(i * seconds10)) + 0.5;
     context.moveTo(at, 6);
     context.lineTo(at, bottom);
@@ -50,9 +51,9 @@ function drawAxes(context, width, height, [low, high], last) {
   return {x, y, bottom};
 }
 
-function drawElement(context, points, element, {x, y}, fill) {
-  const from = Math.max(0, Math.floor((plots.begin - points.begin) / points.step) - 1);
-  const to = Math.min(element.low.length - 1, Math.ceil((plots.begin + plots.span - points.begin) / points.step) + 1);
+function drawElement(context, points, element, {x, y}, fill, frame = plots) {
+  const from = Math.max(0, Math.floor((frame.begin - points.begin) / points.step) - 1);
+  const to = Math.min(element.low.length - 1, Math.ceil((frame.begin + frame.span - points.begin) / points.step) + 1);
   const at = (i) => x(points.begin + i * points.step);
   context.strokeStyle = context.fillStyle = fill;
   context.lineWidth = 1.4;

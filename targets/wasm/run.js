@@ -1,0 +1,127 @@
+#!/usr/bin/env node
+// Runs a module of target wasm: node run.js MODULE.wasm [OPTION...]. The options are those of the other targets.
+"use strict";
+const fs = require("fs");
+const {Simulation, kDrivers} = require("./simulation.js");
+
+const kDone = 0, kBadUsage = 2, kBadFile = 3, kSelfTestFailed = 4;
+const kMost32 = 2n ** 32n - 1n, kMost64 = 2n ** 64n - 1n;
+
+class Failure extends Error {
+  constructor(code, message, help) {
+    super(message);
+    this.code = code;
+    this.help = help;
+  }
+}
+
+const kHelp = `Options (defaults in brackets):
+  --steps N         steps of each episode [300, or what the graph's task says]
+  --episodes N      episodes [1]
+  --seed N          what random numbers are drawn from [1]
+  --environment N   one of many environments with this seed [0]
+  --agent NAME      policy, zero or random [the agent of the graph]
+  --hash            only the line with the hash of the trace
+  --time            also how long the steps took
+  --help            this text
+`;
+
+/** {steps, episodes, seed, environment, agent}; numbers as BigInt. */
+function parse(words) {
+  const options = {episodes: 1n, seed: 1n, environment: 0n};
+  const most = {steps: kMost64, episodes: kMost32, seed: kMost64, environment: kMost32};
+  for (let i = 0; i < words.length; ++i) {
+    const name = words[i].replace(/^--/, "");
+    if (["hash", "time", "help"].includes(name) && words[i].startsWith("--")) {
+      options[name] = true;
+      continue;
+    }
+    const value = words[++i];
+    if (words[i - 1] === "--agent" && kDrivers.slice(0, 3).includes(value)) {
+      options.agent = value;
+    } else if (
+        words[i - 1].startsWith("--") && name in most && /^\d{1,20}$/.test(value) && BigInt(value) <= most[name]) {
+      options[name] = BigInt(value);
+      if (["steps", "episodes"].includes(name) && options[name] === 0n) throw wrong(words[i - 1], value);
+    } else {
+      throw wrong(words[i - 1], value);
+    }
+  }
+  return options;
+}
+function wrong(word, value) {
+  return new Failure(
+      kBadUsage, `wrong option or value at ${word}${value === undefined ? "" : ` ${value}`}`,
+      "[--steps N] [--episodes N] [--seed N] [--environment N] [--agent policy|zero|random] [--hash] [--time]");
+}
+
+async function load(path) {
+  let bytes;
+  try {
+    bytes = fs.readFileSync(path);
+  } catch (problem) {
+    throw new Failure(kBadFile, `cannot read \`${path}\`: ${problem.code}`);
+  }
+  try {
+    return await Simulation.of(bytes);
+  } catch (problem) {
+    throw new Failure(problem instanceof WebAssembly.CompileError ? kBadFile : kSelfTestFailed, problem.message);
+  }
+}
+
+/** The agent of the run. */
+function agentOf(options, about) {
+  const agent = options.agent || about.agent;
+  if (agent === "csv")
+    throw new Failure(
+        kBadUsage, "the agent of the graph is a file of actions, which is for Linux",
+        "give `--agent zero` or `random`");
+  if (agent === "policy" && !about.policy)
+    throw new Failure(kBadUsage, "this program has no policy", "give `--agent zero` or `random`");
+  return agent;
+}
+
+async function main(words) {
+  const [path, ...rest] = words;
+  if (path === undefined || path === "--help") {
+    process.stdout.write(`usage: node run.js MODULE.wasm [OPTION...]\n${kHelp}`);
+    return path ? kDone : kBadUsage;
+  }
+  const options = parse(rest);
+  if (options.help) {
+    process.stdout.write(kHelp);
+    return kDone;
+  }
+  const simulation = await load(path), {about} = simulation;
+  const agent = agentOf(options, about), steps = options.steps ?? BigInt(about.steps);
+  simulation.begin(options.seed, {environment: Number(options.environment)});
+  let done = 0n;
+  const began = process.hrtime.bigint();
+  for (let episode = 0n; episode < options.episodes; ++episode) {
+    simulation.reset();
+    for (let left = steps; left > 0n && !simulation.ended;) {
+      const taken = BigInt(simulation.step(agent, Number(left < kMost32 ? left : kMost32)));
+      done += taken;
+      left -= taken;
+    }
+  }
+  const seconds = Number(process.hrtime.bigint() - began) * 1e-9;
+  const lines = options.hash ? [] : [
+    `graph ${about.graph}`, `engine ${about.engine}`, "target wasm", `agent ${agent}`, `seed ${options.seed}`,
+    `episodes ${options.episodes}`, `steps ${done}`,
+    ...Object.entries(simulation.counts).map(([name, count]) => `${name} ${count}`)
+  ];
+  if (options.time) lines.push(`steps per second ${Math.round(Number(done) / seconds)}`);
+  process.stdout.write([...lines, `trace hash ${simulation.hash}`, ""].join("\n"));
+  return kDone;
+}
+
+main(process.argv.slice(2))
+    .then(
+        (code) => {
+          process.exitCode = code;
+        },
+        (problem) => {
+          process.stderr.write(`error: ${problem.message}\n${problem.help ? `help: ${problem.help}\n` : ""}`);
+          process.exitCode = problem.code ?? 1;
+        });

@@ -1,0 +1,118 @@
+// Sliders of the simulation: actions by hand, and the states that episodes begin with.
+
+/** A row for each number of `fields`: {name, first, number} and its bounds. */
+function numbersOf(fields, low, high, most = 64) {
+  const rows = fields.flatMap(
+      (field) => Array.from({length: field.numbers}, (_, i) => ({
+                                                       name: field.numbers > 1 ? `${field.name}[${i}]` : field.name,
+                                                       at: field.first + i,
+                                                       whole: !field.dtype.startsWith("float"),
+                                                       low: low[field.first + i],
+                                                       high: high[field.first + i]
+                                                     })));
+  return rows.slice(0, most);
+}
+
+/** A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. */
+function numberControl(row, changed) {
+  const bounded = Number.isFinite(row.high - row.low);
+  const step = row.whole ? 1 : "any";
+  const limits = {
+    min: Number.isFinite(row.low) ? row.low : undefined,
+    max: Number.isFinite(row.high) ? row.high : undefined
+  };
+  const label = {"aria-label": row.name};
+  const slider = bounded ? el("input", {type: "range", ...limits, step, ...label}) : null;
+  const field = el("input", {type: "number", ...limits, step, ...label});
+  const take = (event) => {
+    const value = event.target.valueAsNumber;
+    if (Number.isNaN(value)) return;
+    const inside = Math.min(row.high, Math.max(row.low, value));
+    if (slider && event.target !== slider) slider.value = inside;
+    if (event.target !== field) field.value = short(inside, 5);
+    changed(inside);
+  };
+  for (const input of [slider, field])
+    if (input) input.addEventListener("input", take);
+  // What was typed may be outside.
+  field.addEventListener("change", () => {
+    if (slider && !Number.isNaN(field.valueAsNumber)) field.value = short(slider.valueAsNumber, 5);
+  });
+  return {
+    elements: [slider || el("span"), field],
+    show(value) {
+      if (slider) slider.value = value;
+      if (document.activeElement !== field) field.value = Number.isNaN(value) ? "" : short(value, 5);
+    }
+  };
+}
+
+/** Actions: they follow the agent until somebody moves one, which takes the wheel. */
+class ActionControls {
+  constructor(simulation, taken) {
+    this.simulation = simulation;
+    const rows = numbersOf(simulation.about.actions, simulation.actionsLow, simulation.actionsHigh);
+    this.controls = rows.map((row) => ({
+                               row,
+                               ...numberControl(
+                                   row,
+                                   (value) => {
+                                     simulation.actions[row.at] = value;
+                                     taken();
+                                   })
+                             }));
+    this.element = rows.length ?
+        card(
+            "Actions",
+            el("div.numbers", {},
+               this.controls.map(({row, elements}) => [el("span", {}, row.name), el("span"), ...elements]))) :
+        null;
+  }
+
+  show() {
+    for (const {row, show} of this.controls) show(this.simulation.actions[row.at]);
+  }
+}
+
+/** States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. */
+class StateControls {
+  constructor(simulation) {
+    this.simulation = simulation;
+    const rows = numbersOf(simulation.about.states, simulation.statesLow, simulation.statesHigh);
+    this.controls = rows.map((row) => {
+      const box = el("input", {
+        type: "checkbox",
+        "aria-label": `set ${row.name}`,
+        onchange: () => this.set(row, box.checked ? this.simulation.states[row.at] : NaN)
+      });
+      const control = numberControl(row, (value) => {
+        box.checked = true;
+        this.set(row, value);
+      });
+      return {row, box, ...control};
+    });
+    this.element = rows.length ?
+        card(
+            "An episode begins with",
+            el("p.note", {},
+               "Drawn as the graph says; where the box is ticked, it is the value beside it from the next reset on."),
+            el("div.numbers", {},
+               this.controls.map(({row, box, elements}) => [el("span", {}, row.name), box, ...elements]))) :
+        null;
+  }
+
+  /** NaN: drawn again. */
+  set(row, value) {
+    this.simulation.settings[row.at] = value;
+  }
+
+  /** What the episode began with, where nothing is set. */
+  show() {
+    for (const {row, box, show} of this.controls)
+      if (!box.checked) show(this.simulation.states[row.at]);
+  }
+
+  get any() {
+    return this.controls.some(({box}) => box.checked);
+  }
+}

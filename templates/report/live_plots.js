@@ -1,0 +1,116 @@
+// Plots of the simulation while it runs: of each channel the newest message behind each step.
+const kKeptSteps = 6000, kShown_s = 20;
+
+/** What was seen since a reset. */
+class LiveHistory {
+  constructor(fields, step_s) {
+    this.step_s = step_s;
+    this.first = 0;  // step of the first point
+    this.rows = fields.map((field) => Array.from({length: Math.min(field.numbers, 16)}, () => []));
+    this.fields = fields;
+  }
+
+  get length() {
+    return this.rows.length && this.rows[0].length ? this.rows[0][0].length : 0;
+  }
+
+  add(values) {
+    this.fields.forEach((field, f) => this.rows[f].forEach((row, i) => row.push(values[field.first + i])));
+    if (this.length < 2 * kKeptSteps) return;
+    for (const elements of this.rows)
+      for (const row of elements) row.splice(0, kKeptSteps);
+    this.first += kKeptSteps;
+  }
+
+  /** As drawElement() takes them. */
+  points(f) {
+    return {
+      begin: this.first * this.step_s,
+      step: this.step_s,
+      elements: this.rows[f].map((row) => ({low: row, high: null}))
+    };
+  }
+}
+
+/** Least and greatest of the last `count` points, with room. */
+function liveRange(points, count) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const {low: values} of points.elements) {
+    for (let i = Math.max(0, values.length - count); i < values.length; ++i) {
+      if (values[i] < low) low = values[i];
+      if (values[i] > high) high = values[i];
+    }
+  }
+  if (!(low <= high) || !Number.isFinite(high - low)) return [0, 1];
+  const room = (high - low || Math.abs(high) || 1) * 0.08;
+  return [low - room, high + room];
+}
+
+/** Channels that the environment sends or reads: what people look at first. */
+function firstChannels(fields) {
+  const known = new Set();
+  nodes[0].outputs.forEach((_, o) => known.add(`0/${o}`));
+  nodes[0].inputs.forEach((input) => known.add(input.source.join("/")));
+  const chosen =
+      data.channels.map((channel, c) => c)
+          .filter((c) => c < fields.length && known.has(`${data.channels[c].node}/${data.channels[c].output}`));
+  return new Set((chosen.length ? chosen : fields.map((_, f) => f)).slice(0, 5));
+}
+
+class LivePlots {
+  constructor(fields) {
+    this.fields = fields;
+    this.chosen = firstChannels(fields);
+    this.stage = el("div.plots");
+    this.chooser =
+        el("details.channels", {}, el("summary", {}, "Channels"),
+           fields.slice(0, 300).map(
+               (field, f) =>
+                   el("label", {}, el("input", {
+                        type: "checkbox",
+                        checked: this.chosen.has(f),
+                        onchange: (event) => {
+                          this.chosen[event.target.checked ? "add" : "delete"](f);
+                          this.layOut();
+                          this.draw();
+                        }
+                      }),
+                      el("span", {}, field.name))));
+    this.history = null;
+    this.layOut();
+  }
+
+  layOut() {
+    this.rows = [...this.chosen].sort((a, b) => a - b).map((f) => {
+      const canvas = el("canvas"), values = el("span.values");
+      const more = this.fields[f].numbers > 16 ? `first 16 of ${count(this.fields[f].numbers)} elements` : "";
+      const element =
+          el("article.plot", {}, el("header", {}, el("span", {}, this.fields[f].name), el("small", {}, more), values),
+             el("div.cell", {}, canvas));
+      return {f, canvas, values, element};
+    });
+    this.stage.replaceChildren(...this.rows.map((row) => row.element));
+  }
+
+  draw() {
+    if (!this.history) return;
+    const {history} = this, end = (history.first + history.length) * history.step_s;
+    const span = Math.min(kShown_s, kKeptSteps * history.step_s);
+    const frame = {begin: Math.max(0, end - span), span};
+    this.rows.forEach((row, r) => {
+      const points = history.points(row.f);
+      const width = Math.floor(row.canvas.parentElement.getBoundingClientRect().width);
+      const last = r === this.rows.length - 1, height = last ? 104 : 88;
+      const context = prepare(row.canvas, width, height);
+      if (!context) return;
+      const axes = drawAxes(context, width, height, liveRange(points, span / history.step_s), last, frame);
+      context.save();
+      context.beginPath();
+      context.rect(kLeft, 0, width - kLeft, axes.bottom + 2);
+      context.clip();
+      points.elements.forEach((element, e) => drawElement(context, points, element, axes, shade(e), frame));
+      context.restore();
+      row.values.textContent = list(points.elements.map(({low}) => low[low.length - 1] ?? NaN), 4);
+    });
+  }
+}
