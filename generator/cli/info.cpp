@@ -39,6 +39,7 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (port.settings.delay) more += fmt::format(", delay {} s", text_of(*port.settings.delay));
     if (skips(port.settings)) more += ", skip";
     if (port.optional) more += ", optional";
+    if (port.eagerx != port.name.value) more += ", in EAGERx " + port.eagerx;
     if (port.settings.max_delay)
       more += fmt::format("{} up to {} s", port.rate ? ", longest delay" : ", sets its delay",
                           text_of(*port.settings.max_delay));
