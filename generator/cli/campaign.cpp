@@ -97,6 +97,12 @@ Command campaign_commands(Options& options) {
                          "element is NAME[0]",
                          "NAME=LOW:HIGH");
   vary.repeated = true;
+  Argument faults = option("--faults",
+                           "from a step that each run draws, what the agent sees or gives is "
+                           "`silent`, `nan`, `offset:X` or `value:X`; +STEPS: for so many; may be "
+                           "repeated",
+                           "NAME=KIND");
+  faults.repeated = true;
   return {
       .name = "campaign",
       .about = "run many episodes with the agent in the loop and count successes",
@@ -105,6 +111,8 @@ Command campaign_commands(Options& options) {
             "eagerx-gen campaign pendulum.yaml --runs 10000"},
            {"with masses drawn from a range; a row for each run",
             "eagerx-gen campaign pendulum.yaml --vary pendulum.mass=0.1:0.2 --csv runs.csv"},
+           {"with a sensor that falls silent for 10 steps",
+            "eagerx-gen campaign pendulum.yaml --faults angle=silent+10"},
            {"a long one that can be interrupted",
             "eagerx-gen campaign robot.yaml --runs 1000000 --checkpoint robot.campaign"},
            {"and goes on", "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
@@ -112,7 +120,7 @@ Command campaign_commands(Options& options) {
             "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
       .arguments = joined(
           {{graph(options), option("--runs", "episodes (default: 1000)", "N"), std::move(vary),
-            agent_policy(options),
+            std::move(faults), agent_policy(options),
             option("--steps",
                    "end an episode after so many steps (default: what the task says, or 300)", "N"),
             option("--seed",

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/help.hpp>
@@ -78,15 +79,17 @@ typename Graph::Action action_of(const Options& options, const ActionTable<Graph
 
 /// One run of a program whose trace is `Program`'s.
 template <class Graph, class Program>
-void run_program(const Options& options, const ActionTable<Graph>& table, Program& program,
-                 Watch<Graph>& watch) {
+void run_program(const Options& options, const ActionTable<Graph>& table,
+                 AgentFaults<Graph>& faults, Program& program, Watch<Graph>& watch) {
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if constexpr (LinkOf<Graph>::kBoardDecides) {
       // The board has agent and guard, and the program gives back what they did.
       program.link->set_late(watch.late_in_a_row());
       return Graph::zero();
     }
-    return action_of<Graph>(options, table, key, step, observation, program);
+    if (faults.empty()) return action_of<Graph>(options, table, key, step, observation, program);
+    return faults.given(
+        step, action_of<Graph>(options, table, key, step, faults.seen(step, observation), program));
   };
   target::warm_up(program);  // a library may need memory for it, and none afterwards
   const MadeSafe<Program> made_safe(program);
@@ -175,7 +178,8 @@ std::string close_pictures(Summary& summary) {
 /// Runs with everything checked and read; writes files and summary.
 template <class Graph>
 int run_with(const Options& options, const ActionTable<Graph>& table,
-             const StateSettings<Graph>& settings, typename LinkOf<Graph>::Type& link) {
+             const StateSettings<Graph>& settings, AgentFaults<Graph>& faults,
+             typename LinkOf<Graph>::Type& link) {
   using Recorder = TraceRecorder<Graph>;
   TextFile csv;
   TextFile trace;
@@ -215,14 +219,14 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
       program.trace.write_to(&trace, options.trace_time);
     }
     program.trace.measure();
-    run_program(options, table, program, watch);
+    run_program(options, table, faults, program, watch);
     if (target::is_linked(program) && calculates_as_everywhere()) program.trace.write_end();
     hash = program.trace.hash();
     note_faults(program);
   } else {
     auto& program = target::program_of_run<typename ProgramOf<Graph, Untraced<Graph>>::Type>;
     if constexpr (is_split<Graph>) set_link<Graph>(program, link);
-    run_program(options, table, program, watch);
+    run_program(options, table, faults, program, watch);
     note_faults(program);
   }
 
@@ -372,6 +376,12 @@ int run(int argc, char** argv) {
           ? "error: the board draws its states itself\nhelp: leave out `--set`"
           : settings.read(options.settings);
   if (!problem_of_settings.empty()) return fail(problem_of_settings, kBadUsage);
+  AgentFaults<Graph> faults;
+  const std::string problem_of_faults =
+      LinkOf<Graph>::kBoardDecides && !options.faults.empty()
+          ? "error: the board sees and decides itself\nhelp: leave out `--fault`"
+          : faults.read(options.faults);
+  if (!problem_of_faults.empty()) return fail(problem_of_faults, kBadUsage);
   const std::string problem_of_measures = measures_of_run.prepare(
       options.until, options.measures, options.summary, readables_of<Graph>());
   if (!problem_of_measures.empty()) return fail(problem_of_measures, kBadUsage);
@@ -410,7 +420,7 @@ int run(int argc, char** argv) {
     const std::string problem = connect<Graph>(link, options);
     if (!problem.empty()) return fail(problem, kBadFile);
   }
-  return run_with<Graph>(options, table, settings, link);
+  return run_with<Graph>(options, table, settings, faults, link);
 }
 
 }  // namespace eagerx::linux_sim

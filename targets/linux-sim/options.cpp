@@ -138,6 +138,10 @@ bool set_state(Options& options, std::string_view value) {
   options.settings.emplace_back(value);
   return true;
 }
+bool set_fault(Options& options, std::string_view value) {
+  options.faults.emplace_back(value);
+  return true;
+}
 bool set_strict_spaces(Options& options, std::string_view) {
   return options.strict_spaces = true;
 }
@@ -221,6 +225,10 @@ constexpr std::array kOptions{
            "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; may be "
            "repeated",
            set_state},
+    Option{"--fault", "NAME=KIND@STEP", "such as `angle=silent@40` or `angle[0]=offset:0.1@40+5`",
+           "spoil what the agent sees or gives: silent, nan, offset:X or value:X of an observation "
+           "or an action, from a step on, with +STEPS for so many; may be repeated",
+           set_fault},
     Option{"--until", "CONDITION", "a condition such as `abs(pendulum.theta) > 1`",
            "end an episode after the first step at which this holds", set_until},
     Option{"--measure", "NUMBER", "an expression such as `abs(pendulum.theta)`",
@@ -249,9 +257,9 @@ constexpr std::array<std::array<std::string_view, 2>, 8> kNeeds{{
 }};
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
-constexpr std::array<std::string_view, 11> kNotWithLogs{
-    "--set",  "--until",    "--measure",     "--summary",          "--csv",   "--trace",
-    "--seed", "--episodes", "--environment", "--real-time-factor", "--render"};
+constexpr std::array<std::string_view, 12> kNotWithLogs{
+    "--set",   "--fault", "--until",    "--measure",     "--summary",          "--csv",
+    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor", "--render"};
 
 std::string nearest_option(std::string_view name) {
   constexpr std::size_t kLongestTypo = 3;

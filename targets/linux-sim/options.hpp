@@ -55,6 +55,7 @@ struct Options {
   std::vector<std::string> measures;
   bool summary = false;
   std::vector<std::string> settings;  // of states: NAME=VALUE
+  std::vector<std::string> faults;    // of what the agent sees and gives
   bool hash = false;
   bool quiet = false;
   bool help = false;

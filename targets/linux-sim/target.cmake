@@ -7,7 +7,8 @@ function(eagerx_configure_target executable)
       eagerx_linux_sim STATIC EXCLUDE_FROM_ALL
       ${here}/action_file.cpp ${here}/describe.cpp ${here}/files.cpp ${here}/float_environment.cpp ${here}/identify.cpp ${here}/interrupt.cpp
       ${here}/link_port.cpp ${here}/options.cpp ${here}/nearest.cpp ${here}/expression.cpp ${here}/measures.cpp ${here}/state_settings.cpp ${here}/pacer.cpp ${here}/progress.cpp ${here}/spaces.cpp ${here}/split.cpp
-      ${here}/summary.cpp ${here}/text_file.cpp)
+      ${here}/summary.cpp ${here}/text_file.cpp
+      ${here}/../common/fault.cpp)
     include(${here}/../../runtime/host/host.cmake)
     target_link_libraries(eagerx_linux_sim PUBLIC eagerx::runtime eagerx_trace eagerx_identify)
     # The headers of the standard library take most of the time: once for all files.

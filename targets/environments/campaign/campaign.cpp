@@ -38,6 +38,7 @@ std::string identity_of(const std::string& library, const Plan& plan) {
                                  plan.seed, plan.runs, plan.longest);
   for (const Variation& one : plan.variations)
     text += fmt::format(" {}={}:{}", one.name, one.low, one.high);
+  for (const target::PlacedFault& one : plan.faults) text += " " + text_of(one.fault);
   return text;
 }
 
@@ -48,9 +49,9 @@ class Campaign {
         library_(library),
         ranks_(ranks),
         plan_(make_plan(library.description(), options.seed, options.runs, options.steps,
-                        options.variations)),
+                        options.variations, options.faults)),
         runner_(library, plan_),
-        results_(ranks.is_first() ? plan_.runs : 0, plan_.columns.size()),
+        results_(ranks.is_first() ? plan_.runs : 0, plan_.width()),
         done_(plan_.chunks(), '\0'),
         progress_(plan_.runs, options.is_quiet || !ranks.is_first()) {
     if (ranks_.is_first() && !journal_path().empty()) {

@@ -31,7 +31,7 @@ void put(const Plan& plan, std::uint32_t chunk, const Results& part, Results& al
   copy(part.steps, all.steps, 1);
   copy(part.flags, all.flags, 1);
   copy(part.states, all.states, part.width);
-  for (const auto& [name, count] : part.faults) all.faults[name] += count;
+  for (const auto& [name, count] : part.counts) all.counts[name] += count;
 }
 
 Journal::Journal(std::string path, std::string identity)

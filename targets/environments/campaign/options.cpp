@@ -47,6 +47,15 @@ Variation variation(const std::string& text) {
   return result;
 }
 
+target::Fault fault(const std::string& text) {
+  const auto result = target::parse_fault(text);
+  if (!result) {
+    throw client::Problem(client::kUsage, "`" + text + "` is no fault",
+                          std::string("write ") + target::kFaultForms);
+  }
+  return *result;
+}
+
 struct Option {
   const char* name;
   const char* value;
@@ -64,6 +73,10 @@ const auto& table() {
              }},
       Option{"--vary", "NAME=LOW:HIGH", "draw a state or a delay from a range, may be repeated",
              [](Options& o, const std::string& v) { o.variations.push_back(variation(v)); }},
+      Option{"--faults", "NAME=KIND",
+             "silent, nan, offset:X or value:X of an observation or an action, from a step that "
+             "each run draws, may be repeated",
+             [](Options& o, const std::string& v) { o.faults.push_back(fault(v)); }},
       Option{"--steps", "N", "end an episode after so many (default: what the task says, or 300)",
              [](Options& o, const std::string& v) {
                o.steps = number<std::uint32_t>(v, 1, kMostSteps);

@@ -15,6 +15,7 @@ struct Options {
   std::uint32_t steps = 0;  // of an episode; 0: what the task says
   std::uint64_t seed = 1;
   std::vector<Variation> variations;
+  std::vector<target::Fault> faults;
   unsigned threads = 0;  // 0: one for each core
   std::size_t worst = 5;
   std::string csv, checkpoint, resume;  // empty: none

@@ -107,7 +107,65 @@ void check_graph(const Description& description) {
   }
 }
 
+std::vector<target::FaultPlace> fault_places(const Description& description) {
+  std::vector<target::FaultPlace> places;
+  const auto add = [&](const std::vector<Space>& spaces, bool is_action) {
+    for (const Space& space : spaces)
+      places.push_back({space.name, is_action, space.size, space.dtype.starts_with("float")});
+  };
+  add(description.observations, false);
+  add(description.actions, true);
+  return places;
+}
+
+/// With the numbers counted from the first of the row.
+target::PlacedFault in_row(target::PlacedFault placed,
+                           const std::vector<target::FaultPlace>& places) {
+  const bool is_action = places[placed.place].is_action;
+  for (std::size_t i = 0; i < placed.place; ++i)
+    placed.first += places[i].is_action == is_action ? places[i].size : 0;
+  placed.place = static_cast<std::size_t>(is_action ? FaultRow::action : FaultRow::observation);
+  return placed;
+}
+
+void add_faults(Plan& plan, const Description& description, std::vector<target::Fault> faults) {
+  const std::vector<target::FaultPlace> places = fault_places(description);
+  std::set<std::string> given;
+  for (target::Fault& fault : faults) {
+    if (!given.insert(text_of(fault)).second)
+      throw Problem(client::kUsage, fmt::format("`{}` is given twice", text_of(fault)));
+    target::FaultProblem problem;
+    auto placed = target::place_fault(std::move(fault), places, problem);
+    if (!placed) throw Problem(kProblems, problem.what, problem.help);
+    plan.faults.push_back(in_row(std::move(*placed), places));
+  }
+}
+
 }  // namespace
+
+std::string text_of(const target::Fault& fault) {
+  if (!fault.begins) return fault.written;
+  const std::size_t steps = fault.written.rfind('+');
+  const bool lasts = fault.steps == std::numeric_limits<Seq>::max();
+  const std::size_t end = lasts ? fault.written.size() : steps;
+  return fmt::format("{}@{}{}", fault.written.substr(0, end), *fault.begins,
+                     fault.written.substr(end));
+}
+
+std::string Plan::name_of(std::size_t number) const {
+  if (number < columns.size()) return columns[number];
+  return text_of(faults[number - columns.size()].fault);
+}
+
+std::vector<target::PlacedFault> Plan::faults_of(std::uint32_t run) const {
+  std::vector<target::PlacedFault> result = faults;
+  for (target::PlacedFault& one : result) {
+    if (one.fault.begins) continue;
+    Random random({seed, run, 0}, entity_id(("campaign/fault/" + one.fault.written).c_str()));
+    one.fault.begins = random.below(longest);
+  }
+  return result;
+}
 
 std::vector<float> Plan::states_of(std::uint32_t run) const {
   std::vector<float> row(columns.size(), std::numeric_limits<float>::quiet_NaN());
@@ -122,7 +180,8 @@ std::vector<float> Plan::states_of(std::uint32_t run) const {
 }
 
 Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t runs,
-               std::uint32_t steps, std::vector<Variation> variations) {
+               std::uint32_t steps, std::vector<Variation> variations,
+               std::vector<target::Fault> faults) {
   check_graph(description);
   Plan plan;
   plan.seed = seed;
@@ -144,6 +203,7 @@ Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t
     }
   }
   plan.variations = std::move(variations);
+  add_faults(plan, description, std::move(faults));
   return plan;
 }
 

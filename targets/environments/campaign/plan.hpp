@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "targets/common/fault.hpp"
 #include "targets/environments/client/description.hpp"
 
 namespace eagerx::campaign {
@@ -30,13 +31,17 @@ struct Drawn {
   double low = 0.0, high = 0.0;
 };
 
+/// The rows in which faults are.
+enum class FaultRow : std::uint8_t { observation, action };
+
 struct Plan {
   std::uint64_t seed = 1;
   std::uint32_t runs = 0;
   std::uint32_t longest = 0;  // steps
   std::vector<Variation> variations;
   std::vector<Drawn> drawn;
-  std::vector<std::string> columns;  // names of the numbers of the states
+  std::vector<std::string> columns;         // names of the numbers of the states
+  std::vector<target::PlacedFault> faults;  // of numbers of rows: `place` is a FaultRow
 
   std::uint32_t chunks() const { return (runs + kChunk - 1) / kChunk; }
   std::uint32_t first_of(std::uint32_t chunk) const { return chunk * kChunk; }
@@ -45,11 +50,21 @@ struct Plan {
   }
   /// States of a run, [columns]: a function of (seed, run, name). NaN: drawn as the graph says.
   std::vector<float> states_of(std::uint32_t run) const;
+  /// Faults of a run with the steps at which they begin: a function of (seed, run, fault).
+  std::vector<target::PlacedFault> faults_of(std::uint32_t run) const;
+  /// Numbers that are kept of a run: states, then a step for each fault.
+  std::size_t width() const { return columns.size() + faults.size(); }
+  /// What such a number is called.
+  std::string name_of(std::size_t number) const;
 };
 
+/// `angle=silent+5`, with @ and a step if that is the same for all runs.
+std::string text_of(const target::Fault& fault);
+
 /// `steps`: 0 for what the task says. Throws Problem if the graph has no success to count, or for
-/// what cannot be varied.
+/// what cannot be varied or have a fault.
 Plan make_plan(const client::Description& description, std::uint64_t seed, std::uint32_t runs,
-               std::uint32_t steps, std::vector<Variation> variations);
+               std::uint32_t steps, std::vector<Variation> variations,
+               std::vector<target::Fault> faults);
 
 }  // namespace eagerx::campaign

@@ -62,7 +62,7 @@ std::string record_of(std::uint32_t chunk, const Results& results) {
   append(body, results.steps.data(), results.size());
   append(body, results.flags.data(), results.size());
   append(body, results.states.data(), results.states.size());
-  body += nlohmann::json(results.faults).dump();
+  body += nlohmann::json(results.counts).dump();
   std::string record;
   const auto size = static_cast<std::uint32_t>(body.size());
   const std::uint64_t sum = check_sum(body);
@@ -80,15 +80,15 @@ std::optional<Record> take_record(std::string_view& bytes, const Plan& plan) {
   Reader in(body);
   const auto chunk = in.take<std::uint32_t>();
   if (chunk >= plan.chunks()) return std::nullopt;
-  Record record{chunk, Results(plan.size_of(chunk), plan.columns.size())};
+  Record record{chunk, Results(plan.size_of(chunk), plan.width())};
   Results& part = record.results;
   in.take(part.returns.data(), part.size());
   in.take(part.steps.data(), part.size());
   in.take(part.flags.data(), part.size());
   in.take(part.states.data(), part.states.size());
-  const auto faults = nlohmann::json::parse(in.take_bytes(in.left()), nullptr, false);
-  if (!in.is_complete() || !faults.is_object()) return std::nullopt;
-  part.faults = faults.get<Faults>();
+  const auto counts = nlohmann::json::parse(in.take_bytes(in.left()), nullptr, false);
+  if (!in.is_complete() || !counts.is_object()) return std::nullopt;
+  part.counts = counts.get<Counts>();
   bytes.remove_prefix(bytes.size() - reader.left());
   return record;
 }

@@ -55,13 +55,13 @@ std::vector<double> column_of(const Results& results, std::size_t column) {
 std::vector<Sensitivity> sensitivities_of(const Plan& plan, const Results& results,
                                           const std::vector<double>& returns) {
   std::vector<Sensitivity> all;
-  for (std::size_t column = 0; column < plan.columns.size(); ++column) {
+  for (std::size_t column = 0; column < plan.width(); ++column) {
     const std::vector<double> values = column_of(results, column);
     const auto is_nan = [](double x) { return std::isnan(x); };
     const auto differs = [&](double x) { return x != values.front(); };
     if (std::ranges::any_of(values, is_nan) || std::ranges::none_of(values, differs)) continue;
-    all.push_back(
-        {plan.columns[column], rank_correlation(values, returns), tenths(values, results)});
+    all.push_back({plan.name_of(column) + (column < plan.columns.size() ? "" : " begins"),
+                   rank_correlation(values, returns), tenths(values, results)});
   }
   return all;
 }
@@ -164,6 +164,9 @@ std::string Report::command(std::uint32_t run) const {
     const float* values = &results.states[run * results.width + first];
     text += fmt::format(" --set {}={}", state.name, fmt::join(values, values + state.size, ","));
   }
+  // In quotes, because brackets are patterns of a shell.
+  for (const target::PlacedFault& one : plan.faults_of(run))
+    text += fmt::format(" --fault '{}'", text_of(one.fault));
   return text;
 }
 
@@ -174,6 +177,8 @@ std::string Report::text() const {
                   grouped(results.size()), plan.seed, description.agent);
   for (const Variation& one : plan.variations)
     text += fmt::format("varied: {} from {} to {}\n", one.name, one.low, one.high);
+  for (const target::PlacedFault& one : plan.faults)
+    text += fmt::format("fault: {}\n", text_of(one.fault));
   text += fmt::format(
       "success: {} of {}, {:.3f} %; 95 % interval {:.3f} to {:.3f} % (Wilson)\n",
       grouped(all.successes), grouped(results.size()),
@@ -185,7 +190,7 @@ std::string Report::text() const {
     text += fmt::format("{} runs have a return that is not finite: it counts as the lowest\n",
                         grouped(all.not_finite));
   }
-  for (const auto& [name, count] : results.faults)
+  for (const auto& [name, count] : results.counts)
     text += fmt::format("counted: {} {}\n", name, grouped(count));
   text += fmt::format("mean return: {:.6g}\n\n{:12}", all.mean_return, "percentile");
   for (const unsigned one : kPercentages) text += fmt::format("{:>12}", one);
@@ -217,12 +222,14 @@ std::string Report::json() const {
                       {"mean_return", number_or_null(all.mean_return)},
                       {"return_percentiles", json_of(all.returns)},
                       {"steps_percentiles", json_of(all.lengths)},
-                      {"counts", results.faults},
+                      {"counts", results.counts},
                       {"varied", ordered_json::array()},
+                      {"faults", ordered_json::array()},
                       {"sensitivities", ordered_json::array()},
                       {"worst", ordered_json::array()}};
   for (const Variation& one : plan.variations)
     report["varied"].push_back({{"name", one.name}, {"low", one.low}, {"high", one.high}});
+  for (const target::PlacedFault& one : plan.faults) report["faults"].push_back(text_of(one.fault));
   for (const Sensitivity& one : all.sensitivities) report["sensitivities"].push_back(json_of(one));
   for (const std::uint32_t run : all.worst) {
     report["worst"].push_back({{"run", run},
@@ -237,6 +244,7 @@ std::string Report::json() const {
 std::string Report::csv() const {
   std::string text = "run,return,steps,success,terminated,truncated";
   for (const std::string& name : plan.columns) text += ",state:" + name;
+  for (const target::PlacedFault& one : plan.faults) text += ",fault:" + text_of(one.fault);
   text += "\n";
   auto out = std::back_inserter(text);
   for (std::size_t run = 0; run < results.size(); ++run) {

@@ -11,16 +11,12 @@ namespace eagerx::campaign {
 enum Flags : std::uint8_t { kSuccess = 1, kTerminated = 2, kTruncated = 4 };
 
 /// Counts of guards and nodes that are not 0, by their names.
-using Faults = std::map<std::string, std::uint64_t>;
+using Counts = std::map<std::string, std::uint64_t>;
 
 /// Some runs in order, one place each.
 struct Results {
-  Results(std::size_t runs, std::size_t state_numbers)
-      : returns(runs),
-        steps(runs),
-        flags(runs),
-        states(runs * state_numbers),
-        width(state_numbers) {}
+  Results(std::size_t runs, std::size_t numbers)
+      : returns(runs), steps(runs), flags(runs), states(runs * numbers), width(numbers) {}
 
   std::size_t size() const { return returns.size(); }
   bool succeeded(std::size_t run) const { return (flags[run] & kSuccess) != 0; }
@@ -28,9 +24,10 @@ struct Results {
   std::vector<double> returns;       // sum of the rewards, NaN if one was
   std::vector<std::uint32_t> steps;  // of the episode
   std::vector<std::uint8_t> flags;
-  std::vector<float> states;  // [runs][width] what the episodes began with
+  std::vector<float>
+      states;  // [runs][width] what the episodes began with, then where their faults begin
   std::size_t width;
-  Faults faults;  // of all runs
+  Counts counts;  // of all runs
 };
 
 }  // namespace eagerx::campaign

@@ -1,6 +1,7 @@
 #include "targets/environments/campaign/runner.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "targets/environments/client/problem.hpp"
@@ -22,7 +23,7 @@ class Runner::Chunk {
         truncated_(count_),
         success_(count_),
         ended_(count_),
-        results_(count_, runner.plan_.columns.size()) {
+        results_(count_, runner.plan_.width()) {
     begin(runner.plan_.first_of(chunk));
   }
 
@@ -36,11 +37,12 @@ class Runner::Chunk {
                            .terms = nullptr,
                            .final_observation = nullptr};
     for (std::uint32_t running = count_; running != 0;) {
-      check(runner_.functions_.act(environments_.handle(), observation_.data(), action_.data()));
+      check(runner_.functions_.act(environments_.handle(), seen(), action_.data()));
+      spoil(FaultRow::action, action_, given_);
       environments_.step(action_.data(), rows);
       for (std::uint32_t e = 0; e < count_; ++e) running -= note_step(e) ? 1U : 0U;
     }
-    note_faults();
+    note_counts();
     return std::move(results_);
   }
 
@@ -53,17 +55,51 @@ class Runner::Chunk {
 
   void begin(std::uint32_t first) {
     const Plan& plan = runner_.plan_;
+    std::vector<float> states;  // [count][columns]
     if (!plan.drawn.empty()) {
-      for (std::uint32_t e = 0; e < count_; ++e) {
-        const std::vector<float> row = plan.states_of(first + e);
-        std::ranges::copy(row,
-                          results_.states.begin() + static_cast<std::ptrdiff_t>(e * row.size()));
-      }
-      check(runner_.functions_.set_states(environments_.handle(), nullptr, results_.states.data()));
+      for (std::uint32_t e = 0; e < count_; ++e)
+        std::ranges::copy(plan.states_of(first + e), std::back_inserter(states));
+      check(runner_.functions_.set_states(environments_.handle(), nullptr, states.data()));
     }
     environments_.reset(plan.seed, observation_.data());
-    if (!plan.columns.empty())
-      check(runner_.functions_.get_states(environments_.handle(), results_.states.data()));
+    states.resize(count_ * plan.columns.size());
+    if (!states.empty())
+      check(runner_.functions_.get_states(environments_.handle(), states.data()));
+    for (std::uint32_t e = 0; e < count_; ++e) begin_run(first, e, states);
+  }
+
+  void begin_run(std::uint32_t first, std::uint32_t e, const std::vector<float>& states) {
+    const Plan& plan = runner_.plan_;
+    float* number = &results_.states[e * results_.width];
+    number = std::copy_n(&states[e * plan.columns.size()], plan.columns.size(), number);
+    if (plan.faults.empty()) return;
+    faults_.push_back(plan.faults_of(first + e));
+    for (const target::PlacedFault& fault : faults_.back())
+      *number++ = static_cast<float>(*fault.fault.begins);
+  }
+
+  /// What the agents see: observations with their faults.
+  const float* seen() {
+    if (faults_.empty()) return observation_.data();
+    seen_ = observation_;
+    spoil(FaultRow::observation, seen_, shown_);
+    return seen_.data();
+  }
+
+  /// Puts the faults into the rows of a step; `before` is what stood there a step earlier.
+  void spoil(FaultRow kind, std::vector<float>& rows, std::vector<float>& before) {
+    if (faults_.empty()) return;
+    before.resize(rows.size());
+    const std::size_t width = rows.size() / count_;
+    for (std::uint32_t e = 0; e < count_; ++e) {
+      if (ended_[e] != 0) continue;
+      for (std::size_t i = 0; i < width; ++i) {
+        float& place = rows[e * width + i];
+        place = target::with_faults(faults_[e], static_cast<std::size_t>(kind), i,
+                                    results_.steps[e], place, before[e * width + i]);
+      }
+    }
+    before = rows;
   }
 
   /// Whether the step ended the episode.
@@ -78,16 +114,19 @@ class Runner::Chunk {
     return (ended_[e] = 1) == 1;
   }
 
-  void note_faults() {
+  void note_counts() {
     const char* text = runner_.functions_.counts(environments_.handle());
     check(text == nullptr ? -1 : 0);
-    results_.faults = nlohmann::json::parse(text).get<Faults>();
+    results_.counts = nlohmann::json::parse(text).get<Counts>();
   }
 
   const Runner& runner_;
   std::uint32_t count_;
   client::Environments environments_;
   std::vector<float> observation_, action_, reward_;
+  std::vector<std::vector<target::PlacedFault>> faults_;  // [count], or nothing if there are none
+  std::vector<float> seen_;           // observations of a step with their faults
+  std::vector<float> shown_, given_;  // what the agents saw and gave a step earlier
   std::vector<std::uint8_t> terminated_, truncated_, success_, ended_;
   Results results_;
 };
