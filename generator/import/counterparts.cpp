@@ -291,35 +291,31 @@ const Entity* Counterparts::require(const SavedEntity& saved, Use use, const std
 
 bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
                                 const std::string& user) {
-  if (!is_of_script(saved.id.value) || entity.own) return true;
-  const auto [judged, first] = judged_.try_emplace({saved.id.value, user}, true);
-  if (!first) return judged->second;
+  const std::string& id = saved.id.value;
+  if (!is_of_script(id) || entity.own) return true;
   const std::string where = difference(entity, saved);
+  const std::string text =
+      where.empty() ? fmt::format(
+                          "{} is a class of a script, `{}`: `{}` stands in for it, as it has the "
+                          "same {}parameters",
+                          user, id, entity.id.value,
+                          entity.kind == EntityKind::processor ? "" : "ports, spaces and ")
+                    : fmt::format(
+                          "{} is a class of a script, `{}`, and another one than `{}`, which has "
+                          "other {}",
+                          user, id, entity.id.value, where);
+  if (!told_.insert(text).second) return where.empty();  // of another connection of an action
   if (where.empty()) {
-    diagnostics_
-        .warning(
-            "E0806", saved.id.span,
-            fmt::format("{} is a class of a script, `{}`: `{}` stands in for it, as it has the "
-                        "same {}parameters",
-                        user, saved.id.value, entity.id.value,
-                        entity.kind == EntityKind::processor ? "" : "ports, spaces and "))
-        .help = fmt::format(
-        "compare the script with `eagerx-gen info {}`; an entity of yours with "
-        "`eagerx: [{}]` in a folder of `--path` is taken in its place",
-        entity.id.value, saved.id.value);
+    diagnostics_.warning("E0806", saved.id.span, text).help = fmt::format(
+        "compare the script with `eagerx-gen info {}`; an entity of yours with `eagerx: [{}]`, in "
+        "a folder of `--path`, is taken in its place",
+        entity.id.value, id);
     return true;
   }
-  diagnostics_
-      .error("E0801", saved.id.span,
-             fmt::format(
-                 "{} is a class of a script, `{}`, and another one than `{}`, which has other {}",
-                 user, saved.id.value, entity.id.value, where))
-      .help = fmt::format(
+  diagnostics_.error("E0801", saved.id.span, text).help = fmt::format(
       "write an entity with `eagerx: [{}]` in its manifest.yaml, give its folder with `--path`, "
-      "and "
-      "name it differently",
-      saved.id.value);
-  judged->second = false;
+      "and name it differently",
+      id);
   return false;
 }
 

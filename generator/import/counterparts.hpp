@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -69,7 +70,7 @@ class Counterparts {
   const Library& library_;
   Diagnostics& diagnostics_;
   std::map<std::string, Missing> missing_;
-  std::map<std::pair<std::string, std::string>, bool> judged_;  // stand-ins, by id and user
+  std::set<std::string> told_;  // about stand-ins
 };
 
 /// Every entity that the file needs, those inside objects that are not known too.

@@ -53,8 +53,8 @@ Json json_of(const std::optional<Processor>& processor) {
   if (!processor) return nullptr;
   Json config = Json::list();
   for (const Processor* stage : processor->stages()) {
-    Json values = json_of(stage->config);
-    for (Json& value : *values.as<Json::List>()) config.push_back(std::move(value));
+    const Json values = json_of(stage->config);
+    for (const Json& value : *values.as<Json::List>()) config.push_back(value);
   }
   return Json{{"type", processor->names()}, {"config", std::move(config)}};
 }
