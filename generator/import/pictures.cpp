@@ -138,7 +138,7 @@ void add_render(Translation& t, const Pictures& pictures, const std::string& sou
   render.span = pictures.place;
   render.source = {source, pictures.place};
   if (pictures.rate_hz && *pictures.rate_hz > Rational())
-    render.rate = {*pictures.rate_hz, pictures.place};
+    render.rate = Spanned<Rational>{*pictures.rate_hz, pictures.place};
   ConnectionSpec connection;
   connection.span = pictures.place;
   connection.from = render.source;
