@@ -163,6 +163,7 @@ View processor_view(const Processor& processor, const std::string& type, const s
   view.set("input", names.message(processor.input));
   view.set("output", names.message(processor.output));
   view.set("config", config_view(processor.config));
+  view.set("chain", false);
   return view;
 }
 
