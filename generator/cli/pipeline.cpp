@@ -39,6 +39,9 @@ void load_library_for(Run& run, const Options& options,
   }
   folders.insert(folders.end(), installed.begin(), installed.end());
   run.library = load_library(folders, run.sources, run.diagnostics);
+  const fs::path root = fs::absolute(fs::path(run.root) / "models").lexically_normal();
+  for (auto& [id, entity] : run.library.entities)
+    entity.own = entity.include_root != root.parent_path().string();
 }
 
 /// What the graph and the command line mention.

@@ -28,7 +28,9 @@ void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
     }
   };
   const auto add_processor = [&](const std::optional<Processor>& processor) {
-    if (processor) add(*processor->entity, processor->entity->cpp, processor->config);
+    if (!processor) return;
+    for (const Processor* stage : processor->stages())
+      add(*stage->entity, stage->entity->cpp, stage->config);
   };
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     const GraphNode& node = graph.nodes[n];

@@ -163,6 +163,20 @@ View processor_view(const Processor& processor, const std::string& type, const s
   view.set("input", names.message(processor.input));
   view.set("output", names.message(processor.output));
   view.set("config", config_view(processor.config));
+  view.set("chain", false);
+  return view;
+}
+
+/// Several processors, one after the other, as one.
+View chain_view(const Processor& last, const std::string& type,
+                const std::vector<std::string>& types, const ProgramNames& names) {
+  std::string value = "in";
+  for (const auto& stage : types) value = fmt::format("{}::convert({})", stage, value);
+  View view = object();
+  view.set("type", type);
+  view.set("input", names.message(last.before.front().input));
+  view.set("output", names.message(last.output));
+  view.set("value", value);
   return view;
 }
 
@@ -170,7 +184,18 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
   View views = list();
   const auto add = [&](const std::optional<Processor>& processor, const std::string& type,
                        const std::string& where) {
-    if (processor) views.push_back(processor_view(*processor, type, where, names));
+    if (!processor) return;
+    const auto stages = processor->stages();
+    if (stages.size() == 1) {
+      views.push_back(processor_view(*processor, type, where, names));
+      return;
+    }
+    const auto& types = names.processor_stages.at(type);
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+      View view = processor_view(*stages[i], types[i], where, names);
+      if (i + 1 == stages.size()) view["chain"] = chain_view(*processor, type, types, names);
+      views.push_back(view);
+    }
   };
   const bool resets = !names.has_packs();
   for (std::size_t i = 0; resets && names.has_engine() && i < plan.graph->objects.size(); ++i) {

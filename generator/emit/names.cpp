@@ -26,6 +26,14 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
   Names members, types, fields;
   // Each of these has a struct of its own that says what it is compiled for.
   const auto type = [&](const std::string& wanted) { return types.unique_with(wanted, "Io"); };
+  const auto processor_type = [&](const std::optional<Processor>& processor,
+                                  const std::string& wanted) -> std::string {
+    if (!processor) return "";
+    const std::string whole = type(wanted);
+    for (std::size_t i = 0; !processor->before.empty() && i <= processor->before.size(); ++i)
+      processor_stages[whole].push_back(type(fmt::format("{}{}", wanted, i + 1)));
+    return whole;
+  };
   for (const auto& rate : plan.rates) {
     due.push_back("k" + rate_suffix(rate.rate_hz));
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
@@ -69,7 +77,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
       engine_state_type.back().push_back(type(types.has(name + "Io") ? name + "State" : name));
       object_state.back().push_back(fields.unique(snake(object.name) + "_" + state.name));
       object_state_processor.back().push_back(
-          state.processor ? type(camel(object.name) + camel(state.name) + "Processor") : "");
+          processor_type(state.processor, camel(object.name) + camel(state.name) + "Processor"));
     }
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
@@ -81,12 +89,12 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     channel.emplace_back(node.outputs.size());
     for (const auto& output : node.outputs) {
       output_processor[n].push_back(
-          output.processor ? type(camel(node.name) + camel(output.name) + "Processor") : "");
+          processor_type(output.processor, camel(node.name) + camel(output.name) + "Processor"));
     }
     for (std::size_t i = 0; i < node.inputs.size(); ++i) {
       const Input& input = node.inputs[i];
       const std::string port = owner + "_" + input.name + (input.feedthrough ? "_feedthrough" : "");
-      input_processor[n].push_back(input.processor ? type(camel(port) + "Processor") : "");
+      input_processor[n].push_back(processor_type(input.processor, camel(port) + "Processor"));
       const auto count = plan.nodes[n].receptions[i].count;
       const bool counted = count == Reception::Count::delayed ||
                            count == Reception::Count::skipped || count == Reception::Count::arrived;
@@ -100,7 +108,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     }
     for (const auto& target : node.reset_targets) {
       target_processor[n].push_back(
-          target.processor ? type(camel(owner) + camel(target.name) + "TargetProcessor") : "");
+          processor_type(target.processor, camel(owner) + camel(target.name) + "TargetProcessor"));
     }
     const bool resets = node.is_reset_node();
     targets_member.push_back(resets ? members.unique(owner + "_targets_") : "");
@@ -108,7 +116,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     for (const auto& state : node.states) {
       node_state[n].push_back(fields.unique(snake(node.name) + "_" + state.name));
       node_state_processor[n].push_back(
-          state.processor ? type(camel(node.name) + camel(state.name) + "Processor") : "");
+          processor_type(state.processor, camel(node.name) + camel(state.name) + "Processor"));
     }
   }
   Names channels;

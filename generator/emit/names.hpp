@@ -1,6 +1,7 @@
 // The C++ names of everything in a plan, given once and used by every template.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,10 +35,11 @@ struct ProgramNames {
   std::vector<std::string> sent;  // of nodes, where inputs go by the clock: "smooth_sent_"
   std::vector<std::vector<std::string>> node_state, object_state;  // fields of States
   std::vector<std::vector<std::string>> node_state_processor, object_state_processor,
-      target_processor;                                  // types, by owner and state or target
-  std::vector<std::string> targets_member, done_member;  // of reset nodes
-  std::vector<std::vector<std::string>> delay_member, delay_state;  // of delays that may change
-  std::vector<std::vector<std::string>> channel;                    // constants, by node and output
+      target_processor;  // types, by owner and state or target
+  std::map<std::string, std::vector<std::string>> processor_stages;  // types in one of these
+  std::vector<std::string> targets_member, done_member;              // of reset nodes
+  std::vector<std::vector<std::string>> delay_member, delay_state;   // of delays that may change
+  std::vector<std::vector<std::string>> channel;  // constants, by node and output
 
   /// "graph.yaml:14:5"
   [[nodiscard]] std::string place(Span span) const;

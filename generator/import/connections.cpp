@@ -166,16 +166,13 @@ class ConnectionTranslator {
     const SavedPort* action = t_.saved.find(from.entity)->port(from.section, from.port);
     const YamlValue* saved = action != nullptr ? action->find("processor") : nullptr;
     if (saved == nullptr) return;
+    auto first = t_.counterparts.processor(*action, fmt::format("the action `{}`", from.port));
+    if (!first) return;
     if (settings.processor) {
-      t_.diagnostics
-          .error("E0807", saved->span,
-                 fmt::format("the action `{}` has a processor, and its connection has one, too",
-                             from.port))
-          .help = "make one processor of both, on the connections of the action";
-      return;
+      settings.processor->before.insert(settings.processor->before.begin(), std::move(*first));
+    } else {
+      settings.processor = std::move(first);
     }
-    settings.processor =
-        t_.counterparts.processor(*action, fmt::format("the action `{}`", from.port));
   }
 
   void take_window(const YamlValue& window, const ConnectionSettings& defaults,

@@ -52,13 +52,17 @@ std::string differing(const A& saved, const B& ours, const char* what) {
 
 /// Where a class in a file has another interface than our entity; empty: nowhere.
 std::string difference(const Entity& entity, const SavedEntity& saved) {
-  // A parameter that the file does not have keeps our default.
   for (const auto& entry : saved.config.entries) {
     const bool known =
         std::ranges::find(entity.config, entry.key, &Parameter::eagerx) != entity.config.end() ||
         std::ranges::find(kAlways, entry.key) != kAlways.end();
     if (!known) return fmt::format("parameters (`{}`)", entry.key);
   }
+  for (const auto& parameter : entity.config) {
+    if (saved.config.find(parameter.eagerx) == nullptr)
+      return fmt::format("parameters (`{}`)", parameter.name.value);
+  }
+  if (entity.kind == EntityKind::processor) return {};  // it has no ports of its own
   for (const auto& [section, ports] : {std::pair{"inputs", &entity.inputs},
                                        {"outputs", &entity.outputs},
                                        {"states", &entity.states},
@@ -71,8 +75,9 @@ std::string difference(const Entity& entity, const SavedEntity& saved) {
     if (auto text = differing(names, names_of(*ports), section); !text.empty()) return text;
     for (const PortManifest& port : *ports) {
       const auto space = saved_space(*saved.port(section, port.name.value));
-      if (space && !port.space.like && port.space.dtype && port.space.shape &&
-          missing_of(*space, port.space))
+      if (!space || port.space.like || !port.space.dtype || !port.space.shape) continue;
+      const bool bounded = port.space.low || port.space.high;
+      if (missing_of(*space, port.space) || (bounded && !same_space(*space, port.space)))
         return fmt::format("spaces (`{}`)", port.name.value);
     }
   }
@@ -99,6 +104,11 @@ bool is_kind(const Entity& entity, Use use) {
                                          EntityKind::processor, EntityKind::engine_node,
                                          EntityKind::engine_state};
   return std::ranges::find(kOthers, entity.kind) == kOthers.end();
+}
+
+/// Scripts share the name of their module, so these are nobody's.
+bool is_of_script(const std::string& id) {
+  return id.starts_with("__main__/");
 }
 
 bool holds(const std::vector<Setting>& when, const YamlValue& config) {
@@ -223,6 +233,12 @@ Counterparts::Choice Counterparts::choose(const std::string& id, const YamlValue
       if (eagerx.id.value != id || !is_kind(entity, use)) continue;
       choice.known = true;
       if (!holds(eagerx.when, config)) continue;
+      // A script's class is what its user says it is.
+      if (is_of_script(id) && choice.best != nullptr && choice.best->own != entity.own) {
+        if (entity.own) choice = {&entity, true, false};
+        if (entity.own) conditions = eagerx.when.size();
+        continue;
+      }
       const bool first = choice.best == nullptr;
       // The one that says most of the parameters.
       if (!first && eagerx.when.size() < conditions) continue;
@@ -275,28 +291,31 @@ const Entity* Counterparts::require(const SavedEntity& saved, Use use, const std
 
 bool Counterparts::may_stand_in(const Entity& entity, const SavedEntity& saved,
                                 const std::string& user) {
-  if (!saved.id.value.starts_with("__main__/")) return true;
+  const std::string& id = saved.id.value;
+  if (!is_of_script(id) || entity.own) return true;
   const std::string where = difference(entity, saved);
+  const std::string text =
+      where.empty() ? fmt::format(
+                          "{} is a class of a script, `{}`: `{}` stands in for it, as it has the "
+                          "same {}parameters",
+                          user, id, entity.id.value,
+                          entity.kind == EntityKind::processor ? "" : "ports, spaces and ")
+                    : fmt::format(
+                          "{} is a class of a script, `{}`, and another one than `{}`, which has "
+                          "other {}",
+                          user, id, entity.id.value, where);
+  if (!told_.insert(text).second) return where.empty();  // of another connection of an action
   if (where.empty()) {
-    diagnostics_
-        .warning(
-            "E0806", saved.id.span,
-            fmt::format("{} is a class of a script, `{}`: `{}` stands in for it, as it has the "
-                        "same ports, spaces and parameters",
-                        user, saved.id.value, entity.id.value))
-        .help = fmt::format("compare the script with `eagerx-gen info {}`", entity.id.value);
+    diagnostics_.warning("E0806", saved.id.span, text).help = fmt::format(
+        "compare the script with `eagerx-gen info {}`; an entity of yours with `eagerx: [{}]`, in "
+        "a folder of `--path`, is taken in its place",
+        entity.id.value, id);
     return true;
   }
-  diagnostics_
-      .error("E0801", saved.id.span,
-             fmt::format(
-                 "{} is a class of a script, `{}`, and another one than `{}`, which has other {}",
-                 user, saved.id.value, entity.id.value, where))
-      .help = fmt::format(
+  diagnostics_.error("E0801", saved.id.span, text).help = fmt::format(
       "write an entity with `eagerx: [{}]` in its manifest.yaml, give its folder with `--path`, "
-      "and "
-      "name it differently",
-      saved.id.value);
+      "and name it differently",
+      id);
   return false;
 }
 
@@ -368,6 +387,10 @@ std::optional<ProcessorSpec> Counterparts::processor(const SavedPort& port,
   const Entity* entity =
       find({type->text, type->span}, parameters, Use::processor, "the processor of " + user);
   if (entity == nullptr) return std::nullopt;
+  SavedEntity as_saved;
+  as_saved.id = {type->text, type->span};
+  as_saved.config = parameters;
+  if (!may_stand_in(*entity, as_saved, "the processor of " + user)) return std::nullopt;
   return ProcessorSpec{{entity->id.value, type->span},
                        settings(*entity, parameters, "the processor of " + user)};
 }

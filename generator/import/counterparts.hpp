@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,7 +40,8 @@ class Counterparts {
   /// Whether any entity of ours stands for this one of EAGERx.
   [[nodiscard]] bool knows(const std::string& id) const;
   /// A class of `__main__` is any script's: our entity of that name may stand in for it if ports,
-  /// their spaces and parameters are the same, with a warning (E0806); else E0801 and false.
+  /// their spaces and parameters are the same, with a warning (E0806); else E0801 and false. The
+  /// user's own entity is what its manifest says.
   bool may_stand_in(const Entity& entity, const SavedEntity& saved, const std::string& user);
   /// Whether our entity stands for this one of EAGERx, whatever its parameters.
   [[nodiscard]] static bool stands_for(const Entity& entity, const std::string& id);
@@ -68,6 +70,7 @@ class Counterparts {
   const Library& library_;
   Diagnostics& diagnostics_;
   std::map<std::string, Missing> missing_;
+  std::set<std::string> told_;  // about stand-ins
 };
 
 /// Every entity that the file needs, those inside objects that are not known too.

@@ -83,7 +83,7 @@ class ImplementationWriter {
     const Entity* known = counterparts_.look_up(node.id.value, node.config, Use::engine_node);
     if (known == nullptr) add_spaces(name, node, match, items);
     if (known != nullptr) note_required(*known, config);
-    nodes_.push_back(fmt::format("{}: {}", yaml_scalar(name), in_braces(items)));
+    nodes_.push_back(fmt::format("{}: {}", yaml_text(name), in_braces(items)));
     for (const auto& state : node.selected.at("states")) add_state_of_node(name, node, state.value);
   }
 
@@ -108,8 +108,8 @@ class ImplementationWriter {
       const bool differs = space && (!known || (space->shape && !known->shape));
       open = open || differs;
       outputs.push_back(
-          differs ? fmt::format("{}: {{space: {}}}", yaml_scalar(name.value), space_text(*space))
-                  : fmt::format("{}: {{}}", yaml_scalar(name.value)));
+          differs ? fmt::format("{}: {{space: {}}}", yaml_text(name.value), space_text(*space))
+                  : fmt::format("{}: {{}}", yaml_text(name.value)));
     }
     if (open) items.push_back("outputs: " + in_braces(outputs));
   }
@@ -195,7 +195,7 @@ class ImplementationWriter {
     std::vector<Setting> settings;
     for (const auto& entry : config.entries) {
       if (is_parameter_of_manifest(entry))
-        settings.push_back({entry.key, entry.key_span, as_written(entry.value)});
+        settings.push_back({legal_name(entry.key), entry.key_span, as_written(entry.value)});
     }
     const auto made = types_.find(id.value);
     return {made != types_.end() ? made->second : id.value, std::move(settings)};
@@ -210,7 +210,7 @@ class ImplementationWriter {
                                     fmt::format("{}.{}", object.name.value, name));
     std::vector<std::string> items = {"type: " + yaml_scalar(id)};
     if (!config.empty()) items.push_back("config: " + config_text(config));
-    states_.push_back(fmt::format("{}: {}", yaml_scalar(name), in_braces(items)));
+    states_.push_back(fmt::format("{}: {}", yaml_text(name), in_braces(items)));
   }
 
   /// An object here has the states of its engine nodes; EAGERx keeps them apart.
@@ -226,12 +226,12 @@ class ImplementationWriter {
     const std::string name = own || !is_taken(state) ? state : fmt::format("{}_{}", node, state);
     if (!stated_.insert(name).second) return;
     states_.push_back(
-        fmt::format("{}: {{node: {}}}", yaml_scalar(name), yaml_scalar(node + "." + state)));
+        fmt::format("{}: {{node: {}}}", yaml_text(name), yaml_scalar(node + "." + state)));
     if (own) return;
     const SavedPort* port = entity.port("states", state);
     const auto space = port != nullptr ? saved_space(*port) : std::nullopt;
     result_.states.push_back(
-        fmt::format("{}: {{{}about: {}}}", yaml_scalar(name),
+        fmt::format("{}: {{{}about: {}}}", yaml_text(name),
                     space ? fmt::format("space: {}, ", space_text(*space)) : "",
                     yaml_text(node + "." + state)));
   }

@@ -42,7 +42,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
-  remove_pictures(*saved, counterparts, diagnostics);
+  const Pictures pictures = remove_pictures(*saved, counterparts);
   rename_ports(*saved, counterparts);
   require_all(*saved, counterparts);
   const bool whole = !saved->flattened() || rebuild_objects(*saved, counterparts, diagnostics);
@@ -61,6 +61,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   // The rate follows from what is connected.
   if (whole && diagnostics.error_count() == errors_without_connections) choose_rate(t);
   translate_environment(t);
+  translate_pictures(t, pictures);
   check_names(t.result.spec, diagnostics);
   counterparts.report_missing();  // all of them at once
   if (failed()) return std::nullopt;

@@ -28,7 +28,7 @@ bool is_saved_graph(const YamlValue& root);
 /// Translates the file through the manifests of `library`. Spans point into the saved file.
 /// Problems, all reported, nullopt: E0801 an entity without counterpart, E0802 not such a file,
 /// E0803 a Python object where a value is needed, E0804 an engine or rate that has to be given,
-/// E0805 an object that cannot be put back, E0807 what graphs here cannot say. Warnings: E0806
+/// E0805 an object that cannot be put back. Warnings: E0806
 /// differences between what runs here and what EAGERx makes of the file.
 std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::string& path,
                                           const Library& library, const ImportOptions& options,

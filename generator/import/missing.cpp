@@ -43,7 +43,7 @@ std::optional<SpaceSpec> whole_space(const SavedPort& port) {
 
 bool is_parameter_of_manifest(const YamlValue::Entry& entry) {
   return !is_common_parameter(entry.key) && !entry.value.is_null() &&
-         !type_of_parameter(entry.value).empty() && is_identifier(entry.key);
+         !type_of_parameter(entry.value).empty() && is_identifier(legal_name(entry.key));
 }
 
 namespace {
@@ -77,6 +77,11 @@ class ManifestWriter {
  private:
   void line(const std::string& text) { made_.manifest += text + "\n"; }
 
+  /// "eagerx: 'a b', " where EAGERx's name cannot be one here.
+  static std::string named_in_eagerx(const std::string& name) {
+    return legal_name(name) == name ? "" : fmt::format("eagerx: {}, ", yaml_text(name));
+  }
+
   std::string kind() const {
     if (missing_.use == Use::node && !list_of("targets").empty()) return "reset_node";
     std::string name = to_string(missing_.use);
@@ -94,18 +99,19 @@ class ManifestWriter {
     std::vector<std::string> lines;
     for (const auto& entry : saved_.config.entries) {
       if (is_common_parameter(entry.key)) continue;
-      const std::string name = in_comment(entry.key);
+      const std::string name = legal_name(entry.key);
       const std::string type = type_of_parameter(entry.value);
       if (!is_parameter_of_manifest(entry)) {
-        lines.push_back(fmt::format("  # {}: {}", name,
+        lines.push_back(fmt::format("  # {}: {}", in_comment(entry.key),
                                     entry.value.is_null() ? "None in the file, so of any type"
                                                           : "of a type that C++ does not have"));
         continue;
       }
       const auto names = joined_names(entry.value);
-      lines.push_back(fmt::format("  {}: {{type: {}, default: {}, about: {}}}", name, type,
-                                  names ? yaml_text(*names) : text_of(entry.value),
-                                  names ? yaml_text(name + ", with blanks between them") : name));
+      lines.push_back(fmt::format(
+          "  {}: {{{}type: {}, default: {}, about: {}}}", yaml_text(name),
+          named_in_eagerx(entry.key), type, names ? yaml_text(*names) : text_of(entry.value),
+          yaml_text(names ? entry.key + ", with blanks between them" : entry.key)));
     }
     const bool any = std::ranges::any_of(lines, [](const auto& text) { return text[2] != '#'; });
     if (!lines.empty()) line(any ? "config:" : "# config:");
@@ -171,8 +177,9 @@ class ManifestWriter {
       const bool known = space && (space->shape || has_spaces_apart(port));
       const std::string like = known ? "" : space_like(section);
       const std::string text = !like.empty() ? like : space ? space_text(*space) : "";
-      line(fmt::format("  {}: {}", port.name.value, port_text(section, port, text, optional)));
-      if (into != nullptr) into->push_back({port.name.value, text, optional});
+      const std::string name = legal_name(port.name.value);
+      line(fmt::format("  {}: {}", yaml_text(name), port_text(section, port, text, optional)));
+      if (into != nullptr) into->push_back({name, text, optional});
     }
   }
 
@@ -181,15 +188,17 @@ class ManifestWriter {
     if (section != "outputs" || made_.kind != "engine_node") return "";
     std::vector<std::string> inputs;
     for (const auto& input : list_of("inputs")) {
-      if (input.name.value != "tick") inputs.push_back(input.name.value);
+      if (input.name.value != "tick") inputs.push_back(legal_name(input.name.value));
     }
-    return inputs.size() == 1 ? fmt::format("{{like: {}}}", inputs.front()) : "";
+    return inputs.size() == 1 ? fmt::format("{{like: {}}}", yaml_text(inputs.front())) : "";
   }
 
   [[nodiscard]] std::string port_text(const std::string& section, const SavedPort& port,
                                       const std::string& space, bool optional) const {
     std::vector<std::string> items;
     const bool object = section == "sensors" || section == "actuators";
+    if (const std::string name = named_in_eagerx(port.name.value); !name.empty())
+      items.push_back(name.substr(0, name.size() - 2));
     if (optional) items.emplace_back("optional: true");
     if (const YamlValue* rate = port.find("rate"); object && rate != nullptr) {
       const auto value = meant_number(*rate);
@@ -235,7 +244,7 @@ std::optional<std::vector<MissingEntity>> missing_entities(const YamlValue& root
   auto saved = read_saved_graph(root, diagnostics);
   if (!saved) return std::nullopt;
   Counterparts counterparts(library, diagnostics);
-  remove_pictures(*saved, counterparts, diagnostics);
+  remove_pictures(*saved, counterparts);
   rename_ports(*saved, counterparts);
   require_all(*saved, counterparts);
   std::set<std::string> taken;

@@ -7,6 +7,8 @@
 
 #include "generator/import/counterparts.hpp"
 #include "generator/import/translate.hpp"
+#include "generator/spec/named.hpp"
+#include "generator/spec/port_name.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -22,10 +24,10 @@ bool is_picture(const SavedPort& port) {
 
 class PictureRemover {
  public:
-  PictureRemover(SavedGraph& saved, const Counterparts& counterparts, Diagnostics& diagnostics)
-      : saved_(saved), counterparts_(counterparts), diagnostics_(diagnostics) {}
+  PictureRemover(SavedGraph& saved, const Counterparts& counterparts)
+      : saved_(saved), counterparts_(counterparts) {}
 
-  void run() {
+  Pictures run() {
     for (const SavedEntity& entity : saved_.entities) {
       if (is_for_display(entity)) drawing_.insert(entity.name.value);
     }
@@ -35,15 +37,13 @@ class PictureRemover {
           !counterparts_.knows(entity.id.value))
         drawing_.insert(entity.name.value);
     }
-    if (drawing_.empty()) return;
-    for (const auto& name : drawing_) note_node(*saved_.find(name));
+    if (drawing_.empty()) return {};
+    for (const auto& name : drawing_) sort_out(*saved_.find(name));
     std::erase_if(saved_.links, [&](const SavedLink& link) { return is_removed(link); });
-    for (const std::string& port : unused_) left_out_.push_back(port);
+    for (const std::string& port : unused_) result_.left_out.push_back(port);
     std::erase_if(saved_.entities,
                   [&](const SavedEntity& entity) { return drawing_.contains(entity.name.value); });
-    diagnostics_.note(place_, fmt::format("left out, as {} only for pictures: {}",
-                                          left_out_.size() == 1 ? "it is" : "they are",
-                                          fmt::join(left_out_, ", ")));
+    return std::move(result_);
   }
 
  private:
@@ -59,9 +59,35 @@ class PictureRemover {
     });
   }
 
-  void note_node(const SavedEntity& node) {
-    if (left_out_.empty()) place_ = node.name.span;
-    left_out_.push_back(fmt::format("the node `{}`", node.name.value));
+  void sort_out(const SavedEntity& node) {
+    if (result_.place.line == 0) result_.place = node.name.span;
+    std::string written = fmt::format("the node `{}`", node.name.value);
+    if (is_for_display(node) && result_.object.empty() && find_shown(node.name.value)) {
+      if (const YamlValue* rate = node.parameter("rate")) result_.rate_hz = meant_number(*rate);
+      result_.shown.push_back(std::move(written));
+    } else {
+      result_.left_out.push_back(std::move(written));
+    }
+  }
+
+  /// The object whose picture reaches a node, also through nodes that draw into it.
+  bool find_shown(const std::string& node) {
+    if (!seen_.insert(node).second) return false;
+    for (const SavedLink& link : saved_.links) {
+      const SavedEntity* source = saved_.find(link.from.entity);
+      const SavedPort* port =
+          source != nullptr ? source->port(link.from.section, link.from.port) : nullptr;
+      if (link.to.entity != node || port == nullptr || !is_picture(*port)) continue;
+      const SavedObject* owner = saved_.owner_of(link.from.entity);
+      if (owner == nullptr && source->kind == SavedEntity::Kind::node) {
+        if (find_shown(link.from.entity)) return true;
+        continue;
+      }
+      result_.object = owner != nullptr ? owner->name.value : link.from.entity;
+      result_.sensor = fmt::format("`{}.{}`", link.from.entity, link.from.port);
+      return true;
+    }
+    return false;
   }
 
   bool is_removed(const SavedLink& link) {
@@ -71,7 +97,8 @@ class PictureRemover {
       if (source.name.value != link.from.entity) continue;
       const SavedPort* port = source.port(link.from.section, link.from.port);
       if (port == nullptr || !is_picture(*port)) continue;
-      unused_.insert(fmt::format("`{}.{}`", link.from.entity, link.from.port));
+      const std::string written = fmt::format("`{}.{}`", link.from.entity, link.from.port);
+      if (written != result_.sensor) unused_.insert(written);
       std::erase_if(source.selected[link.from.section],
                     [&](const auto& name) { return name.value == link.from.port; });
     }
@@ -80,17 +107,94 @@ class PictureRemover {
 
   SavedGraph& saved_;
   const Counterparts& counterparts_;
-  Diagnostics& diagnostics_;
-  std::set<std::string> drawing_, unused_;
-  std::vector<std::string> left_out_;
-  Span place_;
+  std::set<std::string> drawing_, unused_, seen_;
+  Pictures result_;
 };
+
+/// The sensor of an object that is a drawing (eagerx/scene.hpp): float32 [rows, 16].
+const PortManifest* drawing_of(const Entity& object) {
+  for (const PortManifest& sensor : object.sensors) {
+    const auto& shape = sensor.space.shape;
+    if (shape && shape->items.size() == 2 && shape->items[1].text == "16" && sensor.space.dtype &&
+        sensor.space.dtype->value == "float32")
+      return &sensor;
+  }
+  return nullptr;
+}
+
+/// Whether a processor of the graph converts what the drawing is made of: some draw what a sensor
+/// sends.
+bool is_converted(const Translation& t, const Pictures& pictures, const ObjectEngine& made,
+                  const std::string& drawing) {
+  const EntitySpec* object = find_named(t.result.spec.objects, t.names.at(pictures.object));
+  if (object == nullptr || !object->sensors) return false;
+  const auto sends = [&](const std::string& port, const std::string& to) {
+    return std::ranges::any_of(made.connections, [&](const ConnectionSpec& c) {
+      return c.from.value == port && c.to.value == to;
+    });
+  };
+  return std::ranges::any_of(made.connections, [&](const ConnectionSpec& c) {
+    const PortName to = parse_port(c.to.value);
+    const bool feeds = std::ranges::any_of(made.connections, [&](const ConnectionSpec& d) {
+      return d.to.value == "sensors." + drawing && parse_port(d.from.value).owner == to.owner;
+    });
+    return feeds && std::ranges::any_of(*object->sensors, [&](const ComponentSpec& sensor) {
+             return sensor.settings.processor &&
+                    sends(c.from.value, "sensors." + sensor.name.value);
+           });
+  });
+}
+
+/// Where the drawing of the object that was shown comes from on the graph's engine; empty: nowhere.
+std::string source_of(const Translation& t, const Pictures& pictures) {
+  const Entity* object = pictures.object.empty() ? nullptr : t.entity(pictures.object);
+  const PortManifest* drawing = object != nullptr ? drawing_of(*object) : nullptr;
+  const ObjectEngine* made = drawing != nullptr ? t.implementation(*object) : nullptr;
+  if (made == nullptr) return {};
+  if (is_converted(t, pictures, *made, drawing->name.value)) return {};
+  const bool draws = std::ranges::any_of(made->connections, [&](const ConnectionSpec& c) {
+    return c.to.value == "sensors." + drawing->name.value;
+  });
+  return draws ? fmt::format("{}.{}", t.names.at(pictures.object), drawing->name.value) : "";
+}
+
+void add_render(Translation& t, const Pictures& pictures, const std::string& source) {
+  GraphSpec& spec = t.result.spec;
+  RenderSpec& render = spec.render.emplace();
+  render.span = pictures.place;
+  render.source = {source, pictures.place};
+  if (pictures.rate_hz && *pictures.rate_hz > Rational())
+    render.rate = Spanned<Rational>{*pictures.rate_hz, pictures.place};
+  ConnectionSpec connection;
+  connection.span = pictures.place;
+  connection.from = render.source;
+  connection.to = {fmt::format("{}.source", kRender), pictures.place};
+  spec.connections.push_back(std::move(connection));
+}
 
 }  // namespace
 
-void remove_pictures(SavedGraph& saved, const Counterparts& counterparts,
-                     Diagnostics& diagnostics) {
-  PictureRemover(saved, counterparts, diagnostics).run();
+Pictures remove_pictures(SavedGraph& saved, const Counterparts& counterparts) {
+  return PictureRemover(saved, counterparts).run();
+}
+
+void translate_pictures(Translation& t, const Pictures& pictures) {
+  if (pictures.place.line == 0) return;
+  const std::string source = source_of(t, pictures);
+  std::vector<std::string> left_out = pictures.left_out;
+  std::string text;
+  if (source.empty()) {
+    left_out.insert(left_out.begin(), pictures.shown.begin(), pictures.shown.end());
+    if (!pictures.sensor.empty()) left_out.push_back(pictures.sensor);
+  } else {
+    add_render(t, pictures, source);
+    text = fmt::format("`render:` shows `{}` in place of {}", source, pictures.sensor);
+  }
+  if (!left_out.empty()) {
+    text += fmt::format("{}left out, as {} only for pictures: {}", text.empty() ? "" : "; ",
+                        left_out.size() == 1 ? "it is" : "they are", fmt::join(left_out, ", "));
+  }
+  t.diagnostics.note(pictures.place, text);
 }
 
 }  // namespace eagerx::gen

@@ -27,9 +27,19 @@ struct Translation {
   [[nodiscard]] const ObjectEngine* implementation(const Entity& object) const;
 };
 
-/// Nodes that only show or draw pictures, and their connections, with one note. What is left is a
-/// graph without them.
-void remove_pictures(SavedGraph& saved, const Counterparts& counterparts, Diagnostics& diagnostics);
+/// What a file showed, and what is left out of it.
+struct Pictures {
+  Span place;                  // of the first node; no line: the file has no pictures
+  std::string object, sensor;  // what the first RenderNode showed in the end; empty: something else
+  std::optional<Rational> rate_hz;
+  std::vector<std::string> shown;     // what `render:` stands for, where that object can be drawn
+  std::vector<std::string> left_out;  // what nothing stands for
+};
+
+/// Takes nodes that only show or draw pictures out of the graph, with their connections.
+Pictures remove_pictures(SavedGraph& saved, const Counterparts& counterparts);
+/// `render:` where our object draws, and one note about everything else.
+void translate_pictures(Translation& t, const Pictures& pictures);
 
 /// Ports of entities that are known, by the names that our manifests give them.
 void rename_ports(SavedGraph& saved, const Counterparts& counterparts);

@@ -44,7 +44,7 @@ class GraphWriter {
 
   std::string write() {
     add_heading();
-    line(0, fmt::format("name: {}", yaml_scalar(spec_.name.value)), "name");
+    line(0, fmt::format("name: {}", yaml_text(spec_.name.value)), "name");
     line(0, fmt::format("rate: {}", spec_.rate.value.to_string()), "rate");
     if (!spec_.library.empty()) add_library();
     add_engine();
@@ -54,6 +54,7 @@ class GraphWriter {
     add_selection(0, "actions", spec_.actions);
     add_selection(0, "observations", spec_.observations);
     add_connections();
+    add_render();
     add_place_of_task();
     return std::move(text_);
   }
@@ -114,7 +115,7 @@ class GraphWriter {
     text_ += '\n';
     line(0, fmt::format("{}:", section));
     for (const auto& entity : entities) {
-      line(2, yaml_scalar(entity.name.value) + ":");
+      line(2, yaml_text(entity.name.value) + ":");
       line(4, "type: " + yaml_scalar(entity.type.value));
       if (entity.rate) line(4, "rate: " + text_of(entity.rate->value));
       if (!entity.config.empty()) line(4, "config: " + config_text(entity.config));
@@ -133,8 +134,8 @@ class GraphWriter {
       const std::string settings =
           state.processor ? fmt::format(" {{processor: {}}}", processor_text(*state.processor))
                           : "";
-      line(indent + 2, yaml_scalar(state.name.value) + ":" + settings +
-                           " # set through the program's interface");
+      line(indent + 2,
+           yaml_text(state.name.value) + ":" + settings + " # set through the program's interface");
     }
   }
 
@@ -143,7 +144,7 @@ class GraphWriter {
     std::vector<std::string> names;
     bool settings = false;
     for (const auto& component : components) {
-      names.push_back(yaml_scalar(component.name.value));
+      names.push_back(yaml_text(component.name.value));
       settings = settings || !component_text(component).empty();
     }
     const std::string list = fmt::format("{}: [{}]", key, fmt::join(names, ", "));
@@ -154,15 +155,26 @@ class GraphWriter {
     line(indent, fmt::format("{}:", key));
     for (const auto& component : components)
       line(indent + 2,
-           fmt::format("{}:{}", yaml_scalar(component.name.value), component_text(component)));
+           fmt::format("{}:{}", yaml_text(component.name.value), component_text(component)));
   }
 
   void add_connections() {
     text_ += '\n';
-    if (spec_.connections.empty()) line(0, "connections: []");
-    if (spec_.connections.empty()) return;
-    line(0, "connections:");
-    for (const auto& connection : spec_.connections) line(2, "- " + connection_text(connection));
+    std::vector<std::string> lines;
+    for (const auto& connection : spec_.connections) {
+      if (parse_port(connection.to.value).owner != kRender)
+        lines.push_back("- " + connection_text(connection));
+    }
+    line(0, lines.empty() ? "connections: []" : "connections:");
+    for (const auto& text : lines) line(2, text);
+  }
+
+  void add_render() {
+    if (!spec_.render) return;
+    std::vector<std::string> items = {"source: " + yaml_scalar(spec_.render->source.value)};
+    if (spec_.render->rate) items.push_back("rate: " + spec_.render->rate->value.to_string());
+    text_ += '\n';
+    line(0, "render: " + in_braces(items));
   }
 
   const ImportedGraph& graph_;

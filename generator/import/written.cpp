@@ -2,12 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <vector>
 
 #include "generator/quote/quote.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
+
+std::string legal_name(const std::string& text) {
+  if (is_identifier(text)) return text;
+  std::string name;
+  for (const char c : text) {
+    const bool letter = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (letter || (!name.empty() && name.back() != '_')) name += letter ? c : '_';
+  }
+  if (name.empty() || std::isdigit(static_cast<unsigned char>(name[0])) != 0) name = "a_" + name;
+  constexpr std::size_t kLongest = 80;
+  name = name.substr(0, kLongest);
+  if (name.back() != '_' && !is_identifier(name)) name += "_";
+  return name;
+}
 
 std::string in_braces(const std::vector<std::string>& items) {
   return fmt::format("{{{}}}", fmt::join(items, ", "));
@@ -57,11 +72,17 @@ std::string config_text(const std::vector<Setting>& config) {
   std::vector<std::string> items;
   items.reserve(config.size());
   for (const auto& setting : config)
-    items.push_back(fmt::format("{}: {}", yaml_scalar(setting.name), text_of(setting.value)));
+    items.push_back(fmt::format("{}: {}", yaml_text(setting.name), text_of(setting.value)));
   return in_braces(items);
 }
 
 std::string processor_text(const ProcessorSpec& processor) {
+  if (!processor.before.empty()) {
+    std::vector<std::string> items;
+    for (const ProcessorSpec& each : processor.before) items.push_back(processor_text(each));
+    items.push_back(processor_text({processor.type, processor.config, {}}));
+    return fmt::format("[{}]", fmt::join(items, ", "));
+  }
   if (processor.config.empty()) return yaml_scalar(processor.type.value);
   return fmt::format("{{type: {}, config: {}}}", yaml_scalar(processor.type.value),
                      config_text(processor.config));

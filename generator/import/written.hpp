@@ -9,6 +9,8 @@
 
 namespace eagerx::gen {
 
+/// The nearest name that an entity here may have: "1e3" is "a_1e3".
+std::string legal_name(const std::string& text);
 /// {a, b}
 std::string in_braces(const std::vector<std::string>& items);
 std::string text_of(const YamlValue& yaml);

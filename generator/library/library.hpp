@@ -117,6 +117,7 @@ struct Entity {
   std::optional<Spanned<std::string>> family;  // the family of boards it needs
   std::string path;                            // of the manifest, as messages show it
   std::string include_root;                    // folder that the include is relative to
+  bool own = false;                            // the user's: of a folder of `--path` or `library:`
 
   [[nodiscard]] const PortManifest* input(std::string_view name) const;
   [[nodiscard]] const PortManifest* output(std::string_view name) const;

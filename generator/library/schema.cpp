@@ -196,7 +196,9 @@ Json processor_schema(const Library& library, const Json& plain) {
   const Json* options = member(&plain, "anyOf");
   Json written = options->as<Json::List>()->front();
   specialise(written, library, EntityKind::processor);
-  return Json{{"anyOf", Json::List{written, type_schema(library, EntityKind::processor)}}};
+  const Json::List one = {written, type_schema(library, EntityKind::processor)};
+  const Json list = {{"type", "array"}, {"minItems", 1}, {"items", Json{{"anyOf", one}}}};
+  return Json{{"anyOf", Json::List{one[0], one[1], list}}};
 }
 
 }  // namespace

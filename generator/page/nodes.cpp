@@ -51,7 +51,12 @@ Json json_of(const Config& config) {
 
 Json json_of(const std::optional<Processor>& processor) {
   if (!processor) return nullptr;
-  return Json{{"type", processor->entity->id.value}, {"config", json_of(processor->config)}};
+  Json config = Json::list();
+  for (const Processor* stage : processor->stages()) {
+    const Json values = json_of(stage->config);
+    for (const Json& value : *values.as<Json::List>()) config.push_back(value);
+  }
+  return Json{{"type", processor->names()}, {"config", std::move(config)}};
 }
 
 const char* name_of(RandomSpec::Kind kind) {

@@ -15,7 +15,7 @@ void append(std::string& list, const std::string& item) {
 }
 
 std::string via(const std::optional<Processor>& processor) {
-  return "through " + processor->entity->id.value;
+  return "through " + processor->names();
 }
 
 std::string detail_of(const Input& input) {

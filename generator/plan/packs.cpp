@@ -22,7 +22,7 @@ std::string why_not(const GraphNode& node) {
     return fmt::format(
         "the processor of `{}` ({}) has no `packs: true` in its manifest, or its condition does "
         "not hold",
-        where, processor->entity->id.value);
+        where, processor->names());
   };
   for (const auto& input : node.inputs) {
     if (!converts(input.processor)) return of(input.processor, input.written);

@@ -39,7 +39,7 @@ std::string task_text(const Graph& graph) {
   const char* what = "sees";
   for (const Input& input : graph.nodes[task.node].inputs) {
     text += fmt::format("  {:<11} {}: {}{}{}\n", what, input.name, name_of_source(graph, input),
-                        input.processor ? ", " + input.processor->entity->id.value : "",
+                        input.processor ? ", " + input.processor->names() : "",
                         input.skip ? ", of the step that ends" : "");
     what = "";
   }

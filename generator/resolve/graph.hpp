@@ -46,11 +46,18 @@ struct ModelUse {
   Config config;  // of the object
 };
 
+/// What converts a message; of several the last one, with those before it.
 struct Processor {
   const Entity* entity = nullptr;
   Config config;
   Space input, output;
   Span span;
+  std::vector<Processor> before = {};  // in the order in which they convert
+
+  /// All of them, in that order.
+  [[nodiscard]] std::vector<const Processor*> stages() const;
+  /// "AddProc, Negate"
+  [[nodiscard]] std::string names() const;
 };
 
 /// An output: `raw` is what the callback writes, `space` what is published after the processor.

@@ -106,9 +106,9 @@ void check(const Entity& entity, const Config& config, Facts facts, Span span,
 }
 
 void check(const std::optional<Processor>& processor, Diagnostics& diagnostics) {
-  if (processor)
-    check(*processor->entity, processor->config, facts_of(*processor), processor->span,
-          diagnostics);
+  if (!processor) return;
+  for (const Processor* stage : processor->stages())
+    check(*stage->entity, stage->config, facts_of(*stage), stage->span, diagnostics);
 }
 
 void check(const GraphNode& node, Diagnostics& diagnostics) {
@@ -138,7 +138,9 @@ bool runs_in_packs(const GraphNode& node) {
   return runs_in_packs(*node.entity, node.config, facts_of(node));
 }
 bool runs_in_packs(const Processor& processor) {
-  return runs_in_packs(*processor.entity, processor.config, facts_of(processor));
+  return std::ranges::all_of(processor.stages(), [](const Processor* stage) {
+    return runs_in_packs(*stage->entity, stage->config, facts_of(*stage));
+  });
 }
 
 bool check_limits(const Processor& processor, Diagnostics& diagnostics) {

@@ -12,7 +12,8 @@ namespace {
 template <class F>
 void for_each_entity(const Graph& graph, Part part, F&& f) {
   const auto processor = [&](const std::optional<Processor>& item) {
-    if (item) f(*item->entity, item->span);
+    if (!item) return;
+    for (const Processor* stage : item->stages()) f(*stage->entity, stage->span);
   };
   if (part != Part::board && graph.has_engine()) f(*graph.engine().entity, graph.engine().span);
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {

@@ -100,7 +100,10 @@ class ObjectBuilder {
 
   /// Parameters of a manifest's processor may refer to the object's.
   void bind(std::optional<ProcessorSpec>& processor) {
-    if (processor) processor->config = substitute(processor->config, references_, diagnostics());
+    if (!processor) return;
+    for (ProcessorSpec& each : processor->before)
+      each.config = substitute(each.config, references_, diagnostics());
+    processor->config = substitute(processor->config, references_, diagnostics());
   }
 
   void add_ports(DraftNode& node, const EntitySpec& spec, const Entity& entity) {

@@ -6,9 +6,9 @@
 namespace eagerx::gen {
 namespace {
 
-std::optional<Processor> make_processor(const Library& library, const ProcessorSpec& spec,
-                                        const Space& arriving, Span source,
-                                        Diagnostics& diagnostics) {
+/// One of a list, without those before it.
+std::optional<Processor> make_stage(const Library& library, const ProcessorSpec& spec,
+                                    const Space& arriving, Span source, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
   const Entity* entity = find_entity(library, spec.type, EntityKind::processor, diagnostics);
   if (entity == nullptr) return std::nullopt;
@@ -37,6 +37,22 @@ std::optional<Processor> make_processor(const Library& library, const ProcessorS
   if (diagnostics.error_count() != errors_before) return std::nullopt;
   processor.output = *output;
   return processor;
+}
+
+std::optional<Processor> make_processor(const Library& library, const ProcessorSpec& spec,
+                                        const Space& arriving, Span source,
+                                        Diagnostics& diagnostics) {
+  std::vector<Processor> before;
+  for (const ProcessorSpec& each : spec.before) {
+    auto stage = make_stage(library, each, before.empty() ? arriving : before.back().output,
+                            before.empty() ? source : before.back().span, diagnostics);
+    if (!stage) return std::nullopt;
+    before.push_back(std::move(*stage));
+  }
+  auto last = make_stage(library, spec, before.empty() ? arriving : before.back().output,
+                         before.empty() ? source : before.back().span, diagnostics);
+  if (last) last->before = std::move(before);
+  return last;
 }
 
 /// What has to be written of a processor that takes all elements of a message and is to give as
@@ -84,7 +100,7 @@ std::vector<std::string> fitting_processors(const Library& library, const Partia
     const Entity& entity = *library.find(id);
     auto settings = settings_for(entity, arriving.size());
     if (!settings) continue;
-    const ProcessorSpec spec{{id, {}}, std::move(*settings)};
+    const ProcessorSpec spec{{id, {}}, std::move(*settings), {}};
     Diagnostics unsaid;
     const auto processor = make_processor(library, spec, arriving, {}, unsaid);
     if (!processor || !fits(takes, processor->output)) continue;

@@ -15,4 +15,17 @@ std::string Space::describe() const {
   return fmt::format("{} [{}]", to_string(dtype), fmt::join(shape, ", "));
 }
 
+std::vector<const Processor*> Processor::stages() const {
+  std::vector<const Processor*> result;
+  for (const Processor& stage : before) result.push_back(&stage);
+  result.push_back(this);
+  return result;
+}
+
+std::string Processor::names() const {
+  std::vector<std::string> ids;
+  for (const Processor* stage : stages()) ids.push_back(stage->entity->id.value);
+  return fmt::format("{}", fmt::join(ids, ", "));
+}
+
 }  // namespace eagerx::gen

@@ -205,12 +205,15 @@ FormatPtr config_format() {
 }
 
 FormatPtr processor_format() {
+  const FormatPtr record = format::record(
+      "a processor", {{"type", format::name("the name of a processor"), true, "its id"},
+                      {"config", config_format(), false, "its parameters"}});
+  const FormatPtr name = format::name("the name of a processor");
+  const FormatPtr one = format::one_of(
+      "the name of a processor, or a mapping with its `type` and `config`", {record, name});
   return format::one_of(
-      "the name of a processor, or a mapping with its `type` and `config`",
-      {format::record("a processor",
-                      {{"type", format::name("the name of a processor"), true, "its id"},
-                       {"config", config_format(), false, "its parameters"}}),
-       format::name("the name of a processor")});
+      "the name of a processor, a mapping with its `type` and `config`, or a list of them",
+      {record, name, format::list("a list of processors", one, 1)});
 }
 
 FormatPtr space_format(Reference references, bool like) {

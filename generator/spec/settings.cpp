@@ -55,6 +55,12 @@ std::vector<Setting> read_config(const YamlValue* yaml) {
 }
 
 ProcessorSpec read_processor(const YamlValue& yaml) {
+  if (yaml.is_sequence()) {
+    ProcessorSpec last = read_processor(yaml.items.back());
+    for (std::size_t i = 0; i + 1 < yaml.items.size(); ++i)
+      last.before.push_back(read_processor(yaml.items[i]));
+    return last;
+  }
   const YamlValue& type = yaml.is_scalar() ? yaml : *yaml.find("type");
   return {{type.text, type.span}, read_config(yaml.find("config"))};
 }

@@ -27,6 +27,7 @@ struct Setting {
 struct ProcessorSpec {
   Spanned<std::string> type;
   std::vector<Setting> config;
+  std::vector<ProcessorSpec> before = {};  // of a list: those that convert before it, in order
 };
 
 /// How a state or a delay gets its value at a reset.

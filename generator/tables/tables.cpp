@@ -35,7 +35,9 @@ void for_each_setting(GraphSpec& spec, F&& f) {
     for (Setting& setting : settings) f(setting);
   };
   const auto processor = [&](std::optional<ProcessorSpec>& item) {
-    if (item) config(item->config);
+    if (!item) return;
+    for (ProcessorSpec& each : item->before) config(each.config);
+    config(item->config);
   };
   const auto components = [&](std::vector<ComponentSpec>& items) {
     for (ComponentSpec& item : items) processor(item.settings.processor);

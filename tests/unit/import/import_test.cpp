@@ -264,9 +264,136 @@ TEST(ImportGraph, AClassOfAScriptIsOnlyOursWithTheSameInterface) {
   saved.config.kind = YamlKind::map;
   saved.config.entries.push_back({"gain", {}, made_scalar("2", {})});
   EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // an unknown parameter
+  saved.config.entries.clear();
+  entity.config.resize(1);
+  entity.config[0].eagerx = "n";
+  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // has no n
+  EXPECT_FALSE(counterparts.may_stand_in(entity, saved, "the node `n`"));
+  EXPECT_EQ(diagnostics.error_count(), 3U) << "told twice";
   saved.id.value = "own.module/Own";
   EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));
-  EXPECT_EQ(diagnostics.error_count(), 2U);
+  saved.id.value = "__main__/Own";
+  entity.own = true;
+  EXPECT_TRUE(counterparts.may_stand_in(entity, saved, "the node `n`"));  // its user says so
+  EXPECT_EQ(diagnostics.error_count(), 3U);
+}
+
+TEST(ImportGraph, AUsersOwnEntityIsTakenForAClassOfAScript) {
+  Library library;
+  for (const auto* id : {"A", "B", "C"}) {
+    Entity& entity = library.entities[id];
+    entity.id.value = id;
+    entity.eagerx_ids = {{{"__main__/Own", {}}, {}}, {{"module/Own", {}}, {}}};
+    entity.own = std::string_view(id) == "B";
+  }
+  Diagnostics diagnostics;
+  Counterparts counterparts(library, diagnostics);
+  YamlValue none;
+  none.kind = YamlKind::map;
+  const Entity* found = counterparts.find({"__main__/Own", {}}, none, Use::node, "the node `n`");
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(found->id.value, "B");
+  EXPECT_FALSE(diagnostics.has_errors());
+  EXPECT_NE(counterparts.find({"module/Own", {}}, none, Use::node, "the node `n`"), nullptr);
+  EXPECT_TRUE(diagnostics.has_errors()) << "three entities stand for the same class";
+}
+
+TEST(ImportGraph, AnActionAndItsConnectionKeepTheirProcessors) {
+  std::string text = file(environment("10") + object());
+  const auto add = [&](const std::string& before, const char* k) {
+    const std::size_t place = text.find(before);
+    ASSERT_NE(place, std::string::npos);
+    text.insert(place + before.size(),
+                std::string("processor: {processor_type: oracle_nodes/AddProc, k: ") + k + "}, ");
+  };
+  add("outputs: {act: {", "31");
+  EXPECT_NE(Import(text).text().find("{from: actions.act, to: obj.a0, processor: {type: AddProc, "
+                                     "config: {k: 31}}}"),
+            std::string::npos)
+      << Import(text).text();
+  add("actuators: {a0: {", "11");
+  const Import both(text);
+  EXPECT_NE(both.text().find("to: obj.a0, processor: [{type: AddProc, config: {k: 31}}, {type: "
+                             "AddProc, config: {k: 11}}]}"),
+            std::string::npos)
+      << both.text();
+}
+
+TEST(ImportGraph, WhatWasRenderedIsDrawnByOurObject) {
+  const std::string picture = "{space: {dtype: uint8, shape: [4, 4, 3]}";
+  const std::string image = ", image: " + picture + ", rate: 10}";
+  std::string thing =
+      object("chain: false, nid: 20", "rate: 10}" + image.substr(0, image.size() - 1));
+  thing.replace(thing.find("sensors: [s0]"), 13, "sensors: [s0, image]");
+  const std::string nodes =
+      environment("10") + thing +
+      "  overlay: {node_type: x/Overlay, config: {entity_id: x/Overlay, inputs: [base], outputs: "
+      "[image], states: [], rate: 10}, inputs: {base: " +
+      picture + "}}, outputs: {image: " + picture +
+      "}}}\n"
+      "  show: {node_type: eagerx.core.nodes/RenderNode, config: {entity_id: "
+      "eagerx.core.nodes/RenderNode, inputs: [image], outputs: [], states: [], rate: 5}, inputs: "
+      "{image: " +
+      picture + "}}, outputs: {}}\n";
+  const std::string links =
+      "- [[obj, sensors, image], [overlay, inputs, base]]\n"
+      "- [[overlay, outputs, image], [show, inputs, image]]\n";
+  const auto text_with = [&](bool draws) {
+    SourceMap sources;
+    Diagnostics diagnostics;
+    const YamlValue tree = read_yaml_text("state.yaml", file(nodes, links), sources, diagnostics);
+    Library library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
+    Entity& ours = library.entities.at("OObject");
+    if (draws) {
+      PortManifest drawing;
+      drawing.name.value = "scene";
+      drawing.space.dtype = Spanned<std::string>{"float32", {}};
+      drawing.space.shape = made_list({made_scalar("2", {}), made_scalar("16", {})}, {});
+      ours.sensors.push_back(drawing);
+      ConnectionSpec inside;
+      inside.from.value = "s1.o0";
+      inside.to.value = "sensors.scene";
+      ours.object_engines.front().connections.push_back(inside);
+    }
+    const auto graph = import_graph(tree, "state.yaml", library, {}, diagnostics);
+    return (graph ? write_graph(*graph) : "") + render_text(diagnostics, sources, false);
+  };
+  const std::string drawn = text_with(true), left_out = text_with(false);
+  EXPECT_NE(drawn.find("\nrender: {source: obj.scene, rate: 5}\n"), std::string::npos) << drawn;
+  EXPECT_NE(drawn.find("`render:` shows `obj.scene` in place of `obj.image`; left out, as it is "
+                       "only for pictures: the node `overlay`"),
+            std::string::npos)
+      << drawn;
+  EXPECT_EQ(left_out.find("render:"), std::string::npos) << left_out;
+  EXPECT_NE(left_out.find("left out, as they are only for pictures: the node `show`, the node "
+                          "`overlay`, `obj.image`"),
+            std::string::npos)
+      << left_out;
+}
+
+TEST(MissingEntities, NamesThatYamlReadsOtherwiseSurvive) {
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const std::string own =
+      "  n: {node_type: m/Own, config: {entity_id: m/Own, rate: 10, inputs: [y, 1e3], outputs: "
+      "['on'], states: ['null'], 'off': 2, 'double': 3}, inputs: {y: {space: " +
+      std::string(kSpace) + "}, 1e3: {space: " + kSpace + "}}, outputs: {'on': {space: " + kSpace +
+      "}}, states: {'null': {space: " + kSpace + "}}}\n";
+  const YamlValue tree =
+      read_yaml_text("state.yaml", file(environment("10") + object() + own), sources, diagnostics);
+  const Library library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
+  const auto missing = missing_entities(tree, library, {}, diagnostics);
+  ASSERT_TRUE(missing && missing->size() == 1) << render_text(diagnostics, sources, false);
+  const std::string& text = missing->front().manifest;
+  for (const char* line :
+       {"\n  'y': {", "\n  a_1e3: {eagerx: '1e3', ", "\n  'on': {", "\n  'null': {",
+        "\n  'off': {type: int, default: 2", "\n  double_: {eagerx: double, type: int, default: 3"})
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  const YamlValue manifest = read_yaml_text("manifest.yaml", text, sources, diagnostics);
+  EXPECT_FALSE(diagnostics.has_errors()) << text;
+  const YamlValue* inputs = manifest.find("inputs");
+  ASSERT_NE(inputs, nullptr);
+  EXPECT_NE(inputs->find("y"), nullptr);
 }
 
 TEST(ImportGraph, DifferencesWithinAnObjectAreWarnings) {
