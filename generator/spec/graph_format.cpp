@@ -123,10 +123,12 @@ FormatPtr object_format() {
 
 std::vector<Field> policy_settings() {
   return {
-      {"output", format::keyword({"squashed", "raw", "argmax"}), false,
+      {"output", format::keyword({"squashed", "raw", "argmax", "binary"}), false,
        "squashed: answers from -1 to 1 are mapped to the action's bounds (SB3's SAC and TD3); raw: "
        "answers are clipped to the bounds (PPO, A2C); argmax: the action is the index of the "
-       "largest output (DQN). Default: as the file says, else squashed if the last layer is a "
+       "largest output (DQN), or of several whole numbers the index of the largest of its own "
+       "outputs (MultiDiscrete); binary: 1 where an output is above zero, else 0 (MultiBinary). "
+       "Default: as the file says, else squashed if the last layer is a "
        "tanh, else raw"},
       {"normalize", format::text("a file name"), false,
        "statistics of the observations: VecNormalize.save, npz or JSON"},

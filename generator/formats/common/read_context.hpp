@@ -16,7 +16,7 @@ using FilesBeside =
 struct ReadContext {
   std::optional<Activation> activation{};         // of hidden layers, as the graph says
   std::string actor{};                            // of tables: how the names of its tensors begin
-  std::string output_name{};                      // of ONNX: which output is the action
+  std::string output_name{};                      // of ONNX and TorchScript: which output is the action
   std::optional<Activation> output_activation{};  // after the last layer, as the graph says
   FilesBeside files{};                            // of ONNX, whose values may be in others
 };

@@ -45,6 +45,14 @@ bool is_same(const std::string& name) {
   return std::ranges::find(kSame, name) != kSame.end();
 }
 
+/// A condition that was made a number; anything else is itself.
+TorchValue as_number(const TorchValue& x) {
+  if (!x.tensor->value.is_condition) return x;
+  OnnxValue value = x.tensor->value;
+  value.is_condition = false;
+  return TorchValue::of(std::move(value));
+}
+
 }  // namespace
 
 std::string dotted_name(const TorchExpression& expression) {
@@ -225,7 +233,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
         return fail("rounds numbers to another type than float32");
       }
     }
-    return arguments.front();
+    return as_number(arguments.front());
   }
   if (name == "clone" && has_tensor) return TorchValue::of(arguments.front().tensor->value);
   if (is_same(name) && has_tensor) {
@@ -233,7 +241,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
     if (drops && (arguments.size() < 3 || arguments[2].whole() != 0)) {
       return fail("drops values, as in training: call `eval()` before the export");
     }
-    return arguments.front();
+    return as_number(arguments.front());
   }
   const bool writes = name.size() > 1 && name.ends_with("_") && !name.ends_with("__");
   if (writes && has_tensor) return in_place(name, std::move(arguments), std::move(named));

@@ -41,7 +41,7 @@ Result with_factor(const Torch& call, const char* type) {
   const auto a = call.tensor(0);
   auto b = call.tensor(1, "other");
   const auto factor = call.number(2, "alpha", 1.0);
-  if (!a || !b || !factor) return std::nullopt;
+  if (!a || !b || !factor || (a->is_condition && b->is_condition)) return std::nullopt;
   if (*factor != 1.0) {
     b = call.node("Mul", {*b, call.constant({static_cast<float>(*factor)}, {})});
   }
@@ -101,9 +101,12 @@ Result linear(const Torch& call) {
   const auto x = call.tensor(0);
   const auto weight = call.tensor(1, "weight");
   if (!x || !weight || torch_rank(*weight) != 2) return std::nullopt;
+  const auto bias = call.tensor(2, "bias");
+  if (bias && torch_rank(*x) == 2) {
+    return call.node("Gemm", {*x, *weight, *bias}, {{"transB", 1}});
+  }
   const OnnxValue product = call.node("MatMul", {*x, turned(call, *weight)});
   if (call.argument(2, "bias").is_none()) return product;
-  const auto bias = call.tensor(2, "bias");
   return bias ? Result(call.node("Add", {product, *bias})) : std::nullopt;
 }
 Result addmm(const Torch& call) {  // addmm(b, x, w): beta b + alpha x w
@@ -332,7 +335,9 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
     return parts;
   }
   const auto own = operators().find(name);
-  const TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
+  TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
+  if (run == nullptr) run = torch_image_operator(name);
+  if (run == nullptr) run = torch_condition_operator(name);
   if (run == nullptr) {
     problem = {
         "E0754",

@@ -249,7 +249,8 @@ TimeRule rule_of(std::string_view name) {
       "Add",       "CastLike", "Celu", "Clip",     "Cast",    "Div",   "Dropout", "Elu",
       "Erf",       "Sin",      "Cos",  "Exp",      "Abs",     "Gelu",  "Expand",  "Neg",
       "LeakyRelu", "Max",      "Min",  "Identity", "Mul",     "PRelu", "Pow",     "Selu",
-      "Relu",      "Softplus", "Sqrt", "Sub",      "Sigmoid", "Sum",   "Tanh"};
+      "Relu",      "Softplus", "Sqrt", "Sub",      "Sigmoid", "Sum",   "Tanh",
+      "Greater",   "Less",     "GreaterOrEqual", "LessOrEqual", "Equal", "Not", "And", "Or", "Where"};
   for (const auto& [known, rule] : kRules) {
     if (known == name) return rule;
   }

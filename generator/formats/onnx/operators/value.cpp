@@ -16,7 +16,8 @@ std::vector<OnnxOperatorEntry> all_operators() {
   std::vector<OnnxOperatorEntry> all;
   for (const auto& part :
        {layer_operators(), shape_operators(), order_operators(), branch_operators(),
-        elementwise_operators(), image_operators(), recurrent_operators(), choice_operators()}) {
+        elementwise_operators(), image_operators(), recurrent_operators(), choice_operators(),
+        condition_operators()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -40,9 +41,7 @@ bool is_elementwise(std::string_view name) {
                                          "Sign",    "Sin",      "Softmax",
                                          "Sub",     "Sum",      "Softplus",
                                          "Sqrt",    "Softsign", "RandomNormalLike",
-                                         "Round",   "Mod",      "Where",
-                                         "And",     "Or",       "Not",
-                                         "Greater", "Less",     "Equal"};
+                                         "Round",   "Mod"};
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 

@@ -138,7 +138,8 @@ struct OnnxValue {
   std::int64_t slots = 0;
   std::vector<OnnxRemembered> remembered;  // layer by layer, if this is a new state
   OnnxPart part;
-  bool is_zero = false;  // other: all zeros
+  bool is_zero = false;       // other: all zeros
+  bool is_condition = false;  // data: each number is 1 or 0
   PolicyProblem problem;
 };
 
@@ -225,6 +226,11 @@ std::optional<float> scalar_of(const OnnxValue& value);
 std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
                                           Elementwise::Operation operation,
                                           const OnnxValue& constant);
+/// The larger or the smaller one of two values of the observation's, number by number; nothing as with `combined`.
+std::optional<OnnxValue> larger_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b);
+std::optional<OnnxValue> smaller_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b);
+/// 1 where x is not zero, else 0.
+std::optional<OnnxValue> condition_of(const OnnxCall& call, const OnnxValue& x);
 /// Two values of the observation's, number by number; nothing unless one of them has the shape of
 /// the result, and the other as many numbers or one.
 std::optional<OnnxValue> combined(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b,
@@ -264,7 +270,8 @@ struct OnnxOperatorEntry {
 };
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
 /// and reorder (order.cpp), of branches (branches.cpp), with constants (elementwise.cpp), over
-/// images (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp).
+/// images (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp), that compare
+/// (conditions.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
 std::vector<OnnxOperatorEntry> order_operators();
@@ -273,5 +280,6 @@ std::vector<OnnxOperatorEntry> elementwise_operators();
 std::vector<OnnxOperatorEntry> image_operators();
 std::vector<OnnxOperatorEntry> recurrent_operators();
 std::vector<OnnxOperatorEntry> choice_operators();
+std::vector<OnnxOperatorEntry> condition_operators();
 
 }  // namespace eagerx::gen
