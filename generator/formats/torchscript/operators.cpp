@@ -258,14 +258,17 @@ Result cat(const Torch& call) {
   return call.node("Concat", parts, {{"axis", axis}});
 }
 
+/// Of a size that is said, or of that of another value.
 Result zeros(const Torch& call) {
-  const auto shape = call.list(0, "size");
+  const bool is_like = call.name().ends_with("_like");
+  const auto like = is_like ? call.tensor(0) : std::nullopt;
+  const auto shape = is_like ? (like ? like->shape : std::nullopt) : call.list(0, "size");
   const std::int64_t count =
       shape ? element_count(*shape).value_or(kMaxValues + 1) : kMaxValues + 1;
   if (count > kMaxValues || !OnnxCall(onnx::NodeProto(), {}, call.state()).spend(count)) {
     return std::nullopt;
   }
-  const float value = call.name() == "ones" ? 1.0F : 0.0F;
+  const float value = call.name().starts_with("ones") ? 1.0F : 0.0F;
   return call.constant(std::vector<float>(static_cast<std::size_t>(count), value), *shape);
 }
 Result number(const Torch& call) {
@@ -320,6 +323,8 @@ const std::map<std::string_view, TorchOperator>& operators() {
                                                                    {"concat", cat},
                                                                    {"zeros", zeros},
                                                                    {"ones", zeros},
+                                                                   {"zeros_like", zeros},
+                                                                   {"ones_like", zeros},
                                                                    {"tensor", number}};
   return kTable;
 }

@@ -64,9 +64,48 @@ TEST(TorchScript, AnswersAsTorchDoes) {
         "normalizer_scripted.pt", "normalizer_traced.pt", "identity_scripted.pt",
         "lstm_scripted.pt", "lstm_two_scripted.pt", "gru_scripted.pt", "branches_scripted.pt",
         "branches_traced.pt", "residual_scripted.pt", "residual_traced.pt", "by_hand_half.pt",
-        "small_scripted.pt", "branches.onnx", "residual.onnx"}) {
+        "small_scripted.pt", "branches.onnx", "residual.onnx", "history_scripted.pt",
+        "history_traced.pt", "history.onnx", "picture_scripted.pt", "picture_traced.pt",
+        "picture.onnx", "conditions_scripted.pt", "conditions_traced.pt", "conditions.onnx"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
+}
+
+/// The network of one of several results.
+std::optional<Network> read_result(const std::string& file, const std::string& output,
+                                   Diagnostics& diagnostics) {
+  ReadContext context;
+  context.output_name = output;
+  return read_policy_bytes(bytes_of(file), file, {}, diagnostics, context);
+}
+
+TEST(TorchScript, OfSeveralResultsOneIsTheAction) {
+  for (const char* file : {"several_scripted.pt", "several_traced.pt"}) {
+    Diagnostics diagnostics;
+    const auto network = read_result(file, "1.0", diagnostics);
+    ASSERT_TRUE(network.has_value()) << diagnostics.all().front().message;
+    const std::string golden = "several_golden.npz";
+    const auto rows = read_golden(kFolder + golden, golden, {}, diagnostics);
+    ASSERT_TRUE(rows.has_value());
+    EXPECT_TRUE(compare(*network, *rows, golden, {}, diagnostics).has_value());
+    EXPECT_THAT(network->ignored,
+                ElementsAre("result `0` [1, 1]", "result `1.1` [1, 3]"));
+  }
+}
+
+TEST(TorchScript, WhichResultIsTheActionMustBeSaid) {
+  for (const auto& [output, text] :
+       {std::pair{"", "has 3 results, and it is not known which one is the action: `0` [1, 1], "
+                      "`1.0` [1, 3], `1.1` [1, 3]"},
+        std::pair{"mean", "has no result `mean`: it has `0` [1, 1]"}}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_result("several_scripted.pt", output, diagnostics).has_value());
+    EXPECT_EQ(diagnostics.all().front().code, "E0751");
+    EXPECT_THAT(diagnostics.all().front().message, HasSubstr(text));
+  }
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_result("mlp_scripted.pt", "0", diagnostics).has_value());
+  EXPECT_EQ(diagnostics.all().front().code, "E0751");
 }
 
 TEST(TorchScript, LayersAreThoseOfTheModules) {
