@@ -45,9 +45,9 @@ PortManifest output_port(const ComponentSpec* written, const std::string& name, 
   const std::optional<SpaceSpec> said = written != nullptr ? written->space : std::nullopt;
   const Span span = port.name.span;
   const std::string kind =
-      network == nullptr ? ""
-                         : (policy.output ? policy.output->value
-                                          : std::string(to_string(network->action_kind())));
+      network == nullptr
+          ? ""
+          : (policy.output ? policy.output->value : std::string(to_string(network->action_kind())));
   const bool is_whole = kind == "argmax" || kind == "binary";
   if (!said || !said->dtype)
     port.space.dtype = Spanned<std::string>{is_whole ? "int64" : "float32", span};

@@ -59,7 +59,8 @@ class WorldCheck {
       const Space& space = action->raw;
       const auto size = static_cast<std::size_t>(space.size());
       for (std::size_t i = 0; i < size; ++i) {
-        result.push_back({action, !is_floating(space.dtype), bound(space.low, i, size).value_or(0.0),
+        result.push_back({action, !is_floating(space.dtype),
+                          bound(space.low, i, size).value_or(0.0),
                           bound(space.high, i, size).value_or(0.0)});
       }
     }
@@ -89,8 +90,8 @@ class WorldCheck {
       error("E0705", fmt::format("the policy `{}` chooses its number {} from 0 to {}, but the "
                                  "graph's goes from {:g} to {:g}",
                                  use_.file, i, theirs[i] - 1, ours[i].low, ours[i].high))
-          .notes.push_back({fmt::format("`{}{}`", use_.out, ours[i].action->name),
-                            ours[i].action->span, ""});
+          .notes.push_back(
+              {fmt::format("`{}{}`", use_.out, ours[i].action->name), ours[i].action->span, ""});
       return;
     }
     if (sum == network_.outputs()) return;
@@ -102,10 +103,10 @@ class WorldCheck {
 
   void need_whole_numbers(const Output& action) {
     const auto& theirs = network_.contract.groups;
-    auto& problem =
-        error("E0704", fmt::format("the policy `{}` chooses {}whole numbers, but the graph's "
-                                   "actions are others",
-                                   use_.file, theirs.empty() ? "" : fmt::format("{} ", theirs.size())));
+    auto& problem = error(
+        "E0704", fmt::format("the policy `{}` chooses {}whole numbers, but the graph's "
+                             "actions are others",
+                             use_.file, theirs.empty() ? "" : fmt::format("{} ", theirs.size())));
     problem.notes.push_back(
         {fmt::format("`{}{}` is {}", use_.out, action.name, action.raw.describe()), action.span,
          ""});
@@ -114,9 +115,10 @@ class WorldCheck {
     problem.help =
         theirs.empty()
             ? "give them `dtype: int64`, and as many values together as the policy has outputs"
-            : fmt::format("give it `space: {{dtype: int64, shape: [{}], low: 0, high: [{}]}}` and "
-                          "turn its numbers into commands with a node",
-                          theirs.size(), fmt::join(highs, ", "));
+            : fmt::format(
+                  "give it `space: {{dtype: int64, shape: [{}], low: 0, high: [{}]}}` and "
+                  "turn its numbers into commands with a node",
+                  theirs.size(), fmt::join(highs, ", "));
   }
 
   /// Whole numbers from 0 to 1, as many as outputs: E0702 says so if not.
@@ -124,15 +126,17 @@ class WorldCheck {
     for (const Number& number : numbers()) {
       const bool fits = number.is_whole && number.low == 0.0 && number.high == 1.0;
       if (fits) continue;
-      auto& problem = error(
-          "E0704", fmt::format("the policy `{}` answers with zeros and ones, but the graph's action "
-                               "is something else",
-                               use_.file));
+      auto& problem =
+          error("E0704",
+                fmt::format("the policy `{}` answers with zeros and ones, but the graph's action "
+                            "is something else",
+                            use_.file));
       problem.notes.push_back({fmt::format("`{}{}` is {}", use_.out, number.action->name,
                                            number.action->raw.describe()),
                                number.action->span, ""});
       problem.help = fmt::format(
-          "give it `space: {{dtype: int64, shape: [{}], low: 0, high: 1}}` and turn its numbers into "
+          "give it `space: {{dtype: int64, shape: [{}], low: 0, high: 1}}` and turn its numbers "
+          "into "
           "commands with a node",
           network_.outputs());
       return;

@@ -49,8 +49,7 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
         break;
       case ActionKind::binary:
         item.set("how", "1 where an output is above zero, else 0");
-        item.set("expression",
-                 fmt::format("eagerx::bits<{}>(output, out)", message_type(to->raw)));
+        item.set("expression", fmt::format("eagerx::bits<{}>(output, out)", message_type(to->raw)));
         break;
       case ActionKind::raw:
         item.set("how", "as SB3's predict() does: clipped to the action's bounds");

@@ -50,7 +50,7 @@ struct PolicyContract {
   /// argmax: how many outputs each choice is among, in order: two or more of a MultiDiscrete.
   /// Empty: not known.
   std::vector<std::uint32_t> groups{};
-  std::optional<double> rate_hz;             // steps a second in training
+  std::optional<double> rate_hz;  // steps a second in training
 };
 
 }  // namespace eagerx::gen

@@ -294,8 +294,8 @@ Values<Real> select(const Layer& layer, const Combination& form, const Values<Re
   Values<Real> y(layer.outputs);
   for (std::size_t i = 0; i < y.size(); ++i) {
     const bool is_first = x[condition == 1 ? 0 : i] != Real(0);
-    const std::size_t at = is_first ? condition + (first == 1 ? 0 : i)
-                                    : condition + first + (second == 1 ? 0 : i);
+    const std::size_t at =
+        is_first ? condition + (first == 1 ? 0 : i) : condition + first + (second == 1 ? 0 : i);
     y[i] = x[at];
   }
   return y;

@@ -48,8 +48,7 @@ const char* to_string(Elementwise::Operation operation) {
 }
 
 const char* to_string(Combination::Operation operation) {
-  constexpr std::array kNames = {"join",    "sum",      "difference",
-                                "product", "quotient", "select"};
+  constexpr std::array kNames = {"join", "sum", "difference", "product", "quotient", "select"};
   return kNames.at(static_cast<std::size_t>(operation));
 }
 

@@ -145,7 +145,8 @@ std::vector<Field> policy_settings() {
       {"actor", format::text("a name"), false,
        "of a file with several actors: how the names of its tensors begin"},
       {"output_name", format::text("a name"), false,
-       "of an ONNX file with several outputs: the one that is the action; of TorchScript with several "
+       "of an ONNX file with several outputs: the one that is the action; of TorchScript with "
+       "several "
        "results: its place, from \"0\" on"},
       {"golden", format::text("a file name"), false,
        "observations with known answers (CSV or npz); the generator and every program check them"},

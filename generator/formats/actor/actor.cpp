@@ -78,8 +78,7 @@ class Assembly {
     const auto first = table_.tensors.lower_bound(layout_.extractor + "cnn.");
     const bool has_cnn = !layout_.extractor.empty() && first != table_.tensors.end() &&
                          first->first.starts_with(layout_.extractor + "cnn.");
-    if (has_cnn &&
-        !add_nature_cnn(parts_, layout_.extractor)) {
+    if (has_cnn && !add_nature_cnn(parts_, layout_.extractor)) {
       return false;
     }
     features_ = network_.layers.size();

@@ -165,7 +165,7 @@ bool check_size(const ActorParts& parts) {
   }
   return parameters <= static_cast<std::size_t>(kMaxParameters) ||
          parts.fail("E0619", fmt::format("has more than {} parameters", kMaxParameters),
-              "use a smaller network");
+                    "use a smaller network");
 }
 
 }  // namespace

@@ -46,9 +46,10 @@ bool may_be_left(const ActorParts& parts, const ActorLayout& layout, std::string
 bool check_rest(const ActorParts& parts, const ActorLayout& layout) {
   for (const auto& [name, tensor] : parts.table.tensors) {
     if (parts.used.count(name) > 0 || may_be_left(parts, layout, name)) continue;
-    return parts.fail("E0628", fmt::format("has parts that are not supported: `{}`", printable(name)),
-                "layers are Linear, LayerNorm, BatchNorm, GRU, LSTM and NatureCNN; give "
-                "statistics as `normalize`, or export the actor to ONNX");
+    return parts.fail("E0628",
+                      fmt::format("has parts that are not supported: `{}`", printable(name)),
+                      "layers are Linear, LayerNorm, BatchNorm, GRU, LSTM and NatureCNN; give "
+                      "statistics as `normalize`, or export the actor to ONNX");
   }
   for (const auto& [name, tensor] : parts.table.tensors) {
     if (parts.used.count(name) > 0) continue;

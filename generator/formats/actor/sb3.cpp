@@ -314,9 +314,8 @@ class DataReader {
   /// Actions of several whole numbers. Their scores are outputs side by side.
   bool read_choices(const Pickle& pickle, const PickleValue& space) {
     const bool is_binary = is_space(pickle, space, ".MultiBinary");
-    auto counts = is_binary || is_space(pickle, space, ".MultiDiscrete")
-                      ? choices_of(pickle, space)
-                      : std::nullopt;
+    auto counts = is_binary || is_space(pickle, space, ".MultiDiscrete") ? choices_of(pickle, space)
+                                                                         : std::nullopt;
     if (!counts || counts->empty()) {
       return fail(
           "whose `action_space` is no Box, Discrete, MultiDiscrete of one dimension and from 0 on, "

@@ -156,12 +156,14 @@ Result index(const Torch& call) {
 
 TorchOperator torch_shape_operator(std::string_view name) {
   static const std::map<std::string_view, TorchOperator> kTable = {
-      {"t", transpose},     {"numpy_T", transpose},   {"transpose", transpose},
-      {"permute", permute}, {"reshape", reshape},     {"view", reshape},
-      {"flatten", flatten}, {"unsqueeze", unsqueeze}, {"squeeze", squeeze},
-      {"expand", expand},   {"expand_as", expand},    {"slice", slice},
-      {"narrow", narrow},   {"select", select},       {"index", index},
-      {"index_select", index_select}};
+      {"t", transpose},         {"numpy_T", transpose},
+      {"transpose", transpose}, {"permute", permute},
+      {"reshape", reshape},     {"view", reshape},
+      {"flatten", flatten},     {"unsqueeze", unsqueeze},
+      {"squeeze", squeeze},     {"expand", expand},
+      {"expand_as", expand},    {"slice", slice},
+      {"narrow", narrow},       {"select", select},
+      {"index", index},         {"index_select", index_select}};
   const auto found = kTable.find(name);
   return found == kTable.end() ? nullptr : found->second;
 }

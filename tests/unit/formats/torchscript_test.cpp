@@ -60,13 +60,15 @@ double difference(const std::string& file) {
 
 TEST(TorchScript, AnswersAsTorchDoes) {
   for (const char* file :
-       {"mlp_scripted.pt", "mlp_traced.pt", "activations_scripted.pt", "activations_traced.pt",
-        "normalizer_scripted.pt", "normalizer_traced.pt", "identity_scripted.pt",
-        "lstm_scripted.pt", "lstm_two_scripted.pt", "gru_scripted.pt", "branches_scripted.pt",
-        "branches_traced.pt", "residual_scripted.pt", "residual_traced.pt", "by_hand_half.pt",
-        "small_scripted.pt", "branches.onnx", "residual.onnx", "history_scripted.pt",
-        "history_traced.pt", "history.onnx", "picture_scripted.pt", "picture_traced.pt",
-        "picture.onnx", "conditions_scripted.pt", "conditions_traced.pt", "conditions.onnx"}) {
+       {"mlp_scripted.pt",        "mlp_traced.pt",          "activations_scripted.pt",
+        "activations_traced.pt",  "normalizer_scripted.pt", "normalizer_traced.pt",
+        "identity_scripted.pt",   "lstm_scripted.pt",       "lstm_two_scripted.pt",
+        "gru_scripted.pt",        "branches_scripted.pt",   "branches_traced.pt",
+        "residual_scripted.pt",   "residual_traced.pt",     "by_hand_half.pt",
+        "small_scripted.pt",      "branches.onnx",          "residual.onnx",
+        "history_scripted.pt",    "history_traced.pt",      "history.onnx",
+        "picture_scripted.pt",    "picture_traced.pt",      "picture.onnx",
+        "conditions_scripted.pt", "conditions_traced.pt",   "conditions.onnx"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
 }
@@ -88,15 +90,15 @@ TEST(TorchScript, OfSeveralResultsOneIsTheAction) {
     const auto rows = read_golden(kFolder + golden, golden, {}, diagnostics);
     ASSERT_TRUE(rows.has_value());
     EXPECT_TRUE(compare(*network, *rows, golden, {}, diagnostics).has_value());
-    EXPECT_THAT(network->ignored,
-                ElementsAre("result `0` [1, 1]", "result `1.1` [1, 3]"));
+    EXPECT_THAT(network->ignored, ElementsAre("result `0` [1, 1]", "result `1.1` [1, 3]"));
   }
 }
 
 TEST(TorchScript, WhichResultIsTheActionMustBeSaid) {
   for (const auto& [output, text] :
-       {std::pair{"", "has 3 results, and it is not known which one is the action: `0` [1, 1], "
-                      "`1.0` [1, 3], `1.1` [1, 3]"},
+       {std::pair{"",
+                  "has 3 results, and it is not known which one is the action: `0` [1, 1], "
+                  "`1.0` [1, 3], `1.1` [1, 3]"},
         std::pair{"mean", "has no result `mean`: it has `0` [1, 1]"}}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(read_result("several_scripted.pt", output, diagnostics).has_value());

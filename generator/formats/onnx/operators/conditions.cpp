@@ -1,5 +1,5 @@
-// Operators that compare numbers, and one that picks by the result. A condition is a number: 1 where
-// it holds, else 0.
+// Operators that compare numbers, and one that picks by the result. A condition is a number: 1
+// where it holds, else 0.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -129,8 +129,8 @@ Result both(const OnnxCall& call, const Result& a, const Result& b) {
   return as_condition(combined(call, *a, *b, Combination::Operation::product));
 }
 OnnxValue conjunction(const OnnxCall& call) {
-  return or_unknown(
-      call, both(call, is_not_zero(call, call.input(0)), is_not_zero(call, call.input(1))));
+  return or_unknown(call,
+                    both(call, is_not_zero(call, call.input(0)), is_not_zero(call, call.input(1))));
 }
 OnnxValue disjunction(const OnnxCall& call) {
   const Result neither = both(call, opposite(call, is_not_zero(call, call.input(0))),
@@ -162,7 +162,8 @@ Result chosen(const OnnxCall& call, const OnnxValue& condition, const OnnxValue&
   const Result second = as_data(call, condition, b);
   if (!first || !second) return std::nullopt;
   for (const OnnxValue* value : {&condition, &*first, &*second}) {
-    if (value->kind != Kind::data) return value->kind == Kind::other ? Result(*value) : std::nullopt;
+    if (value->kind != Kind::data)
+      return value->kind == Kind::other ? Result(*value) : std::nullopt;
     const auto own = element_count(*value->shape);
     if (own != element_count(*shape) && own != 1) return std::nullopt;  // an outer product, or rows
   }
@@ -199,15 +200,9 @@ std::optional<OnnxValue> condition_of(const OnnxCall& call, const OnnxValue& x) 
 }
 
 std::vector<OnnxOperatorEntry> condition_operators() {
-  return {{"Greater", greater},
-          {"Less", less},
-          {"GreaterOrEqual", greater_or_equal},
-          {"LessOrEqual", less_or_equal},
-          {"Equal", equal},
-          {"Not", negation},
-          {"And", conjunction},
-          {"Or", disjunction},
-          {"Where", where}};
+  return {{"Greater", greater},           {"Less", less},      {"GreaterOrEqual", greater_or_equal},
+          {"LessOrEqual", less_or_equal}, {"Equal", equal},    {"Not", negation},
+          {"And", conjunction},           {"Or", disjunction}, {"Where", where}};
 }
 
 }  // namespace eagerx::gen

@@ -54,7 +54,8 @@ OnnxValue product_of_rows(const OnnxCall& call, const OnnxValue& data, const Onn
   constexpr std::int64_t kMostRows = std::int64_t{1} << 16U;
   const std::int64_t length = data.shape->back();
   const std::int64_t outputs = dense.weights.dims[0];
-  const std::int64_t rows = element_count(*data.shape).value_or(0) / std::max<std::int64_t>(length, 1);
+  const std::int64_t rows =
+      element_count(*data.shape).value_or(0) / std::max<std::int64_t>(length, 1);
   if (dense.weights.dims[1] != length || outputs < 1 || length < 1 || rows > kMostRows ||
       dense.scale != 1.0F || dense.bias_scale != 1.0F ||
       (dense.bias && element_count(dense.bias->dims) != outputs)) {

@@ -12,7 +12,6 @@ namespace {
 
 using onnx::TensorProto;
 
-
 /// Bytes of one element in raw_data; 0 for types that are not read.
 std::size_t element_bytes(int type) {
   switch (type) {

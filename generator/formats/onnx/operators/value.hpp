@@ -226,7 +226,8 @@ std::optional<float> scalar_of(const OnnxValue& value);
 std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
                                           Elementwise::Operation operation,
                                           const OnnxValue& constant);
-/// The larger or the smaller one of two values of the observation's, number by number; nothing as with `combined`.
+/// The larger or the smaller one of two values of the observation's, number by number; nothing as
+/// with `combined`.
 std::optional<OnnxValue> larger_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b);
 std::optional<OnnxValue> smaller_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b);
 /// 1 where x is not zero, else 0.
@@ -251,6 +252,9 @@ std::optional<OnnxValue> folded(const OnnxCall& call);
 std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& from, const Dims& to);
 /// Data in another order: number `from[i]` becomes number i.
 OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape);
+/// `count` of the values along an axis, from `first` on, each `step`-th.
+OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std::int64_t first,
+                 std::int64_t count, std::int64_t step, bool keeps_axis);
 /// Output `i` of a Split.
 OnnxValue split_part(const OnnxCall& call, int i);
 /// Output `i` (from 1) of a node whose first one is `first`.
@@ -269,12 +273,13 @@ struct OnnxOperatorEntry {
   OnnxOperator run;
 };
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
-/// and reorder (order.cpp), of branches (branches.cpp), with constants (elementwise.cpp), over
-/// images (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp), that compare
-/// (conditions.cpp).
+/// and reorder (order.cpp, gather.cpp), of branches (branches.cpp), with constants
+/// (elementwise.cpp), over images (convolution.cpp), with a memory (recurrent.cpp), that choose
+/// (choice.cpp), that compare (conditions.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
 std::vector<OnnxOperatorEntry> order_operators();
+std::vector<OnnxOperatorEntry> gather_operators();
 std::vector<OnnxOperatorEntry> branch_operators();
 std::vector<OnnxOperatorEntry> elementwise_operators();
 std::vector<OnnxOperatorEntry> image_operators();
