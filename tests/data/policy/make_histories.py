@@ -87,6 +87,19 @@ class Several(nn.Module):
         return self.critic(x), (mean, torch.exp(self.log_std) + 0.0 * mean)
 
 
+class Reordered(nn.Module):
+    """Another order of joints in the simulation than on the robot."""
+
+    def __init__(self):
+        super().__init__()
+        self.actor = mlp([6, 8, 3], nn.ELU)
+        self.register_buffer("back", torch.tensor([2, 0, 1]))
+
+    def forward(self, x):
+        joints = x[:, 2:6][:, [3, 1, 0, 2]]
+        return torch.index_select(self.actor(torch.cat((x[:, :2], joints), dim=-1)), 1, self.back)
+
+
 def several():
     module = Several().eval()
     make.save(torch.jit.script(module), "several_scripted")
@@ -105,3 +118,4 @@ if __name__ == "__main__":
     make.write("picture", Picture(), 48, "scripted", "traced", "onnx")
     make.write("conditions", Conditions(), 6, "scripted", "traced", "onnx")
     several()
+    make.write("reordered", Reordered(), 6, "traced", "onnx")

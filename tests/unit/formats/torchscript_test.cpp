@@ -68,7 +68,8 @@ TEST(TorchScript, AnswersAsTorchDoes) {
         "small_scripted.pt",      "branches.onnx",          "residual.onnx",
         "history_scripted.pt",    "history_traced.pt",      "history.onnx",
         "picture_scripted.pt",    "picture_traced.pt",      "picture.onnx",
-        "conditions_scripted.pt", "conditions_traced.pt",   "conditions.onnx"}) {
+        "conditions_scripted.pt", "conditions_traced.pt",   "conditions.onnx",
+        "reordered_traced.pt",    "reordered.onnx"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
 }
@@ -215,7 +216,9 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
                  "E0754", "`sum`");
   expect_refused(body_with("if y:\n      z = y\n    else:\n      z = x"), "E0754",
                  "a condition that is not known");
-  expect_refused(with_body("    return (x, x)\n"), "E0754", "something else than one tensor");
+  expect_refused(with_body("    return (x, x)\n"), "E0751", "has 2 results");
+  expect_refused(with_body("    return 3\n"), "E0754", "returns no tensor");
+  expect_refused(body_with("z = torch.bitwise_not(y)"), "E0754", "`bitwise_not` in a way");
   expect_refused(body_with("z = torch.matmul(y, self.a)"), "E0618", "line 6");
 }
 
@@ -225,6 +228,12 @@ TEST(TorchScript, ConditionsThatAreKnownAreFollowed) {
                           "    else:\n      z = torch.cumsum(y, 1)"));
   EXPECT_EQ(network.layers.back().activation, Activation::tanh);
   EXPECT_EQ(network.inputs(), 4U);
+  const Network checked =
+      read_good(body_with("if torch.__not__(torch.__contains__([1, 2], torch.dim(y))):\n"
+                          "      ops.prim.RaiseException(\"no\")\n"
+                          "    else:\n      pass\n"
+                          "    print(y)\n    z = torch.tanh(y)"));
+  EXPECT_EQ(checked.layers.back().activation, Activation::tanh);
 }
 
 TEST(TorchScript, WhatIsChangedInPlaceIsChangedForAll) {
