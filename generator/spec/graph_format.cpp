@@ -128,8 +128,7 @@ std::vector<Field> policy_settings() {
        "answers are clipped to the bounds (PPO, A2C); argmax: the action is the index of the "
        "largest output (DQN), or of several whole numbers the index of the largest of its own "
        "outputs (MultiDiscrete); binary: 1 where an output is above zero, else 0 (MultiBinary). "
-       "Default: as the file says, else squashed if the last layer is a "
-       "tanh, else raw"},
+       "Default: as the file says, else squashed if the last layer is a tanh, else raw"},
       {"normalize", format::text("a file name"), false,
        "statistics of the observations: VecNormalize.save, npz or JSON"},
       {"activation",
@@ -146,8 +145,7 @@ std::vector<Field> policy_settings() {
        "of a file with several actors: how the names of its tensors begin"},
       {"output_name", format::text("a name"), false,
        "of an ONNX file with several outputs: the one that is the action; of TorchScript with "
-       "several "
-       "results: its place, from \"0\" on"},
+       "several results: its place, from \"0\" on"},
       {"golden", format::text("a file name"), false,
        "observations with known answers (CSV or npz); the generator and every program check them"},
       {"weights", format::keyword({"float32", "int8"}), false,

@@ -115,7 +115,7 @@ if __name__ == "__main__":
     torch.manual_seed(31)
     torch.set_num_threads(1)
     make.write("history", History(4, 10, 2), 40, "scripted", "traced", "onnx")
-    make.write("picture", Picture(), 48, "scripted", "traced", "onnx")
+    make.write("picture", Picture(), 48, "scripted", "traced")
     make.write("conditions", Conditions(), 6, "scripted", "traced", "onnx")
     several()
     make.write("reordered", Reordered(), 6, "traced", "onnx")

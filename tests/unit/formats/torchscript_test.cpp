@@ -60,16 +60,16 @@ double difference(const std::string& file) {
 
 TEST(TorchScript, AnswersAsTorchDoes) {
   for (const char* file :
-       {"mlp_scripted.pt",        "mlp_traced.pt",          "activations_scripted.pt",
-        "activations_traced.pt",  "normalizer_scripted.pt", "normalizer_traced.pt",
-        "identity_scripted.pt",   "lstm_scripted.pt",       "lstm_two_scripted.pt",
-        "gru_scripted.pt",        "branches_scripted.pt",   "branches_traced.pt",
-        "residual_scripted.pt",   "residual_traced.pt",     "by_hand_half.pt",
-        "small_scripted.pt",      "branches.onnx",          "residual.onnx",
-        "history_scripted.pt",    "history_traced.pt",      "history.onnx",
-        "picture_scripted.pt",    "picture_traced.pt",      "picture.onnx",
-        "conditions_scripted.pt", "conditions_traced.pt",   "conditions.onnx",
-        "reordered_traced.pt",    "reordered.onnx"}) {
+       {"mlp_scripted.pt",       "mlp_traced.pt",          "activations_scripted.pt",
+        "activations_traced.pt", "normalizer_scripted.pt", "normalizer_traced.pt",
+        "identity_scripted.pt",  "lstm_scripted.pt",       "lstm_two_scripted.pt",
+        "gru_scripted.pt",       "branches_scripted.pt",   "branches_traced.pt",
+        "residual_scripted.pt",  "residual_traced.pt",     "by_hand_half.pt",
+        "small_scripted.pt",     "branches.onnx",          "residual.onnx",
+        "history_scripted.pt",   "history_traced.pt",      "history.onnx",
+        "picture_scripted.pt",   "picture_traced.pt",      "conditions_scripted.pt",
+        "conditions_traced.pt",  "conditions.onnx",        "reordered_traced.pt",
+        "reordered.onnx"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
 }

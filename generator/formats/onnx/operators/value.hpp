@@ -116,6 +116,7 @@ struct OnnxPart {
   std::int32_t of = -1;
   bool by_tanh = false;
   float epsilon = 0.0F;
+  std::int32_t exact = -1;  // ordered: the step that calculates it all the same, if there is one
 };
 
 /// A value of the graph.
@@ -238,6 +239,8 @@ std::optional<OnnxValue> combined(const OnnxCall& call, const OnnxValue& a, cons
                                   Combination::Operation operation);
 /// The part of a formula as a value of its own, if it is a simple one: the formula did not go on.
 std::optional<OnnxValue> materialized(const OnnxCall& call, const OnnxValue& value);
+/// What is only known by its order, calculated: where more than a choice depends on it.
+std::optional<OnnxValue> exact_of(const OnnxValue& value);
 /// Constants that are not in the file.
 OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers, const Dims& shape);
 OnnxValue made_constant(const OnnxCall& call, float number);
