@@ -72,8 +72,9 @@ const OnnxValue* TorchArchive::tensor(int which, std::uint32_t index, const std:
       [&](std::string_view key) { return storage(which, key, value.problem); }, value.problem);
   if (stored && is_list_of_places(*stored) && fits(name, *stored, value.problem)) {
     Integers places;
-    for (const double place : values_of(*stored))
-      places.push_back(static_cast<std::int64_t>(place));
+    for (const double number : values_of(*stored)) {
+      places.push_back(static_cast<std::int64_t>(number));
+    }
     value = integers_value(std::move(places), stored->shape);
     return &value;
   }

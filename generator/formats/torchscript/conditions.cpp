@@ -47,9 +47,7 @@ Result negation(const Torch& call) {
 }
 Result sign(const Torch& call) {
   const auto x = call.tensor(0);
-  if (!x) return std::nullopt;
-  const OnnxValue zero = call.constant({0.0F}, {});
-  return call.node("Sub", {call.node("Greater", {*x, zero}), call.node("Less", {*x, zero})});
+  return x ? Result(call.node("Sign", {*x})) : std::nullopt;
 }
 Result where(const Torch& call) {
   const auto condition = call.tensor(0);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -206,6 +207,13 @@ std::optional<TorchValue> TorchInterpreter::built_in(const std::string& name,
   if (arguments.size() == 1) {
     const TorchValue& x = arguments.front();
     if (name == "int" && x.whole()) return TorchValue::of(*x.whole());
+    if (name == "int" && x.is_tensor()) {
+      constexpr float kLargest = 1e6F;
+      const auto number = scalar_of(x.tensor->value);
+      if (number && std::trunc(*number) == *number && std::fabs(*number) < kLargest) {
+        return TorchValue::of(static_cast<std::int64_t>(*number));
+      }
+    }
     if (name == "float" && x.number()) return TorchValue::of(*x.number());
     if (name == "bool" && x.kind == Has::boolean) return x;
     if (name == "float" && x.is_tensor()) return x;
@@ -222,6 +230,9 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   if (name == "RaiseException") return fail("raises an error for an observation of this size");
   const bool has_tensor = !arguments.empty() && arguments.front().is_tensor();
   if (auto plain = run_plain_operator(name, arguments)) return plain;
+  const bool has_places =
+      has_tensor && arguments.front().tensor->value.kind == OnnxValue::Kind::integers;
+  if (name == "to" && has_places) return arguments.front();
   if (name == "to" && has_tensor) {
     constexpr std::int64_t kFloat32 = 6;
     constexpr std::int64_t kFloat64 = 7;

@@ -144,6 +144,7 @@ class TorchReading {
     const TorchValue* action = result ? action_among(*result, made) : nullptr;
     if (action == nullptr) return;
     made.result = action->tensor->value;
+    if (const auto exact = exact_of(made.result)) made.result = *exact;
     const bool is_choice = made.result.part.role == OnnxPart::Role::choice;
     made.passed = made.result.kind == OnnxValue::Kind::data ||
                   (made.result.kind == OnnxValue::Kind::other && is_choice);

@@ -120,6 +120,16 @@ OnnxValue equal(const OnnxCall& call) {
   return or_unknown(call, off ? opposite(call, is_not_zero(call, *off)) : std::nullopt);
 }
 
+/// (x > 0) - (0 > x).
+OnnxValue sign(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const OnnxValue zero = made_constant(call, 0.0F);
+  const Result up = above(call, x, zero);
+  const Result down = above(call, zero, x);
+  return or_unknown(
+      call, up && down ? combined(call, *up, *down, Combination::Operation::difference) : up);
+}
+
 OnnxValue negation(const OnnxCall& call) {
   return or_unknown(call, opposite(call, is_not_zero(call, call.input(0))));
 }
@@ -200,9 +210,16 @@ std::optional<OnnxValue> condition_of(const OnnxCall& call, const OnnxValue& x) 
 }
 
 std::vector<OnnxOperatorEntry> condition_operators() {
-  return {{"Greater", greater},           {"Less", less},      {"GreaterOrEqual", greater_or_equal},
-          {"LessOrEqual", less_or_equal}, {"Equal", equal},    {"Not", negation},
-          {"And", conjunction},           {"Or", disjunction}, {"Where", where}};
+  return {{"Greater", greater},
+          {"Less", less},
+          {"GreaterOrEqual", greater_or_equal},
+          {"LessOrEqual", less_or_equal},
+          {"Equal", equal},
+          {"Sign", sign},
+          {"Not", negation},
+          {"And", conjunction},
+          {"Or", disjunction},
+          {"Where", where}};
 }
 
 }  // namespace eagerx::gen
