@@ -71,11 +71,12 @@ Result divide(const Torch& call) {
   if (!call.argument(2, "rounding_mode").is_none()) return std::nullopt;
   return pair(call, "Div");
 }
+/// Of two tensors: `max` and `min` are other things with one, and with an axis.
 Result maximum(const Torch& call) {
-  return pair(call, "Max");
+  return call.argument(1, "other").is_tensor() ? pair(call, "Max") : std::nullopt;
 }
 Result minimum(const Torch& call) {
-  return pair(call, "Min");
+  return call.argument(1, "other").is_tensor() ? pair(call, "Min") : std::nullopt;
 }
 Result reciprocal(const Torch& call) {
   const auto x = call.tensor(0);
@@ -292,6 +293,8 @@ const std::map<std::string_view, TorchOperator>& operators() {
                                                                    {"mul", multiply},
                                                                    {"div", divide},
                                                                    {"maximum", maximum},
+                                                                   {"max", maximum},
+                                                                   {"min", minimum},
                                                                    {"minimum", minimum},
                                                                    {"reciprocal", reciprocal},
                                                                    {"rsqrt", inverse_root},
