@@ -21,6 +21,20 @@ std::optional<YamlValue> bounds_setting(const std::vector<double>& bounds, Span 
   return bounds.size() == 1 ? numbers.front() : made_list(std::move(numbers), span);
 }
 
+struct Bounds {
+  std::vector<double> low, high;
+};
+
+/// Of what becomes of the network's outputs.
+Bounds bounds_of(const Network& network, const std::string& kind) {
+  if (kind == "binary") return {{0.0}, {1.0}};
+  if (kind != "argmax") return {network.contract.action_low, network.contract.action_high};
+  const double first = static_cast<double>(network.contract.first_choice.value_or(0));
+  Bounds bounds{{first}, {}};
+  for (const std::uint32_t count : network.groups()) bounds.high.push_back(first + count - 1.0);
+  return bounds;
+}
+
 /// What is known of an output: a single one has the size of the network's answer and the bounds of
 /// its training. What the graph says of it comes on top.
 PortManifest output_port(const ComponentSpec* written, const std::string& name, bool is_single,
@@ -30,23 +44,24 @@ PortManifest output_port(const ComponentSpec* written, const std::string& name, 
   port.space.span = port.name.span;
   const std::optional<SpaceSpec> said = written != nullptr ? written->space : std::nullopt;
   const Span span = port.name.span;
-  const bool chooses =
-      network != nullptr &&
-      (policy.output ? policy.output->value : to_string(network->action_kind())) == "argmax";
+  const std::string kind =
+      network == nullptr
+          ? ""
+          : (policy.output ? policy.output->value : std::string(to_string(network->action_kind())));
+  const bool is_whole = kind == "argmax" || kind == "binary";
   if (!said || !said->dtype)
-    port.space.dtype = Spanned<std::string>{chooses ? "int64" : "float32", span};
+    port.space.dtype = Spanned<std::string>{is_whole ? "int64" : "float32", span};
   if (!is_single || network == nullptr) return port;
+  const Bounds bounds = bounds_of(*network, kind);
   if (!said || !said->shape) {
     port.space.shape = made_list({}, span);
-    if (!chooses) {
-      port.space.shape->items = {made_scalar(std::to_string(network->outputs()), span)};
+    const std::size_t size = kind == "argmax" ? network->groups().size() : network->outputs();
+    if (kind != "argmax" || size > 1) {
+      port.space.shape->items = {made_scalar(std::to_string(size), span)};
     }
   }
-  const double first = static_cast<double>(network->contract.first_choice.value_or(0));
-  port.space.low =
-      chooses ? bounds_setting({first}, span) : bounds_setting(network->contract.action_low, span);
-  port.space.high = chooses ? bounds_setting({first + network->outputs() - 1}, span)
-                            : bounds_setting(network->contract.action_high, span);
+  port.space.low = bounds_setting(bounds.low, span);
+  port.space.high = bounds_setting(bounds.high, span);
   return port;
 }
 

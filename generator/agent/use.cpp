@@ -9,6 +9,7 @@ namespace eagerx::gen {
 ActionKind PolicyUse::kind(const Network& network) const {
   if (!output) return network.action_kind();
   if (*output == "argmax") return ActionKind::argmax;
+  if (*output == "binary") return ActionKind::binary;
   return *output == "squashed" ? ActionKind::squashed : ActionKind::raw;
 }
 

@@ -16,7 +16,7 @@ struct PolicyUse {
   Span span, place;  // where it was written; what it takes
   std::vector<const Input*> inputs;
   std::vector<const Output*> outputs;
-  std::optional<std::string> output;  // squashed, raw, argmax, as written
+  std::optional<std::string> output;  // squashed, raw, argmax, binary, as written
   Rational rate_hz;
   std::string takes, gives;  // for messages: "observations of this graph", "outputs of `balance`"
   std::string in, out;       // what names are prefixed with: "observations.", "balance."

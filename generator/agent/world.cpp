@@ -15,7 +15,11 @@ class WorldCheck {
 
   void run() {
     check_output();
-    if (kind() == ActionKind::argmax) {
+    if (kind() == ActionKind::binary) {
+      check_bits();
+    } else if (kind() == ActionKind::argmax && makes_several_choices()) {
+      check_choices();
+    } else if (kind() == ActionKind::argmax) {
       check_choice();
     } else {
       check_bounds();
@@ -41,6 +45,102 @@ class WorldCheck {
     error("E0704", fmt::format("the graph says that the policy's output is {}, but `{}` {}",
                                to_string(kind()), use_.file, theirs))
         .help = "leave `output` out";
+  }
+
+  /// A number of the graph's actions.
+  struct Number {
+    const Output* action;
+    bool is_whole;
+    double low, high;
+  };
+  std::vector<Number> numbers() const {
+    std::vector<Number> result;
+    for (const Output* action : use_.outputs) {
+      const Space& space = action->raw;
+      const auto size = static_cast<std::size_t>(space.size());
+      for (std::size_t i = 0; i < size; ++i) {
+        result.push_back({action, !is_floating(space.dtype),
+                          bound(space.low, i, size).value_or(0.0),
+                          bound(space.high, i, size).value_or(0.0)});
+      }
+    }
+    return result;
+  }
+
+  /// The file says so, or says nothing and the graph has several numbers.
+  bool makes_several_choices() const {
+    const auto& groups = network_.contract.groups;
+    return groups.size() > 1 || (groups.empty() && numbers().size() > 1);
+  }
+
+  /// Several whole numbers, each with as many values as it has outputs.
+  void check_choices() {
+    const auto& theirs = network_.contract.groups;
+    const std::vector<Number> ours = numbers();
+    const auto other =
+        std::ranges::find_if(ours, [](const Number& number) { return !number.is_whole; });
+    if (other != ours.end() || (!theirs.empty() && theirs.size() != ours.size())) {
+      return need_whole_numbers(other != ours.end() ? *other->action : *use_.outputs.front());
+    }
+    double sum = 0.0;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+      const double count = ours[i].high - ours[i].low + 1.0;
+      sum += count;
+      if (theirs.empty() || (ours[i].low == 0.0 && count == theirs[i])) continue;
+      error("E0705", fmt::format("the policy `{}` chooses its number {} from 0 to {}, but the "
+                                 "graph's goes from {:g} to {:g}",
+                                 use_.file, i, theirs[i] - 1, ours[i].low, ours[i].high))
+          .notes.push_back(
+              {fmt::format("`{}{}`", use_.out, ours[i].action->name), ours[i].action->span, ""});
+      return;
+    }
+    if (sum == network_.outputs()) return;
+    error("E0705", fmt::format("the policy `{}` gives {} scores, but the numbers of the graph's "
+                               "actions have {:g} values together",
+                               use_.file, network_.outputs(), sum))
+        .notes.push_back({"the first action", use_.outputs.front()->span, ""});
+  }
+
+  void need_whole_numbers(const Output& action) {
+    const auto& theirs = network_.contract.groups;
+    auto& problem = error(
+        "E0704", fmt::format("the policy `{}` chooses {}whole numbers, but the graph's "
+                             "actions are others",
+                             use_.file, theirs.empty() ? "" : fmt::format("{} ", theirs.size())));
+    problem.notes.push_back(
+        {fmt::format("`{}{}` is {}", use_.out, action.name, action.raw.describe()), action.span,
+         ""});
+    std::vector<std::uint32_t> highs;
+    for (const std::uint32_t count : theirs) highs.push_back(count - 1);
+    problem.help =
+        theirs.empty()
+            ? "give them `dtype: int64`, and as many values together as the policy has outputs"
+            : fmt::format(
+                  "give it `space: {{dtype: int64, shape: [{}], low: 0, high: [{}]}}` and "
+                  "turn its numbers into commands with a node",
+                  theirs.size(), fmt::join(highs, ", "));
+  }
+
+  /// Whole numbers from 0 to 1, as many as outputs: E0702 says so if not.
+  void check_bits() {
+    for (const Number& number : numbers()) {
+      const bool fits = number.is_whole && number.low == 0.0 && number.high == 1.0;
+      if (fits) continue;
+      auto& problem =
+          error("E0704",
+                fmt::format("the policy `{}` answers with zeros and ones, but the graph's action "
+                            "is something else",
+                            use_.file));
+      problem.notes.push_back({fmt::format("`{}{}` is {}", use_.out, number.action->name,
+                                           number.action->raw.describe()),
+                               number.action->span, ""});
+      problem.help = fmt::format(
+          "give it `space: {{dtype: int64, shape: [{}], low: 0, high: 1}}` and turn its numbers "
+          "into "
+          "commands with a node",
+          network_.outputs());
+      return;
+    }
   }
 
   /// One whole number, with as many values as the network has outputs.

@@ -85,8 +85,17 @@ void print_contract(const Network& network) {
       say("  action         {}, clipped to {}\n", network.outputs(), bounds);
       break;
     case ActionKind::argmax:
+      if (contract.groups.size() > 1) {
+        say("  action         {} choices: of {} outputs the index of the largest, from {} on\n",
+            contract.groups.size(), fmt::join(contract.groups, ", "),
+            contract.first_choice.value_or(0));
+        break;
+      }
       say("  action         the index of the largest of {} outputs, from {} on\n",
           network.outputs(), contract.first_choice.value_or(0));
+      break;
+    case ActionKind::binary:
+      say("  action         {}, 1 where an output is above 0, else 0\n", network.outputs());
       break;
   }
   say("  rate           {}\n",

@@ -350,7 +350,7 @@ class GraphView {
     const PolicyUse use = agent_use(graph_);
     view_["policy_inputs"] = std::move(inputs);
     view_["policy_outputs"] = policy_answers(use, *network_, "kAction");
-    view_.set("reads_in_order", use.kind(*network_) != ActionKind::argmax);
+    view_.set("reads_in_order", reads_in_order(use, *network_));
     view_.set("place", names_.place(graph_.agent.span));
   }
 

@@ -3,6 +3,32 @@
 #include <fmt/format.h>
 
 namespace eagerx::gen {
+namespace {
+
+/// One whole number takes all outputs; of several each has its own.
+bool makes_one_choice(const PolicyUse& use) {
+  return use.outputs.size() == 1 && use.outputs.front()->raw.size() == 1;
+}
+
+void set_choice(const PolicyUse& use, const Output& to, const std::string& constant, View& item) {
+  if (makes_one_choice(use)) {
+    item.set("how",
+             "as SB3's DQN does: the index of the largest output, from the lowest action on");
+    item.set("expression", fmt::format("eagerx::choice({}, eagerx::argmax(output))", constant));
+    return;
+  }
+  item.set("how", to.raw.size() == 1 ? "the index of the largest of its own outputs, from the "
+                                       "lowest action on"
+                                     : "each number: the index of the largest of its own outputs, "
+                                       "from the lowest action on");
+  item.set("expression", fmt::format("eagerx::choices({}, output, out)", constant));
+}
+
+}  // namespace
+
+bool reads_in_order(const PolicyUse& use, const Network& network) {
+  return use.kind(network) != ActionKind::argmax || !makes_one_choice(use);
+}
 
 View policy_answers(const PolicyUse& use, const Network& network, const std::string& prefix) {
   View answers = list();
@@ -19,9 +45,11 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
         item.set("expression", fmt::format("eagerx::unscaled({}, {})", output, constant));
         break;
       case ActionKind::argmax:
-        item.set("how",
-                 "as SB3's DQN does: the index of the largest output, from the lowest action on");
-        item.set("expression", fmt::format("eagerx::choice({}, eagerx::argmax(output))", constant));
+        set_choice(use, *to, constant, item);
+        break;
+      case ActionKind::binary:
+        item.set("how", "1 where an output is above zero, else 0");
+        item.set("expression", fmt::format("eagerx::bits<{}>(output, out)", message_type(to->raw)));
         break;
       case ActionKind::raw:
         item.set("how", "as SB3's predict() does: clipped to the action's bounds");
@@ -54,7 +82,7 @@ View policy_node_view(const Plan& plan, const ProgramNames& names, const NodePol
   view["node_inputs"] = std::move(inputs);
   view["spaces"] = std::move(spaces);
   view["answers"] = policy_answers(policy.use, *policy.network, "k");
-  view.set("in_order", policy.use.kind(*policy.network) != ActionKind::argmax);
+  view.set("in_order", reads_in_order(policy.use, *policy.network));
   return view;
 }
 

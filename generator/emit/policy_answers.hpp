@@ -12,6 +12,9 @@ namespace eagerx::gen {
 /// `output` from position `out` on, and the spaces `<prefix><Name>`.
 View policy_answers(const PolicyUse& use, const Network& network, const std::string& prefix);
 
+/// Whether those expressions read the outputs one after the other, with a position `out`.
+bool reads_in_order(const PolicyUse& use, const Network& network);
+
 /// The class of a node that runs a policy, for cpp/policy_node.mustache.
 View policy_node_view(const Plan& plan, const ProgramNames& names, const NodePolicy& policy);
 

@@ -37,24 +37,22 @@ std::optional<Network> read_program(const Archive& archive, const ReadContext& c
     return refuse(problem, "E0626", "is TorchScript, which says every step of the actor",
                   fmt::format("leave the graph's `{}` out", said));
   }
-  return read_torchscript(archive, problem);
+  return read_torchscript(archive, context.output_name, problem);
 }
 
 std::optional<Network> read_any(std::string_view bytes, const ReadContext& context,
                                 PolicyProblem& problem) {
   if (bytes.empty()) return refuse(problem, "E0603", "is empty", kKnownFormats);
   const bool is_zip = bytes.starts_with("PK\x03\x04");
+  std::optional<Archive> archive;
+  if (is_zip && !(archive = Archive::open(bytes, problem))) return std::nullopt;
+  if (archive && is_torchscript(*archive)) return read_program(*archive, context, problem);
   const bool is_table = is_zip || is_safetensors(bytes) || is_legacy_torch(bytes);
   if (is_table && !context.output_name.empty()) {
     return refuse(problem, "E0751", "is a table of tensors, which has no outputs with names",
-                  "leave the graph's `output_name` out: only ONNX has such");
+                  "leave the graph's `output_name` out: only ONNX and TorchScript have such");
   }
-  if (is_zip) {
-    const auto archive = Archive::open(bytes, problem);
-    if (!archive) return std::nullopt;
-    return is_torchscript(*archive) ? read_program(*archive, context, problem)
-                                    : read_zip_policy(*archive, context, problem);
-  }
+  if (archive) return read_zip_policy(*archive, context, problem);
   if (is_safetensors(bytes)) return read_safetensors(bytes, context, problem);
   if (is_legacy_torch(bytes)) return read_legacy_torch_policy(bytes, context, problem);
   if (auto other = foreign_file(bytes)) {
@@ -152,6 +150,8 @@ std::optional<Network> read_policy_bytes(std::string_view bytes, const std::stri
   }
   network->file = name;
   if (network->normalization) network->normalization->source = name;
+  // A file that chooses, and does not say that it makes several choices, makes one.
+  if (network->action == ActionKind::argmax) network->contract.groups = network->groups();
   return network;
 }
 

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "generator/import/saved.hpp"
+#include "generator/json/base64.hpp"
 #include "generator/read/scalar.hpp"
 
 namespace eagerx::gen {
@@ -26,26 +27,6 @@ bool is_plain(std::string_view tag) {
   if (tag.empty() || tag == "!" || tag == "?") return true;
   if (!tag.starts_with(kYaml)) return false;
   return std::ranges::find(kPlain, tag.substr(kYaml.size())) != kPlain.end();
-}
-
-std::optional<std::string> decode_base64(std::string_view text) {
-  static constexpr std::string_view kLetters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string result;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '\n' || c == ' ' || c == '=') continue;
-    const std::size_t value = kLetters.find(c);
-    if (value == std::string_view::npos) return std::nullopt;
-    bits = (bits << 6U | static_cast<std::uint32_t>(value)) & 0xffffffU;
-    count += 6;
-    if (count >= 8) {
-      count -= 8;
-      result += static_cast<char>(bits >> static_cast<unsigned>(count) & 0xffU);
-    }
-  }
-  return result;
 }
 
 bool has_python_tag(const YamlValue& yaml, std::string_view ending) {
@@ -101,7 +82,7 @@ std::pair<Decode, std::size_t> decoder(std::string_view dtype) {
 std::optional<YamlValue> numpy_scalar(const YamlValue& yaml) {
   if (!has_python_tag(yaml, "multiarray.scalar") || yaml.items.size() != 2) return std::nullopt;
   const auto [decode, size] = decoder(dtype_of(yaml.items[0]));
-  const auto bytes = decode_base64(yaml.items[1].text);
+  const auto bytes = from_base64(yaml.items[1].text);
   if (decode == nullptr || !bytes || bytes->size() != size) return std::nullopt;
   return made_scalar(decode(bytes->data()), yaml.span);
 }
@@ -113,7 +94,7 @@ std::optional<YamlValue> numpy_array(const YamlValue& yaml) {
   if (state == nullptr || state->items.size() != 5 || state->items[1].items.size() != 1)
     return std::nullopt;
   const auto [decode, size] = decoder(dtype_of(state->items[2]));
-  const auto bytes = decode_base64(state->items[4].text);
+  const auto bytes = from_base64(state->items[4].text);
   const auto length = parse_int(state->items[1].items[0].text);
   if (decode == nullptr || !bytes || !length || *length < 0 ||
       bytes->size() / size != static_cast<std::size_t>(*length) || bytes->size() % size != 0)

@@ -29,9 +29,14 @@ struct Normalization {
 enum class ActionKind : std::uint8_t {
   raw,       // clipped to the bounds: PPO, A2C
   squashed,  // from -1…1 to the bounds: SAC, TD3
-  argmax,    // the index of the largest one: DQN, discrete PPO
+  argmax,    // the index of the largest one, of all or of each group: DQN, discrete PPO
+  binary,    // 1 where it is above zero, else 0: PPO on a MultiBinary
 };
 const char* to_string(ActionKind kind);
+/// Whether actions are whole numbers that depend on which outputs are larger.
+constexpr bool is_choice(ActionKind kind) {
+  return kind == ActionKind::argmax || kind == ActionKind::binary;
+}
 
 /// What the file says of the world that it was trained in; empty where it says nothing.
 struct PolicyContract {
@@ -42,7 +47,10 @@ struct PolicyContract {
   /// How many whole numbers from 0 on an input may be, 0 for any number; one for each, or empty.
   std::vector<std::uint32_t> choices{};
   std::optional<std::int64_t> first_choice;  // argmax: the action of output 0
-  std::optional<double> rate_hz;             // steps a second in training
+  /// argmax: how many outputs each choice is among, in order: two or more of a MultiDiscrete.
+  /// Empty: not known.
+  std::vector<std::uint32_t> groups{};
+  std::optional<double> rate_hz;  // steps a second in training
 };
 
 }  // namespace eagerx::gen

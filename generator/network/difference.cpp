@@ -199,11 +199,11 @@ class Comparison {
   }
 
   void add_actions(const std::vector<double>& x, const std::vector<double>& y) {
-    const bool chooses = a_.action_kind() == ActionKind::argmax;
-    if (chooses != (b_.action_kind() == ActionKind::argmax)) return;
+    const bool chooses = is_choice(a_.action_kind());
+    if (chooses != is_choice(b_.action_kind())) return;
     const auto first = action_of(a_, x);
     const auto second = action_of(b_, y);
-    if (!first || !second) return;
+    if (!first || !second || first->size() != second->size()) return;
     if (chooses) {
       result_.choices = result_.choices.value_or(0) + (*first != *second ? 1 : 0);
       return;

@@ -176,12 +176,30 @@ std::vector<double> evaluate_in_double(const Network& network, const std::vector
                             });
 }
 
+namespace {
+
+/// The index of the largest output of each group.
+std::vector<double> choices_among(const Network& network, const std::vector<double>& outputs) {
+  const std::int64_t lowest = network.contract.first_choice.value_or(0);
+  std::vector<double> choices;
+  auto first = outputs.begin();
+  for (const std::uint32_t count : network.groups()) {
+    const auto last = first + static_cast<std::ptrdiff_t>(count);
+    choices.push_back(static_cast<double>(lowest + (std::max_element(first, last) - first)));
+    first = last;
+  }
+  return choices;
+}
+
+}  // namespace
+
 std::optional<std::vector<double>> action_of(const Network& network,
                                              const std::vector<double>& outputs) {
-  if (network.action_kind() == ActionKind::argmax) {
-    const auto best = std::max_element(outputs.begin(), outputs.end()) - outputs.begin();
-    return std::vector<double>{
-        static_cast<double>(network.contract.first_choice.value_or(0) + best)};
+  if (network.action_kind() == ActionKind::argmax) return choices_among(network, outputs);
+  if (network.action_kind() == ActionKind::binary) {
+    std::vector<double> bits;
+    for (const double output : outputs) bits.push_back(output > 0.0 ? 1.0 : 0.0);
+    return bits;
   }
   const std::vector<double>& lows = network.contract.action_low;
   const std::vector<double>& highs = network.contract.action_high;

@@ -30,8 +30,9 @@ std::vector<double> evaluate_in_double(const Network& network, const std::vector
                                        Memory<double>* memory = nullptr);
 
 /// Outputs as an action, as predict(deterministic=True) has it: squashed outputs are mapped to the
-/// bounds of the contract, others clipped to them; argmax: one number. Without bounds nothing, but
-/// for argmax.
+/// bounds of the contract, others clipped to them; argmax: one number for each choice; binary: 0
+/// and
+/// 1. Without bounds nothing, but for choices.
 std::optional<std::vector<double>> action_of(const Network& network,
                                              const std::vector<double>& outputs);
 

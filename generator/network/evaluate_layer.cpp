@@ -224,6 +224,8 @@ float function_of(Function::Kind kind, float x) {
       return eagerx::exp(x);
     case Function::Kind::abs:
       return eagerx::abs(x);
+    case Function::Kind::above_zero:
+      return x > 0.0F ? 1.0F : 0.0F;
     case Function::Kind::sqrt:
       break;
   }
@@ -239,6 +241,8 @@ double function_of(Function::Kind kind, double x) {
       return std::exp(x);
     case Function::Kind::abs:
       return std::fabs(x);
+    case Function::Kind::above_zero:
+      return x > 0.0 ? 1.0 : 0.0;
     case Function::Kind::sqrt:
       break;
   }
@@ -275,15 +279,33 @@ Real combined(Combination::Operation operation, Real a, Real b) {
     case Operation::quotient:
       return a / b;
     case Operation::join:
+    case Operation::select:
       break;
   }
   return b;
+}
+
+/// `x`: a condition and two values, one behind the other.
+template <class Real>
+Values<Real> select(const Layer& layer, const Combination& form, const Values<Real>& x) {
+  const std::size_t condition = form.sizes[0];
+  const std::size_t first = form.sizes[1];
+  const std::size_t second = form.sizes[2];
+  Values<Real> y(layer.outputs);
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    const bool is_first = x[condition == 1 ? 0 : i] != Real(0);
+    const std::size_t at =
+        is_first ? condition + (first == 1 ? 0 : i) : condition + first + (second == 1 ? 0 : i);
+    y[i] = x[at];
+  }
+  return y;
 }
 
 /// `x`: its values, one behind the other.
 template <class Real>
 Values<Real> combine(const Layer& layer, const Combination& form, const Values<Real>& x) {
   if (form.operation == Combination::Operation::join) return x;
+  if (form.operation == Combination::Operation::select) return select(layer, form, x);
   Values<Real> y(layer.outputs);
   std::size_t first = 0;
   for (const std::uint32_t size : form.sizes) {

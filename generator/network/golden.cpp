@@ -36,10 +36,8 @@ std::string misfit(const Network& network, const GoldenRows& rows) {
                     all_of_width(rows.outputs_double, count, network.outputs());
   if (!fits)
     return fmt::format("does not have as many outputs as the policy ({})", network.outputs());
-  const std::size_t actions =
-      network.action_kind() == ActionKind::argmax ? 1 : std::size_t{network.outputs()};
-  if (!all_of_width(rows.actions, count, actions)) {
-    return fmt::format("does not have as many actions as the policy ({})", actions);
+  if (!all_of_width(rows.actions, count, network.actions())) {
+    return fmt::format("does not have as many actions as the policy ({})", network.actions());
   }
   if (rows.outputs.empty() && rows.outputs_double.empty() && rows.actions.empty()) {
     return "has neither outputs nor actions";
@@ -94,19 +92,25 @@ class Judge {
     }
   }
 
-  /// Of a choice: another one is right if its score is as good.
-  void add_choice(std::size_t row, const Network& network, const std::vector<double>& ours,
-                  const std::vector<double>& scores, const std::vector<double>& known) {
-    if (ours.front() == known.front()) return;
-    const double first = static_cast<double>(network.contract.first_choice.value_or(0));
-    const double index = known.front() - first;
-    errors_.off = std::max(difference(ours.front(), known.front()), errors_.off);
-    if (!(index >= 0.0 && index < static_cast<double>(scores.size()))) {
-      return keep(their_, row, std::numeric_limits<double>::infinity(), kSmallest);
+  /// Of choices: another one is right if its score is as good.
+  void add_choices(std::size_t row, const Network& network, const std::vector<double>& ours,
+                   const std::vector<double>& scores, const std::vector<double>& known) {
+    if (network.action_kind() == ActionKind::binary) return add_bits(row, ours, scores, known);
+    const double lowest = static_cast<double>(network.contract.first_choice.value_or(0));
+    const std::vector<std::uint32_t> groups = network.groups();
+    std::size_t first = 0;
+    for (std::size_t i = 0; i < groups.size(); first += groups[i++]) {
+      if (ours[i] == known[i]) continue;
+      const double index = known[i] - lowest;
+      errors_.off = std::max(difference(ours[i], known[i]), errors_.off);
+      if (!(index >= 0.0 && index < static_cast<double>(groups[i]))) {
+        keep(their_, row, std::numeric_limits<double>::infinity(), kSmallest);
+        continue;
+      }
+      const double best = scores[first + static_cast<std::size_t>(ours[i] - lowest)];
+      const double other = scores[first + static_cast<std::size_t>(index)];
+      keep(their_, row, std::fabs(best - other), std::max(kOfValue * std::fabs(best), kSmallest));
     }
-    const double best = scores[static_cast<std::size_t>(ours.front() - first)];
-    const double other = scores[static_cast<std::size_t>(index)];
-    keep(their_, row, std::fabs(best - other), std::max(kOfValue * std::fabs(best), kSmallest));
   }
 
   GoldenErrors finish() const {
@@ -127,6 +131,20 @@ class Judge {
   }
 
  private:
+  /// A bit may be another one where its score is as good as zero.
+  void add_bits(std::size_t row, const std::vector<double>& ours, const std::vector<double>& scores,
+                const std::vector<double>& known) {
+    double largest = 0.0;
+    for (const double score : scores) largest = std::max(largest, std::fabs(score));
+    for (std::size_t i = 0; i < scores.size(); ++i) {
+      if (ours[i] == known[i]) continue;
+      errors_.off = std::max(difference(ours[i], known[i]), errors_.off);
+      const bool is_bit = known[i] == 0.0 || known[i] == 1.0;
+      keep(their_, row, is_bit ? std::fabs(scores[i]) : std::numeric_limits<double>::infinity(),
+           std::max(kOfValue * largest, kSmallest));
+    }
+  }
+
   static constexpr double kOfRange = 5e-5;
   static constexpr double kOfValue = 1e-5;
   static constexpr double kSmallest = 1e-6;
@@ -254,7 +272,7 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
   GoldenResult result;
   result.rows = rows.observations.size();
   result.has_outputs = !rows.outputs.empty() || !rows.outputs_double.empty();
-  const bool chooses = network.action_kind() == ActionKind::argmax;
+  const bool chooses = is_choice(network.action_kind());
   Judge outputs(rows.printed);
   Judge actions(rows.printed);
   for (const auto* known : {&rows.outputs, &rows.outputs_double}) outputs.learn_ranges(*known);
@@ -279,7 +297,7 @@ std::optional<GoldenResult> compare(const Network& network, const GoldenRows& ro
     if (!action || !exact_action) continue;
     if (!result.actions) result.actions.emplace();
     if (chooses) {
-      actions.add_choice(i, network, *action, exact, rows.actions[i]);
+      actions.add_choices(i, network, *action, exact, rows.actions[i]);
     } else {
       actions.add(i, *action, *exact_action, &rows.actions[i]);
     }

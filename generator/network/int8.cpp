@@ -135,15 +135,14 @@ RoundingError rounding_error(const Network& given, const Network& rounded, const
     }
     error.mean += largest;
     error.largest = largest <= error.largest ? error.largest : largest;
-    const auto choice = [](const auto& y) {
-      return std::max_element(y.begin(), y.end()) - y.begin();
+    const auto action = [&](const std::vector<float>& y) {
+      return action_of(given, {y.begin(), y.end()});
     };
-    if (choice(a) != choice(b)) ++error.choices;
+    if (is_choice(given.action_kind()) && action(a) != action(b)) ++error.choices;
     ++error.rows;
   }
   error.mean /= static_cast<double>(std::max<std::size_t>(error.rows, 1));
   error.range = error.rows == 0 ? 0.0 : high - low;
-  if (given.action_kind() != ActionKind::argmax) error.choices = 0;
   return error;
 }
 

@@ -39,7 +39,7 @@ struct RoundingError {
   double mean = 0.0;        // over rows, of the largest difference of an output
   double largest = 0.0;     // of an output
   double range = 0.0;       // largest minus smallest output that the weights of the file give
-  std::size_t choices = 0;  // argmax: rows with another choice
+  std::size_t choices = 0;  // rows with another choice, of a policy that chooses
 };
 
 /// Compares two networks that differ in their weights on golden rows, or on drawn numbers.

@@ -89,17 +89,18 @@ struct Reorder {
 };
 
 /// Several values become one: side by side, or number by number from the first to the last, where a
-/// value of one number goes with each number of the others.
+/// value of one number goes with each number of the others. `select` has three: where the first is
+/// not zero the second, else the third.
 struct Combination {
-  enum class Operation : std::uint8_t { join, sum, difference, product, quotient };
+  enum class Operation : std::uint8_t { join, sum, difference, product, quotient, select };
   Operation operation = Operation::join;
   std::vector<std::uint32_t> sizes;  // of the values, in order
   bool operator==(const Combination&) const = default;
 };
 const char* to_string(Combination::Operation operation);
-/// f(x), number by number. No weights.
+/// f(x), number by number. No weights. `above_zero`: 1 where x > 0, else 0.
 struct Function {
-  enum class Kind : std::uint8_t { sin, cos, exp, abs, sqrt };
+  enum class Kind : std::uint8_t { sin, cos, exp, abs, sqrt, above_zero };
   Kind kind = Kind::sin;
   bool operator==(const Function&) const = default;
 };

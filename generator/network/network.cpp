@@ -48,12 +48,12 @@ const char* to_string(Elementwise::Operation operation) {
 }
 
 const char* to_string(Combination::Operation operation) {
-  constexpr std::array kNames = {"join", "sum", "difference", "product", "quotient"};
+  constexpr std::array kNames = {"join", "sum", "difference", "product", "quotient", "select"};
   return kNames.at(static_cast<std::size_t>(operation));
 }
 
 const char* to_string(Function::Kind kind) {
-  constexpr std::array kNames = {"sin", "cos", "exp", "abs", "sqrt"};
+  constexpr std::array kNames = {"sin", "cos", "exp", "abs", "sqrt", "above_zero"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 
@@ -68,6 +68,8 @@ const char* to_string(ActionKind kind) {
       return "squashed";
     case ActionKind::argmax:
       return "argmax";
+    case ActionKind::binary:
+      return "binary";
     case ActionKind::raw:
       break;
   }

@@ -52,6 +52,14 @@ struct Network {
   /// The first layer always takes the whole observation.
   [[nodiscard]] std::uint32_t inputs() const { return layers.front().inputs; }
   [[nodiscard]] std::uint32_t outputs() const { return layers.back().outputs; }
+  /// Of `argmax`: how many outputs each choice is among; all of them, if nothing else is known.
+  [[nodiscard]] std::vector<std::uint32_t> groups() const {
+    return contract.groups.empty() ? std::vector{outputs()} : contract.groups;
+  }
+  /// How many numbers an action has.
+  [[nodiscard]] std::size_t actions() const {
+    return action_kind() == ActionKind::argmax ? groups().size() : std::size_t{outputs()};
+  }
   /// What the file says; else squashed if the last layer is a tanh.
   [[nodiscard]] ActionKind action_kind() const {
     const bool tanh = layers.back().activation == Activation::tanh;

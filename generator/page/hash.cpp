@@ -1,8 +1,9 @@
-// SHA-256 (FIPS 180-4), which browsers compare styles and scripts with, and Base64 (RFC 4648).
+// SHA-256 (FIPS 180-4), which browsers compare styles and scripts with.
 #include <array>
 #include <bit>
 #include <cstdint>
 
+#include "generator/json/base64.hpp"
 #include "generator/page/page.hpp"
 
 namespace eagerx::gen {
@@ -70,22 +71,6 @@ std::string sha256_base64(std::string_view text) {
       bytes += static_cast<char>((word >> shift) & 0xffU);
   }
   return base64(bytes);
-}
-
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t at = 0; at < bytes.size(); at += 3) {
-    std::uint32_t group = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      group =
-          (group << 8U) | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
-    for (std::size_t i = 0; i < 4; ++i)
-      text += at + i > bytes.size() ? '=' : kDigits[(group >> (18U - 6U * i)) & 0x3fU];
-  }
-  return text;
 }
 
 }  // namespace eagerx::gen

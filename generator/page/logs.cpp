@@ -8,6 +8,7 @@
 #include <limits>
 #include <runtime/host/trace/log_file.hpp>
 
+#include "generator/json/base64.hpp"
 #include "generator/page/page.hpp"
 
 namespace eagerx::gen {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/json/base64.hpp"
+
 namespace eagerx::gen {
 namespace {
 

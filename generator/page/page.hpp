@@ -64,6 +64,5 @@ Json policies_json(const PageContents& contents);
 
 /// As a content policy names a text that may be there.
 std::string sha256_base64(std::string_view text);
-std::string base64(std::string_view bytes);
 
 }  // namespace eagerx::gen

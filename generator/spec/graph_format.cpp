@@ -123,11 +123,12 @@ FormatPtr object_format() {
 
 std::vector<Field> policy_settings() {
   return {
-      {"output", format::keyword({"squashed", "raw", "argmax"}), false,
+      {"output", format::keyword({"squashed", "raw", "argmax", "binary"}), false,
        "squashed: answers from -1 to 1 are mapped to the action's bounds (SB3's SAC and TD3); raw: "
        "answers are clipped to the bounds (PPO, A2C); argmax: the action is the index of the "
-       "largest output (DQN). Default: as the file says, else squashed if the last layer is a "
-       "tanh, else raw"},
+       "largest output (DQN), or of several whole numbers the index of the largest of its own "
+       "outputs (MultiDiscrete); binary: 1 where an output is above zero, else 0 (MultiBinary). "
+       "Default: as the file says, else squashed if the last layer is a tanh, else raw"},
       {"normalize", format::text("a file name"), false,
        "statistics of the observations: VecNormalize.save, npz or JSON"},
       {"activation",
@@ -143,7 +144,8 @@ std::vector<Field> policy_settings() {
       {"actor", format::text("a name"), false,
        "of a file with several actors: how the names of its tensors begin"},
       {"output_name", format::text("a name"), false,
-       "of an ONNX file with several outputs: the one that is the action"},
+       "of an ONNX file with several outputs: the one that is the action; of TorchScript with "
+       "several results: its place, from \"0\" on"},
       {"golden", format::text("a file name"), false,
        "observations with known answers (CSV or npz); the generator and every program check them"},
       {"weights", format::keyword({"float32", "int8"}), false,

@@ -68,4 +68,33 @@ Message choice(const Space<Message>& space, std::size_t index) {
   return action;
 }
 
+/// The next choices of a policy, one for each number: of as many outputs as the number has values
+/// the index of the largest, the first of equal ones, from its lowest value on.
+template <class Message, std::size_t N>
+Message choices(const Space<Message>& space, const float (&output)[N], std::size_t& position) {
+  using Scalar = ScalarOf<Message>;
+  Message action{};
+  for (std::size_t i = 0; i < size_of<Message>; ++i) {
+    const Scalar low = element(space.low, i);
+    const std::size_t end = position + static_cast<std::size_t>(element(space.high, i) - low) + 1;
+    std::size_t best = position;
+    for (std::size_t k = position; k < end; ++k) {
+      if (output[best] < output[k]) best = k;
+    }
+    element(action, i) = static_cast<Scalar>(low + static_cast<Scalar>(best - position));
+    position = end;
+  }
+  return action;
+}
+
+/// The next elements of an action that are 1 where an output is above zero, else 0.
+template <class Message, std::size_t N>
+Message bits(const float (&output)[N], std::size_t& position) {
+  Message action{};
+  for (std::size_t i = 0; i < size_of<Message>; ++i) {
+    element(action, i) = static_cast<ScalarOf<Message>>(output[position++] > 0.0F ? 1 : 0);
+  }
+  return action;
+}
+
 }  // namespace eagerx

@@ -170,7 +170,8 @@ function normalizationCard(policy) {
 const meanings = {
   raw: "clipped to the bounds",
   squashed: "from −1 … 1 to the bounds",
-  argmax: "the index of the largest output"
+  argmax: "the index of the largest output",
+  binary: "1 where an output is above zero"
 };
 
 function useTable(title, rows) {

@@ -23,6 +23,18 @@ struct ActorParts {
   }
 };
 
+/// The layers of the actor's modules; `activation` follows where the layout says so. E0618, E0619,
+/// E0624, E0628.
+bool add_modules(const ActorParts& parts, const ActorLayout& layout, Activation activation);
+
+/// What follows the last layer (as the file says, else as its library does, else as the graph
+/// says), and what its answers are. E0624, E0626, E0750 and those of `average_quantiles`.
+bool finish_output(const ActorParts& parts, const ActorLayout& layout, const ReadContext& context);
+
+/// What nobody has read may stand between observation and action: it is not left out silently, and
+/// E0628 unless it is for training only. The rest is listed.
+bool check_rest(const ActorParts& parts, const ActorLayout& layout);
+
 /// Stable-Baselines3's NatureCNN whose tensors start with `prefix`, in front of everything else:
 /// kernels of 8, 4 and 3 with strides of 4, 2 and 1, then a dense layer, each with relu. E0618,
 /// E0619, E0628.

@@ -8,35 +8,10 @@
 #include "generator/formats/tensors/archive.hpp"
 #include "generator/formats/tensors/containers.hpp"
 #include "generator/formats/tensors/numbers.hpp"
+#include "generator/json/base64.hpp"
 
 namespace eagerx::gen {
 namespace {
-
-/// The bytes of base64 text; nothing if it is not.
-std::optional<std::string> from_base64(std::string_view text) {
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    std::uint32_t value = 0;
-    if (c >= 'A' && c <= 'Z') {
-      value = static_cast<std::uint32_t>(c - 'A');
-    } else if (c >= 'a' && c <= 'z') {
-      value = static_cast<std::uint32_t>(c - 'a') + 26;
-    } else if (c >= '0' && c <= '9') {
-      value = static_cast<std::uint32_t>(c - '0') + 52;
-    } else if (c == '+' || c == '/') {
-      value = c == '+' ? 62 : 63;
-    } else if (c == '=') {
-      break;
-    } else {
-      return std::nullopt;
-    }
-    bits = bits << 6U | value;
-    if (++count % 4 != 1) bytes += static_cast<char>(bits >> (2 * (3 - (count - 1) % 4)));
-  }
-  return bytes;
-}
 
 std::optional<Pickle> unpickled(const Json& value, std::string& bytes, PolicyProblem& problem) {
   auto decoded = from_base64(text_of(member(&value, ":serialized:")));
@@ -324,9 +299,7 @@ class DataReader {
           start && *start > -1e9 && *start < 1e9 ? static_cast<std::int64_t>(*start) : 0;
       return true;
     }
-    if (!is_space(*pickle, top, ".Box")) {
-      return fail("whose `action_space` is neither a Box nor Discrete");
-    }
+    if (!is_space(*pickle, top, ".Box")) return read_choices(*pickle, top);
     const auto low = bounds(*pickle, top, "low");
     const auto high = bounds(*pickle, top, "high");
     if (!low || !high || low->size() != high->size()) {
@@ -335,6 +308,25 @@ class DataReader {
     facts_.actions = static_cast<std::int64_t>(low->size());
     facts_.contract.action_low = *low;
     facts_.contract.action_high = *high;
+    return true;
+  }
+
+  /// Actions of several whole numbers. Their scores are outputs side by side.
+  bool read_choices(const Pickle& pickle, const PickleValue& space) {
+    const bool is_binary = is_space(pickle, space, ".MultiBinary");
+    auto counts = is_binary || is_space(pickle, space, ".MultiDiscrete") ? choices_of(pickle, space)
+                                                                         : std::nullopt;
+    if (!counts || counts->empty()) {
+      return fail(
+          "whose `action_space` is no Box, Discrete, MultiDiscrete of one dimension and from 0 on, "
+          "or MultiBinary");
+    }
+    facts_.action = is_binary ? ActionKind::binary : ActionKind::argmax;
+    facts_.actions = 0;
+    for (const std::uint32_t count : *counts) *facts_.actions += is_binary ? 1 : count;
+    if (is_binary) return true;
+    facts_.contract.first_choice = 0;
+    facts_.contract.groups = std::move(*counts);
     return true;
   }
 

@@ -132,4 +132,25 @@ bool add_scaled_bounds(const ActorParts& parts) {
   return true;
 }
 
+bool check_statistics(Normalization& statistics, PolicyProblem& problem) {
+  const auto fail = [&](const char* how) {
+    problem = {"E0627", fmt::format("has statistics {}", how), kOtherActor};
+    return false;
+  };
+  if (statistics.mean.empty() || statistics.mean.size() != statistics.variance.size()) {
+    return fail("with different numbers of means and variances");
+  }
+  for (std::size_t i = 0; i < statistics.mean.size(); ++i) {
+    if (!std::isfinite(statistics.mean[i]) || !std::isfinite(statistics.variance[i])) {
+      return fail("with NaN or infinity");
+    }
+    const double sum = statistics.variance[i] + statistics.epsilon;
+    if (statistics.variance[i] < 0.0 || !(sum > 0.0)) return fail("with a variance below zero");
+  }
+  if (!(statistics.epsilon >= 0.0)) return fail("whose epsilon is below zero");
+  if (!(statistics.clip > 0.0)) return fail("whose clip is not above zero");
+  statistics.clip = std::min(statistics.clip, std::numeric_limits<double>::max());
+  return true;
+}
+
 }  // namespace eagerx::gen

@@ -322,6 +322,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   std::unordered_set<const onnx::NodeProto*> done;
   evaluate_nodes(*needed, state, values, done);
   OnnxValue result = *values.get(action);
+  if (const auto exact = exact_of(result)) result = *exact;
   if (result.kind == Kind::other && result.part.role == OnnxPart::Role::choice) {
     network.action = ActionKind::argmax;
     result.kind = Kind::data;

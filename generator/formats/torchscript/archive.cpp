@@ -22,6 +22,13 @@ std::optional<std::vector<float>> single_number(const StoredTensor& tensor) {
   return std::isfinite(value) ? std::optional(std::vector{value}) : std::nullopt;
 }
 
+/// Whole numbers that an observation is put into another order by.
+bool is_list_of_places(const StoredTensor& tensor) {
+  constexpr std::int64_t kMost = 4096;
+  const bool is_whole = tensor.type == ElementType::int64 || tensor.type == ElementType::int32;
+  return is_whole && tensor.shape.size() == 1 && tensor.shape.front() <= kMost;
+}
+
 }  // namespace
 
 bool TorchArchive::open(PolicyProblem& problem) {
@@ -63,6 +70,14 @@ const OnnxValue* TorchArchive::tensor(int which, std::uint32_t index, const std:
   const auto stored = rebuilt_tensor(
       pickle(which), pickle(which).at(index), name,
       [&](std::string_view key) { return storage(which, key, value.problem); }, value.problem);
+  if (stored && is_list_of_places(*stored) && fits(name, *stored, value.problem)) {
+    Integers places;
+    for (const double number : values_of(*stored)) {
+      places.push_back(static_cast<std::int64_t>(number));
+    }
+    value = integers_value(std::move(places), stored->shape);
+    return &value;
+  }
   auto numbers = stored ? single_number(*stored) : std::nullopt;
   if (stored && !numbers && fits(name, *stored, value.problem)) {
     numbers_ += static_cast<std::size_t>(element_count(stored->shape).value_or(0));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -43,6 +44,14 @@ bool is_same(const std::string& name) {
                                 "alias",      "feature_dropout", "float",
                                 "cpu",        "type_as",         "alpha_dropout"};
   return std::ranges::find(kSame, name) != kSame.end();
+}
+
+/// A condition that was made a number; anything else is itself.
+TorchValue as_number(const TorchValue& x) {
+  if (!x.tensor->value.is_condition) return x;
+  OnnxValue value = x.tensor->value;
+  value.is_condition = false;
+  return TorchValue::of(std::move(value));
 }
 
 }  // namespace
@@ -194,9 +203,17 @@ std::optional<TorchValue> TorchInterpreter::built_in(const std::string& name,
   if (name == "getattr" && arguments.size() == 2 && arguments[0].kind == Has::module) {
     return member(arguments[0], arguments[1].text);
   }
+  if (name == "print") return TorchValue();
   if (arguments.size() == 1) {
     const TorchValue& x = arguments.front();
     if (name == "int" && x.whole()) return TorchValue::of(*x.whole());
+    if (name == "int" && x.is_tensor()) {
+      constexpr float kLargest = 1e6F;
+      const auto number = scalar_of(x.tensor->value);
+      if (number && std::trunc(*number) == *number && std::fabs(*number) < kLargest) {
+        return TorchValue::of(static_cast<std::int64_t>(*number));
+      }
+    }
     if (name == "float" && x.number()) return TorchValue::of(*x.number());
     if (name == "bool" && x.kind == Has::boolean) return x;
     if (name == "float" && x.is_tensor()) return x;
@@ -213,6 +230,9 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   if (name == "RaiseException") return fail("raises an error for an observation of this size");
   const bool has_tensor = !arguments.empty() && arguments.front().is_tensor();
   if (auto plain = run_plain_operator(name, arguments)) return plain;
+  const bool has_places =
+      has_tensor && arguments.front().tensor->value.kind == OnnxValue::Kind::integers;
+  if (name == "to" && has_places) return arguments.front();
   if (name == "to" && has_tensor) {
     constexpr std::int64_t kFloat32 = 6;
     constexpr std::int64_t kFloat64 = 7;
@@ -225,7 +245,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
         return fail("rounds numbers to another type than float32");
       }
     }
-    return arguments.front();
+    return as_number(arguments.front());
   }
   if (name == "clone" && has_tensor) return TorchValue::of(arguments.front().tensor->value);
   if (is_same(name) && has_tensor) {
@@ -233,7 +253,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
     if (drops && (arguments.size() < 3 || arguments[2].whole() != 0)) {
       return fail("drops values, as in training: call `eval()` before the export");
     }
-    return arguments.front();
+    return as_number(arguments.front());
   }
   const bool writes = name.size() > 1 && name.ends_with("_") && !name.ends_with("__");
   if (writes && has_tensor) return in_place(name, std::move(arguments), std::move(named));

@@ -41,7 +41,7 @@ Result with_factor(const Torch& call, const char* type) {
   const auto a = call.tensor(0);
   auto b = call.tensor(1, "other");
   const auto factor = call.number(2, "alpha", 1.0);
-  if (!a || !b || !factor) return std::nullopt;
+  if (!a || !b || !factor || (a->is_condition && b->is_condition)) return std::nullopt;
   if (*factor != 1.0) {
     b = call.node("Mul", {*b, call.constant({static_cast<float>(*factor)}, {})});
   }
@@ -71,11 +71,12 @@ Result divide(const Torch& call) {
   if (!call.argument(2, "rounding_mode").is_none()) return std::nullopt;
   return pair(call, "Div");
 }
+/// Of two tensors: `max` and `min` are other things with one, and with an axis.
 Result maximum(const Torch& call) {
-  return pair(call, "Max");
+  return call.argument(1, "other").is_tensor() ? pair(call, "Max") : std::nullopt;
 }
 Result minimum(const Torch& call) {
-  return pair(call, "Min");
+  return call.argument(1, "other").is_tensor() ? pair(call, "Min") : std::nullopt;
 }
 Result reciprocal(const Torch& call) {
   const auto x = call.tensor(0);
@@ -101,9 +102,12 @@ Result linear(const Torch& call) {
   const auto x = call.tensor(0);
   const auto weight = call.tensor(1, "weight");
   if (!x || !weight || torch_rank(*weight) != 2) return std::nullopt;
+  const auto bias = call.tensor(2, "bias");
+  if (bias && torch_rank(*x) == 2) {
+    return call.node("Gemm", {*x, *weight, *bias}, {{"transB", 1}});
+  }
   const OnnxValue product = call.node("MatMul", {*x, turned(call, *weight)});
   if (call.argument(2, "bias").is_none()) return product;
-  const auto bias = call.tensor(2, "bias");
   return bias ? Result(call.node("Add", {product, *bias})) : std::nullopt;
 }
 Result addmm(const Torch& call) {  // addmm(b, x, w): beta b + alpha x w
@@ -255,14 +259,17 @@ Result cat(const Torch& call) {
   return call.node("Concat", parts, {{"axis", axis}});
 }
 
+/// Of a size that is said, or of that of another value.
 Result zeros(const Torch& call) {
-  const auto shape = call.list(0, "size");
+  const bool is_like = call.name().ends_with("_like");
+  const auto like = is_like ? call.tensor(0) : std::nullopt;
+  const auto shape = is_like ? (like ? like->shape : std::nullopt) : call.list(0, "size");
   const std::int64_t count =
       shape ? element_count(*shape).value_or(kMaxValues + 1) : kMaxValues + 1;
   if (count > kMaxValues || !OnnxCall(onnx::NodeProto(), {}, call.state()).spend(count)) {
     return std::nullopt;
   }
-  const float value = call.name() == "ones" ? 1.0F : 0.0F;
+  const float value = call.name().starts_with("ones") ? 1.0F : 0.0F;
   return call.constant(std::vector<float>(static_cast<std::size_t>(count), value), *shape);
 }
 Result number(const Torch& call) {
@@ -286,6 +293,8 @@ const std::map<std::string_view, TorchOperator>& operators() {
                                                                    {"mul", multiply},
                                                                    {"div", divide},
                                                                    {"maximum", maximum},
+                                                                   {"max", maximum},
+                                                                   {"min", minimum},
                                                                    {"minimum", minimum},
                                                                    {"reciprocal", reciprocal},
                                                                    {"rsqrt", inverse_root},
@@ -317,6 +326,8 @@ const std::map<std::string_view, TorchOperator>& operators() {
                                                                    {"concat", cat},
                                                                    {"zeros", zeros},
                                                                    {"ones", zeros},
+                                                                   {"zeros_like", zeros},
+                                                                   {"ones_like", zeros},
                                                                    {"tensor", number}};
   return kTable;
 }
@@ -332,7 +343,9 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
     return parts;
   }
   const auto own = operators().find(name);
-  const TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
+  TorchOperator run = own != operators().end() ? own->second : torch_shape_operator(name);
+  if (run == nullptr) run = torch_image_operator(name);
+  if (run == nullptr) run = torch_condition_operator(name);
   if (run == nullptr) {
     problem = {
         "E0754",

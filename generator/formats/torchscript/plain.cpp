@@ -119,6 +119,11 @@ Plain run_plain_operator(const std::string& name, const Arguments& arguments) {
   if (name == "neg" && a.kind == What::integer) return TorchValue::of(-a.integer);
   if (arguments.size() < 2) return std::nullopt;
   const TorchValue& b = arguments[1];
+  if (name == "__contains__") {
+    if (a.kind != What::sequence || !is_known(a) || !is_known(b)) return std::nullopt;
+    return TorchValue::of(
+        std::ranges::any_of(a.items, [&](const TorchValue& item) { return same_value(item, b); }));
+  }
   if (name == "__is__" || name == "__isnot__") {
     if (!a.is_none() && !b.is_none()) return std::nullopt;
     return TorchValue::of((a.is_none() && b.is_none()) == (name == "__is__"));

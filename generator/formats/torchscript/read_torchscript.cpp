@@ -2,7 +2,7 @@
 // tried, from the smallest on: `forward` must go through.
 #include "generator/formats/torchscript/read_torchscript.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -18,6 +18,8 @@ namespace {
 constexpr std::string_view kConstants = "constants.pkl";
 constexpr std::int64_t kMostStatements = 400'000;
 constexpr std::size_t kMostTries = 1500;
+constexpr const char* kSayResult =
+    "say it in the graph: `agent: {policy: …, output_name: \"0\"}`; for `policy` with `--output 0`";
 constexpr std::int64_t kOpset = 17;
 
 /// One try.
@@ -25,14 +27,38 @@ struct TorchTry {
   OnnxCall::State state;
   std::optional<TorchInterpreter> interpreter;
   OnnxValue result;
+  std::vector<std::string> others;  // results that are not the action, for people
   PolicyProblem problem;
   bool passed = false;
 };
 
+/// A part of what `forward` returns, and its place: "0", "1.0".
+struct TorchResult {
+  std::string place;
+  const TorchValue* value;
+};
+
+void add_results(const TorchValue& value, const std::string& place,
+                 std::vector<TorchResult>& results) {
+  constexpr std::size_t kMostResults = 64;
+  if (value.kind != TorchValue::Kind::sequence) {
+    if (value.is_tensor() && results.size() < kMostResults) results.push_back({place, &value});
+    return;
+  }
+  for (std::size_t i = 0; i < value.items.size() && results.size() < kMostResults; ++i) {
+    add_results(value.items[i], fmt::format("{}{}{}", place, place.empty() ? "" : ".", i), results);
+  }
+}
+
+std::string shown(const TorchResult& result) {
+  const auto& shape = result.value->tensor->value.shape;
+  return fmt::format("`{}`{}", result.place, shape ? " " + show(*shape) : "");
+}
+
 class TorchReading {
  public:
-  TorchReading(TorchArchive& archive, PolicyProblem& problem)
-      : archive_(archive), problem_(problem) {}
+  TorchReading(TorchArchive& archive, std::string output, PolicyProblem& problem)
+      : archive_(archive), output_(std::move(output)), problem_(problem) {}
 
   std::optional<Network> run() {
     const auto names = inputs_of_forward();
@@ -58,6 +84,7 @@ class TorchReading {
     if (!layers) return std::nullopt;
     network.layers = std::move(*layers);
     network.format = "TorchScript";
+    network.ignored = std::move(found.others);
     TorchTry longer;
     ++sizes.back();
     follow(sizes, longer);
@@ -114,13 +141,10 @@ class TorchReading {
     made.interpreter.emplace(archive_, made.state, statements_, made.problem);
     const auto result = made.interpreter->run(inputs);
     values_ = made.state.budget;
-    if (!result) return;
-    if (!result->is_tensor()) {
-      made.problem = {"E0754", "has a `forward` that returns something else than one tensor",
-                      "export a module that returns the action"};
-      return;
-    }
-    made.result = result->tensor->value;
+    const TorchValue* action = result ? action_among(*result, made) : nullptr;
+    if (action == nullptr) return;
+    made.result = action->tensor->value;
+    if (const auto exact = exact_of(made.result)) made.result = *exact;
     const bool is_choice = made.result.part.role == OnnxPart::Role::choice;
     made.passed = made.result.kind == OnnxValue::Kind::data ||
                   (made.result.kind == OnnxValue::Kind::other && is_choice);
@@ -129,6 +153,44 @@ class TorchReading {
         made.result.kind == OnnxValue::Kind::other
             ? made.result.problem
             : PolicyProblem{"E0620", "has an action that is constant", "export the actor"};
+  }
+
+  /// Of several results the one that was asked for.
+  const TorchValue* action_among(const TorchValue& all, TorchTry& made) const {
+    std::vector<TorchResult> results;
+    add_results(all, "", results);
+    const auto fail = [&](const char* code, std::string message, const char* help) {
+      made.problem = {code, std::move(message), help};
+      return nullptr;
+    };
+    if (results.empty()) {
+      return fail("E0754", "has a `forward` that returns no tensor",
+                  "export a module that returns the action");
+    }
+    if (all.is_tensor() && !output_.empty()) {
+      return fail("E0751", "has one result, which has no name", "leave `output_name` out");
+    }
+    if (output_.empty() && results.size() == 1) return results.front().value;
+    std::vector<std::string> texts;
+    for (const TorchResult& result : results) texts.push_back(shown(result));
+    const TorchValue* action = nullptr;
+    for (const TorchResult& result : results) {
+      if (result.place == output_) {
+        action = result.value;
+      } else {
+        made.others.push_back("result " + shown(result));
+      }
+    }
+    if (action != nullptr) return action;
+    const std::string listed = fmt::format("{}", fmt::join(texts, ", "));
+    if (!output_.empty()) {
+      return fail("E0751", fmt::format("has no result `{}`: it has {}", printable(output_), listed),
+                  "name one of them");
+    }
+    return fail("E0751",
+                fmt::format("has {} results, and it is not known which one is the action: {}",
+                            results.size(), listed),
+                kSayResult);
   }
 
   /// The first sizes that go through. Else the problem of the try that came farthest.
@@ -161,16 +223,26 @@ class TorchReading {
     return false;
   }
 
-  /// Sizes of tensors; for one input also their sums: a part of an observation goes to a layer, and
-  /// the rest to another.
+  /// Sizes of tensors; for one input also their sums, as a part of an observation goes to a layer
+  /// and the rest to another, and then what a history of such sizes has.
   std::vector<std::int64_t> candidates_for(std::size_t count) const {
     constexpr std::size_t kMostSums = 40;
+    constexpr std::int64_t kLongestHistory = 50;
     const std::vector<std::int64_t> sizes = archive_.sizes();
     std::set<std::int64_t> all(sizes.begin(), sizes.end());
     for (std::size_t i = 0; count == 1 && sizes.size() <= kMostSums && i < sizes.size(); ++i) {
       for (std::size_t k = 0; k <= i; ++k) all.insert(sizes[i] + sizes[k]);
     }
-    return {all.begin(), all.end()};
+    std::vector<std::int64_t> result(all.begin(), all.end());
+    if (count > 1) return result;
+    std::set<std::int64_t> histories;
+    for (const std::int64_t size : sizes) {
+      for (std::int64_t k = 2; k <= kLongestHistory; ++k) {
+        if (size <= kMaxValues / k && !all.contains(size * k)) histories.insert(size * k);
+      }
+    }
+    result.insert(result.end(), histories.begin(), histories.end());
+    return result;
   }
 
   /// Buffers that are written hold what cells remember, each its own, from zeros on.
@@ -221,6 +293,7 @@ class TorchReading {
   }
 
   TorchArchive& archive_;
+  std::string output_;
   PolicyProblem& problem_;
   std::int64_t statements_ = kMostStatements;
   std::int64_t values_ = OnnxCall::State().budget;
@@ -233,7 +306,8 @@ bool is_torchscript(const Archive& archive) {
       archive.names(), [](const std::string& name) { return name.ends_with("/constants.pkl"); });
 }
 
-std::optional<Network> read_torchscript(const Archive& archive, PolicyProblem& problem) {
+std::optional<Network> read_torchscript(const Archive& archive, const std::string& output,
+                                        PolicyProblem& problem) {
   std::string folder;
   for (const std::string& name : archive.names()) {
     if (name.ends_with("/constants.pkl")) {
@@ -242,7 +316,7 @@ std::optional<Network> read_torchscript(const Archive& archive, PolicyProblem& p
   }
   TorchArchive program(archive, folder);
   if (!program.open(problem)) return std::nullopt;
-  return TorchReading(program, problem).run();
+  return TorchReading(program, output, problem).run();
 }
 
 }  // namespace eagerx::gen

@@ -129,15 +129,41 @@ Result select(const Torch& call) {
   if (!axis || !index) return std::nullopt;
   return call.node("Gather", {*x, integers_value({*index}, {})}, {{"axis", axis}});
 }
+
+Result chosen(const Torch& call, const OnnxValue& x, std::int64_t axis, const OnnxValue& places) {
+  return call.node("Gather", {x, places}, {{"axis", axis}});
+}
+Result index_select(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto axis = x ? torch_axis(*x, call.whole(1, "dim", std::nullopt)) : std::nullopt;
+  const auto places = call.tensor(2, "index");
+  return axis && places ? chosen(call, *x, *axis, *places) : std::nullopt;
+}
+/// x[:, places]: along one axis, with `None` for the others.
+Result index(const Torch& call) {
+  const auto x = call.tensor(0);
+  const std::vector<TorchValue>& by = call.argument(1, "indices").items;
+  std::optional<std::size_t> axis;
+  for (std::size_t i = 0; i < by.size(); ++i) {
+    if (by[i].is_none()) continue;
+    if (axis || !by[i].is_tensor()) return std::nullopt;
+    axis = i;
+  }
+  if (!x || !axis) return std::nullopt;
+  return chosen(call, *x, static_cast<std::int64_t>(*axis), by[*axis].tensor->value);
+}
 }  // namespace
 
 TorchOperator torch_shape_operator(std::string_view name) {
   static const std::map<std::string_view, TorchOperator> kTable = {
-      {"t", transpose},     {"numpy_T", transpose},   {"transpose", transpose},
-      {"permute", permute}, {"reshape", reshape},     {"view", reshape},
-      {"flatten", flatten}, {"unsqueeze", unsqueeze}, {"squeeze", squeeze},
-      {"expand", expand},   {"expand_as", expand},    {"slice", slice},
-      {"narrow", narrow},   {"select", select}};
+      {"t", transpose},         {"numpy_T", transpose},
+      {"transpose", transpose}, {"permute", permute},
+      {"reshape", reshape},     {"view", reshape},
+      {"flatten", flatten},     {"unsqueeze", unsqueeze},
+      {"squeeze", squeeze},     {"expand", expand},
+      {"expand_as", expand},    {"slice", slice},
+      {"narrow", narrow},       {"select", select},
+      {"index", index},         {"index_select", index_select}};
   const auto found = kTable.find(name);
   return found == kTable.end() ? nullptr : found->second;
 }

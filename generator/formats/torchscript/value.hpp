@@ -135,6 +135,9 @@ std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProble
 using TorchOperator = std::optional<OnnxValue> (*)(const TorchCall& call);
 /// Operators that shape, pick and reorder (shapes.cpp); nullptr for others.
 TorchOperator torch_shape_operator(std::string_view name);
+/// … over images and sequences (images.cpp), that compare and pick (conditions.cpp).
+TorchOperator torch_image_operator(std::string_view name);
+TorchOperator torch_condition_operator(std::string_view name);
 /// Neighbouring parts along an axis, as a list: split and chunk.
 std::optional<TorchValue> torch_parts(const TorchCall& call);
 /// How many axes a value has, and one of them counted from the front.

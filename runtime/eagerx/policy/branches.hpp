@@ -64,6 +64,15 @@ inline void quotient(float (&y)[M], const float (&a)[A], const float (&b)[B]) {
   for (std::size_t i = 0; i < M; ++i) y[i] = number_for<M>(a, i) / number_for<M>(b, i);
 }
 
+/// y: a where the condition is not zero, else b. The other one may be NaN.
+template <std::size_t M, std::size_t C, std::size_t A, std::size_t B>
+inline void select(float (&y)[M], const float (&condition)[C], const float (&a)[A],
+                   const float (&b)[B]) {
+  for (std::size_t i = 0; i < M; ++i) {
+    y[i] = number_for<M>(condition, i) != 0.0F ? number_for<M>(a, i) : number_for<M>(b, i);
+  }
+}
+
 template <std::size_t N>
 inline void sin(const float (&x)[N], float (&y)[N]) {
   for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::sin(x[i]);
@@ -83,6 +92,11 @@ inline void abs(const float (&x)[N], float (&y)[N]) {
 template <std::size_t N>
 inline void sqrt(const float (&x)[N], float (&y)[N]) {
   for (std::size_t i = 0; i < N; ++i) y[i] = eagerx::sqrt(x[i]);
+}
+/// 1 where x > 0, else 0.
+template <std::size_t N>
+inline void above_zero(const float (&x)[N], float (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] > 0.0F ? 1.0F : 0.0F;
 }
 
 /// Each row of N / M numbers becomes their sum.

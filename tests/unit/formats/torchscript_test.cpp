@@ -60,13 +60,55 @@ double difference(const std::string& file) {
 
 TEST(TorchScript, AnswersAsTorchDoes) {
   for (const char* file :
-       {"mlp_scripted.pt", "mlp_traced.pt", "activations_scripted.pt", "activations_traced.pt",
-        "normalizer_scripted.pt", "normalizer_traced.pt", "identity_scripted.pt",
-        "lstm_scripted.pt", "lstm_two_scripted.pt", "gru_scripted.pt", "branches_scripted.pt",
-        "branches_traced.pt", "residual_scripted.pt", "residual_traced.pt", "by_hand_half.pt",
-        "small_scripted.pt", "branches.onnx", "residual.onnx"}) {
+       {"mlp_scripted.pt",       "mlp_traced.pt",          "activations_scripted.pt",
+        "activations_traced.pt", "normalizer_scripted.pt", "normalizer_traced.pt",
+        "identity_scripted.pt",  "lstm_scripted.pt",       "lstm_two_scripted.pt",
+        "gru_scripted.pt",       "branches_scripted.pt",   "branches_traced.pt",
+        "residual_scripted.pt",  "residual_traced.pt",     "by_hand_half.pt",
+        "small_scripted.pt",     "branches.onnx",          "residual.onnx",
+        "history_scripted.pt",   "history_traced.pt",      "history.onnx",
+        "picture_scripted.pt",   "picture_traced.pt",      "conditions_scripted.pt",
+        "conditions_traced.pt",  "conditions.onnx",        "reordered_traced.pt",
+        "reordered.onnx"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
+}
+
+/// The network of one of several results.
+std::optional<Network> read_result(const std::string& file, const std::string& output,
+                                   Diagnostics& diagnostics) {
+  ReadContext context;
+  context.output_name = output;
+  return read_policy_bytes(bytes_of(file), file, {}, diagnostics, context);
+}
+
+TEST(TorchScript, OfSeveralResultsOneIsTheAction) {
+  for (const char* file : {"several_scripted.pt", "several_traced.pt"}) {
+    Diagnostics diagnostics;
+    const auto network = read_result(file, "1.0", diagnostics);
+    ASSERT_TRUE(network.has_value()) << diagnostics.all().front().message;
+    const std::string golden = "several_golden.npz";
+    const auto rows = read_golden(kFolder + golden, golden, {}, diagnostics);
+    ASSERT_TRUE(rows.has_value());
+    EXPECT_TRUE(compare(*network, *rows, golden, {}, diagnostics).has_value());
+    EXPECT_THAT(network->ignored, ElementsAre("result `0` [1, 1]", "result `1.1` [1, 3]"));
+  }
+}
+
+TEST(TorchScript, WhichResultIsTheActionMustBeSaid) {
+  for (const auto& [output, text] :
+       {std::pair{"",
+                  "has 3 results, and it is not known which one is the action: `0` [1, 1], "
+                  "`1.0` [1, 3], `1.1` [1, 3]"},
+        std::pair{"mean", "has no result `mean`: it has `0` [1, 1]"}}) {
+    Diagnostics diagnostics;
+    EXPECT_FALSE(read_result("several_scripted.pt", output, diagnostics).has_value());
+    EXPECT_EQ(diagnostics.all().front().code, "E0751");
+    EXPECT_THAT(diagnostics.all().front().message, HasSubstr(text));
+  }
+  Diagnostics diagnostics;
+  EXPECT_FALSE(read_result("mlp_scripted.pt", "0", diagnostics).has_value());
+  EXPECT_EQ(diagnostics.all().front().code, "E0751");
 }
 
 TEST(TorchScript, LayersAreThoseOfTheModules) {
@@ -174,7 +216,9 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
                  "E0754", "`sum`");
   expect_refused(body_with("if y:\n      z = y\n    else:\n      z = x"), "E0754",
                  "a condition that is not known");
-  expect_refused(with_body("    return (x, x)\n"), "E0754", "something else than one tensor");
+  expect_refused(with_body("    return (x, x)\n"), "E0751", "has 2 results");
+  expect_refused(with_body("    return 3\n"), "E0754", "returns no tensor");
+  expect_refused(body_with("z = torch.bitwise_not(y)"), "E0754", "`bitwise_not` in a way");
   expect_refused(body_with("z = torch.matmul(y, self.a)"), "E0618", "line 6");
 }
 
@@ -184,6 +228,12 @@ TEST(TorchScript, ConditionsThatAreKnownAreFollowed) {
                           "    else:\n      z = torch.cumsum(y, 1)"));
   EXPECT_EQ(network.layers.back().activation, Activation::tanh);
   EXPECT_EQ(network.inputs(), 4U);
+  const Network checked =
+      read_good(body_with("if torch.__not__(torch.__contains__([1, 2], torch.dim(y))):\n"
+                          "      ops.prim.RaiseException(\"no\")\n"
+                          "    else:\n      pass\n"
+                          "    print(y)\n    z = torch.tanh(y)"));
+  EXPECT_EQ(checked.layers.back().activation, Activation::tanh);
 }
 
 TEST(TorchScript, WhatIsChangedInPlaceIsChangedForAll) {

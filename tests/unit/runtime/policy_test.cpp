@@ -1,10 +1,12 @@
 // The layers of eagerx/policy.hpp against plain loops in the documented order: every bit.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/agent.hpp>
 #include <eagerx/policy.hpp>
 #include <limits>
 #include <span>
@@ -195,6 +197,23 @@ TEST(LayerNorm, NormalisesAllValues) {
 TEST(Choice, IsTheFirstOfTheLargest) {
   EXPECT_EQ(eagerx::argmax({1.0F, 3.0F, 3.0F, 2.0F}), 1U);
   EXPECT_EQ(eagerx::argmax({-1.0F}), 0U);
+}
+
+TEST(Choice, OfSeveralNumbersEachHasItsOwnOutputs) {
+  using Gears = std::array<std::int64_t, 3>;
+  constexpr eagerx::Space<Gears> kSpace{{0, 0, 2}, {2, 1, 4}};
+  constexpr float kScores[] = {1.0F, 3.0F, 3.0F, -2.0F, -1.0F, 0.5F, 0.0F, 0.5F, 9.0F};
+  std::size_t at = 0;
+  EXPECT_EQ(eagerx::choices(kSpace, kScores, at), (Gears{1, 1, 2}));
+  EXPECT_EQ(at, 8U);
+}
+
+TEST(Choice, OfBitsIsWhatIsAboveZero) {
+  using Lamps = std::array<std::int8_t, 4>;
+  constexpr float kScores[] = {7.0F, -1.0F, 0.0F, 1e-30F, 2.0F};
+  std::size_t at = 1;
+  EXPECT_EQ(eagerx::bits<Lamps>(kScores, at), (Lamps{0, 0, 1, 1}));
+  EXPECT_EQ(at, 5U);
 }
 
 }  // namespace

@@ -65,6 +65,7 @@ std::optional<OnnxValue> combined(const OnnxCall& call, const OnnxValue& a, cons
 }
 
 std::optional<OnnxValue> materialized(const OnnxCall& call, const OnnxValue& value) {
+  if (auto exact = exact_of(value)) return exact;
   const OnnxPart& part = value.part;
   const bool simple =
       part.role == Role::mean || part.role == Role::square || part.role == Role::centred;

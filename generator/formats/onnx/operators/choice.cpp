@@ -98,10 +98,26 @@ std::optional<OnnxValue> same_order(const OnnxCall& call) {
     if (!step || one(x) || !one(offset) || offset.kind == Kind::constant || (i == 1 && !adds)) {
       continue;
     }
-    return in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
-                       "of a value that is not constant");
+    OnnxValue value = in_order_of(call, *step, broadcast(x.shape, offset.shape), Role::ordered,
+                                  "of a value that is not constant");
+    const auto operation = adds ? Combination::Operation::sum : Combination::Operation::difference;
+    const auto exact = combined(call, call.input(0), call.input(1), operation);
+    if (exact && exact->kind == Kind::data) value.part.exact = exact->step;
+    return value;
   }
   return std::nullopt;
+}
+
+std::optional<OnnxValue> exact_of(const OnnxValue& value) {
+  if (value.kind != Kind::other || value.part.role != Role::ordered || value.part.exact < 0) {
+    return std::nullopt;
+  }
+  OnnxValue exact;
+  exact.kind = Kind::data;
+  exact.step = value.part.exact;
+  exact.shape = value.shape;
+  exact.time = value.time;
+  return exact;
 }
 
 std::vector<OnnxOperatorEntry> choice_operators() {

@@ -190,11 +190,21 @@ OnnxValue clip(const OnnxCall& call) {
 OnnxValue maximum(const OnnxCall& call) {
   if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  if (a.kind == Kind::data && b.kind == Kind::data) {
+    if (auto value = larger_of(call, a, b)) return *value;
+  }
   return with_constant(call, Operation::at_least);
 }
 OnnxValue minimum(const OnnxCall& call) {
   if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
+  const OnnxValue& a = call.input(0);
+  const OnnxValue& b = call.input(1);
+  if (a.kind == Kind::data && b.kind == Kind::data) {
+    if (auto value = smaller_of(call, a, b)) return *value;
+  }
   return with_constant(call, Operation::at_most);
 }
 

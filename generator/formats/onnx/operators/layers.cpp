@@ -38,6 +38,45 @@ OnnxValue product(const OnnxCall& call, const OnnxValue& data, OnnxDense dense, 
   return call.data_after(data.step, std::move(dense), std::move(result));
 }
 
+Reorder turned(std::int64_t rows, std::int64_t columns) {
+  Reorder order;
+  for (std::int64_t column = 0; column < columns; ++column) {
+    for (std::int64_t row = 0; row < rows; ++row) {
+      order.from.push_back(static_cast<std::uint32_t>(row * columns + column));
+    }
+  }
+  return order;
+}
+
+/// Several rows of values [..., R, K] times one matrix, as the steps of a history go through an
+/// encoder: a convolution whose kernel is one place wide over [K, R], and its result turned back.
+OnnxValue product_of_rows(const OnnxCall& call, const OnnxValue& data, const OnnxDense& dense) {
+  constexpr std::int64_t kMostRows = std::int64_t{1} << 16U;
+  const std::int64_t length = data.shape->back();
+  const std::int64_t outputs = dense.weights.dims[0];
+  const std::int64_t rows =
+      element_count(*data.shape).value_or(0) / std::max<std::int64_t>(length, 1);
+  if (dense.weights.dims[1] != length || outputs < 1 || length < 1 || rows > kMostRows ||
+      dense.scale != 1.0F || dense.bias_scale != 1.0F ||
+      (dense.bias && element_count(dense.bias->dims) != outputs)) {
+    return call.misused(fmt::format("on shapes {} and {}, which do not fit", show(*data.shape),
+                                    show(dense.weights.dims)));
+  }
+  const std::int64_t most = std::max(length, outputs);
+  if (most > kMaxValues / rows || !call.spend(rows * (length + outputs))) return call.too_much();
+  const OnnxValue columns = reordered(call, data, turned(rows, length), {1, length, rows});
+  if (columns.kind != Kind::data) return columns;
+  KernelShape kernel;
+  kernel.channels = static_cast<std::uint32_t>(length);
+  kernel.width = kernel.out_width = static_cast<std::uint32_t>(rows);
+  OnnxConvolution work{{kernel, 1, static_cast<std::uint32_t>(outputs)}, dense.weights, dense.bias};
+  const OnnxValue made = call.data_after(columns.step, std::move(work), {1, outputs, rows});
+  if (made.kind != Kind::data) return made;
+  Dims result = *data.shape;
+  result.back() = outputs;
+  return reordered(call, made, turned(outputs, rows), std::move(result));
+}
+
 /// [1, K] (or [K, 1] where `transposed`): the shape of one observation as a row.
 bool is_row(const Dims& dims, bool transposed) {
   return dims.size() == 2 && dims[transposed ? 1 : 0] == 1;
@@ -56,7 +95,10 @@ OnnxValue gemm(const OnnxCall& call) {
   const OnnxValue& matrix = data_left ? b : a;
   // y = x B is W = B^T; y = A x is W = A.
   const bool transposed = data_left ? !trans_b : trans_a;
-  if (matrix.constant.dims.size() != 2 || !is_row(*data.shape, data_left ? trans_a : !trans_b)) {
+  const bool has_rows = data_left && !trans_a && data.shape->size() == 2 &&
+                        matrix.constant.dims.size() == 2 && data.shape->front() > 1;
+  if (matrix.constant.dims.size() != 2 ||
+      (!has_rows && !is_row(*data.shape, data_left ? trans_a : !trans_b))) {
     return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
                                     show(*a.shape), show(*b.shape)));
   }
@@ -64,10 +106,10 @@ OnnxValue gemm(const OnnxCall& call) {
   dense.weights = transposed ? swapped(matrix.constant) : matrix.constant;
   dense.scale = call.real("alpha", 1.0F);
   const std::int64_t outputs = dense.weights.dims[0];
-  Dims result = data_left ? Dims{1, outputs} : Dims{outputs, 1};
+  Dims result = data_left ? Dims{data.shape->front(), outputs} : Dims{outputs, 1};
   if (c.kind != Kind::absent) {
     if (c.kind != Kind::constant) return call.misused("with a bias that is not constant", result);
-    if (!fits_as_bias(c, result, outputs)) {
+    if (!fits_as_bias(c, has_rows ? Dims{outputs} : result, outputs)) {
       return call.other({"E0618",
                          fmt::format("adds bias `{}` of shape {} to {} values in {}",
                                      printable(c.constant.tensor->name()), show(c.constant.dims),
@@ -77,6 +119,7 @@ OnnxValue gemm(const OnnxCall& call) {
     dense.bias = c.constant;
     dense.bias_scale = call.real("beta", 1.0F);  // not of a bias that a later Add brings
   }
+  if (has_rows) return product_of_rows(call, data, dense);
   return product(call, data, std::move(dense), std::move(result));
 }
 
@@ -92,12 +135,14 @@ OnnxValue matmul(const OnnxCall& call) {
   // Left [..., 1, K] or [K]; right [K, 1] or [K]: one vector, not a batch of them.
   const std::size_t along = data_left ? result.size() - 1 : 0;
   const bool vector = !result.empty() && element_count(result) == result[along];
-  if (matrix.dims.size() != 2 || !vector || (data_right && result.size() > 2)) {
+  const bool has_rows = data_left && result.size() > 1;
+  if (matrix.dims.size() != 2 || (!vector && !has_rows) || (data_right && result.size() > 2)) {
     return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
                                     show(*a.shape), show(*b.shape)));
   }
   OnnxDense dense;
   dense.weights = data_left ? swapped(matrix) : matrix;
+  if (!vector) return product_of_rows(call, data, dense);
   result[along] = dense.weights.dims[0];
   return product(call, data, std::move(dense), std::move(result));
 }

@@ -107,7 +107,8 @@ OnnxValue part_of_state(const OnnxValue& x, std::int64_t first, std::int64_t cou
   return value;
 }
 
-/// `count` of the values along an axis, from `first` on, each `step`-th.
+}  // namespace
+
 OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std::int64_t first,
                  std::int64_t count, std::int64_t step, bool keeps_axis) {
   const Dims& dims = *x.shape;
@@ -128,39 +129,7 @@ OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std
   return reordered(call, x, indices(shape, start, strides), std::move(result));
 }
 
-OnnxValue gather_values(const OnnxCall& call, const OnnxValue& x) {
-  const std::optional<Integers> which = integers_of(call.input(1));
-  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
-  const std::optional<Dims>& form = call.input(1).shape;
-  const bool one = which && which->size() == 1 && form && form->size() <= 1;
-  if (!one || axis < 0 || axis >= rank) return call.misused("of several values");
-  const std::int64_t size = (*x.shape)[static_cast<std::size_t>(axis)];
-  const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
-  if (index < 0 || index >= size) return call.misused("with an index that is not there");
-  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, !form->empty());
-}
-
-OnnxValue gather(const OnnxCall& call) {
-  const OnnxValue& x = call.input(0);
-  if (x.kind == Kind::data || x.kind == Kind::state || !x.remembered.empty()) {
-    return gather_values(call, x);
-  }
-  const std::optional<Integers> from = integers_of(x);
-  const std::optional<Integers> indices = integers_of(call.input(1));
-  const std::int64_t axis = call.integer("axis", 0);
-  if (!from || !indices || !is_list(x) || !call.input(1).shape || (axis != 0 && axis != -1)) {
-    return call.misused("on values that are not a shape");
-  }
-  Integers picked;
-  const auto size = static_cast<std::int64_t>(from->size());
-  for (const std::int64_t index : *indices) {
-    if (index < -size || index >= size) return call.misused("with an index that is not there");
-    picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
-  }
-  return integers_value(std::move(picked), *call.input(1).shape);
-}
+namespace {
 
 /// The new states of several layers, one after the other.
 OnnxValue joined_state(const OnnxCall& call) {
@@ -372,11 +341,7 @@ OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, 
 }
 
 std::vector<OnnxOperatorEntry> order_operators() {
-  return {{"Transpose", transpose},
-          {"Concat", concat},
-          {"Gather", gather},
-          {"Slice", slice},
-          {"Split", split}};
+  return {{"Transpose", transpose}, {"Concat", concat}, {"Slice", slice}, {"Split", split}};
 }
 
 }  // namespace eagerx::gen

@@ -101,6 +101,9 @@ OnnxValue cast_to(const OnnxCall& call, std::int64_t to) {
   if (const auto integers = integers_of(x); integers && x.shape) {
     return cast_integers(call, *integers, to);
   }
+  if (x.kind == Kind::data && to == onnx::TensorProto::BOOL) {
+    if (const auto condition = condition_of(call, x)) return *condition;
+  }
   const bool is_real = x.kind == Kind::constant && to != x.constant.tensor->data_type() &&
                        to != onnx::TensorProto::DOUBLE;  // else its numbers are rounded
   if ((x.kind == Kind::data || is_real) && to != onnx::TensorProto::FLOAT) {

@@ -12,8 +12,6 @@ namespace {
 
 using onnx::TensorProto;
 
-constexpr std::int64_t kMaxShapeElements = 64;
-
 /// Bytes of one element in raw_data; 0 for types that are not read.
 std::size_t element_bytes(int type) {
   switch (type) {
@@ -202,12 +200,13 @@ std::optional<float> infinity_of(const OnnxConstant& constant) {
   return std::isinf(value) ? std::optional(static_cast<float>(value)) : std::nullopt;
 }
 
-std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant) {
+std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant,
+                                                       std::int64_t most) {
   const int type = constant.tensor->data_type();
   const std::int64_t count = element_count(constant.dims).value_or(kMaxElements);
   const bool integer =
       type == TensorProto::INT64 || type == TensorProto::INT32 || type == TensorProto::BOOL;
-  if (!integer || count > kMaxShapeElements || constant.transposed) return std::nullopt;
+  if (!integer || count > most || constant.transposed) return std::nullopt;
   std::vector<std::int64_t> values(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = integer_at(*constant.tensor, i);
   return values;

@@ -40,7 +40,9 @@ std::optional<std::vector<float>> read_floats(const OnnxConstant& constant, Poli
 /// Plus or minus infinity, if that is the only value.
 std::optional<float> infinity_of(const OnnxConstant& constant);
 
-/// The values of a small integer tensor (a shape, axes); nothing if it is something else.
-std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant);
+/// The values of an integer tensor of at most `most` (a shape, axes); nothing if it is something
+/// else.
+std::optional<std::vector<std::int64_t>> read_integers(const OnnxConstant& constant,
+                                                       std::int64_t most = 64);
 
 }  // namespace eagerx::gen

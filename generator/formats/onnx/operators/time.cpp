@@ -246,10 +246,12 @@ TimeRule rule_of(std::string_view name) {
       {"Pad", time_of_image},
       {"GlobalAveragePool", time_of_image}};
   constexpr std::string_view kEach[] = {
-      "Add",       "CastLike", "Celu", "Clip",     "Cast",    "Div",   "Dropout", "Elu",
-      "Erf",       "Sin",      "Cos",  "Exp",      "Abs",     "Gelu",  "Expand",  "Neg",
-      "LeakyRelu", "Max",      "Min",  "Identity", "Mul",     "PRelu", "Pow",     "Selu",
-      "Relu",      "Softplus", "Sqrt", "Sub",      "Sigmoid", "Sum",   "Tanh"};
+      "Add",         "CastLike", "Celu",      "Clip", "Cast",     "Div",      "Dropout",
+      "Elu",         "Erf",      "Sin",       "Cos",  "Exp",      "Abs",      "Gelu",
+      "Expand",      "Neg",      "LeakyRelu", "Max",  "Min",      "Identity", "Mul",
+      "PRelu",       "Pow",      "Selu",      "Relu", "Softplus", "Sqrt",     "Sub",
+      "Sigmoid",     "Sum",      "Tanh",      "Sign", "Greater",  "Less",     "GreaterOrEqual",
+      "LessOrEqual", "Equal",    "Not",       "And",  "Or",       "Where"};
   for (const auto& [known, rule] : kRules) {
     if (known == name) return rule;
   }

@@ -15,8 +15,9 @@ using Table = std::unordered_map<std::string_view, OnnxOperator>;
 std::vector<OnnxOperatorEntry> all_operators() {
   std::vector<OnnxOperatorEntry> all;
   for (const auto& part :
-       {layer_operators(), shape_operators(), order_operators(), branch_operators(),
-        elementwise_operators(), image_operators(), recurrent_operators(), choice_operators()}) {
+       {layer_operators(), shape_operators(), order_operators(), gather_operators(),
+        branch_operators(), elementwise_operators(), image_operators(), recurrent_operators(),
+        choice_operators(), condition_operators()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -31,18 +32,20 @@ Table make_table() {
 /// Operators whose result has the shape their inputs broadcast to. The action cannot come through
 /// them, but its shape may: SAC exports `Expand(mean, Shape(mean + std * noise))`.
 bool is_elementwise(std::string_view name) {
-  constexpr std::string_view kNames[] = {"Abs",     "Ceil",     "Cos",
-                                         "Div",     "Elu",      "Erf",
-                                         "Exp",     "Floor",    "HardSigmoid",
-                                         "Log",     "Max",      "Min",
-                                         "Mul",     "Neg",      "LeakyRelu",
-                                         "Pow",     "Selu",     "Sigmoid",
-                                         "Sign",    "Sin",      "Softmax",
-                                         "Sub",     "Sum",      "Softplus",
-                                         "Sqrt",    "Softsign", "RandomNormalLike",
-                                         "Round",   "Mod",      "Where",
-                                         "And",     "Or",       "Not",
-                                         "Greater", "Less",     "Equal"};
+  constexpr std::string_view kNames[] = {"Abs",         "Ceil",
+                                         "Cos",         "Div",
+                                         "Elu",         "Erf",
+                                         "Exp",         "Floor",
+                                         "HardSigmoid", "Log",
+                                         "Max",         "Min",
+                                         "Mul",         "Neg",
+                                         "LeakyRelu",   "Pow",
+                                         "Selu",        "Sigmoid",
+                                         "Sin",         "Softmax",
+                                         "Sub",         "Sum",
+                                         "Softplus",    "Sqrt",
+                                         "Softsign",    "RandomNormalLike",
+                                         "Round",       "Mod"};
   return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 

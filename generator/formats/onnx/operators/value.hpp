@@ -116,6 +116,7 @@ struct OnnxPart {
   std::int32_t of = -1;
   bool by_tanh = false;
   float epsilon = 0.0F;
+  std::int32_t exact = -1;  // ordered: the step that calculates it all the same, if there is one
 };
 
 /// A value of the graph.
@@ -138,7 +139,8 @@ struct OnnxValue {
   std::int64_t slots = 0;
   std::vector<OnnxRemembered> remembered;  // layer by layer, if this is a new state
   OnnxPart part;
-  bool is_zero = false;  // other: all zeros
+  bool is_zero = false;       // other: all zeros
+  bool is_condition = false;  // data: each number is 1 or 0
   PolicyProblem problem;
 };
 
@@ -225,12 +227,20 @@ std::optional<float> scalar_of(const OnnxValue& value);
 std::optional<OnnxValue> elementwise_step(const OnnxCall& call, const OnnxValue& data,
                                           Elementwise::Operation operation,
                                           const OnnxValue& constant);
+/// The larger or the smaller one of two values of the observation's, number by number; nothing as
+/// with `combined`.
+std::optional<OnnxValue> larger_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b);
+std::optional<OnnxValue> smaller_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b);
+/// 1 where x is not zero, else 0.
+std::optional<OnnxValue> condition_of(const OnnxCall& call, const OnnxValue& x);
 /// Two values of the observation's, number by number; nothing unless one of them has the shape of
 /// the result, and the other as many numbers or one.
 std::optional<OnnxValue> combined(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b,
                                   Combination::Operation operation);
 /// The part of a formula as a value of its own, if it is a simple one: the formula did not go on.
 std::optional<OnnxValue> materialized(const OnnxCall& call, const OnnxValue& value);
+/// What is only known by its order, calculated: where more than a choice depends on it.
+std::optional<OnnxValue> exact_of(const OnnxValue& value);
 /// Constants that are not in the file.
 OnnxValue made_constant(const OnnxCall& call, const std::vector<float>& numbers, const Dims& shape);
 OnnxValue made_constant(const OnnxCall& call, float number);
@@ -245,6 +255,9 @@ std::optional<OnnxValue> folded(const OnnxCall& call);
 std::vector<float> broadcast_to(const std::vector<float>& values, const Dims& from, const Dims& to);
 /// Data in another order: number `from[i]` becomes number i.
 OnnxValue reordered(const OnnxCall& call, const OnnxValue& data, Reorder order, Dims shape);
+/// `count` of the values along an axis, from `first` on, each `step`-th.
+OnnxValue picked(const OnnxCall& call, const OnnxValue& x, std::size_t axis, std::int64_t first,
+                 std::int64_t count, std::int64_t step, bool keeps_axis);
 /// Output `i` of a Split.
 OnnxValue split_part(const OnnxCall& call, int i);
 /// Output `i` (from 1) of a node whose first one is `first`.
@@ -263,15 +276,18 @@ struct OnnxOperatorEntry {
   OnnxOperator run;
 };
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick
-/// and reorder (order.cpp), of branches (branches.cpp), with constants (elementwise.cpp), over
-/// images (convolution.cpp), with a memory (recurrent.cpp), that choose (choice.cpp).
+/// and reorder (order.cpp, gather.cpp), of branches (branches.cpp), with constants
+/// (elementwise.cpp), over images (convolution.cpp), with a memory (recurrent.cpp), that choose
+/// (choice.cpp), that compare (conditions.cpp).
 std::vector<OnnxOperatorEntry> layer_operators();
 std::vector<OnnxOperatorEntry> shape_operators();
 std::vector<OnnxOperatorEntry> order_operators();
+std::vector<OnnxOperatorEntry> gather_operators();
 std::vector<OnnxOperatorEntry> branch_operators();
 std::vector<OnnxOperatorEntry> elementwise_operators();
 std::vector<OnnxOperatorEntry> image_operators();
 std::vector<OnnxOperatorEntry> recurrent_operators();
 std::vector<OnnxOperatorEntry> choice_operators();
+std::vector<OnnxOperatorEntry> condition_operators();
 
 }  // namespace eagerx::gen

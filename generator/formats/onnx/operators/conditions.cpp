@@ -1,0 +1,225 @@
+// Operators that compare numbers, and one that picks by the result. A condition is a number: 1
+// where it holds, else 0.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+using Operation = Elementwise::Operation;
+using Result = std::optional<OnnxValue>;
+
+std::optional<Dims> common_shape(const OnnxCall& call) {
+  std::optional<Dims> shape = Dims{};
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    shape = broadcast(shape, call.input(i).shape);
+  }
+  return shape;
+}
+
+OnnxValue unknown(const OnnxCall& call) {
+  return call.misused("that is not of the observation and of shapes that fit", common_shape(call));
+}
+
+Result as_condition(Result value) {
+  if (value) value->is_condition = true;
+  return value;
+}
+
+Result step(const OnnxCall& call, const Result& x, Operation operation, float number) {
+  return x ? elementwise_step(call, *x, operation, made_constant(call, number)) : std::nullopt;
+}
+
+Result function(const OnnxCall& call, const Result& x, Function::Kind kind) {
+  if (!x || x->kind != Kind::data) return std::nullopt;
+  return call.data_after(x->step, Function{kind}, *x->shape);
+}
+
+/// a - b: rounding never changes whether it is above, below or at zero.
+Result difference(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+  if (auto value = combined(call, a, b, Combination::Operation::difference)) return value;
+  if (a.kind == Kind::data) return elementwise_step(call, a, Operation::subtract, b);
+  const Result negative = step(call, b, Operation::multiply, -1.0F);
+  return negative ? elementwise_step(call, *negative, Operation::add, a) : std::nullopt;
+}
+
+Result above(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+  return as_condition(function(call, difference(call, a, b), Function::Kind::above_zero));
+}
+
+/// 1 - c.
+Result opposite(const OnnxCall& call, const Result& condition) {
+  const Result negative = step(call, condition, Operation::multiply, -1.0F);
+  return as_condition(step(call, negative, Operation::add, 1.0F));
+}
+
+Result is_not_zero(const OnnxCall& call, const OnnxValue& x) {
+  if (x.is_condition) return x;
+  const Result size = function(call, x, Function::Kind::abs);
+  return as_condition(function(call, size, Function::Kind::above_zero));
+}
+
+OnnxValue or_unknown(const OnnxCall& call, const Result& value) {
+  return value ? *value : unknown(call);
+}
+
+OnnxValue greater(const OnnxCall& call) {
+  return or_unknown(call, above(call, call.input(0), call.input(1)));
+}
+OnnxValue less(const OnnxCall& call) {
+  return or_unknown(call, above(call, call.input(1), call.input(0)));
+}
+OnnxValue greater_or_equal(const OnnxCall& call) {
+  return or_unknown(call, opposite(call, above(call, call.input(1), call.input(0))));
+}
+OnnxValue less_or_equal(const OnnxCall& call) {
+  return or_unknown(call, opposite(call, above(call, call.input(0), call.input(1))));
+}
+
+/// Whether integer list `i` of a shape's calculation is as long as `count`, or one alone.
+bool fits(const std::optional<Integers>& values, std::size_t count) {
+  return values && (values->size() == count || values->size() == 1);
+}
+std::int64_t at(const Integers& values, std::size_t i) {
+  return values[values.size() == 1 ? 0 : i];
+}
+
+/// Of sizes: exporters compare a shape with -1.
+Result of_integers(const OnnxCall& call,
+                   std::int64_t (*pick)(const std::vector<std::int64_t>& given)) {
+  std::vector<std::optional<Integers>> inputs;
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < call.input_count(); ++i) {
+    inputs.push_back(integers_of(call.input(i)));
+    if (inputs.back()) count = std::max(count, inputs.back()->size());
+  }
+  const auto shape = common_shape(call);
+  const bool known = shape && element_count(*shape) == static_cast<std::int64_t>(count) &&
+                     count <= kMaxOnnxRank &&
+                     std::ranges::all_of(inputs, [&](const auto& one) { return fits(one, count); });
+  if (!known) return std::nullopt;
+  Integers result;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::int64_t> given;
+    for (const auto& one : inputs) given.push_back(at(*one, i));
+    result.push_back(pick(given));
+  }
+  return integers_value(std::move(result), *shape);
+}
+
+OnnxValue equal(const OnnxCall& call) {
+  const auto same = [](const std::vector<std::int64_t>& x) -> std::int64_t { return x[0] == x[1]; };
+  if (call.input_count() != 2) return unknown(call);
+  if (const auto sizes = of_integers(call, same)) return *sizes;
+  const Result off = difference(call, call.input(0), call.input(1));
+  return or_unknown(call, off ? opposite(call, is_not_zero(call, *off)) : std::nullopt);
+}
+
+/// (x > 0) - (0 > x).
+OnnxValue sign(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  const OnnxValue zero = made_constant(call, 0.0F);
+  const Result up = above(call, x, zero);
+  const Result down = above(call, zero, x);
+  return or_unknown(
+      call, up && down ? combined(call, *up, *down, Combination::Operation::difference) : up);
+}
+
+OnnxValue negation(const OnnxCall& call) {
+  return or_unknown(call, opposite(call, is_not_zero(call, call.input(0))));
+}
+
+Result both(const OnnxCall& call, const Result& a, const Result& b) {
+  if (!a || !b) return std::nullopt;
+  return as_condition(combined(call, *a, *b, Combination::Operation::product));
+}
+OnnxValue conjunction(const OnnxCall& call) {
+  return or_unknown(call,
+                    both(call, is_not_zero(call, call.input(0)), is_not_zero(call, call.input(1))));
+}
+OnnxValue disjunction(const OnnxCall& call) {
+  const Result neither = both(call, opposite(call, is_not_zero(call, call.input(0))),
+                              opposite(call, is_not_zero(call, call.input(1))));
+  return or_unknown(call, opposite(call, neither));
+}
+
+/// The constant as what comes of a condition: 0 c + constant.
+Result as_data(const OnnxCall& call, const OnnxValue& condition, const OnnxValue& value) {
+  if (value.kind != Kind::constant) return value;
+  OnnxValue base = condition;
+  const std::int64_t count = element_count(value.constant.dims).value_or(0);
+  if (count > 1 && element_count(*condition.shape) == 1) {
+    if (count > kMaxValues || !call.spend(count)) return call.too_much();
+    base = reordered(call, condition,
+                     Reorder{std::vector<std::uint32_t>(static_cast<std::size_t>(count))},
+                     value.constant.dims);
+  }
+  const Result zero = step(call, base, Operation::multiply, 0.0F);
+  return zero ? elementwise_step(call, *zero, Operation::add, value) : std::nullopt;
+}
+
+/// `select` of three values that the program knows only when it runs.
+Result chosen(const OnnxCall& call, const OnnxValue& condition, const OnnxValue& a,
+              const OnnxValue& b) {
+  const auto shape = broadcast(broadcast(condition.shape, a.shape), b.shape);
+  if (!shape || condition.kind != Kind::data) return std::nullopt;
+  const Result first = as_data(call, condition, a);
+  const Result second = as_data(call, condition, b);
+  if (!first || !second) return std::nullopt;
+  for (const OnnxValue* value : {&condition, &*first, &*second}) {
+    if (value->kind != Kind::data)
+      return value->kind == Kind::other ? Result(*value) : std::nullopt;
+    const auto own = element_count(*value->shape);
+    if (own != element_count(*shape) && own != 1) return std::nullopt;  // an outer product, or rows
+  }
+  return call.data_of({condition, *first, *second}, Combination::Operation::select, *shape);
+}
+
+OnnxValue where(const OnnxCall& call) {
+  const auto pick = [](const std::vector<std::int64_t>& x) { return x[0] != 0 ? x[1] : x[2]; };
+  if (call.input_count() != 3) return unknown(call);
+  if (const auto sizes = of_integers(call, pick)) return *sizes;
+  for (std::size_t i = 1; i < 3; ++i) {
+    PolicyProblem problem;
+    const OnnxValue& value = call.input(i);
+    if (value.kind != Kind::constant || read_floats(value.constant, problem)) continue;
+    return call.other(problem, common_shape(call));
+  }
+  return or_unknown(call, chosen(call, call.input(0), call.input(1), call.input(2)));
+}
+
+}  // namespace
+
+std::optional<OnnxValue> larger_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+  const Result condition = above(call, a, b);
+  return condition ? chosen(call, *condition, a, b) : std::nullopt;
+}
+
+std::optional<OnnxValue> smaller_of(const OnnxCall& call, const OnnxValue& a, const OnnxValue& b) {
+  const Result condition = above(call, b, a);
+  return condition ? chosen(call, *condition, a, b) : std::nullopt;
+}
+
+std::optional<OnnxValue> condition_of(const OnnxCall& call, const OnnxValue& x) {
+  return is_not_zero(call, x);
+}
+
+std::vector<OnnxOperatorEntry> condition_operators() {
+  return {{"Greater", greater},
+          {"Less", less},
+          {"GreaterOrEqual", greater_or_equal},
+          {"LessOrEqual", less_or_equal},
+          {"Equal", equal},
+          {"Sign", sign},
+          {"Not", negation},
+          {"And", conjunction},
+          {"Or", disjunction},
+          {"Where", where}};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,87 @@
+// Picks by an index or a list of them: parts of an observation, sizes of a shape.
+#include <algorithm>
+#include <utility>
+
+#include "generator/formats/onnx/operators/value.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+using Kind = OnnxValue::Kind;
+
+/// The values at `which` along an axis, in that order.
+OnnxValue picked_by_list(const OnnxCall& call, const OnnxValue& x, std::size_t axis,
+                         const Integers& which) {
+  Dims shape = *x.shape;
+  const std::int64_t size = shape[axis];
+  shape[axis] = static_cast<std::int64_t>(which.size());
+  const auto count = element_count(shape);
+  if (!count || *count > kMaxValues || !call.spend(*count)) return call.too_much();
+  const auto behind = shape.begin() + static_cast<std::ptrdiff_t>(axis) + 1;
+  const std::int64_t inner = element_count(Dims(behind, shape.end())).value_or(0);
+  const std::int64_t outer = element_count(Dims(shape.begin(), behind - 1)).value_or(0);
+  Reorder order;
+  for (std::int64_t o = 0; o < outer; ++o) {
+    for (const std::int64_t index : which) {
+      const std::int64_t place = index < 0 ? index + size : index;
+      if (place < 0 || place >= size) return call.misused("with an index that is not there");
+      for (std::int64_t i = 0; i < inner; ++i) {
+        order.from.push_back(static_cast<std::uint32_t>((o * size + place) * inner + i));
+      }
+    }
+  }
+  return reordered(call, x, std::move(order), std::move(shape));
+}
+
+/// The places that a Gather picks, which may be many.
+std::optional<Integers> places_of(const OnnxCall& call, const OnnxValue& value) {
+  constexpr std::int64_t kMost = 4096;
+  if (value.kind != Kind::constant || !call.spend(kMost)) return integers_of(value);
+  return read_integers(value.constant, kMost);
+}
+
+OnnxValue gather_values(const OnnxCall& call, const OnnxValue& x) {
+  const std::optional<Integers> which = places_of(call, call.input(1));
+  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
+  std::int64_t axis = call.integer("axis", 0);
+  if (axis < 0) axis += rank;
+  const std::optional<Dims>& form = call.input(1).shape;
+  const bool one = which && which->size() == 1 && form && form->size() <= 1;
+  const bool has_many = x.kind == Kind::data && which && which->size() > 1 && form &&
+                        form->size() == 1 && axis >= 0 && axis < rank;
+  if (has_many) return picked_by_list(call, x, static_cast<std::size_t>(axis), *which);
+  if (!one || axis < 0 || axis >= rank) return call.misused("of several values");
+  const std::int64_t size = (*x.shape)[static_cast<std::size_t>(axis)];
+  const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
+  if (index < 0 || index >= size) return call.misused("with an index that is not there");
+  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, !form->empty());
+}
+
+OnnxValue gather(const OnnxCall& call) {
+  const OnnxValue& x = call.input(0);
+  if (x.kind == Kind::data || x.kind == Kind::state || !x.remembered.empty()) {
+    return gather_values(call, x);
+  }
+  const std::optional<Integers> from = integers_of(x);
+  const std::optional<Integers> indices = integers_of(call.input(1));
+  const std::int64_t axis = call.integer("axis", 0);
+  if (!from || !indices || !x.shape || x.shape->size() != 1 || !call.input(1).shape ||
+      (axis != 0 && axis != -1)) {
+    return call.misused("on values that are not a shape");
+  }
+  Integers picked;
+  const auto size = static_cast<std::int64_t>(from->size());
+  for (const std::int64_t index : *indices) {
+    if (index < -size || index >= size) return call.misused("with an index that is not there");
+    picked.push_back((*from)[static_cast<std::size_t>(index < 0 ? index + size : index)]);
+  }
+  return integers_value(std::move(picked), *call.input(1).shape);
+}
+
+}  // namespace
+
+std::vector<OnnxOperatorEntry> gather_operators() {
+  return {{"Gather", gather}};
+}
+
+}  // namespace eagerx::gen
