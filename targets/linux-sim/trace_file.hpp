@@ -7,12 +7,14 @@
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
 #include <runtime/host/identify/experiment.hpp>
+#include <optional>
 #include <runtime/host/trace/replay.hpp>
 #include <string_view>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
+#include <targets/linux-sim/scene_record.hpp>
 #include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
@@ -29,10 +31,39 @@ struct Untraced : NoTrace, Shows<Graph> {
   }
 };
 
+/// What shows pictures, and writes their scenes into the trace if told so.
+template <class Graph>
+class ShowsAndKeeps : public Shows<Graph> {
+ public:
+  static void keep_scenes(TextFile* /*file*/) {}
+  void scenes_of(std::uint32_t /*episode*/) {}
+};
+template <class Graph>
+requires shows_scene<Graph>
+class ShowsAndKeeps<Graph> : public Shows<Graph> {
+ public:
+  void keep_scenes(TextFile* file) {
+    file_ = file;
+    record_.emplace();
+  }
+  void scenes_of(std::uint32_t episode) { episode_ = episode; }
+  bool draws() const { return record_ || Shows<Graph>::draws(); }
+  template <class Rate, class Message>
+  void show(Rate rate, Seq tick, const Message& message) {
+    if (record_) record_->write(*file_, episode_, rate, tick, message);
+    if (Shows<Graph>::draws()) Shows<Graph>::show(rate, tick, message);
+  }
+
+ private:
+  std::optional<SceneRecord<typename Graph::Rendered>> record_;
+  TextFile* file_ = nullptr;
+  std::uint32_t episode_ = 0;
+};
+
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
 /// compares them with a log or takes them from it.
 template <class Graph>
-class TraceRecorder : public Shows<Graph> {
+class TraceRecorder : public ShowsAndKeeps<Graph> {
  public:
   static constexpr bool kSimulators = true;
   using Text = TraceText<Graph, TextFile>;
@@ -58,6 +89,7 @@ class TraceRecorder : public Shows<Graph> {
 
   void episode(std::uint32_t index) {
     episode_ = index;
+    this->scenes_of(index);
     hash_.episode(index);
   }
 
