@@ -58,6 +58,7 @@ std::optional<ImportedGraph> import_graph(const YamlValue& root, const std::stri
   }
   const std::size_t errors_without_connections = diagnostics.error_count();
   translate_connections(t);
+  if (whole && !counterparts.any_missing()) translate_render(t);
   // The rate follows from what is connected.
   if (whole && diagnostics.error_count() == errors_without_connections) choose_rate(t);
   translate_environment(t);

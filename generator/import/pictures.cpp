@@ -36,6 +36,7 @@ class PictureRemover {
         drawing_.insert(entity.name.value);
     }
     if (drawing_.empty()) return;
+    find_shown();
     for (const auto& name : drawing_) note_node(*saved_.find(name));
     std::erase_if(saved_.links, [&](const SavedLink& link) { return is_removed(link); });
     for (const std::string& port : unused_) left_out_.push_back(port);
@@ -57,6 +58,43 @@ class PictureRemover {
       const SavedPort* port = entity.port("outputs", name.value);
       return port != nullptr && is_picture(*port);
     });
+  }
+
+  /// Against the flow from what shows pictures to the object that they are of.
+  void find_shown() {
+    for (const SavedEntity& entity : saved_.entities) {
+      if (!is_for_display(entity)) continue;
+      SavedRender render;
+      render.span = entity.name.span;
+      render.object = object_behind(entity.name.value);
+      const YamlValue* rate = entity.parameter("rate");
+      const auto rate_hz = rate != nullptr ? meant_number(*rate) : std::nullopt;
+      if (rate_hz && *rate_hz > Rational(0)) render.rate = {*rate_hz, rate->span};
+      if (!render.object.empty()) saved_.render = render;
+      return;
+    }
+  }
+
+  /// Empty if there is none.
+  [[nodiscard]] std::string object_behind(std::string name) const {
+    for (std::size_t step = 0; step <= saved_.entities.size(); ++step) {
+      const auto link = std::ranges::find_if(saved_.links, [&](const SavedLink& candidate) {
+        return candidate.to.entity == name && is_from_picture(candidate);
+      });
+      if (link == saved_.links.end()) return {};
+      name = link->from.entity;
+      if (const SavedObject* object = saved_.owner_of(name)) return object->name.value;
+      const SavedEntity* entity = saved_.find(name);
+      if (entity != nullptr && entity->kind == SavedEntity::Kind::object) return name;
+    }
+    return {};
+  }
+
+  [[nodiscard]] bool is_from_picture(const SavedLink& link) const {
+    const SavedEntity* entity = saved_.find(link.from.entity);
+    const SavedPort* port =
+        entity != nullptr ? entity->port(link.from.section, link.from.port) : nullptr;
+    return port != nullptr && is_picture(*port);
   }
 
   void note_node(const SavedEntity& node) {

@@ -57,6 +57,13 @@ struct SavedObject {
   std::vector<Spanned<std::string>> nodes;
 };
 
+/// What `graph.render` showed: the pictures of an object, maybe with something drawn on them.
+struct SavedRender {
+  std::string object;
+  std::optional<Spanned<Rational>> rate;
+  Span span;  // of the node that showed them
+};
+
 struct SavedGraph {
   FileId file = FileId::none;
   std::vector<SavedEntity> entities;
@@ -67,6 +74,7 @@ struct SavedGraph {
   std::vector<SavedObject> objects;     // flattened files
   std::optional<std::string> env_name;  // flattened files
   std::optional<Spanned<std::string>> engine_id;
+  std::optional<SavedRender> render;  // once remove_pictures() has run
 
   /// Objects that could not be put back, and their engine nodes.
   std::set<std::string> unplaced;

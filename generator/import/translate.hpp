@@ -42,6 +42,8 @@ void choose_engine(Translation& t);
 void add_states_of_engine_nodes(Translation& t);
 void choose_rate(Translation& t);
 void translate_connections(Translation& t);
+/// `render:` in place of what showed pictures, if our object has a drawing on this engine.
+void translate_render(Translation& t);
 void translate_environment(Translation& t);  // actions and observations
 
 /// A rate in Hz, a delay in seconds; reported (E0802) and nullopt if it is something else.

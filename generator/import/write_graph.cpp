@@ -54,6 +54,7 @@ class GraphWriter {
     add_selection(0, "actions", spec_.actions);
     add_selection(0, "observations", spec_.observations);
     add_connections();
+    add_render();
     add_place_of_task();
     return std::move(text_);
   }
@@ -159,10 +160,21 @@ class GraphWriter {
 
   void add_connections() {
     text_ += '\n';
-    if (spec_.connections.empty()) line(0, "connections: []");
-    if (spec_.connections.empty()) return;
+    const std::size_t shown = spec_.render ? 1 : 0;  // that connection is in `render:`
+    if (spec_.connections.size() == shown) return line(0, "connections: []");
     line(0, "connections:");
-    for (const auto& connection : spec_.connections) line(2, "- " + connection_text(connection));
+    for (const auto& connection : spec_.connections) {
+      if (parse_port(connection.to.value).owner != kRender)
+        line(2, "- " + connection_text(connection));
+    }
+  }
+
+  void add_render() {
+    if (!spec_.render) return;
+    std::vector<std::string> items = {"source: " + yaml_scalar(spec_.render->source.value)};
+    if (spec_.render->rate) items.push_back("rate: " + spec_.render->rate->value.to_string());
+    text_ += '\n';
+    line(0, "render: " + in_braces(items));
   }
 
   const ImportedGraph& graph_;

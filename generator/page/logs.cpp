@@ -19,12 +19,12 @@ using trace_log::RecordedChannel;
 using trace_log::Row;
 
 constexpr std::size_t kMostPoints = 2000, kFewPoints = 200, kLeastPoints = 16;
-constexpr std::size_t kEpisodes = 12;      // of a trace
-constexpr std::size_t kElements = 16;      // of a channel
-constexpr std::size_t kBytes = 3'000'000;  // of all plots in the page
+constexpr std::size_t kEpisodes = 12;         // of a trace
+constexpr std::size_t kElements = 16;         // of a channel
+constexpr std::size_t kBytes = 3'000'000;     // of all plots in the page
 constexpr std::size_t kSceneBytes = 900'000;  // of all drawings in the page
-constexpr std::size_t kBytesOfPoint = 11;  // two float32 in Base64
-constexpr std::size_t kStamps = 40'000;    // of a trace, for the timetable
+constexpr std::size_t kBytesOfPoint = 11;     // two float32 in Base64
+constexpr std::size_t kStamps = 40'000;       // of a trace, for the timetable
 constexpr double kNsPerSecond = 1e9;
 
 /// How much of the traces is shown.

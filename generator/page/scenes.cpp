@@ -1,4 +1,6 @@
 // The drawing of a trace: scenes as they change, so many that the page stays small.
+#include "generator/page/scenes.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <eagerx/scene.hpp>
@@ -6,7 +8,6 @@
 #include <string>
 
 #include "generator/page/page.hpp"
-#include "generator/page/scenes.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -95,10 +96,11 @@ Json scenes_json(const Log& log, std::uint32_t episode, std::size_t most_bytes) 
     every = std::max(2 * every, every * (encoder.bytes().size() / most_bytes));
     encoder = encode(log, episode, every);
   }
-  return Json{{"rate_hz", static_cast<double>(log.scenes_num) / static_cast<double>(log.scenes_den)},
-              {"every", every},
-              {"scenes", encoder.scenes()},
-              {"changes", base64(encoder.bytes())}};
+  return Json{
+      {"rate_hz", static_cast<double>(log.scenes_num) / static_cast<double>(log.scenes_den)},
+      {"every", every},
+      {"scenes", encoder.scenes()},
+      {"changes", base64(encoder.bytes())}};
 }
 
 }  // namespace eagerx::gen

@@ -201,8 +201,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   }
   std::string unseen = problem_of_scenes<Graph>(options);
   if (unseen.empty()) unseen = open_pictures<Graph>(options);
-  if (!unseen.empty())
-    return keep_earlier_files(csv, trace), fail(unseen, kBadUsage);
+  if (!unseen.empty()) return keep_earlier_files(csv, trace), fail(unseen, kBadUsage);
   const std::string_view agent = target::name_of(options.agent);
 
   Watch<Graph> watch(options, settings, csv, trace, link);

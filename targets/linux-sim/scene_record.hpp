@@ -49,9 +49,9 @@ class SceneRecord {
   }
 
  private:
-  static constexpr std::size_t kMostRows =
-      kSceneRows<Message> < trace_log::kMostSceneRows ? kSceneRows<Message>
-                                                      : trace_log::kMostSceneRows;
+  static constexpr std::size_t kMostRows = kSceneRows<Message> < trace_log::kMostSceneRows
+                                               ? kSceneRows<Message>
+                                               : trace_log::kMostSceneRows;
 
   template <class Writer>
   void changes(Writer& out, const Message& scene, std::size_t size) {

@@ -6,8 +6,8 @@
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
-#include <runtime/host/identify/experiment.hpp>
 #include <optional>
+#include <runtime/host/identify/experiment.hpp>
 #include <runtime/host/trace/replay.hpp>
 #include <string_view>
 #include <targets/linux-sim/interrupt.hpp>

@@ -59,8 +59,8 @@ struct RecordedState {
 struct RecordedScene {
   std::uint64_t tick = 0;
   std::uint32_t episode = 0;
-  std::uint32_t rows = 0;                 // of 16 numbers
-  std::size_t first = 0, changes = 0;     // in Log::scene_changes
+  std::uint32_t rows = 0;              // of 16 numbers
+  std::size_t first = 0, changes = 0;  // in Log::scene_changes
 };
 struct SceneChange {
   std::uint32_t index = 0;

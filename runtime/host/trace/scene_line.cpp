@@ -24,8 +24,8 @@ std::string_view take(std::string_view& rest, char separator) {
 
 bool read_rate(std::string_view rate, Log& log) {
   const std::string_view num = take(rate, '/');
-  return read_number(num, log.scenes_num) && read_number(rate, log.scenes_den) && log.scenes_num > 0 &&
-         log.scenes_den > 0;
+  return read_number(num, log.scenes_num) && read_number(rate, log.scenes_den) &&
+         log.scenes_num > 0 && log.scenes_den > 0;
 }
 
 bool read_change(std::string_view text, std::uint32_t rows, Log& log) {
@@ -40,8 +40,7 @@ bool read_change(std::string_view text, std::uint32_t rows, Log& log) {
 bool follows(const RecordedScene& scene, const Log& log) {
   if (log.scenes.empty()) return true;
   const RecordedScene& last = log.scenes.back();
-  return scene.episode > last.episode ||
-         (scene.episode == last.episode && scene.tick > last.tick);
+  return scene.episode > last.episode || (scene.episode == last.episode && scene.tick > last.tick);
 }
 
 }  // namespace
@@ -61,7 +60,8 @@ bool read_scene_line(std::string_view line, Log& log, std::string_view& place, s
   if (log.scenes_num == 0) return fail(line, "no line `# scenes RATE` is before this scene");
   RecordedScene scene;
   const std::string_view episode = take(rest, ' '), tick = take(rest, ' '), rows = take(rest, ' ');
-  if (!read_number(episode, scene.episode)) return fail(episode, "expected the number of an episode");
+  if (!read_number(episode, scene.episode))
+    return fail(episode, "expected the number of an episode");
   if (!read_number(tick, scene.tick)) return fail(tick, "expected the number of a scene");
   if (!read_number(rows, scene.rows) || scene.rows > kMostSceneRows)
     return fail(rows, "expected how many rows the scene has, at most 4095");
