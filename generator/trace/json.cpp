@@ -116,10 +116,10 @@ class EventWriter {
     const auto& row = log_.rows[i];
     const auto& [planned, process] = tracks_[row.channel];
     const std::int64_t late_ns = timeline_.in_log_ns[i] - timeline_.planned_ns[i];
-    add(fmt::format(
-        R"({{"ph":"i","s":"t","name":{},"pid":{},"tid":{},"ts":{},"args":{{"tick":{},"late_ns":{}}}}})",
-        quoted_json(log_.channels[row.channel].name), process, planned + 1,
-        microseconds(timeline_.in_log_ns[i]), row.seq, late_ns));
+    add(fmt::format(R"({{"ph":"i","s":"t","name":{},"pid":{},"tid":{},"ts":{},)"
+                    R"("args":{{"tick":{},"late_ns":{}}}}})",
+                    quoted_json(log_.channels[row.channel].name), process, planned + 1,
+                    microseconds(timeline_.in_log_ns[i]), row.seq, late_ns));
   }
   void add_counter(std::size_t i) {
     const auto& row = log_.rows[i];

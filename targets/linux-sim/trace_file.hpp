@@ -31,33 +31,38 @@ struct Untraced : NoTrace, Shows<Graph> {
   }
 };
 
+/// The record of a run. There is one, so that a program's trace stays small.
+template <class Message>
+inline std::optional<SceneRecord<Message>> scenes_of_run;
+
 /// What shows pictures, and writes their scenes into the trace if told so.
 template <class Graph>
 class ShowsAndKeeps : public Shows<Graph> {
  public:
   static void keep_scenes(TextFile* /*file*/) {}
-  void scenes_of(std::uint32_t /*episode*/) {}
+  static void scenes_are_of(std::uint32_t /*episode*/) {}
 };
 template <class Graph>
 requires shows_scene<Graph>
 class ShowsAndKeeps<Graph> : public Shows<Graph> {
  public:
   void keep_scenes(TextFile* file) {
-    file_ = file;
-    record_.emplace();
+    scenes_of_run<Message>.emplace();
+    scene_file_ = file;
   }
-  void scenes_of(std::uint32_t episode) { episode_ = episode; }
-  bool draws() const { return record_ || Shows<Graph>::draws(); }
-  template <class Rate, class Message>
-  void show(Rate rate, Seq tick, const Message& message) {
-    if (record_) record_->write(*file_, episode_, rate, tick, message);
-    if (Shows<Graph>::draws()) Shows<Graph>::show(rate, tick, message);
+  void scenes_are_of(std::uint32_t episode) { scene_episode_ = episode; }
+  bool draws() const { return scene_file_ != nullptr || Shows<Graph>::draws(); }
+  template <class Rate>
+  void show(Rate rate, Seq tick, const typename Graph::Rendered& scene) {
+    if (scene_file_ != nullptr)
+      scenes_of_run<Message>->write(*scene_file_, scene_episode_, rate, tick, scene);
+    if (Shows<Graph>::draws()) Shows<Graph>::show(rate, tick, scene);
   }
 
  private:
-  std::optional<SceneRecord<typename Graph::Rendered>> record_;
-  TextFile* file_ = nullptr;
-  std::uint32_t episode_ = 0;
+  using Message = typename Graph::Rendered;
+  TextFile* scene_file_ = nullptr;
+  std::uint32_t scene_episode_ = 0;
 };
 
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
@@ -89,7 +94,7 @@ class TraceRecorder : public ShowsAndKeeps<Graph> {
 
   void episode(std::uint32_t index) {
     episode_ = index;
-    this->scenes_of(index);
+    this->scenes_are_of(index);
     hash_.episode(index);
   }
 
