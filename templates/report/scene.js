@@ -145,8 +145,10 @@ function paintFace(context, camera, corners, fill) {
   const points = corners.map((corner) => camera.see(corner));
   if (points.includes(null)) return;
   traceOut(context, points, true);
-  context.fillStyle = fill;
+  context.fillStyle = context.strokeStyle = fill;
   context.fill();
+  context.lineWidth = 0.7;  // no light between neighbours
+  context.stroke();
 }
 
 function paintPlane(context, camera, row) {
