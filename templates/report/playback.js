@@ -1,5 +1,11 @@
 // The drawing of a trace, played back in step with the cursor of the plots.
-const playback = {playing: false, speed: 1, before: null, button: null, pictures: []};
+const playback = {
+  playing: false,
+  speed: 1,
+  before: null,
+  button: null,
+  pictures: []
+};
 
 /** The scenes of an episode, of which only changes are in the page. */
 class Film {
@@ -73,7 +79,8 @@ const playedRuns = () => chosenRuns().filter(filmOf).slice(0, kMostPictures);
 /** One picture for each episode that is chosen. */
 function layOutPictures() {
   if (!playback.stage) return;
-  playback.pictures = playedRuns().map((run) => ({run, canvas: el("canvas", {role: "img", "aria-label": `Drawing of ${run.name}`})}));
+  playback.pictures =
+      playedRuns().map((run) => ({run, canvas: el("canvas", {role: "img", "aria-label": `Drawing of ${run.name}`})}));
   const several = playback.pictures.length > 1;
   playback.stage.replaceChildren(...playback.pictures.map(
       ({run, canvas}) => el("figure", {}, canvas, several ? el("figcaption", {}, run.name) : null)));
@@ -119,18 +126,17 @@ function playFrame(now) {
 function playbackCard() {
   if (!runs.some((run) => run.episode.drawing)) {
     if (data.shows !== "scene") return null;
-    return el("p.note", {}, "The drawing can be played here when the trace has it: ", el("code", {}, "--trace FILE --trace-scenes"));
+    return el(
+        "p.note", {},
+        "The drawing can be played here when the trace has it: ", el("code", {}, "--trace FILE --trace-scenes"));
   }
   playback.button = button("Play", () => playTrace(!playback.playing), {id: "play-trace"});
   playback.stage = el("div.pictures");
   const every = Math.max(...runs.map((run) => (run.episode.drawing ? run.episode.drawing.every : 1)));
-  playback.box = el(
-      "div.playback", {},
-      el("div.toolbar", {}, playback.button,
-         segment("Speed", [[0.25, "¼×"], [1, "1×"], [4, "4×"]], 1, (speed) => {
-           playback.speed = speed;
-         }),
-         every > 1 ? el("small", {}, `one scene of ${count(every)}`) : null),
-      playback.stage);
+  playback.box =
+      el("div.playback", {},
+         el("div.toolbar", {}, playback.button, segment("Speed", [[0.25, "¼×"], [1, "1×"], [4, "4×"]], 1, (speed) => {
+              playback.speed = speed;
+            }), every > 1 ? el("small", {}, `one scene of ${count(every)}`) : null), playback.stage);
   return playback.box;
 }

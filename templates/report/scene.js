@@ -53,7 +53,9 @@ function paintArrow(context, a, b, head) {
   const base = [b[0] - size * c, b[1] - size * s];
   traceOut(context, [a, base], false);
   context.stroke();
-  traceOut(context, [b, [base[0] - size * s / 2, base[1] + size * c / 2], [base[0] + size * s / 2, base[1] - size * c / 2]], true);
+  traceOut(
+      context, [b, [base[0] - size * s / 2, base[1] + size * c / 2], [base[0] + size * s / 2, base[1] - size * c / 2]],
+      true);
   context.fill();
 }
 
@@ -91,7 +93,8 @@ function paintFlat(context, row, frame, height) {
   } else if (shape === "text") {
     context.textBaseline = "alphabetic";
     context.textAlign = n[5] === 1 ? "center" : n[5] === 2 ? "right" : "left";
-    context.font = `${Math.max(1, n[2] * scale / 0.72)}px ui-monospace, 'DejaVu Sans Mono', 'Liberation Mono', monospace`;
+    context.font =
+        `${Math.max(1, n[2] * scale / 0.72)}px ui-monospace, 'DejaVu Sans Mono', 'Liberation Mono', monospace`;
     context.fillText(sceneText(row), ...at(0));
   }
 }
@@ -190,7 +193,9 @@ function paintCylinder(context, camera, row) {
   const rim = (k, z) => placed(n, [n[7] * circle(k)[0], n[7] * circle(k)[1], z]);
   const around = Array.from({length: kSides}, (_, k) => k);
   paintFaces(context, camera, row, [
-    ...around.map((k) => [[rim(k, -half), rim(k + 1, -half), rim(k + 1, half), rim(k, half)], turned(n, [...circle(k + 0.5), 0])]),
+    ...around.map(
+        (k) => [
+            [rim(k, -half), rim(k + 1, -half), rim(k + 1, half), rim(k, half)], turned(n, [...circle(k + 0.5), 0])]),
     [around.map((k) => rim(k, half)), turned(n, [0, 0, 1])], [around.map((k) => rim(k, -half)), turned(n, [0, 0, -1])]
   ]);
 }
@@ -243,7 +248,8 @@ function paintInSpace(context, camera, row, height) {
 /** The whole picture. First what is in space, the farthest first, then the shapes of the plane in their order. */
 function paintScene(context, scene, width, height) {
   const rows = [];
-  for (let row = 0; row < scene.length / kColumns && scene[row * kColumns] !== 0; ++row) rows.push(sceneRow(scene, row));
+  for (let row = 0; row < scene.length / kColumns && scene[row * kColumns] !== 0; ++row)
+    rows.push(sceneRow(scene, row));
   const known = rows.filter(Boolean);
   const seen = known.find((row) => row.shape === "camera" || (row.shape === "view" && row.n[2] > 0));
   context.fillStyle = seen ? paintOf({...seen, opacity: 1}) : "white";
@@ -255,12 +261,15 @@ function paintScene(context, scene, width, height) {
     view = {scale, at: (x, y) => [width / 2 + (x - seen.n[0]) * scale, height / 2 - (y - seen.n[1]) * scale]};
   } else if (seen) {
     const camera = new SceneCamera(seen.n, width, height), first = kShapes.indexOf("plane");
-    const middle = ({n, shape}) => (shape === "segment" ? [(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2] : n.slice(0, 3));
+    const middle = ({n, shape}) =>
+        (shape === "segment" ? [(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2] : n.slice(0, 3));
     const depth = (row) => (row.shape === "plane" ? Infinity : camera.depth([...middle(row)]));
     known.filter((row) => kShapes.indexOf(row.shape) >= first)
-        .map((row) => [depth(row), row]).sort(([a], [b]) => (a === b ? 0 : b - a))
+        .map((row) => [depth(row), row])
+        .sort(([a], [b]) => (a === b ? 0 : b - a))
         .forEach(([, row]) => paintInSpace(context, camera, row, height));
   }
   for (const row of known)
-    if (kShapes.indexOf(row.shape) < kShapes.indexOf("camera")) paintFlat(context, row, row.onScreen ? screen : view, height);
+    if (kShapes.indexOf(row.shape) < kShapes.indexOf("camera"))
+      paintFlat(context, row, row.onScreen ? screen : view, height);
 }

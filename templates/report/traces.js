@@ -267,9 +267,11 @@ function makeTracesView(panel) {
   makeSeries();
   runs.slice(0, 3).forEach((run) => plots.runs.add(run.number));
   defaultSeries().forEach((series) => plots.series.add(series.number));
-  plots.stage =
-      el("div.plots",
-         {tabIndex: 0, role: "application", "aria-label": "Plots. Arrow keys move the cursor, plus and minus zoom, Space plays."});
+  plots.stage = el("div.plots", {
+    tabIndex: 0,
+    role: "application",
+    "aria-label": "Plots. Arrow keys move the cursor, plus and minus zoom, Space plays."
+  });
   plots.time = el("span.note");
   add(panel, [
     el("div.toolbar", {},
@@ -283,7 +285,8 @@ function makeTracesView(panel) {
        el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomPlots(1.25)),
           button("+", () => zoomPlots(0.8)), button("Fit", fitPlots)),
        runChooser(), plots.time),
-    ...data.logs.map(logNote), statesNote(), el("div.split", {}, el("div.beside", {}, playbackCard(), seriesChooser()), plots.stage)
+    ...data.logs.map(logNote), statesNote(),
+    el("div.split", {}, el("div.beside", {}, playbackCard(), seriesChooser()), plots.stage)
   ]);
   let scale = 0;
   plots.stage.addEventListener("pointerdown", (event) => {
