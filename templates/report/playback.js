@@ -133,10 +133,10 @@ function playbackCard() {
   playback.button = button("Play", () => playTrace(!playback.playing), {id: "play-trace"});
   playback.stage = el("div.pictures");
   const every = Math.max(...runs.map((run) => (run.episode.drawing ? run.episode.drawing.every : 1)));
-  playback.box =
-      el("div.playback", {},
-         el("div.toolbar", {}, playback.button, segment("Speed", [[0.25, "¼×"], [1, "1×"], [4, "4×"]], 1, (speed) => {
-              playback.speed = speed;
-            }), every > 1 ? el("small", {}, `one scene of ${count(every)}`) : null), playback.stage);
+  const note = every > 1 ? el("small", {}, `one scene of ${count(every)}`) : null;
+  const speed = segment("Speed", [[0.25, "¼×"], [1, "1×"], [4, "4×"]], 1, (factor) => {
+    playback.speed = factor;
+  });
+  playback.box = el("div.playback", {}, el("div.toolbar", {}, playback.button, speed, note), playback.stage);
   return playback.box;
 }
