@@ -10,6 +10,7 @@
 
 #include "generator/json/base64.hpp"
 #include "generator/page/page.hpp"
+#include "generator/page/scenes.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -19,16 +20,18 @@ using trace_log::RecordedChannel;
 using trace_log::Row;
 
 constexpr std::size_t kMostPoints = 2000, kFewPoints = 200, kLeastPoints = 16;
-constexpr std::size_t kEpisodes = 12;      // of a trace
-constexpr std::size_t kElements = 16;      // of a channel
-constexpr std::size_t kBytes = 3'000'000;  // of all plots in the page
-constexpr std::size_t kBytesOfPoint = 11;  // two float32 in Base64
-constexpr std::size_t kStamps = 40'000;    // of a trace, for the timetable
+constexpr std::size_t kEpisodes = 12;         // of a trace
+constexpr std::size_t kElements = 16;         // of a channel
+constexpr std::size_t kBytes = 3'000'000;     // of all plots in the page
+constexpr std::size_t kSceneBytes = 900'000;  // of all drawings in the page
+constexpr std::size_t kBytesOfPoint = 11;     // two float32 in Base64
+constexpr std::size_t kStamps = 40'000;       // of a trace, for the timetable
 constexpr double kNsPerSecond = 1e9;
 
 /// How much of the traces is shown.
 struct Amount {
   std::size_t points = kMostPoints, episodes = kEpisodes;
+  std::size_t scene_bytes = kSceneBytes;  // of the drawing of an episode
 };
 
 std::size_t shown_elements(const RecordedChannel& channel) {
@@ -47,6 +50,11 @@ Amount amount_of(const std::vector<Log>& logs, std::size_t wanted) {
     amount.points = kBytes / kBytesOfPoint / series;
     if (amount.points >= kFewPoints || amount.episodes == 1) break;
   }
+  std::size_t drawn = 0;
+  for (const Log& log : logs) {
+    if (!log.scenes.empty()) drawn += std::min<std::size_t>(log.episodes(), amount.episodes);
+  }
+  amount.scene_bytes = kSceneBytes / std::max<std::size_t>(drawn, 1);
   amount.points = std::clamp(amount.points, kLeastPoints, kMostPoints);
   if (wanted > 0) amount.points = wanted;
   return amount;
@@ -255,8 +263,10 @@ Json log_json(const Log& log, const Amount& amount) {
                            e == 0 ? kStamps / log.channels.size() : 0);
       channels.push_back(std::move(channel));
     }
-    json["episodes"].push_back(
-        Json{{"number", e}, {"states", states_json(log, e)}, {"channels", std::move(channels)}});
+    json["episodes"].push_back(Json{{"number", e},
+                                    {"states", states_json(log, e)},
+                                    {"channels", std::move(channels)},
+                                    {"drawing", scenes_json(log, e, amount.scene_bytes)}});
   }
   return json;
 }

@@ -55,6 +55,13 @@ Json diagnostics_json(const PageContents& contents) {
   return list;
 }
 
+/// What `render:` shows: "scene", "image" or "".
+const char* shown_by(const Graph& graph) {
+  if (!graph.render) return "";
+  const Input& source = graph.nodes[graph.render->node].inputs.front();
+  return source.space.dtype == Dtype::float32 ? "scene" : "image";
+}
+
 Json images_json(const std::vector<PageImage>& images) {
   Json list = Json::list();
   for (const PageImage& image : images)
@@ -76,6 +83,7 @@ Json page_json(const PageContents& contents) {
   page["diagnostics"] = diagnostics_json(contents);
   page["images"] = images_json(contents.images);
   page["logs"] = contents.logs;
+  page["shows"] = shown_by(*plan.graph);
   if (contents.module) page["module"] = base64(*contents.module);
   return page;
 }

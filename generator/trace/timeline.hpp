@@ -14,7 +14,11 @@ struct Timeline {
   /// Behind the start of the log, without steps back between episodes: as measured, if the run was
   /// paced; else each episode begins one period of its slowest channel after the one before.
   std::vector<std::int64_t> in_log_ns;
+  /// The same as planned: of its tick, counted from when its episode would have begun.
+  std::vector<std::int64_t> planned_ns;
 };
 Timeline timeline_of(const trace_log::Log& log);
+/// When a tick begins, behind the start of its episode.
+std::int64_t time_of_tick(const trace_log::RecordedChannel& channel, std::uint64_t tick);
 
 }  // namespace eagerx::gen

@@ -159,6 +159,16 @@ std::string open_pictures(const Options& options) {
   }
   return {};
 }
+/// What is wrong with `--trace-scenes`, or empty.
+template <class Graph>
+std::string problem_of_scenes(const Options& options) {
+  if (!options.trace_scenes || shows_scene<Graph>) return {};
+  if constexpr (requires { Graph::kRenders; })
+    return "error: what this program shows is pixels, not a scene\nhelp: leave out "
+           "`--trace-scenes`; `--render` has the pictures";
+  return "error: this program has nothing to show\nhelp: write it into the graph, such as "
+         "`render: {source: OBJECT.scene}`, and generate the program again";
+}
 /// Finishes them, and tells what they were.
 template <class Graph>
 std::string close_pictures(Summary& summary) {
@@ -193,8 +203,9 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
     keep_earlier_files(csv, trace);
     return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
   }
-  if (const std::string problem = open_pictures<Graph>(options); !problem.empty())
-    return keep_earlier_files(csv, trace), fail(problem, kBadUsage);
+  std::string unseen = problem_of_scenes<Graph>(options);
+  if (unseen.empty()) unseen = open_pictures<Graph>(options);
+  if (!unseen.empty()) return keep_earlier_files(csv, trace), fail(unseen, kBadUsage);
   const std::string_view agent = target::name_of(options.agent);
 
   Watch<Graph> watch(options, settings, csv, trace, link);
@@ -217,6 +228,7 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
       Recorder::Text::head(trace, options.plan.seed, options.plan.environment, agent,
                            options.trace_time);
       program.trace.write_to(&trace, options.trace_time);
+      if (options.trace_scenes) program.trace.keep_scenes(&trace);
     }
     program.trace.measure();
     run_program(options, table, faults, program, watch);

@@ -58,6 +58,9 @@ bool set_trace(Options& options, std::string_view value) {
 bool set_trace_time(Options& options, std::string_view) {
   return options.trace_time = true;
 }
+bool set_trace_scenes(Options& options, std::string_view) {
+  return options.trace_scenes = true;
+}
 bool set_replay(Options& options, std::string_view value) {
   options.replay = value;
   return !value.empty();
@@ -190,6 +193,9 @@ constexpr std::array kOptions{
            set_trace},
     Option{"--trace-time", "", "", "add the time of sending to each message of the trace",
            set_trace_time},
+    Option{"--trace-scenes", "", "",
+           "add what the graph's `render:` shows, to play it back in `eagerx-gen report`",
+           set_trace_scenes},
     Option{"--replay", "LOG", "a file name", "repeat the run of a trace and compare the messages",
            set_replay},
     Option{"--replay-given", "LIST", "names between commas",
@@ -245,9 +251,10 @@ constexpr std::array kOptions{
 };
 
 /// The first option does nothing without the second.
-constexpr std::array<std::array<std::string_view, 2>, 8> kNeeds{{
+constexpr std::array<std::array<std::string_view, 2>, 9> kNeeds{{
     {"--csv-states", "--csv"},
     {"--trace-time", "--trace"},
+    {"--trace-scenes", "--trace"},
     {"--size", "--render"},
     {"--replay-given", "--replay"},
     {"--identify-out", "--identify"},

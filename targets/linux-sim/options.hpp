@@ -34,7 +34,7 @@ struct Options {
   std::string action_file;  // of Agent::csv
   std::string csv;          // empty: none; "-": standard output
   std::string trace;        // the same
-  bool trace_time = false;
+  bool trace_time = false, trace_scenes = false;
   std::string replay;  // a log; empty: none
   std::string replay_given = "actions,sensors";
   std::string identify;          // a log; empty: none

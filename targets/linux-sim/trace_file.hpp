@@ -6,6 +6,7 @@
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
+#include <optional>
 #include <runtime/host/identify/experiment.hpp>
 #include <runtime/host/trace/replay.hpp>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
+#include <targets/linux-sim/scene_record.hpp>
 #include <targets/linux-sim/spaces.hpp>
 #include <targets/linux-sim/text_file.hpp>
 
@@ -29,10 +31,44 @@ struct Untraced : NoTrace, Shows<Graph> {
   }
 };
 
+/// The record of a run. There is one, so that a program's trace stays small.
+template <class Message>
+inline std::optional<SceneRecord<Message>> scenes_of_run;
+
+/// What shows pictures, and writes their scenes into the trace if told so.
+template <class Graph>
+class ShowsAndKeeps : public Shows<Graph> {
+ public:
+  static void keep_scenes(TextFile* /*file*/) {}
+  static void scenes_are_of(std::uint32_t /*episode*/) {}
+};
+template <class Graph>
+requires shows_scene<Graph>
+class ShowsAndKeeps<Graph> : public Shows<Graph> {
+ public:
+  void keep_scenes(TextFile* file) {
+    scenes_of_run<Message>.emplace();
+    scene_file_ = file;
+  }
+  void scenes_are_of(std::uint32_t episode) { scene_episode_ = episode; }
+  bool draws() const { return scene_file_ != nullptr || Shows<Graph>::draws(); }
+  template <class Rate>
+  void show(Rate rate, Seq tick, const typename Graph::Rendered& scene) {
+    if (scene_file_ != nullptr)
+      scenes_of_run<Message>->write(*scene_file_, scene_episode_, rate, tick, scene);
+    if (Shows<Graph>::draws()) Shows<Graph>::show(rate, tick, scene);
+  }
+
+ private:
+  using Message = typename Graph::Rendered;
+  TextFile* scene_file_ = nullptr;
+  std::uint32_t scene_episode_ = 0;
+};
+
 /// A trace for generated programs that folds messages into the hash, writes them to a file, and
 /// compares them with a log or takes them from it.
 template <class Graph>
-class TraceRecorder : public Shows<Graph> {
+class TraceRecorder : public ShowsAndKeeps<Graph> {
  public:
   static constexpr bool kSimulators = true;
   using Text = TraceText<Graph, TextFile>;
@@ -58,6 +94,7 @@ class TraceRecorder : public Shows<Graph> {
 
   void episode(std::uint32_t index) {
     episode_ = index;
+    this->scenes_are_of(index);
     hash_.episode(index);
   }
 

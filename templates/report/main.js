@@ -142,7 +142,7 @@ function showHelp() {
   const keys = [
     ["1 … 9", "views"], ["/", "search"], ["Escape", "nothing is selected"], ["t", "light or dark"],
     ["arrows", "graph: from box to box; timetable and plots: move"], ["Shift and arrows", "graph: move"],
-    ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"],
+    ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"], ["Space", "plots: plays the drawing"],
     ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"], ["?", "these keys"]
   ];
   help.replaceChildren(

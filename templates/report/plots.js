@@ -148,6 +148,7 @@ function drawPlots() {
     for (const cell of row.cells) drawCanvas(row, cell, range, r === plots.rows.length - 1 || r % 4 === 3);
     readOut(row);
   });
+  drawPictures();
   plots.time.textContent = plots.cursor === null ? "" : `cursor at ${seconds(plots.cursor)}`;
 }
 plots.draw = onFrame(drawPlots);

@@ -142,6 +142,7 @@ function layOutPlots() {
                          cell.canvas))));
     return {series, element, cells, values};
   });
+  layOutPictures();
   plots.stage.replaceChildren(...plots.rows.map((row) => row.element));
   if (!plots.rows.length || !of.length) plots.stage.append(el("p.note", {}, "Choose a channel and an episode."));
   plots.draw();
@@ -245,7 +246,8 @@ function plotsKey(event) {
     "+": () => zoomPlots(0.8),
     "=": () => zoomPlots(0.8),
     "-": () => zoomPlots(1.25),
-    0: fitPlots
+    0: fitPlots,
+    " ": () => playback.pictures.length && playTrace(!playback.playing)
   };
   if (!actions[event.key] || event.target.matches("input")) return;
   actions[event.key]();
@@ -265,9 +267,11 @@ function makeTracesView(panel) {
   makeSeries();
   runs.slice(0, 3).forEach((run) => plots.runs.add(run.number));
   defaultSeries().forEach((series) => plots.series.add(series.number));
-  plots.stage =
-      el("div.plots",
-         {tabIndex: 0, role: "application", "aria-label": "Plots. Arrow keys move the cursor, plus and minus zoom."});
+  plots.stage = el("div.plots", {
+    tabIndex: 0,
+    role: "application",
+    "aria-label": "Plots. Arrow keys move the cursor, plus and minus zoom, Space plays."
+  });
   plots.time = el("span.note");
   add(panel, [
     el("div.toolbar", {},
@@ -281,7 +285,8 @@ function makeTracesView(panel) {
        el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomPlots(1.25)),
           button("+", () => zoomPlots(0.8)), button("Fit", fitPlots)),
        runChooser(), plots.time),
-    ...data.logs.map(logNote), statesNote(), el("div.split", {}, seriesChooser(), plots.stage)
+    ...data.logs.map(logNote), statesNote(),
+    el("div.split", {}, el("div.beside", {}, playbackCard(), seriesChooser()), plots.stage)
   ]);
   let scale = 0;
   plots.stage.addEventListener("pointerdown", (event) => {
@@ -291,7 +296,7 @@ function makeTracesView(panel) {
   draggable(plots.stage, (dx) => placePlots(plots.begin - dx * scale, plots.span), () => {});
   plots.stage.addEventListener("pointermove", (event) => {
     const at = plotAt(event);
-    if (at) {
+    if (at && !playback.playing) {
       plots.cursor = Math.max(0, at.time);
       plots.draw();
     }

@@ -67,7 +67,7 @@ def main():
                                  stdout=subprocess.PIPE, text=True)
         display = wait(lambda: X.XOpenDisplay(None))
         root = X.XDefaultRootWindow(P(display))
-        window = wait(lambda: find(display, root, b"rendering"))
+        window = wait(lambda: find(display, root, b"tutorial_7"))
         wait(lambda: rows_of(display, window) in known)
         atom = lambda name: X.XInternAtom(P(display), name, 0)
         message = Message(type=33, window=window, message_type=atom(b"WM_PROTOCOLS"), format=32)

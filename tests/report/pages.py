@@ -75,6 +75,19 @@ def trace(page, messages, value, episodes=1, late_s=None):
     return "\n".join(lines) + "\n"
 
 
+def scenes(ticks, row, rate="30/1", episodes=1):
+    """Lines with scenes, as --trace-scenes writes them. `row(episode, tick)`: the numbers of one."""
+    lines, before = [f"# scenes {rate}"], []
+    for episode in range(episodes):
+        for tick in range(ticks):
+            numbers = row(episode, tick)
+            before += [0.0] * (len(numbers) - len(before))
+            changed = [f"{i}={number!r}" for i, number in enumerate(numbers) if number != before[i]]
+            before = list(numbers)
+            lines.append(f"# scene {episode} {tick} {len(numbers) // 16}" + (f" {','.join(changed)}" if changed else ""))
+    return "\n".join(lines) + "\n"
+
+
 def eval_rate(rate):
     above, below = rate.split("/")
     return float(above) / float(below)

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <map>
 #include <runtime/host/trace/log_file.hpp>
+#include <runtime/host/trace/scene_line.hpp>
 
 namespace eagerx::trace_log {
 namespace {
@@ -199,6 +200,12 @@ class Reader {
       if (text_.starts_with("# end ")) return read_end(text_.substr(6));
       if (text_.starts_with("# state ")) {
         if (!read_state(text_.substr(8))) return false;
+        continue;
+      }
+      if (text_.starts_with("# scene")) {
+        std::string what;
+        std::string_view place = text_;
+        if (!read_scene_line(text_, log_, place, what)) return fail(place, what);
         continue;
       }
       if (text_.starts_with("# ")) continue;  // what a later version may add

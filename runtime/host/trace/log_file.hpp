@@ -55,6 +55,18 @@ struct RecordedState {
   std::vector<std::string> values;
 };
 
+/// A drawing: what differs from the scene before in the file, of the rows that it has.
+struct RecordedScene {
+  std::uint64_t tick = 0;
+  std::uint32_t episode = 0;
+  std::uint32_t rows = 0;              // of 16 numbers
+  std::size_t first = 0, changes = 0;  // in Log::scene_changes
+};
+struct SceneChange {
+  std::uint32_t index = 0;
+  float value = 0.0F;
+};
+
 struct Log {
   std::string path, graph, engine, agent;
   std::uint64_t seed = 0;
@@ -63,6 +75,9 @@ struct Log {
   std::vector<Row> rows;  // in the order of the file
   std::vector<std::uint64_t> values;
   std::vector<RecordedState> states;
+  std::vector<RecordedScene> scenes;
+  std::vector<SceneChange> scene_changes;
+  std::uint64_t scenes_num = 0, scenes_den = 1;  // scenes a second; 0: there are none
   bool timed = false;
   bool complete = false;   // has its last line; otherwise it ended early
   std::uint64_t hash = 0;  // if complete

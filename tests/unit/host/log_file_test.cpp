@@ -51,6 +51,43 @@ TEST(LogFile, Reads) {
   EXPECT_EQ(log->values_of(log->rows[1])[1], 0x7fc00000U);
 }
 
+TEST(LogFile, ReadsScenes) {
+  std::string problem;
+  const auto log = read_log("x",
+                            kHead +
+                                "# scenes 30/2\n# scene 0 0 2 0=1,20=nan\n0,a/b,0,1\n"
+                                "# scene 0 3 1\n1,a/b,0,1\n# scene 1 0 2 31=-0.5\n",
+                            problem);
+  ASSERT_TRUE(log) << problem;
+  EXPECT_EQ(log->scenes_num, 30U);
+  EXPECT_EQ(log->scenes_den, 2U);
+  ASSERT_EQ(log->scenes.size(), 3U);
+  EXPECT_EQ(log->scenes[1].tick, 3U);
+  EXPECT_EQ(log->scenes[1].changes, 0U);
+  EXPECT_EQ(log->scenes[2].episode, 1U);
+  ASSERT_EQ(log->scene_changes.size(), 3U);
+  EXPECT_EQ(log->scene_changes[2].index, 31U);
+  EXPECT_EQ(log->scene_changes[2].value, -0.5F);
+  EXPECT_EQ(log->rows.size(), 2U);
+}
+
+TEST(LogFile, SaysWhatIsWrongWithAScene) {
+  const std::string begin = kHead + "# scenes 30/1\n";
+  EXPECT_EQ(error_of(kHead + "# scene 0 0 1\n"),
+            "x:8:1: error: no line `# scenes RATE` is before this scene");
+  for (const char* const rate : {"# scenes 30\n", "# scenes 0/1\n", "# scenes 1/0\n"})
+    EXPECT_NE(error_of(kHead + rate).find("`# scenes RATE`"), std::string::npos) << rate;
+  EXPECT_EQ(error_of(begin + "# scene 0 0 4096\n"),
+            "x:9:13: error: expected how many rows the scene has, at most 4095");
+  for (const char* const scene :
+       {"# scene", "# scene 0 0 1 16=1\n", "# scene 0 0 1 0=\n", "# scene 0 0 1 =1\n",
+        "# scene 0 0 1 0=1,\n# scene 0 0 1\n", "# scene 1 0 1\n# scene 0 1 1\n", "# scene x 0 1\n",
+        "# scene 0 0\n"})
+    EXPECT_TRUE(is_one_or_the_other(begin + scene)) << scene;
+  EXPECT_NE(error_of(begin + "# scene 0 0 1 16=1\n"), "none");
+  EXPECT_NE(error_of(begin + "# scene 0 0 1\n# scene 0 0 1\n"), "none");
+}
+
 TEST(LogFile, EndsEarly) {
   for (const std::string& text : {kHead, kHead + "0,a/b,0,1\n", kHead + "0,a/b,0,1\n0,a/"}) {
     std::string problem;

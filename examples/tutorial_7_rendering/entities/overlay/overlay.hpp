@@ -1,16 +1,14 @@
-// The overlay of tutorial 7.
+// The overlay of the tutorial.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <eagerx/math.hpp>
-#include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <eagerx/scene.hpp>
 
-namespace tutorial {
+namespace drawn {
 
-/// The last `base_image` with a bar for the last `u` [V] and a dot for every second since the
-/// reset.
+/// The last `base` with the time since the reset and the last `u` [V], as numbers and as a bar.
 template <class Io>
 class Overlay {
  public:
@@ -18,35 +16,22 @@ class Overlay {
 
   void callback(const eagerx::Tick& tick, const typename Io::Inputs& in,
                 typename Io::Outputs& out) {
-    out.image = in.base_image.back();
     const float u = in.u.empty() ? 0.0F : in.u.back()[0];  // none yet at tick 0
-    const float share = u / static_cast<float>(Io::Config::largest);
-    const float reach = eagerx::clamp(share, -1.0F, 1.0F) * static_cast<float>(kMiddle);
-    const int end = static_cast<int>(eagerx::round(reach));
-    const int direction = end < 0 ? -1 : 1;
-    for (int i = direction; i * direction <= end * direction; i += direction) {
-      set(out, kSize - 1, kMiddle + i);
-    }
-    const auto seconds = static_cast<int>(Io::Rate::template seconds<float>(tick.n));
-    for (int i = 0; i < seconds && i < kSize; ++i) set(out, 0, i);
+    const float share = eagerx::clamp(u / static_cast<float>(Io::Config::largest), -1.0F, 1.0F);
+
+    eagerx::SceneWriter scene(out.scene, in.base.back());
+    scene.on_screen();  // from here on x and y go from 0 to 1 over the picture
+    scene.number({0.05F, 0.92F}, 0.032F, "t = # s", Io::Rate::template seconds<float>(tick.n), 1,
+                 kText);
+    scene.number({0.95F, 0.92F}, 0.032F, "u = # V", u, 2, kText, eagerx::Align::right);
+    scene.rectangle({0.5F, 0.06F}, 0.6F, 0.022F, eagerx::fill(0xdcd9d0), 0.0F, 0.011F);
+    scene.line({0.5F, 0.06F}, {0.5F + 0.29F * share, 0.06F},
+               eagerx::stroke(share < 0.0F ? 0x3f7fb0 : 0xc8553d, 0.022F));
+    scene.line({0.5F, 0.042F}, {0.5F, 0.078F}, eagerx::stroke(kText, 0.004F));
   }
 
  private:
-  using Image = typename decltype(Io::Inputs::base_image)::value_type;
-  static constexpr int side() {
-    int n = 1;
-    while (static_cast<std::size_t>(n) * static_cast<std::size_t>(n) < eagerx::size_of<Image>) ++n;
-    return n;
-  }
-  static constexpr int kSize = side();
-  static constexpr int kMiddle = kSize / 2;
-  static_assert(eagerx::size_of<Image> == static_cast<std::size_t>(kSize) * kSize,
-                "Overlay: `base_image` must be a square picture");
-
-  static void set(typename Io::Outputs& out, int row, int column) {
-    constexpr std::uint8_t kWhite = 255;
-    out.image[static_cast<std::size_t>(row * kSize + column)] = kWhite;
-  }
+  static constexpr std::uint32_t kText = 0x3a4650;
 };
 
-}  // namespace tutorial
+}  // namespace drawn
