@@ -50,16 +50,23 @@ std::string differing(const A& saved, const B& ours, const char* what) {
   return names.empty() ? std::string() : fmt::format("{} (`{}`)", what, fmt::join(names, "`, `"));
 }
 
+bool is_condition(const Entity& entity, std::string_view name) {
+  return std::ranges::any_of(entity.eagerx_ids, [&](const EagerxId& eagerx) {
+    return std::ranges::any_of(eagerx.when, [&](const Setting& s) { return s.name == name; });
+  });
+}
+
 /// Where a class in a file has another interface than our entity; empty: nowhere.
 std::string difference(const Entity& entity, const SavedEntity& saved) {
   for (const auto& entry : saved.config.entries) {
     const bool known =
         std::ranges::find(entity.config, entry.key, &Parameter::eagerx) != entity.config.end() ||
-        std::ranges::find(kAlways, entry.key) != kAlways.end();
+        std::ranges::find(kAlways, entry.key) != kAlways.end() || is_condition(entity, entry.key);
     if (!known) return fmt::format("parameters (`{}`)", entry.key);
   }
+  // What the class does not have keeps our default.
   for (const auto& parameter : entity.config) {
-    if (saved.config.find(parameter.eagerx) == nullptr)
+    if (!parameter.fallback && saved.config.find(parameter.eagerx) == nullptr)
       return fmt::format("parameters (`{}`)", parameter.name.value);
   }
   if (entity.kind == EntityKind::processor) return {};  // it has no ports of its own
@@ -130,12 +137,6 @@ YamlValue value_of(Parameter::Type type, const YamlValue& saved) {
   const bool alike = std::ranges::all_of(
       saved.items, [&](const YamlValue& item) { return same_value(item, saved.items[0]); });
   return alike ? saved.items[0] : saved;
-}
-
-bool is_condition(const Entity& entity, std::string_view name) {
-  return std::ranges::any_of(entity.eagerx_ids, [&](const EagerxId& eagerx) {
-    return std::ranges::any_of(eagerx.when, [&](const Setting& s) { return s.name == name; });
-  });
 }
 
 std::string class_of(const std::string& id) {

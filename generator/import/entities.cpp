@@ -160,7 +160,7 @@ class EntityTranslator {
   /// they are in use although nothing is connected to them.
   Selection rated_ports(const SavedEntity& saved, const Entity& entity, const EntitySpec& made,
                         const char* section) {
-    std::vector<ComponentSpec> result;
+    std::vector<ComponentSpec> result, all;
     const auto ports = saved.ports.find(section);
     if (ports == saved.ports.end()) return std::nullopt;
     for (const auto& port : ports->second) {
@@ -184,11 +184,12 @@ class EntityTranslator {
       if (const auto space = saved_space(port))
         component.space = missing_of(*space, manifest->space);
       if (component.space) check_space(*component.space, t_.diagnostics);
+      all.push_back(component);
       if (!linked || component.rate || component.settings.processor || component.space)
         result.push_back(std::move(component));
     }
     if (result.empty()) return std::nullopt;
-    return result;
+    return has_only_names(result) ? all : result;
   }
 
   void note_left_out(const SavedEntity& saved, const Entity& entity,
@@ -306,6 +307,12 @@ class EntityTranslator {
 const ObjectEngine* Translation::implementation(const Entity& object) const {
   const Entity* engine = counterparts.library().find(result.spec.engine.type.value);
   return engine == nullptr ? nullptr : object.implementation(*engine);
+}
+
+bool has_only_names(const std::vector<ComponentSpec>& components) {
+  return std::ranges::none_of(components, [](const ComponentSpec& component) {
+    return component.rate || component.space || component.settings.processor;
+  });
 }
 
 void translate_names(Translation& t) {

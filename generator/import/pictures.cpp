@@ -170,6 +170,12 @@ void add_render(Translation& t, const Pictures& pictures, const std::string& sou
   connection.from = render.source;
   connection.to = {fmt::format("{}.source", kRender), pictures.place};
   spec.connections.push_back(std::move(connection));
+  for (EntitySpec& object : spec.objects) {
+    if (object.name.value != t.names.at(pictures.object) || !object.sensors) continue;
+    ComponentSpec drawing;
+    drawing.name = {parse_port(source).name, pictures.place};
+    if (has_only_names(*object.sensors)) object.sensors->push_back(std::move(drawing));
+  }
 }
 
 }  // namespace

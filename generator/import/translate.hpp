@@ -44,6 +44,9 @@ void translate_pictures(Translation& t, const Pictures& pictures);
 /// Ports of entities that are known, by the names that our manifests give them.
 void rename_ports(SavedGraph& saved, const Counterparts& counterparts);
 
+/// Whether nothing is set of these sensors or actuators: such a list leaves all others out.
+bool has_only_names(const std::vector<ComponentSpec>& components);
+
 // In this order.
 void translate_names(Translation& t);  // and the name of the graph
 void translate_entities(Translation& t);

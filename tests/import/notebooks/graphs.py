@@ -85,7 +85,7 @@ def swing_up(nodes, links=LINKS, observations=None, rendered=True):
 
 
 def normalised():
-    return swing_up({"pendulum": pendulum(theta=given(space((), -PI_F32, PI_F32), 30.0, {"processor_type": "__main__/WrappingProcessor"}))})
+    return swing_up({"pendulum": pendulum(theta=given(space((), -PI_F32, PI_F32), 30.0, {"dtype": "float32", "processor_type": "__main__/WrappingProcessor"}))})
 
 
 def on_circle():
@@ -95,7 +95,7 @@ def on_circle():
 
 
 def filtered(observed):
-    average = node("__main__/MovingAverageFilter", 30, {"signal": taken(space([1], -3.0, 3.0))}, {"filtered": given(space([1], -3.0, 3.0))}, {"n": 10})
+    average = node("__main__/MovingAverageFilter", 30, {"signal": taken(space([1], -3.0, 3.0))}, {"filtered": given(space([1], -3.0, 3.0))}, {"n": 10} if observed else {})
     links = LINKS.replace("> pendulum.actuators.u", "> moving_average.inputs.signal") + "\nmoving_average.outputs.filtered > pendulum.actuators.u"
     seen = {"filtered_voltage": taken(space([1], -3.0, 3.0), skip=True)} if observed else {}
     links += "\nmoving_average.outputs.filtered > environment.inputs.filtered_voltage" if observed else ""
