@@ -192,7 +192,8 @@ class Reader {
       }
       if (first < kTwoBytes || first > kLast || i + 1 == text.text.size()) return nullptr;
       const auto second = static_cast<unsigned char>(text.text[++i]);
-      bytes += static_cast<char>(static_cast<unsigned char>((unsigned{first} << 6U) | (second & kBits)));
+      bytes +=
+          static_cast<char>(static_cast<unsigned char>((unsigned{first} << 6U) | (second & kBits)));
     }
     pickle_.names.push_back(std::move(bytes));
     return encoded_.emplace(index, &pickle_.names.back()).first->second;
