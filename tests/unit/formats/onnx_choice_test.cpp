@@ -55,6 +55,26 @@ TEST(OnnxChoice, AValueOfTheStateKeepsTheOrder) {
   EXPECT_EQ(read_good(builder.bytes()).action_kind(), ActionKind::argmax);
 }
 
+TEST(OnnxChoice, AValueOfTheStateIsAddedWhereNoChoiceFollows) {
+  OnnxBuilder builder = scores();
+  builder.add_tensor("v", {2, 1}, {1, 1});
+  builder.add_node("MatMul", {"observation", "v"}, "value");
+  builder.add_node("Add", {"value", "scores"}, "action");
+  EXPECT_THAT(evaluate(read_good(builder.bytes()), {1, 1}), ElementsAre(3, 4, 6, 6));
+}
+
+TEST(OnnxChoice, WhatIsNotPickedMayBeAnything) {
+  OnnxBuilder builder(2);
+  builder.add_tensor("zero", {}, {0});
+  builder.add_tensor("one", {2}, {1, 1});
+  builder.add_node("Sub", {"observation", "observation"}, "zeros");
+  builder.add_node("Div", {"observation", "zeros"}, "infinite");
+  builder.add_node("Greater", {"observation", "zero"}, "above");
+  builder.add_node("Where", {"above", "one", "infinite"}, "picked");
+  builder.add_node("Where", {"above", "picked", "one"}, "action");
+  EXPECT_THAT(evaluate(read_good(builder.bytes()), {3, -2}), ElementsAre(1, 1));
+}
+
 TEST(OnnxChoice, NothingIsCalculatedFromAChoice) {
   OnnxBuilder builder = scores();
   along(builder.add_node("ArgMax", {"scores"}, "index"), 1);
