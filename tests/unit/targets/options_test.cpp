@@ -100,8 +100,9 @@ TEST(LinuxSimOptions, HelpNamesEveryOption) {
   const std::string help = options_help({});
   for (const char* option :
        {"--episodes N", "--steps N", "--seed N", "--environment K", "--agent AGENT", "--csv FILE",
-        "--trace FILE", "--trace-time", "--replay LOG", "--replay-given LIST", "--identify LOG",
-        "--hash", "--real-time-factor X", "--quiet", "--help", "--version", "Exit codes: 0"}) {
+        "--trace FILE", "--trace-time", "--trace-scenes", "--replay LOG", "--replay-given LIST",
+        "--identify LOG", "--hash", "--real-time-factor X", "--quiet", "--help", "--version",
+        "Exit codes: 0"}) {
     EXPECT_NE(help.find(option), std::string::npos) << option;
   }
 }
@@ -109,6 +110,8 @@ TEST(LinuxSimOptions, HelpNamesEveryOption) {
 TEST(LinuxSimOptions, RefusesWhatWouldDoNothing) {
   EXPECT_EQ(error_of({"--trace-time"}),
             "`--trace-time` does nothing without `--trace` / leave it out");
+  EXPECT_EQ(error_of({"--trace-scenes"}),
+            "`--trace-scenes` does nothing without `--trace` / leave it out");
   EXPECT_EQ(error_of({"--identify-delay", "0.1"}),
             "`--identify-delay` does nothing without `--identify` / leave it out");
   EXPECT_EQ(error_of({"--replay", "a", "--csv", "b"}),
