@@ -16,14 +16,14 @@ struct ConfigWriter {
   CppValue operator()(bool value) const { return {"bool", bool_literal(value)}; }
   CppValue operator()(const std::string& value) const {
     if (parameter.type == Parameter::Type::keyword)
-      return {"auto", parameter.cpp_class + "::" + value};
+      return {"auto", from_global_namespace(parameter.cpp_class) + "::" + value};
     return {"const char*", cpp_string(value)};
   }
   /// Its class with the values that it is compiled for; as code it is a struct (model_view).
   CppValue operator()(const std::shared_ptr<const ModelUse>& model) const {
     std::vector<std::string> values;
     for (const ConfigValue& item : model->config) values.push_back(cpp_value(item).value);
-    return {"", model->implementation->model.name + braced(values)};
+    return {"", from_global_namespace(model->implementation->model.name) + braced(values)};
   }
   CppValue operator()(const std::vector<std::int64_t>& values) const {
     std::string type = "int";

@@ -35,7 +35,7 @@ View model_views(const Config& config) {
     model.set("key", item.parameter->name.value);
     model.set("object", (*use)->object->id.value);
     model.set("engine", (*use)->implementation->engine.value);
-    model.set("class", (*use)->implementation->model.name);
+    model.set("class", from_global_namespace((*use)->implementation->model.name));
     model.set("has_parameters", !(*use)->config.empty());
     model["parameters"] = parameter_views((*use)->config);
     models.push_back(model);
@@ -122,8 +122,8 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
     view.set("engine", item.implementation->engine.value);
     view.set("place", names.place(item.span));
     view.set("type", names.simulator_type[i]);
-    view.set("simulator", plan.graph->engine().entity->simulator.name);
-    view.set("model", item.implementation->model.name);
+    view.set("simulator", from_global_namespace(plan.graph->engine().entity->simulator.name));
+    view.set("model", from_global_namespace(item.implementation->model.name));
     view.set("config", config_view(item.config));
     views.push_back(view);
   }
@@ -144,7 +144,7 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
       view.set("type", names.engine_state_type[i][s]);
       view.set("message", names.message(state.received()));
       view.set("simulator", names.simulator_type[i]);
-      view.set("class", state.engine_state->cpp.name);
+      view.set("class", from_global_namespace(state.engine_state->cpp.name));
       view.set("config", config_view(state.config));
       views.push_back(view);
     }
@@ -159,7 +159,7 @@ View processor_view(const Processor& processor, const std::string& type, const s
   view.set("entity", processor.entity->id.value);
   view.set("place", names.place(processor.span));
   view.set("type", type);
-  view.set("class", processor.entity->cpp.name);
+  view.set("class", from_global_namespace(processor.entity->cpp.name));
   view.set("input", names.message(processor.input));
   view.set("output", names.message(processor.output));
   view.set("config", config_view(processor.config));

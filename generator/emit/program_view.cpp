@@ -192,7 +192,8 @@ class ProgramView {
     for (const std::size_t n : nodes_in_order(plan_)) {
       if (!names_.runs(n)) continue;
       const Entity& entity = *graph_.nodes[n].entity;
-      const std::string type = fmt::format("{}<{}>", entity.cpp.name, names_.io[n]);
+      const std::string type =
+          fmt::format("{}<{}>", from_global_namespace(entity.cpp.name), names_.io[n]);
       if (graph_.nodes[n].drawn) {
         add(drawn_members, type, without_owner(names_.node_member[n]));
         continue;

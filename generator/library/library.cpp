@@ -6,6 +6,11 @@
 
 namespace eagerx::gen {
 
+std::string from_global_namespace(const std::string& cpp_name) {
+  return cpp_name.starts_with("eagerx::") || cpp_name.starts_with("::") ? cpp_name
+                                                                        : "::" + cpp_name;
+}
+
 const PortManifest* Entity::input(std::string_view name) const {
   return find_named(inputs, name);
 }

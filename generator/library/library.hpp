@@ -70,6 +70,10 @@ struct CppClass {
   Span span = {};       // of the name
 };
 
+/// `mine::Gain` as generated code names it: from the global namespace, since a graph may have the
+/// name `mine`. None has the name `eagerx`.
+std::string from_global_namespace(const std::string& cpp_name);
+
 /// A state of an object that is one of an engine node.
 struct NodeState {
   Spanned<std::string> name;  // of the object
