@@ -8,4 +8,5 @@ endforeach()
 target_link_libraries(own_loop PRIVATE eagerx_warnings GTest::gtest_main)
 gtest_discover_tests(own_loop TEST_PREFIX own_loop. DISCOVERY_TIMEOUT 60)
 # A library for another tree: --standalone needs nothing of the installation, and the example's loop on a board.
-add_test(NAME own_loop.standalone COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${PROJECT_BINARY_DIR})
+add_test(NAME own_loop.standalone COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen>
+         $<TARGET_FILE:replay_swing_up>)

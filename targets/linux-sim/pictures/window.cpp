@@ -15,6 +15,7 @@ struct SdlFunctions {
   void* (*CreateWindow)(const char* title, int x, int y, int w, int h, std::uint32_t flags);
   void (*DestroyWindow)(void* window);
   void* (*CreateRenderer)(void* window, int index, std::uint32_t flags);
+  void (*DestroyRenderer)(void* renderer);
   void* (*CreateTexture)(void* renderer, std::uint32_t format, int access, int w, int h);
   int (*UpdateTexture)(void* texture, const void* rect, const void* pixels, int pitch);
   int (*RenderCopy)(void* renderer, void* texture, const void* source, const void* target);
@@ -67,6 +68,7 @@ bool find_all(void* library) {
          find(library, "SDL_CreateWindow", f.CreateWindow) &&
          find(library, "SDL_DestroyWindow", f.DestroyWindow) &&
          find(library, "SDL_CreateRenderer", f.CreateRenderer) &&
+         find(library, "SDL_DestroyRenderer", f.DestroyRenderer) &&
          find(library, "SDL_CreateTexture", f.CreateTexture) &&
          find(library, "SDL_UpdateTexture", f.UpdateTexture) &&
          find(library, "SDL_RenderCopy", f.RenderCopy) &&
@@ -116,6 +118,7 @@ std::string no_display(const std::string& why) {
 
 Window::~Window() {
   if (sdl_ == nullptr) return;
+  if (renderer_ != nullptr) sdl_->DestroyRenderer(renderer_);  // with its texture
   if (window_ != nullptr) sdl_->DestroyWindow(window_);
   sdl_->Quit();
 }
@@ -125,6 +128,8 @@ std::string Window::open(const std::string& title, int width, int height) {
   if (library_ == nullptr || !find_all(library_))
     return "error: a window needs the library SDL 2\nhelp: apt install libsdl2-2.0-0";
   functions.SetHint("SDL_NO_SIGNAL_HANDLERS", "1");
+  // SDL would load OpenGL's drivers to show pixels that are finished.
+  functions.SetHint("SDL_FRAMEBUFFER_ACCELERATION", "0");
   if (!has_display()) return no_display("");
   if (functions.Init(kVideo) != 0) return no_display(": " + std::string(functions.GetError()));
   sdl_ = &functions;
