@@ -29,6 +29,11 @@ struct Graph : Limits {
   static constexpr const char* kAgentCsv = "";
   static constexpr bool kHasPolicy = true;
 
+  /// `render:`, graph.yaml:38:1: pictures at this rate.
+  static constexpr bool kRenders = true;
+  using RenderRate = eagerx::Rate<30>;
+  using Rendered = typename decltype(RenderIo::Inputs::source)::value_type;
+
   /// The published messages; the index is the channel of the trace.
   static constexpr eagerx::Channel kChannels[] = {
       {"engine/tick", "int64", 1, 30, 1, eagerx::Publisher::engine, "engine.tick"},
@@ -107,7 +112,7 @@ struct Graph : Limits {
     return {kActionVoltage.sample(random)};
   }
 
-  /// The trained policy's action: swing_up.onnx, graph.yaml:38:17
+  /// The trained policy's action: swing_up.onnx, graph.yaml:39:17
   static Action policy(const Observation& observation) {
     float input[policy::kInputs];
     float output[policy::kOutputs];

@@ -11,6 +11,7 @@
 #include <models/engine_nodes/float_output/float_output.hpp>
 #include <models/engine_nodes/ode_input/ode_input.hpp>
 #include <models/engine_nodes/ode_output/ode_output.hpp>
+#include <models/engine_nodes/pendulum_drawing/pendulum_drawing.hpp>
 #include <models/engine_states/dummy_state/dummy_state.hpp>
 #include <models/engine_states/ode_engine_state/ode_engine_state.hpp>
 #include <models/engines/ode_engine/ode_engine.hpp>
@@ -243,6 +244,49 @@ struct PendulumUAppliedIo {
   };
   struct States {};
   using Simulator = PendulumSimulator;
+};
+
+// pendulum/scene: PendulumDrawing at 30 Hz, graph.yaml:13:3
+struct PendulumSceneIo {
+  using Real = graphs::pendulum_swing_up::Real;
+  using Rate = eagerx::Rate<30>;
+  struct Config {
+    static constexpr double length = 0.042;  // m
+    static constexpr bool weight = true;
+    static constexpr bool clockwise = true;
+  };
+  struct Inputs {
+    eagerx::Window<float, eagerx::Rate<30>, 1, 1, true> angle;  // float32 []
+
+    template <class F>
+    void for_each(F&& f) const {
+      f("angle", this->angle);
+    }
+  };
+  struct Outputs {
+    eagerx::Array<float, 24, 16>& scene;
+  };
+  struct States {};
+  using Simulator = PendulumSimulator;
+};
+
+// render: Render at 30 Hz, graph.yaml:38:1
+struct RenderIo {
+  using Real = graphs::pendulum_swing_up::Real;
+  using Rate = eagerx::Rate<30>;
+  struct Config {};
+  struct Inputs {
+    // float32 [24, 16]
+    eagerx::Window<eagerx::Array<float, 24, 16>, eagerx::Rate<30>, 1, 1, true> source;
+
+    template <class F>
+    void for_each(F&& f) const {
+      f("source", this->source);
+    }
+  };
+  struct Outputs {
+  };
+  struct States {};
 };
 
 }  // namespace graphs::pendulum_swing_up

@@ -10,6 +10,7 @@
 #include <eagerx/cursor.hpp>
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
+#include <eagerx/render.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
@@ -73,7 +74,9 @@ class Program {
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
+    if constexpr (eagerx::can_draw<Trace>) drawing_.pendulum_scene_.reset({}, pendulum_simulator_);
     pendulum_theta_dot_.reset({}, pendulum_simulator_);
+    if constexpr (eagerx::can_draw<Trace>) drawing_.render_.reset({});
     smooth_.reset({});
     pendulum_u_.reset({}, pendulum_simulator_);
     before(eagerx::Constant<k30Hz>{});
@@ -150,6 +153,14 @@ class Program {
         trace(channel::pendulum_theta_observation, n, pendulum_theta_observation_[0]);
         observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
       }
+      // pendulum/scene: PendulumDrawing, graph.yaml:13:3
+      if constexpr (eagerx::can_draw<Trace>) if (trace.draws()) {
+        const PendulumSceneIo::Inputs in{{pendulum_theta_observation_, n30Hz_}};
+        PendulumSceneIo::Outputs out{drawing_.pendulum_scene_scene_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
+        drawing_.pendulum_scene_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
+      }
       // pendulum/theta_dot: FloatOutput, graph.yaml:13:3
       {
         const PendulumThetaDotIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
@@ -158,6 +169,14 @@ class Program {
           trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n, in);
         pendulum_theta_dot_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_theta_dot_observation, n, pendulum_theta_dot_observation_[0]);
+      }
+      // render: Render, graph.yaml:38:1
+      if constexpr (eagerx::can_draw<Trace>) if (trace.draws()) {
+        const RenderIo::Inputs in{{drawing_.pendulum_scene_scene_, n30Hz_}};
+        RenderIo::Outputs out{};
+        if constexpr (eagerx::traces_inputs<Trace>)
+          trace.inputs("render", RenderIo::Rate{}, n, in);
+        drawing_.render_.callback(eagerx::Tick{n}, in, out, trace);
       }
     }
   }
@@ -224,6 +243,14 @@ class Program {
   eagerx::models::FloatOutput<PendulumThetaDotIo> pendulum_theta_dot_{};
   eagerx::models::ButterworthFilter<SmoothIo> smooth_{};
   eagerx::models::OdeInput<PendulumUIo> pendulum_u_{};
+
+  // What only pictures need: nothing in a program that shows none.
+  struct Drawing {
+    eagerx::Array<float, 24, 16> pendulum_scene_scene_[1]{};
+    eagerx::models::PendulumDrawing<PendulumSceneIo> pendulum_scene_{};
+    eagerx::Render<RenderIo> render_{};
+  };
+  [[no_unique_address]] eagerx::DrawingOf<Trace, Drawing> drawing_{};
 };
 
 }  // namespace graphs::pendulum_swing_up
