@@ -1,6 +1,7 @@
 #include "generator/cli/environments.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
@@ -20,6 +21,15 @@ std::vector<std::string> joined(std::vector<std::string> words,
 
 int become_with_environments(const Helper& helper, const Options& options,
                              std::vector<std::string> words) {
+  const std::string program = helper_program(helper.program);
+  std::error_code ignored;
+  if (!std::filesystem::exists(program, ignored)) {
+    complain(
+        "error: there is no `{}`\nhelp: install the package of eagerx-gen again, or build all of "
+        "it\n",
+        program);
+    return kInputOutput;
+  }
   if (options.quiet) words.emplace_back("--quiet");
   const auto checked = run_process(joined({helper_program(helper.checker), "--check"}, words));
   if (checked && checked->exit_code != 0) {
@@ -33,7 +43,7 @@ int become_with_environments(const Helper& helper, const Options& options,
   const auto built = build_graph(run, library, code);
   code = std::max(finish(run, options), code);
   if (!built) return code;
-  return become(helper_program(helper.program), joined({built->back().image}, words));
+  return become(program, joined({built->back().image}, words));
 }
 
 }  // namespace eagerx::gen
