@@ -6,7 +6,8 @@
 
 namespace arm_reaching {
 
-/// The last `base` with a ball at the last `target` [m], a little nearer than the arm, which would hide it.
+/// The last `base` with a ball at the last `target` [m], a little nearer than the arm, which would
+/// hide it.
 template <class Io>
 class TargetMark {
  public:
