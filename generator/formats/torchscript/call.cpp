@@ -88,6 +88,12 @@ OnnxValue TorchCall::node(const char* type, const std::vector<OnnxValue>& inputs
   return output == 0 ? first : later_output(call, first, output);
 }
 
+std::optional<OnnxValue> TorchCall::node_of_two(const char* type) const {
+  const auto a = tensor(0);
+  const auto b = tensor(1, "other");
+  return a && b ? std::optional(node(type, {*a, *b})) : std::nullopt;
+}
+
 OnnxValue TorchCall::constant(const std::vector<float>& numbers, const Dims& dims) const {
   onnx::NodeProto node;
   node.set_op_type("Constant");

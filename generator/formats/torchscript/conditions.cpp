@@ -9,35 +9,30 @@ namespace {
 using Torch = TorchCall;
 using Result = std::optional<OnnxValue>;
 
-Result compared(const Torch& call, const char* type) {
-  const auto a = call.tensor(0);
-  const auto b = call.tensor(1, "other");
-  return a && b ? Result(call.node(type, {*a, *b})) : std::nullopt;
-}
 Result greater(const Torch& call) {
-  return compared(call, "Greater");
+  return call.node_of_two("Greater");
 }
 Result less(const Torch& call) {
-  return compared(call, "Less");
+  return call.node_of_two("Less");
 }
 Result greater_or_equal(const Torch& call) {
-  return compared(call, "GreaterOrEqual");
+  return call.node_of_two("GreaterOrEqual");
 }
 Result less_or_equal(const Torch& call) {
-  return compared(call, "LessOrEqual");
+  return call.node_of_two("LessOrEqual");
 }
 Result equal(const Torch& call) {
-  return compared(call, "Equal");
+  return call.node_of_two("Equal");
 }
 Result not_equal(const Torch& call) {
   const auto same = equal(call);
   return same ? Result(call.node("Not", {*same})) : std::nullopt;
 }
 Result conjunction(const Torch& call) {
-  return compared(call, "And");
+  return call.node_of_two("And");
 }
 Result disjunction(const Torch& call) {
-  return compared(call, "Or");
+  return call.node_of_two("Or");
 }
 Result negation(const Torch& call) {
   const auto x = call.tensor(0);

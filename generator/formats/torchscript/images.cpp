@@ -75,39 +75,48 @@ Result traced_convolution(const Torch& call) {
   return convolved(call, {5, 8});
 }
 
-Result max_pool(const Torch& call) {
+/// What the pools have in common: a window of `kernel` numbers that moves by `strides`.
+struct Windows {
+  OnnxValue x;
+  std::size_t axes = 0;
+  Integers kernel, strides, padding;
+};
+
+std::optional<Windows> windows_of(const Torch& call) {
   const auto x = call.tensor(0);
   const std::size_t axes = x ? places_of(*x) : 0;
   const auto kernel = for_each(call, 1, "kernel_size", axes, {});
   if (axes == 0 || !kernel || kernel->size() != axes) return std::nullopt;
   const auto strides = for_each(call, 2, "stride", axes, *kernel);
   const auto padding = for_each(call, 3, "padding", axes, Integers(axes, 0));
-  const auto dilations = for_each(call, 4, "dilation", axes, Integers(axes, 1));
+  if (!strides || !padding) return std::nullopt;
+  return Windows{*x, axes, *kernel, *strides, *padding};
+}
+
+Result max_pool(const Torch& call) {
+  const auto windows = windows_of(call);
+  if (!windows) return std::nullopt;
+  const auto dilations = for_each(call, 4, "dilation", windows->axes, Integers(windows->axes, 1));
   const auto rounds_up = call.whole(5, "ceil_mode", 0);
-  if (!strides || !padding || !dilations || !rounds_up) return std::nullopt;
-  return call.node("MaxPool", {*x},
-                   {{"kernel_shape", {}, {}, kernel},
-                    {"strides", {}, {}, strides},
-                    {"pads", {}, {}, on_both_sides(*padding)},
+  if (!dilations || !rounds_up) return std::nullopt;
+  return call.node("MaxPool", {windows->x},
+                   {{"kernel_shape", {}, {}, windows->kernel},
+                    {"strides", {}, {}, windows->strides},
+                    {"pads", {}, {}, on_both_sides(windows->padding)},
                     {"dilations", {}, {}, dilations},
                     {"ceil_mode", rounds_up}});
 }
 
 Result average_pool(const Torch& call) {
-  const auto x = call.tensor(0);
-  const std::size_t axes = x ? places_of(*x) : 0;
-  const auto kernel = for_each(call, 1, "kernel_size", axes, {});
-  if (axes == 0 || !kernel || kernel->size() != axes) return std::nullopt;
-  const auto strides = for_each(call, 2, "stride", axes, *kernel);
-  const auto padding = for_each(call, 3, "padding", axes, Integers(axes, 0));
+  const auto windows = windows_of(call);
   const auto rounds_up = call.whole(4, "ceil_mode", 0);
   const auto counts = call.whole(5, "count_include_pad", 1);
   const bool usual = call.argument(6, "divisor_override").is_none();
-  if (!strides || !padding || !rounds_up || !counts || !usual) return std::nullopt;
-  return call.node("AveragePool", {*x},
-                   {{"kernel_shape", {}, {}, kernel},
-                    {"strides", {}, {}, strides},
-                    {"pads", {}, {}, on_both_sides(*padding)},
+  if (!windows || !rounds_up || !counts || !usual) return std::nullopt;
+  return call.node("AveragePool", {windows->x},
+                   {{"kernel_shape", {}, {}, windows->kernel},
+                    {"strides", {}, {}, windows->strides},
+                    {"pads", {}, {}, on_both_sides(windows->padding)},
                     {"ceil_mode", rounds_up},
                     {"count_include_pad", counts}});
 }

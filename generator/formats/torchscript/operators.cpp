@@ -59,24 +59,19 @@ Result subtract_from(const Torch& call) {  // rsub(a, b): b - a
   if (!a || !b || call.number(2, "alpha", 1.0) != 1.0) return std::nullopt;
   return call.node("Sub", {*b, *a});
 }
-Result pair(const Torch& call, const char* type) {
-  const auto a = call.tensor(0);
-  const auto b = call.tensor(1, "other");
-  return a && b ? Result(call.node(type, {*a, *b})) : std::nullopt;
-}
 Result multiply(const Torch& call) {
-  return pair(call, "Mul");
+  return call.node_of_two("Mul");
 }
 Result divide(const Torch& call) {
   if (!call.argument(2, "rounding_mode").is_none()) return std::nullopt;
-  return pair(call, "Div");
+  return call.node_of_two("Div");
 }
 /// Of two tensors: `max` and `min` are other things with one, and with an axis.
 Result maximum(const Torch& call) {
-  return call.argument(1, "other").is_tensor() ? pair(call, "Max") : std::nullopt;
+  return call.argument(1, "other").is_tensor() ? call.node_of_two("Max") : std::nullopt;
 }
 Result minimum(const Torch& call) {
-  return call.argument(1, "other").is_tensor() ? pair(call, "Min") : std::nullopt;
+  return call.argument(1, "other").is_tensor() ? call.node_of_two("Min") : std::nullopt;
 }
 Result reciprocal(const Torch& call) {
   const auto x = call.tensor(0);
@@ -120,7 +115,7 @@ Result addmm(const Torch& call) {  // addmm(b, x, w): beta b + alpha x w
   return call.node("Gemm", {*x, *weight, *bias}, {{"alpha", {}, alpha}, {"beta", {}, beta}});
 }
 Result matmul(const Torch& call) {
-  return pair(call, "MatMul");
+  return call.node_of_two("MatMul");
 }
 
 Result elu(const Torch& call) {

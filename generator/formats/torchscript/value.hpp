@@ -113,6 +113,8 @@ class TorchCall {
   /// ONNX's operator `type`: its output `output`.
   [[nodiscard]] OnnxValue node(const char* type, const std::vector<OnnxValue>& inputs,
                                const std::vector<Attribute>& attributes = {}, int output = 0) const;
+  /// The same of the arguments 0 and `other`; nothing if one of them is no tensor.
+  [[nodiscard]] std::optional<OnnxValue> node_of_two(const char* type) const;
   [[nodiscard]] OnnxValue constant(const std::vector<float>& numbers, const Dims& dims) const;
   [[nodiscard]] OnnxValue integers(const Integers& values) const;
   [[nodiscard]] OnnxCall::State& state() const { return state_; }

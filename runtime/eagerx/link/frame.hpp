@@ -89,9 +89,10 @@ class OutFrame {
   void clear() { size_ = 0; }
   bool empty() const { return size_ == 0; }
   std::size_t size() const { return size_; }
-  /// As many of `size` bytes as there is room for; returns how many.
+  /// As many of `size` bytes as there is room for; returns how many. Null for none of them.
   [[gnu::noinline]] std::size_t append(const std::uint8_t* bytes, std::size_t size) {
     const std::size_t count = size < Payload - size_ ? size : Payload - size_;
+    if (count == 0) return 0;  // memcpy takes no null
     std::memcpy(bytes_ + kHeaderBytes + size_, bytes, count);
     size_ += count;
     return count;
