@@ -82,6 +82,7 @@ OnnxValue TorchCall::node(const char* type, const std::vector<OnnxValue>& inputs
   for (int i = 0; i <= output; ++i) node.add_output(fmt::format("{}:{}", name_, i));
   for (const Attribute& attribute : attributes) set_attribute(node, attribute);
   std::vector<const OnnxValue*> given;
+  given.reserve(inputs.size());
   for (const OnnxValue& input : inputs) given.push_back(&input);
   const OnnxCall call(node, std::move(given), state_);
   OnnxValue first = evaluate(call);
