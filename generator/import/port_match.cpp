@@ -72,7 +72,8 @@ class Matcher {
                           outside});
       }
     }
-    std::ranges::stable_partition(result, [](const Candidate& c) { return c.used; });
+    // std::ranges' answers with a view, which clang 14 does not compile with GCC 12's library.
+    std::stable_partition(result.begin(), result.end(), [](const Candidate& c) { return c.used; });
     return result;
   }
 
@@ -82,7 +83,7 @@ class Matcher {
     std::vector<Candidate> open = candidates(side);
     std::vector<const SavedPort*> ports;
     for (const auto& port : found->second) ports.push_back(&port);
-    std::ranges::stable_partition(ports, [&](const SavedPort* port) {
+    std::stable_partition(ports.begin(), ports.end(), [&](const SavedPort* port) {
       return backup_.is_selected(section, port->name.value);
     });
     // The work grows with the third power; no object of a person has so many.

@@ -19,8 +19,10 @@ std::vector<std::string> Rebuilt::sensors(const std::string& node,
     const PortName to = parse_port(connection.to.value);
     if (connection.from.value == port && to.owner == "sensors") result.push_back(to.name);
   }
-  std::ranges::stable_partition(
-      result, [&](const std::string& sensor) { return object.is_selected("sensors", sensor); });
+  // std::ranges' answers with a view, which clang 14 does not compile with GCC 12's library.
+  std::stable_partition(result.begin(), result.end(), [&](const std::string& sensor) {
+    return object.is_selected("sensors", sensor);
+  });
   return result;
 }
 

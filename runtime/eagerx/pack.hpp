@@ -125,8 +125,8 @@ struct Pack {
 
   Pack() = default;
   /// `x` in every lane. x - 0 is x for every x; x + 0 would lose the sign of -0.
-  [[gnu::always_inline]] constexpr Pack(
-      T x) {  // NOLINT(google-explicit-constructor): numbers broadcast
+  // NOLINTNEXTLINE(google-explicit-constructor): numbers broadcast
+  [[gnu::always_inline]] constexpr Pack(T x) {
     detail::unrolled<kCount>([&](auto i) { v[i] = x - Vector{}; });
   }
   /// The numbers of another pack as T, lane by lane as `static_cast` does.

@@ -95,16 +95,8 @@ async function main(words) {
   const simulation = await load(path), {about} = simulation;
   const agent = agentOf(options, about), steps = options.steps ?? BigInt(about.steps);
   simulation.begin(options.seed, {environment: Number(options.environment)});
-  let done = 0n;
   const began = process.hrtime.bigint();
-  for (let episode = 0n; episode < options.episodes; ++episode) {
-    simulation.reset();
-    for (let left = steps; left > 0n && !simulation.ended;) {
-      const taken = BigInt(simulation.step(agent, Number(left < kMost32 ? left : kMost32)));
-      done += taken;
-      left -= taken;
-    }
-  }
+  const done = simulation.episodes(agent, options.episodes, steps);
   const seconds = Number(process.hrtime.bigint() - began) * 1e-9;
   const lines = options.hash ? [] : [
     `graph ${about.graph}`, `engine ${about.engine}`, "target wasm", `agent ${agent}`, `seed ${options.seed}`,

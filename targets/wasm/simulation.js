@@ -4,6 +4,8 @@
 
 /** What decides on actions; `hand`: the numbers of `actions`. */
 const kDrivers = ["policy", "zero", "random", "hand"];
+/** Of one call of a module. */
+const kMostSteps = 2n ** 32n - 1n;
 
 class Simulation {
   /** Of the bytes of a module. Throws Error if this machine's results would differ. */
@@ -71,6 +73,20 @@ class Simulation {
   /** At most `steps` steps, fewer if the graph's task ends the episode; how many it were. */
   step(driver, steps = 1) {
     return this.calls.eagerx_step(kDrivers.indexOf(driver), steps);
+  }
+
+  /** Whole episodes of at most `steps` steps (BigInt, as what comes back), reset included: how many steps they were. */
+  episodes(driver, episodes, steps) {
+    let done = 0n;
+    for (let episode = 0n; episode < episodes; ++episode) {
+      this.reset();
+      for (let left = steps; left > 0n && !this.ended;) {
+        const taken = BigInt(this.step(driver, Number(left < kMostSteps ? left : kMostSteps)));
+        done += taken;
+        left -= taken;
+      }
+    }
+    return done;
   }
 
   /** Whether the graph's task has ended the episode. */

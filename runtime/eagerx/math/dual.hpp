@@ -31,13 +31,13 @@ struct Dual {
   R derivative[N];
 
   Dual() = default;
+  // NOLINTBEGIN(google-explicit-constructor): numbers mix with constants
   /// A constant: all derivatives are zero.
-  constexpr Dual(R constant)  // NOLINT(google-explicit-constructor): numbers mix with constants
-      : value(constant), derivative{} {}
+  constexpr Dual(R constant) : value(constant), derivative{} {}
   template <class T>
-  requires(std::is_arithmetic_v<T> && !std::is_same_v<T, R>) constexpr Dual(
-      T constant)  // NOLINT(google-explicit-constructor): as above
+  requires(std::is_arithmetic_v<T> && !std::is_same_v<T, R>) constexpr Dual(T constant)
       : value(static_cast<LaneOf<R>>(constant)), derivative{} {}
+  // NOLINTEND(google-explicit-constructor)
   /// Refused with a reason: the derivatives would be lost.
   template <class T>
   requires std::is_arithmetic_v<T>

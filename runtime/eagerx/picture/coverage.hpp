@@ -34,10 +34,12 @@ struct Paint {
 };
 
 constexpr Paint paint_of(std::uint32_t colour, float opacity) {
+  // NOLINTBEGIN(bugprone-incorrect-roundings): the same bits everywhere, which matter more
   return {static_cast<std::uint8_t>(colour >> 16U & 0xffU),
           static_cast<std::uint8_t>(colour >> 8U & 0xffU),
           static_cast<std::uint8_t>(colour & 0xffU),
           static_cast<std::int32_t>(opacity * 256.0F + 0.5F)};
+  // NOLINTEND(bugprone-incorrect-roundings)
 }
 /// The grey of a colour (ITU-R BT.601).
 constexpr std::int32_t grey_of(const Paint& p) {

@@ -146,6 +146,7 @@ class Line {
     float scaled = value < 0.0F ? -value : value;
     for (int i = 0; i < decimals; ++i) scaled *= 10.0F;
     if (!(scaled < kLargest)) return add_all("***");
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): the same bits everywhere, which matter more
     auto whole = static_cast<std::uint32_t>(scaled + 0.5F);
     if (value < 0.0F && whole != 0) add('-');
     char digits[12] = {};

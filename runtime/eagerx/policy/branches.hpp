@@ -114,8 +114,9 @@ inline void row_sum(const float (&x)[N], float (&y)[M]) {
 /// … their mean.
 template <std::size_t N, std::size_t M>
 inline void row_mean(const float (&x)[N], float (&y)[M]) {
+  constexpr std::size_t kLength = N / M;
   row_sum(x, y);
-  for (std::size_t row = 0; row < M; ++row) y[row] = y[row] / static_cast<float>(N / M);
+  for (std::size_t row = 0; row < M; ++row) y[row] = y[row] / static_cast<float>(kLength);
 }
 
 /// … the root of the sum of their squares.

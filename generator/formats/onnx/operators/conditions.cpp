@@ -106,6 +106,7 @@ Result of_integers(const OnnxCall& call,
   Integers result;
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<std::int64_t> given;
+    given.reserve(inputs.size());
     for (const auto& one : inputs) given.push_back(at(*one, i));
     result.push_back(pick(given));
   }
