@@ -26,7 +26,8 @@ EPISODES = 20
 
 def make_model(algorithm, envs, seed):
     if algorithm == "SAC":
-        return stable_baselines3.SAC("MlpPolicy", envs, learning_rate=1e-3, gradient_steps=1, train_freq=1, learning_starts=2000,
+        # As many updates as steps of all environments.
+        return stable_baselines3.SAC("MlpPolicy", envs, learning_rate=1e-3, gradient_steps=-1, train_freq=1, learning_starts=2000,
                                      policy_kwargs={"net_arch": [64, 64]}, seed=seed, device="cpu")
     return stable_baselines3.PPO("MlpPolicy", envs, n_steps=32, batch_size=512, n_epochs=10, learning_rate=1e-3, gae_lambda=0.95,
                                  gamma=0.99, policy_kwargs={"net_arch": [64, 64]}, seed=seed, device="cpu")
@@ -34,7 +35,8 @@ def make_model(algorithm, envs, seed):
 
 def train(algorithm, steps, seed, folder):
     # SAC learns from few steps, PPO from many at once.
-    envs = VecNormalize(eagerx_gen.make_vec_env(GRAPH, n_envs=4 if algorithm == "SAC" else 256))
+    # SAC keeps old rewards, whose scale must not move meanwhile.
+    envs = VecNormalize(eagerx_gen.make_vec_env(GRAPH, n_envs=4 if algorithm == "SAC" else 256), norm_reward=algorithm != "SAC")
     model = make_model(algorithm, envs, seed)
     envs.seed(seed)
     model.learn(steps)
