@@ -110,7 +110,16 @@ class TorchReading {
     if (forward == nullptr) return std::nullopt;
     std::vector<std::string> names;
     for (const TorchFunction::Parameter& parameter : forward->parameters) {
-      if (!parameter.otherwise) names.push_back(parameter.name);
+      if (parameter.otherwise) continue;
+      names.push_back(parameter.name);
+      const bool is_self = names.size() == 1;
+      if (!is_self && !parameter.type.empty() && parameter.type != "Tensor") {
+        return refuse(problem_, "E0754",
+                      fmt::format("has a `forward` that takes `{}`, which is no tensor but {}",
+                                  printable(parameter.name), printable(parameter.type)),
+                      "export a module that keeps its state in buffers, or export it to ONNX with "
+                      "the state as an input and an output");
+      }
     }
     if (!names.empty()) names.erase(names.begin());  // self
     constexpr std::size_t kMostInputs = 3;

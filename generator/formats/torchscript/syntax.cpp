@@ -82,7 +82,7 @@ class Parser {
     while (!is(")")) {
       TorchFunction::Parameter parameter{std::string(now().text)};
       next();
-      if (take(":") && !skip_type()) return false;
+      if (take(":") && !type(parameter.type)) return false;
       if (take("=")) {
         parameter.otherwise = TorchExpression();
         if (!expression(*parameter.otherwise, 0)) return false;
@@ -91,18 +91,20 @@ class Parser {
       if (!take(",") && !is(")")) return fail("a parameter does not end");
     }
     next();
-    if (take("->") && !skip_type()) return false;
+    std::string result;
+    if (take("->") && !type(result)) return false;
     if (!want(":") || !block(made.body, indent, 0)) return false;
     if (!functions_.emplace(name, std::move(made)).second) return fail("a function comes twice");
     return true;
   }
   /// A type, up to what follows it.
-  bool skip_type() {
+  bool type(std::string& text) {
     int depth = 0;
     while (now().kind != Token::Kind::end) {
       if (depth == 0 && (is(",") || is("=") || is(")") || is(":"))) return true;
       if (is("[") || is("(")) ++depth;
       if (is("]") || is(")")) --depth;
+      text += now().text;
       next();
     }
     return fail("a type does not end");
@@ -153,7 +155,8 @@ class Parser {
       if (!expression(targets.back(), 0)) return false;
     }
     const bool typed = take(":");
-    if (typed && !skip_type()) return false;
+    std::string ignored;
+    if (typed && !type(ignored)) return false;
     if (!take("=")) {
       made.kind = Act::compute;
       return targets.size() == 1 && !typed ? true : fail("a list of values has no meaning");

@@ -54,6 +54,7 @@ struct TorchStatement {
 struct TorchFunction {
   struct Parameter {
     std::string name;
+    std::string type{};  // as it is written, without blanks; empty: none is
     std::optional<TorchExpression> otherwise{};
   };
   std::string file;  // in the archive

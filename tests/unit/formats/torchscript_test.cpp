@@ -167,14 +167,14 @@ std::string changed(const std::string& file, const std::string& ending, const st
   return test::zip(entries);
 }
 
-/// The module with tensors a [4, 8], b [8], c [2, 8], d [2] and this body of `forward`.
-std::string with_body(const std::string& body) {
+/// The module with tensors a [4, 8], b [8], c [2, 8], d [2] and this body of `forward`, which takes
+/// these inputs.
+std::string with_body(const std::string& body, const std::string& inputs = "x: Tensor") {
   return changed("by_hand_half.pt", "code/__torch__.py",
                  "class ByHand(Module):\n"
                  "  a : Tensor\n"
-                 "  def forward(self: __torch__.ByHand,\n"
-                 "    x: Tensor) -> Tensor:\n" +
-                     body);
+                 "  def forward(self: __torch__.ByHand,\n    " +
+                     inputs + ") -> Tensor:\n" + body);
 }
 std::string body_with(const std::string& line) {
   return with_body("    y = torch.add(torch.matmul(x, self.a), self.b)\n    " + line +
@@ -220,6 +220,8 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
   expect_refused(with_body("    return 3\n"), "E0754", "returns no tensor");
   expect_refused(body_with("z = torch.bitwise_not(y)"), "E0754", "`bitwise_not` in a way");
   expect_refused(body_with("z = torch.matmul(y, self.a)"), "E0618", "line 6");
+  expect_refused(with_body("    return x\n", "x: Tensor,\n    hc: Tuple[Tensor, Tensor]"), "E0754",
+                 "takes `hc`, which is no tensor but Tuple[Tensor,Tensor]");
 }
 
 TEST(TorchScript, ConditionsThatAreKnownAreFollowed) {
