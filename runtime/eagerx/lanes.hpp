@@ -17,16 +17,14 @@
 
 namespace eagerx {
 
-/// Registers of a pack. The others are at work while the first waits; g++ on AVX2 has too few
-/// registers for that and spills. Measured with tests/bench/environments; bits do not depend on it.
+/// Registers of a pack: the others are at work while the first waits. More than four are spilled,
+/// and clang 14 spills with four. Measured with tests/bench/environments; bits do not depend on it.
 #if defined(EAGERX_PACK_REGISTERS)
 inline constexpr std::size_t kPackRegisters = EAGERX_PACK_REGISTERS;
 #elif defined(__clang__)
 inline constexpr std::size_t kPackRegisters = 2;
-#elif defined(__AVX512F__)
-inline constexpr std::size_t kPackRegisters = 4;
 #else
-inline constexpr std::size_t kPackRegisters = 1;
+inline constexpr std::size_t kPackRegisters = 4;
 #endif
 
 /// Environments in a pack of numbers of type Real.
