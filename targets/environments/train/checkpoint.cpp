@@ -11,7 +11,8 @@
 namespace eagerx::train {
 namespace {
 
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 1\n";
+constexpr std::string_view kKind = "eagerx-train checkpoint ";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 2\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 std::uint64_t hash_of(std::string_view bytes) {
@@ -70,6 +71,7 @@ class Reader {
 template <class Visitor, class SomeModel, class SomeProgress>
 void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.iteration);
+  visitor(progressed.succeeded);
   visitor(progressed.curve);
   visitor(progressed.best.parameters);
   visitor(progressed.best.successes);
@@ -99,6 +101,56 @@ std::string_view next_line(std::string_view bytes, std::size_t& position) {
   return line;
 }
 
+struct Parts {
+  std::string_view conditions, interface, values;
+};
+
+Parts parts_of(std::string_view bytes, const std::string& name) {
+  if (!bytes.starts_with(kKind))
+    throw Problem(kInputOutput, "`" + name + "` is no checkpoint", kOwnFile);
+  if (!bytes.starts_with(kFirstLine))
+    throw Problem(kInputOutput, "`" + name + "` was written by another version", kOwnFile);
+  std::size_t position = kFirstLine.size();
+  Parts parts;
+  parts.conditions = next_line(bytes, position);
+  parts.interface = next_line(bytes, position);
+  const std::string_view hash = next_line(bytes, position);
+  parts.values = bytes.substr(position);
+  if (hash != fmt::format("{:016x}", hash_of(parts.values)))
+    throw Problem(kInputOutput, "`" + name + "` is damaged", kOwnFile);
+  return parts;
+}
+
+/// Of all that has a number for each parameter, action or observation.
+std::vector<std::size_t> sizes_of(const Model& model) {
+  std::vector<std::size_t> sizes = {model.actor_parameters.size(), model.critic_parameters.size(),
+                                    model.log_deviation.size()};
+  for (const auto* adam : {&model.actor_adam, &model.critic_adam, &model.deviation_adam}) {
+    sizes.push_back(adam->mean.size());
+    sizes.push_back(adam->square.size());
+  }
+  for (const auto* statistics : {&model.observations, &model.returns}) {
+    sizes.push_back(statistics->mean.size());
+    sizes.push_back(statistics->squares.size());
+  }
+  return sizes;
+}
+
+void read_values(std::string_view values, const std::string& name, Model& model,
+                 Progressed& progressed) {
+  const auto expected = sizes_of(model);
+  Reader reader(values);
+  visit(reader, model, progressed);
+  if (!reader.complete || sizes_of(model) != expected)
+    throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
+}
+
+std::string names_and_sizes(const std::vector<Space>& spaces) {
+  std::vector<std::string> texts;
+  for (const Space& space : spaces) texts.push_back(fmt::format("{}[{}]", space.name, space.size));
+  return fmt::format("{}", fmt::join(texts, " "));
+}
+
 }  // namespace
 
 std::string conditions(const Settings& settings, const std::string& contract_hash) {
@@ -106,35 +158,51 @@ std::string conditions(const Settings& settings, const std::string& contract_has
                      fmt::join(settings.hidden, ","), settings.discount);
 }
 
-std::string checkpoint_of(const std::string& conditions, const Model& model,
-                          const Progressed& progressed) {
+std::string interface_of(const Settings& settings, const Description& description) {
+  return fmt::format("observations {}, actions {}, layers {}",
+                     names_and_sizes(description.observations),
+                     names_and_sizes(description.actions), fmt::join(settings.hidden, ","));
+}
+
+std::string checkpoint_of(const std::string& conditions, const std::string& interface,
+                          const Model& model, const Progressed& progressed) {
   Writer writer;
   visit(writer, model, progressed);
-  return fmt::format("{}{}\n{:016x}\n", kFirstLine, conditions, hash_of(writer.bytes)) +
+  return fmt::format("{}{}\n{}\n{:016x}\n", kFirstLine, conditions, interface,
+                     hash_of(writer.bytes)) +
          writer.bytes;
 }
 
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              Model& model, Progressed& progressed) {
-  if (!bytes.starts_with(kFirstLine)) {
-    throw Problem(kInputOutput, "`" + name + "` is no checkpoint", kOwnFile);
-  }
-  std::size_t position = kFirstLine.size();
-  const std::string_view theirs = next_line(bytes, position);
-  const std::string_view hash = next_line(bytes, position);
-  const std::string_view values = std::string_view(bytes).substr(position);
-  if (hash != fmt::format("{:016x}", hash_of(values))) {
-    throw Problem(kInputOutput, "`" + name + "` is damaged", kOwnFile);
-  }
-  if (theirs != conditions) {
+  const Parts parts = parts_of(bytes, name);
+  if (parts.conditions != conditions) {
     throw Problem(kInputOutput,
-                  fmt::format("`{}` belongs to another training: {}\nthis one is: {}", name, theirs,
-                              conditions),
-                  "resume with the same graph and options");
+                  fmt::format("`{}` belongs to another training: {}\nthis one is: {}", name,
+                              parts.conditions, conditions),
+                  "resume with the same graph and options, or begin with what it has learnt: "
+                  "`--from`");
   }
-  Reader reader(values);
-  visit(reader, model, progressed);
-  if (!reader.complete) throw Problem(kInputOutput, "`" + name + "` is too short", kOwnFile);
+  read_values(parts.values, name, model, progressed);
+}
+
+void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
+                Model& model) {
+  const Parts parts = parts_of(bytes, name);
+  if (parts.interface != interface) {
+    throw Problem(kInputOutput,
+                  fmt::format("`{}` is of other networks: {}\nthis training has: {}", name,
+                              parts.interface, interface),
+                  "give the same --hidden, and a graph with the same observations and actions");
+  }
+  Model learnt = model;
+  Progressed ignored;
+  read_values(parts.values, name, learnt, ignored);
+  model.actor_parameters = std::move(learnt.actor_parameters);
+  model.critic_parameters = std::move(learnt.critic_parameters);
+  model.log_deviation = std::move(learnt.log_deviation);
+  model.observations = std::move(learnt.observations);
+  model.returns = std::move(learnt.returns);
 }
 
 }  // namespace eagerx::train

@@ -19,6 +19,7 @@ struct Best {
 
 struct Progressed {
   std::uint32_t iteration = 0;
+  bool succeeded = false;  // and so ended
   std::vector<CurvePoint> curve;
   Best best;
 };
@@ -26,12 +27,22 @@ struct Progressed {
 /// What has to be the same when a training goes on, in words: "seed 1, layers 64 64, …".
 std::string conditions(const Settings& settings, const std::string& contract_hash);
 
-std::string checkpoint_of(const std::string& conditions, const Model& model,
-                          const Progressed& progressed);
+/// What has to be the same when another training begins with what was learnt, in words:
+/// "observations angle[2], actions voltage[1], layers 64,64".
+std::string interface_of(const Settings& settings, const Description& description);
+
+std::string checkpoint_of(const std::string& conditions, const std::string& interface,
+                          const Model& model, const Progressed& progressed);
 
 /// Fills model and progress. `name` is the file's, for messages. Throws Problem if `bytes` are no
 /// checkpoint, are damaged, or belong to another training.
 void restore(const std::string& bytes, const std::string& name, const std::string& conditions,
              Model& model, Progressed& progressed);
+
+/// Fills `model` with what another training has learnt: actor, critic, deviation of the actions and
+/// statistics. Adam and its step size begin anew. Throws Problem as restore() does, and if the
+/// networks are of another interface.
+void begin_from(const std::string& bytes, const std::string& name, const std::string& interface,
+                Model& model);
 
 }  // namespace eagerx::train

@@ -74,10 +74,12 @@ const auto& table() {
              [](Options& o, const std::string& v) {
                o.settings.discount = number<float>(v, 0.0F, 0.99999F);
              }},
-      Option{"--checkpoint", "FILE", "write here, every few seconds, what --resume needs",
+      Option{"--checkpoint", "FILE", "write here, every few seconds, what --resume and --from need",
              [](Options& o, const std::string& v) { o.checkpoint = v; }},
       Option{"--resume", "FILE", "go on from a checkpoint: the policy is that of one long run",
              [](Options& o, const std::string& v) { o.resume = v; }},
+      Option{"--from", "FILE", "begin with what another training has learnt: its checkpoint",
+             [](Options& o, const std::string& v) { o.from = v; }},
       Option{"--csv", "FILE", "write the learning curve as a table",
              [](Options& o, const std::string& v) { o.csv = v; }},
       Option{"--curve", "FILE", "write the learning curve as a picture (SVG)",
@@ -125,6 +127,8 @@ Options parse_options(int argc, const char* const* argv) {
     if (equals == std::string::npos && i + 1 == argc) refuse("`" + word + "` needs a value");
     option->set(options, equals == std::string::npos ? argv[++i] : word.substr(equals + 1));
   }
+  if (!options.resume.empty() && !options.from.empty())
+    refuse("--resume goes on with one training and --from begins another: give one of them");
   if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
   return options;
 }

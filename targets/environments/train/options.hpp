@@ -10,10 +10,10 @@ namespace eagerx::train {
 struct Options {
   std::string library;
   std::string output = "policy.safetensors";
-  std::string checkpoint, resume, csv, curve;  // empty: none
-  std::string kernels;                         // empty: the fastest
-  std::uint64_t steps = 5'000'000;             // of all environments, at most
-  unsigned threads = 0;                        // 0: one for each core
+  std::string checkpoint, resume, from, csv, curve;  // empty: none
+  std::string kernels;                               // empty: the fastest
+  std::uint64_t steps = 5'000'000;                   // of all environments, at most
+  unsigned threads = 0;                              // 0: one for each core
   bool is_quiet = false;
   bool wants_help = false;
   bool only_checks = false;  // options and the places of files; there is no library yet

@@ -91,7 +91,9 @@ void check_files(const Options& options) {
   for (const std::string* path : {&options.checkpoint, &options.csv, &options.curve}) {
     if (!path->empty()) check_writable(*path);
   }
-  if (!options.resume.empty()) read_file(options.resume);
+  for (const std::string* path : {&options.resume, &options.from}) {
+    if (!path->empty()) read_file(*path);
+  }
 }
 
 Training::Training(const Options& options, const Library& library)
@@ -101,6 +103,7 @@ Training::Training(const Options& options, const Library& library)
       longest_(checked(library).episode_steps > 0 ? 0 : kLongest),
       era_(era_of(options.settings, library.description())),
       conditions_(conditions(options.settings, library.description().hash)),
+      interface_(interface_of(options.settings, library.description())),
       head_(library.description()),
       team_(chosen_threads(options.threads)),
       ppo_(options.settings, library, kernels_, team_, longest_),
@@ -110,6 +113,8 @@ Training::Training(const Options& options, const Library& library)
     restore(read_file(options.resume), options.resume, conditions_, ppo_.model(), progressed_);
     ppo_.iteration = progressed_.iteration;
   }
+  if (!options.from.empty())
+    begin_from(read_file(options.from), options.from, interface_, ppo_.model());
   progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
 }
 
@@ -133,6 +138,7 @@ int Training::run(const volatile int& is_interrupted) {
 }
 
 Ending Training::learn(const volatile int& is_interrupted) {
+  if (progressed_.succeeded) return Ending::success;
   while (steps() < options_.steps) {
     if (is_interrupted != 0) return Ending::interrupted;
     if (ppo_.iteration % era_ == 0) start_era();
@@ -140,16 +146,24 @@ Ending Training::learn(const volatile int& is_interrupted) {
     const bool is_done = ppo_.iteration % kEvaluationEvery == 0 && evaluate(point);
     progressed_.curve.push_back(point);
     progress_.show(point);
-    if (is_done) return Ending::success;
+    if (!is_done) continue;
+    progressed_.succeeded = true;
+    write_checkpoint();
+    return Ending::success;
   }
   return Ending::steps;
 }
 
 void Training::start_era() {
   ppo_.begin_era(ppo_.iteration / era_);
-  if (options_.checkpoint.empty() || ppo_.iteration == 0) return;
+  if (ppo_.iteration > 0) write_checkpoint();
+}
+
+void Training::write_checkpoint() {
+  if (options_.checkpoint.empty()) return;
   progressed_.iteration = ppo_.iteration;
-  write_file(options_.checkpoint, checkpoint_of(conditions_, ppo_.model(), progressed_));
+  write_file(options_.checkpoint,
+             checkpoint_of(conditions_, interface_, ppo_.model(), progressed_));
 }
 
 CurvePoint Training::note(const Ppo::Result& result) {

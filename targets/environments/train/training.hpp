@@ -26,6 +26,7 @@ class Training {
  private:
   Ending learn(const volatile int& is_interrupted);
   void start_era();
+  void write_checkpoint();
   CurvePoint note(const Ppo::Result& result);
   bool evaluate(CurvePoint& point);
   Policy policy(std::vector<float> parameters) const;
@@ -39,7 +40,7 @@ class Training {
   const Kernels& kernels_;
   const std::uint32_t longest_;  // steps of an episode, besides the task's limit
   const std::uint32_t era_;      // iterations between two starts of all environments
-  const std::string conditions_;
+  const std::string conditions_, interface_;
   const Head head_;
   Team team_;
   Ppo ppo_;

@@ -91,6 +91,25 @@ TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
   EXPECT_EQ(read_file(second.csv), curve);
 }
 
+TEST_F(TrainTraining, FineTuningBeginsWithWhatWasLearnt) {
+  Options first = options(200);
+  first.threads = 2;
+  first.checkpoint = path("checkpoint");
+  const std::string learnt = trained(first);  // succeeds
+  Options again = first;
+  again.resume = first.checkpoint;
+  EXPECT_EQ(trained(again), learnt) << "what has succeeded does not go on";
+  Options second = options(5);
+  second.settings.seed = 7;
+  const int never = 0;
+  EXPECT_EQ(Training(second, pendulum()).run(never), kProblems) << "not from nothing";
+  second.from = first.checkpoint;
+  EXPECT_EQ(Training(second, pendulum()).run(never), kDone);
+  const std::string tuned = read_file(second.output);
+  second.threads = 3;
+  EXPECT_EQ(trained(second), tuned);
+}
+
 TEST_F(TrainTraining, LearnsToSwingUp) {
   Options all = options(200);
   all.threads = 2;
@@ -145,6 +164,11 @@ TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   other.resume = first.checkpoint;
   other.settings.seed = 5;
   EXPECT_NE(said([&] { Training(other, pendulum()); }).find("belongs to another training"),
+            std::string::npos);
+  Options wider = options(1);
+  wider.settings.hidden = {9};
+  wider.from = first.checkpoint;
+  EXPECT_NE(said([&] { Training(wider, pendulum()); }).find("is of other networks"),
             std::string::npos);
   std::string bytes = read_file(first.checkpoint);
   bytes.back() = static_cast<char>(bytes.back() + 1);
