@@ -111,6 +111,7 @@ class WorldCheck {
         {fmt::format("`{}{}` is {}", use_.out, action.name, action.raw.describe()), action.span,
          ""});
     std::vector<std::uint32_t> highs;
+    highs.reserve(theirs.size());
     for (const std::uint32_t count : theirs) highs.push_back(count - 1);
     problem.help =
         theirs.empty()

@@ -174,7 +174,7 @@ class Builder {
       words.insert(words.end(), {"-G", "Ninja"});
     if (!tree_.toolchain.empty()) words.insert(words.end(), {"--toolchain", tree_.toolchain});
     for (const auto& [name, value] : tree_.settings)
-      words.insert(words.end(), {"-D", name + "=" + value});
+      words.insert(words.end(), {"-D", fmt::format("{}={}", name, value)});
     if (const std::string package = package_folder(); !package.empty())
       words.insert(words.end(), {"-D", "eagerx_gen_DIR=" + package});
     const char* home = std::getenv("HOME");

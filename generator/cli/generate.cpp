@@ -64,7 +64,8 @@ void check_filled(Run& run, const Target& target) {
   std::vector<Diagnostic::Note> blanks;
   for (const std::string& file : files) {
     const std::string text = load_file(file, ReadLimits().max_bytes).bytes;
-    if (text.find("FILL_IN") == text.npos && text.find("#error") == text.npos) continue;
+    if (text.find("FILL_IN") == std::string::npos && text.find("#error") == std::string::npos)
+      continue;
     const FileId id = run.sources.add(file, text);
     const auto lines = std::ranges::count(text, '\n');
     for (std::uint32_t line = 1; line <= lines; ++line) {

@@ -25,14 +25,14 @@ struct Included {
 std::optional<Included> included(std::string_view line) {
   constexpr std::string_view kSpace = " \t";
   std::size_t at = line.find_first_not_of(kSpace);
-  if (at == line.npos || line[at] != '#') return std::nullopt;
+  if (at == std::string_view::npos || line[at] != '#') return std::nullopt;
   at = line.find_first_not_of(kSpace, at + 1);
   constexpr std::string_view kInclude = "include";
-  if (at == line.npos || !line.substr(at).starts_with(kInclude)) return std::nullopt;
+  if (at == std::string_view::npos || !line.substr(at).starts_with(kInclude)) return std::nullopt;
   at = line.find_first_not_of(kSpace, at + kInclude.size());
-  if (at == line.npos || (line[at] != '"' && line[at] != '<')) return std::nullopt;
+  if (at == std::string_view::npos || (line[at] != '"' && line[at] != '<')) return std::nullopt;
   const std::size_t to = line.find(line[at] == '"' ? '"' : '>', at + 1);
-  if (to == line.npos || to == at + 1) return std::nullopt;
+  if (to == std::string_view::npos || to == at + 1) return std::nullopt;
   return Included{at + 1, to, line[at] == '"'};
 }
 

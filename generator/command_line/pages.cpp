@@ -57,7 +57,7 @@ std::vector<std::string> names_of_option(const Argument& argument) {
 
 class ManualPage {
  public:
-  ManualPage(const CommandLine& line, std::string title) : line_(line), title_(std::move(title)) {
+  ManualPage(const CommandLine& line, std::string title) : title_(std::move(title)) {
     text_ = fmt::format(".TH {} 1 \"\" \"{}\" \"{}\"\n", upper(roff(title_)), roff(line.version),
                         roff(line.top.name));
   }
@@ -120,7 +120,6 @@ class ManualPage {
     return fmt::format(".TP\n{}\n{}\n", names, roff(argument.about));
   }
 
-  const CommandLine& line_;
   std::string title_;
   std::string text_;
 };
@@ -155,6 +154,7 @@ bool is_file(const Argument& argument) {
 
 std::string words_of(const std::vector<Command>& commands) {
   std::vector<std::string> names;
+  names.reserve(commands.size());
   for (const Command& command : commands) names.push_back(command.name);
   return fmt::format("{}", fmt::join(names, " "));
 }

@@ -16,7 +16,7 @@ std::string lacks_messages(const Plan& plan, const ProgramNames& names, std::siz
   }
   if (terms.size() == 1) return terms.front();
   for (auto& term : terms) {
-    if (term.find("&&") != std::string::npos) term = "(" + term + ")";
+    if (term.find("&&") != std::string::npos) term = fmt::format("({})", term);
   }
   return fmt::format("{}", fmt::join(terms, " || "));
 }

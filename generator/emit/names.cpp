@@ -29,7 +29,7 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
   const auto processor_type = [&](const std::optional<Processor>& processor,
                                   const std::string& wanted) -> std::string {
     if (!processor) return "";
-    const std::string whole = type(wanted);
+    std::string whole = type(wanted);
     for (std::size_t i = 0; !processor->before.empty() && i <= processor->before.size(); ++i)
       processor_stages[whole].push_back(type(fmt::format("{}{}", wanted, i + 1)));
     return whole;

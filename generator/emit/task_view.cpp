@@ -194,6 +194,7 @@ class TaskView {
 
 View names_view(const std::vector<TaskExpression>& expressions) {
   std::vector<std::string> names;
+  names.reserve(expressions.size());
   for (const auto& expression : expressions) names.push_back(cpp_string(expression.name));
   View view = object();
   view.set("names", joined(names));

@@ -77,9 +77,9 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 /// Digits behind the point; as many as can be for a number with an exponent.
 std::size_t decimals_of(std::string_view cell) {
   constexpr std::size_t kMost = 17;
-  if (cell.find_first_of("eE") != cell.npos) return kMost;
+  if (cell.find_first_of("eE") != std::string_view::npos) return kMost;
   const std::size_t point = cell.find('.');
-  return point == cell.npos ? 0 : cell.size() - point - 1;
+  return point == std::string_view::npos ? 0 : cell.size() - point - 1;
 }
 
 std::optional<GoldenRows> rows_of_csv(std::string_view text, PolicyProblem& problem) {

@@ -86,7 +86,7 @@ class ConnectionTranslator {
     const Entity* entity = t_.entity(end.entity);
     if (entity == nullptr) return {};
     const PortManifest* port = manifest_port(*entity, end.section, end.port);
-    const ConnectionSettings own = port != nullptr ? port->settings : ConnectionSettings();
+    ConnectionSettings own = port != nullptr ? port->settings : ConnectionSettings();
     if (end.section != "actuators") return own;
     // Of the engine node, then the actuator's, then of the connection between them.
     const ObjectEngine* implementation = t_.implementation(*entity);

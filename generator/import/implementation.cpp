@@ -117,7 +117,7 @@ class ImplementationWriter {
   /// As saved, else that of the sensor which the output stands for.
   [[nodiscard]] std::optional<SpaceSpec> space_of(const InsidePort& place, const SavedPort* port,
                                                   const PortMatch& match) const {
-    const auto own = port != nullptr ? whole_space(*port) : std::nullopt;
+    auto own = port != nullptr ? whole_space(*port) : std::nullopt;
     if (own && own->shape) return own;
     for (const auto& [sensor, inside] : match.sensors) {
       const SavedPort* outside = backup_.port("sensors", sensor);

@@ -24,6 +24,7 @@ struct Json {
 
   // Defined where JsonMember is known: libstdc++'s vectors need it to be destroyed.
   Json();
+  // NOLINTBEGIN(google-explicit-constructor): numbers, texts and lists are JSON as they stand
   Json(std::nullptr_t /*null*/);
   Json(bool truth);
   template <std::integral Whole>
@@ -35,6 +36,7 @@ struct Json {
   Json(Object members);
   Json(std::initializer_list<JsonMember> members);
   Json(const std::vector<std::string>& texts);
+  // NOLINTEND(google-explicit-constructor)
 
   static Json object();
   static Json list();

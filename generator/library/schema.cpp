@@ -135,6 +135,7 @@ Json ports_schema(const std::vector<PortManifest>& ports, bool list) {
 Json type_schema(const Library& library, EntityKind kind) {
   const std::vector<std::string> ids = library.ids(kind);
   std::vector<std::string> summaries;
+  summaries.reserve(ids.size());
   for (const std::string& id : ids) summaries.push_back(library.find(id)->summary);
   Json schema;
   schema["enum"] = ids;

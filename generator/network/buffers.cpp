@@ -19,7 +19,7 @@ std::vector<std::size_t> last_uses_of_memory(const Network& network) {
   std::vector<std::size_t> last(network.layers.size() + 1, 0);
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     for (const std::int32_t from : network.taken_by(i)) {
-      last[static_cast<std::size_t>(maker_of(network, from) + 1)] = i;
+      last[static_cast<std::size_t>(std::int64_t{maker_of(network, from)} + 1)] = i;
     }
   }
   return last;
@@ -48,7 +48,7 @@ std::vector<std::size_t> last_uses_of(const Network& network) {
   std::vector<std::size_t> last(network.layers.size() + 1, network.layers.size());
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     for (const std::int32_t from : network.taken_by(i)) {
-      last[static_cast<std::size_t>(from + 1)] = i;
+      last[static_cast<std::size_t>(std::int64_t{from} + 1)] = i;
     }
   }
   return last;

@@ -124,11 +124,11 @@ std::vector<Real> run_layers(const Network& network, std::vector<Real> input, Me
   for (std::size_t i = 0; i < network.layers.size(); ++i) {
     std::vector<Real> x;
     for (const std::int32_t from : network.taken_by(i)) {
-      std::vector<Real>& value = values[static_cast<std::size_t>(from + 1)];
+      std::vector<Real>& value = values[static_cast<std::size_t>(std::int64_t{from} + 1)];
       x.insert(x.end(), value.begin(), value.end());
     }
     for (const std::int32_t from : network.taken_by(i)) {
-      const auto k = static_cast<std::size_t>(from + 1);
+      const auto k = static_cast<std::size_t>(std::int64_t{from} + 1);
       if (last_uses[k] == i) std::vector<Real>().swap(values[k]);
     }
     values[i + 1] = step(network.layers[i], x, (*memory)[i]);
@@ -198,6 +198,7 @@ std::optional<std::vector<double>> action_of(const Network& network,
   if (network.action_kind() == ActionKind::argmax) return choices_among(network, outputs);
   if (network.action_kind() == ActionKind::binary) {
     std::vector<double> bits;
+    bits.reserve(outputs.size());
     for (const double output : outputs) bits.push_back(output > 0.0 ? 1.0 : 0.0);
     return bits;
   }

@@ -7,6 +7,7 @@
 #include <runtime/host/trace/scene_line.hpp>
 #include <string>
 
+#include "generator/json/base64.hpp"
 #include "generator/page/page.hpp"
 
 namespace eagerx::gen {

@@ -9,7 +9,14 @@
 namespace eagerx::gen {
 namespace {
 
-using namespace picture_size;
+using picture_size::between_boxes;
+using picture_size::between_layers;
+using picture_size::detail;
+using picture_size::header;
+using picture_size::lane;
+using picture_size::margin;
+using picture_size::padding;
+using picture_size::row;
 
 constexpr std::size_t kLongestText = 40;  // code points
 

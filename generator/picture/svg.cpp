@@ -9,7 +9,8 @@
 namespace eagerx::gen {
 namespace {
 
-using namespace picture_size;
+using picture_size::detail;
+using picture_size::padding;
 
 struct Look {
   BoxKind kind;

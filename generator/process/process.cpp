@@ -21,6 +21,7 @@ constexpr int kNotStarted = 127;
 [[noreturn]] void become(const std::vector<std::string>& command, const ProcessOptions& options,
                          int output) {
   std::vector<char*> arguments;
+  arguments.reserve(command.size() + 1);
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
   bool good = setpgid(0, 0) == 0 && setenv("LC_ALL", "C", 1) == 0;
@@ -125,7 +126,7 @@ std::string find_program(const std::string& name) {
   std::string_view folders = variable != nullptr ? variable : "";
   while (!name.empty() && !folders.empty()) {
     const std::size_t end = std::min(folders.find(':'), folders.size());
-    const std::string path = std::string(folders.substr(0, end)) + "/" + name;
+    std::string path = std::string(folders.substr(0, end)) + "/" + name;
     if (end > 0 && is_program(path)) return path;
     folders.remove_prefix(std::min(end + 1, folders.size()));
   }

@@ -32,6 +32,7 @@ std::optional<std::vector<double>> value_of(const std::string& name, const Space
 
 YamlValue list_of(const std::vector<double>& values, Span span) {
   std::vector<YamlValue> items;
+  items.reserve(values.size());
   for (const double value : values) items.push_back(made_scalar(fmt::format("{}", value), span));
   return made_list(std::move(items), span);
 }

@@ -174,7 +174,7 @@ class Measurement {
         return {true, *node};
     }
     for (const auto& frame : frames) {
-      const Owner owner = owner_of_file(frame);
+      Owner owner = owner_of_file(frame);
       if (!owner.name.empty()) return owner;
     }
     return {false, "libraries"};

@@ -52,6 +52,7 @@ std::optional<Dtype> dtype_of(std::string_view name) {
 const std::vector<std::string>& dtype_names() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names;
+    names.reserve(kFacts.size());
     for (const auto& each : kFacts) names.emplace_back(each.name);
     return names;
   }();

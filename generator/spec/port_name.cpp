@@ -11,7 +11,7 @@ std::string PortName::within_owner() const {
 PortName parse_port(std::string_view text) {
   PortName port;
   const auto take = [&text] {
-    const std::string part(text.substr(0, text.find('.')));
+    std::string part(text.substr(0, text.find('.')));
     text.remove_prefix(std::min(part.size() + 1, text.size()));
     return part;
   };

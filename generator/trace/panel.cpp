@@ -24,7 +24,8 @@ std::vector<std::string> parts_of(const std::string& name) {
 
 bool has_parts(const std::string& channel, const std::vector<std::string>& wanted) {
   const std::vector<std::string> parts = parts_of(channel);
-  return !std::ranges::search(parts, wanted).empty();
+  // std::ranges' answers with a view, which clang 14 does not compile with GCC 12's library.
+  return std::search(parts.begin(), parts.end(), wanted.begin(), wanted.end()) != parts.end();
 }
 
 std::string list_of(const std::vector<std::string>& names) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "generator/trace/axis.hpp"
 
@@ -77,7 +78,7 @@ void draw(const PlotLine& line, const PlotRange& time, const PlotRange& range, D
       std::size_t before = y;
       for (std::size_t column = x + 1; column <= to_x; ++column) {
         const double rise = slope * static_cast<double>(column - x);
-        const auto now = static_cast<std::size_t>(static_cast<double>(y) + rise + 0.5);
+        const auto now = static_cast<std::size_t>(std::floor(static_cast<double>(y) + rise + 0.5));
         dots.line(column, before, now);
         before = now;
       }

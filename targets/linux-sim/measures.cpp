@@ -57,6 +57,7 @@ int Measures::variable_of(const std::string& name, std::size_t index, bool index
                                     [&](const Readable& each) { return each.name == name; });
     if (found == readables.end()) {
       std::vector<std::string> names;
+      names.reserve(readables.size());
       for (const Readable& each : readables) names.push_back(each.name);
       const std::string near = nearest_name(name, names);
       std::string list = "time";
@@ -103,12 +104,11 @@ std::string Measures::prepare(const std::string& until, const std::vector<std::s
   };
   if (!until.empty()) {
     has_until_ = true;
-    const std::string problem = read("--until", until, until_, true);
+    std::string problem = read("--until", until, until_, true);
     if (!problem.empty()) return problem;
   }
   for (const std::string& text : measures) {
-    const std::string problem =
-        read("--measure", text, quantities_.emplace_back().expression, false);
+    std::string problem = read("--measure", text, quantities_.emplace_back().expression, false);
     if (!problem.empty()) return problem;
   }
   return {};

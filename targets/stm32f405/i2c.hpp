@@ -155,7 +155,7 @@ class I2c {
   BusError receive(std::uint8_t address, std::uint8_t* in, std::size_t m) {
     const std::uint32_t mode = m == 1 ? 0 : m == 2 ? kAcknowledge | kAcknowledgeNext : kAcknowledge;
     change_bits<Memory>(reg(kControl1), kAcknowledge | kAcknowledgeNext, mode);
-    BusError error = begin(static_cast<std::uint8_t>(address << 1U | 1U));
+    BusError error = begin(static_cast<std::uint8_t>(unsigned{address} << 1U | 1U));
     if (error != BusError::none) return error;
     static_cast<void>(Memory::read(reg(kStatus2)));
     std::size_t i = 0;

@@ -284,9 +284,8 @@ class Layouts {
 }  // namespace
 
 bool is_critic(std::string_view name) {
-  return name.find("critic") != name.npos || name.find("value") != name.npos ||
-         name.find("qf") != name.npos || name.find("vf") != name.npos ||
-         name.starts_with("memory_c");
+  const auto has = [&](std::string_view part) { return name.find(part) != std::string_view::npos; };
+  return has("critic") || has("value") || has("qf") || has("vf") || name.starts_with("memory_c");
 }
 
 std::optional<ActorLayout> find_actor(const TensorTable& table, bool is_zip,

@@ -87,6 +87,7 @@ bool add_one_hot(const ActorParts& parts) {
   join.takes = {last, last + 1};
   parts.network.layers.push_back(std::move(join));
   std::vector<std::uint32_t> from;
+  from.reserve(order.size());
   for (const auto& [is_choice, at] : order) from.push_back(is_choice ? at : ones + at);
   parts.network.layers.push_back(reorder(ones + rest, std::move(from)));
   return true;

@@ -11,7 +11,7 @@ namespace {
 
 /// Whether a tensor that nothing has read is for training only.
 bool may_be_left(const ActorParts& parts, const ActorLayout& layout, std::string_view name) {
-  const auto has = [&](std::string_view part) { return name.find(part) != name.npos; };
+  const auto has = [&](std::string_view part) { return name.find(part) != std::string_view::npos; };
   constexpr std::array kParts = {"critic",
                                  "value",
                                  "vf_",

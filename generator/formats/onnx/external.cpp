@@ -83,7 +83,7 @@ class External {
   static bool is_beside(std::string_view name) {
     constexpr std::size_t kLongest = 255;
     return name.size() <= kLongest && name != "." && name != ".." &&
-           name.find_first_of(std::string_view("/\\\0", 3)) == name.npos;
+           name.find_first_of(std::string_view("/\\\0", 3)) == std::string_view::npos;
   }
 
   const std::string* file(const onnx::TensorProto& tensor, std::string name) {

@@ -41,7 +41,8 @@ bool is_action(std::string_view name) {
 
 bool has_part(std::string_view name, const auto& parts) {
   const std::string text = lower(name);
-  return std::ranges::any_of(parts, [&](const char* part) { return text.find(part) != text.npos; });
+  return std::ranges::any_of(
+      parts, [&](const char* part) { return text.find(part) != std::string::npos; });
 }
 
 /// Weights that take no part in a deterministic action, by their names.

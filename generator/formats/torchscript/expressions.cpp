@@ -60,7 +60,7 @@ std::string dotted_name(const TorchExpression& expression) {
   const TorchExpression* at = &expression;
   std::string name;
   while (at->kind == Syntax::attribute) {
-    name = "." + at->text + name;
+    name.insert(0, "." + at->text);
     at = &at->parts.front();
   }
   return at->kind == Syntax::name ? at->text + name : std::string();

@@ -31,6 +31,7 @@ std::nullopt_t TorchInterpreter::fail(const std::string& what) {
 std::optional<TorchValue> TorchInterpreter::run(const std::vector<OnnxValue>& inputs) {
   const TorchValue module = TorchValue::with(Held::module, archive_.pickle(0).root);
   std::vector<TorchValue> arguments;
+  arguments.reserve(inputs.size());
   for (const OnnxValue& input : inputs) arguments.push_back(TorchValue::of(input));
   return method(module, "forward", std::move(arguments), {});
 }

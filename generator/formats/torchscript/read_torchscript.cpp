@@ -181,6 +181,7 @@ class TorchReading {
     }
     if (output_.empty() && results.size() == 1) return results.front().value;
     std::vector<std::string> texts;
+    texts.reserve(results.size());
     for (const TorchResult& result : results) texts.push_back(shown(result));
     const TorchValue* action = nullptr;
     for (const TorchResult& result : results) {

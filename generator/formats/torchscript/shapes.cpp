@@ -69,7 +69,7 @@ Result unsqueeze(const Torch& call) {
   return x && axis ? Result(call.node("Unsqueeze", {*x}, {{"axes", {}, {}, axis}})) : std::nullopt;
 }
 Result squeeze(const Torch& call) {
-  const auto x = call.tensor(0);
+  auto x = call.tensor(0);
   if (!x) return std::nullopt;
   if (call.argument(1, "dim").is_none()) return call.node("Squeeze", {*x});
   const auto axis = torch_axis(*x, call.whole(1, "dim", std::nullopt));

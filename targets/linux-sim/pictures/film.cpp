@@ -74,6 +74,7 @@ std::string Film::open(const std::string& path, int width, int height, const std
   if (pipe2(ends, O_CLOEXEC) != 0)
     return "error: cannot start ffmpeg: " + std::string(std::strerror(errno));
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   child_ = fork();

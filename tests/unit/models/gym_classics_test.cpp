@@ -48,9 +48,9 @@ TYPED_TEST(GymClassics, StepAsGymnasiumDoes) {
     const auto outcome = TypeParam::step(state, action, TypeParam::default_attributes());
     for (std::size_t i = 0; i < kStates; ++i) {
       const double expected = number(2 + kStates + i);
-      EXPECT_NEAR(double{state[i]}, expected, tolerance * (1.0 + std::abs(expected)));
+      EXPECT_NEAR(static_cast<double>(state[i]), expected, tolerance * (1.0 + std::abs(expected)));
     }
-    EXPECT_NEAR(double{outcome.reward}, number(2 + 2 * kStates), 100.0 * tolerance);
+    EXPECT_NEAR(static_cast<double>(outcome.reward), number(2 + 2 * kStates), 100.0 * tolerance);
     EXPECT_EQ(outcome.terminated, row.back() == "1");
     EXPECT_FALSE(outcome.truncated);
     ++steps;

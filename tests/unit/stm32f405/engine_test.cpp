@@ -105,8 +105,8 @@ TEST_F(Stm32Engine, MeasuresAndActsThroughTheRegisters) {
     act(n % 100 < 50 ? 1.5F : -1.5F);
     engine.callback(Tick{n}, simulator);
     ASSERT_FALSE(engine.is_safe()) << n;
-    const double error =
-        std::remainder(double{simulator.value(0)} - pendulum.theta(), 2 * std::numbers::pi);
+    const double error = std::remainder(static_cast<double>(simulator.value(0)) - pendulum.theta(),
+                                        2 * std::numbers::pi);
     ASSERT_LE(std::abs(error), kCount) << n;
     // One step later it is what was told at the instant before.
     ASSERT_NEAR(pendulum.voltage(), n % 100 < 50 ? 1.5 : -1.5, 0.0011) << n;

@@ -177,7 +177,7 @@ TEST(HostLink, AnInterruptDoesNotWaitForASilentBoard) {
   host.set_time_limit(5000 * kMs);
   EXPECT_FALSE(host.open({1, 1}, 1));
   EXPECT_GE(host.port.now, 5000 * kMs) << "nobody is in a hurry";
-  for (const std::uint64_t at : {0, 600}) {
+  for (const std::uint64_t at : {0U, 600U}) {
     host.port.now = 0;
     host.port.interrupted_ns = at * kMs;
     EXPECT_FALSE(host.open({1, 1}, 1));

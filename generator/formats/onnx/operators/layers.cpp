@@ -64,13 +64,13 @@ OnnxValue product_of_rows(const OnnxCall& call, const OnnxValue& data, const Onn
   }
   const std::int64_t most = std::max(length, outputs);
   if (most > kMaxValues / rows || !call.spend(rows * (length + outputs))) return call.too_much();
-  const OnnxValue columns = reordered(call, data, turned(rows, length), {1, length, rows});
+  OnnxValue columns = reordered(call, data, turned(rows, length), {1, length, rows});
   if (columns.kind != Kind::data) return columns;
   KernelShape kernel;
   kernel.channels = static_cast<std::uint32_t>(length);
   kernel.width = kernel.out_width = static_cast<std::uint32_t>(rows);
   OnnxConvolution work{{kernel, 1, static_cast<std::uint32_t>(outputs)}, dense.weights, dense.bias};
-  const OnnxValue made = call.data_after(columns.step, std::move(work), {1, outputs, rows});
+  OnnxValue made = call.data_after(columns.step, std::move(work), {1, outputs, rows});
   if (made.kind != Kind::data) return made;
   Dims result = *data.shape;
   result.back() = outputs;

@@ -169,7 +169,7 @@ std::pair<std::int32_t, Reorder> origin_of(const OnnxCall& call, const OnnxValue
 /// Values of several layers side by side, each of `rows` rows.
 OnnxValue joined_branches(const OnnxCall& call, const std::vector<OnnxValue>& values,
                           std::int64_t rows, Dims shape) {
-  const OnnxValue whole = call.data_of(values, Combination::Operation::join, shape);
+  OnnxValue whole = call.data_of(values, Combination::Operation::join, shape);
   if (rows == 1 || whole.kind != Kind::data) return whole;
   Reorder order;
   for (std::int64_t row = 0; row < rows; ++row) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 
 #include "generator/formats/onnx/operators/value.hpp"
 
@@ -115,9 +116,7 @@ std::optional<TimeMask> time_of_reduce(const OnnxCall& call, const OnnxValue& /*
 }
 std::optional<TimeMask> time_of_unsqueeze(const OnnxCall& call, const OnnxValue& result) {
   const auto axes = axes_from_back(call, rank_of(result)).value_or(Integers{});
-  TimeMask mask = call.input(0).time;
-  for (auto axis = axes.rbegin(); axis != axes.rend(); ++axis) mask = with_axis(mask, *axis);
-  return mask;
+  return std::accumulate(axes.rbegin(), axes.rend(), call.input(0).time, with_axis);
 }
 
 /// [time, 1, n] to rows is harmless; to [1, time * n] is not.
