@@ -3,7 +3,7 @@
 # The programs of an example, as targets <example>.<program>, and the list of them as <build>/<example>.programs:
 # a line NAME=FILE for each, which is what the example's `evaluate` takes. A line of the example's file `programs`
 # is
-#   NAME GRAPH [--engine ENGINE] [--target TARGET]
+#   NAME GRAPH [--engine ENGINE] [--policy FILE] [--target TARGET]
 #   NAME CMakeLists.txt --program PROGRAM [--target TARGET]
 # where the second is the PROGRAM of the example's own project; and an example without that file has one program: linux-sim, of graph.yaml, on the target of that name. ENGINE
 # is the engine of all programs that do not name one; WITHOUT_BOARDS leaves out programs with a --target. Programs on
@@ -33,9 +33,9 @@ function(eagerx_add_example example)
   foreach(line IN LISTS lines)
     separate_arguments(words UNIX_COMMAND "${line}")
     list(POP_FRONT words name graph)
-    cmake_parse_arguments(own "" "--engine;--target;--program" "" ${words})
+    cmake_parse_arguments(own "" "--engine;--policy;--target;--program" "" ${words})
     if(NOT graph OR own_UNPARSED_ARGUMENTS OR own_KEYWORDS_MISSING_VALUES)
-      message(FATAL_ERROR "${folder}/programs: `${line}` is not NAME GRAPH [--engine ENGINE] [--target TARGET]")
+      message(FATAL_ERROR "${folder}/programs: `${line}` is not NAME GRAPH [--engine ENGINE] [--policy FILE] [--target TARGET]")
     endif()
     if((arg_ONLY AND NOT name IN_LIST arg_ONLY) OR (arg_WITHOUT_BOARDS AND own_--target))
       continue()
@@ -45,6 +45,9 @@ function(eagerx_add_example example)
       set(options ENGINE ${own_--engine})
     elseif(arg_ENGINE)
       set(options ENGINE ${arg_ENGINE})
+    endif()
+    if(own_--policy)
+      list(APPEND options POLICY ${folder}/${own_--policy})
     endif()
     if(own_--target)
       list(APPEND options BOARD ${own_--target})

@@ -1,11 +1,12 @@
-# eagerx_add_graph(TARGET <name> GRAPH <file> [ENGINE <name>] [BOARD <target>] [PATHS <folder>...]
+# eagerx_add_graph(TARGET <name> GRAPH <file> [ENGINE <name>] [POLICY <file>] [BOARD <target>] [PATHS <folder>...]
 #                  [SPLIT <names>=<board>] [OUTPUT <folder>] [CHECK_ENTITIES])
-# eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [ENGINE <name>] [BOARD <target>] [PATHS <folder>...]
+# eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [ENGINE <name>] [POLICY <file>] [BOARD <target>] [PATHS <folder>...]
 #                  [OUTPUT <folder>] [CHECK_ENTITIES])
 #
 # Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
 # weight file changes.
 #   ENGINE  the engine instead of the one the graph names
+#   POLICY  weight file of a policy that decides instead of the graph's `agent`
 #   BOARD   a folder of targets/, linux-sim without it; with `environments` <name> is a shared library. When the board
 #           needs another compiler than this build has, <name> is built in a build tree of its own with the board's
 #           toolchain file.
@@ -23,10 +24,11 @@
 include_guard(GLOBAL)
 
 function(eagerx_add_graph)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;ENGINE;BOARD;SPLIT;OUTPUT" "PATHS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;ENGINE;POLICY;BOARD;SPLIT;OUTPUT" "PATHS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
-                        "takes TARGET GRAPH [LIBRARY] [ENGINE] [BOARD] [SPLIT] [PATHS...] [OUTPUT] [CHECK_ENTITIES]")
+                        "takes TARGET GRAPH [LIBRARY] [ENGINE] [POLICY] [BOARD] [SPLIT] [PATHS...] [OUTPUT] "
+                        "[CHECK_ENTITIES]")
   endif()
   if(arg_LIBRARY AND arg_SPLIT)
     message(FATAL_ERROR "eagerx_add_graph: a split graph has no library: leave out LIBRARY or SPLIT")
@@ -40,6 +42,9 @@ function(eagerx_add_graph)
   cmake_path(ABSOLUTE_PATH arg_GRAPH BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   if(NOT EXISTS ${arg_GRAPH})
     message(FATAL_ERROR "eagerx_add_graph: there is no graph file ${arg_GRAPH}")
+  endif()
+  if(arg_POLICY)
+    cmake_path(ABSOLUTE_PATH arg_POLICY BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   endif()
   if(NOT arg_BOARD)
     set(arg_BOARD linux-sim)
@@ -64,8 +69,8 @@ function(eagerx_add_graph)
     _eagerx_find_board(part_folder part_toolchain ${part} "${paths}")
     set(sources ${arg_OUTPUT}/host)
   endif()
-  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${arg_ENGINE}" "${arg_SPLIT}"
-                   "${paths}" ${arg_LIBRARY})
+  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${arg_ENGINE}"
+                   "${arg_POLICY}" "${arg_SPLIT}" "${paths}" ${arg_LIBRARY})
   if(arg_LIBRARY)
     _eagerx_library(${arg_TARGET} ${stamp} ${sources} "${paths}")
     return()
@@ -144,7 +149,7 @@ endfunction()
 
 # The rule that runs the generator. Sources are written only when they change; the stamp always is. So the
 # stamp is the output, and whatever is compiled depends on it.
-function(_eagerx_generate stamp_variable target graph output sources board engine split paths library)
+function(_eagerx_generate stamp_variable target graph output sources board engine policy split paths library)
   set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp)
   set(options --target ${board})
   set(products ${sources}/CMakeLists.txt)
@@ -153,6 +158,9 @@ function(_eagerx_generate stamp_variable target graph output sources board engin
     set(form --library)
   else()
     list(APPEND products ${sources}/${board}/main.cpp)
+  endif()
+  if(policy)
+    list(APPEND form --policy ${policy})
   endif()
   if(engine)
     list(APPEND options --engine ${engine})
