@@ -84,9 +84,10 @@ class Flat:
         self._scales = any(isinstance(part, Scaled) for part in parts)
 
     def to_row(self, values, rows):
-        values = shaped(values, self.space, len(rows), self.what)
+        if not (type(values) is np.ndarray and values.shape == rows.shape and values.dtype == rows.dtype):  # mostly is
+            values = shaped(values, self.space, len(rows), self.what)
         if not self._scales:
-            rows[:] = values
+            rows[...] = values
             return
         for part in self.parts:
             part.to_row(values[:, part.field.columns], rows)
