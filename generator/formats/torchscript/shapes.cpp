@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "generator/formats/torchscript/value.hpp"
@@ -139,31 +140,106 @@ Result index_select(const Torch& call) {
   const auto places = call.tensor(2, "index");
   return axis && places ? chosen(call, *x, *axis, *places) : std::nullopt;
 }
-/// x[:, places]: along one axis, with `None` for the others.
-Result index(const Torch& call) {
-  const auto x = call.tensor(0);
-  const std::vector<TorchValue>& by = call.argument(1, "indices").items;
+/// The axis of x[:, places], with `None` for the others.
+std::optional<std::size_t> indexed_axis(const std::vector<TorchValue>& by) {
   std::optional<std::size_t> axis;
   for (std::size_t i = 0; i < by.size(); ++i) {
     if (by[i].is_none()) continue;
     if (axis || !by[i].is_tensor()) return std::nullopt;
     axis = i;
   }
+  return axis;
+}
+Result index(const Torch& call) {
+  const auto x = call.tensor(0);
+  const std::vector<TorchValue>& by = call.argument(1, "indices").items;
+  const auto axis = indexed_axis(by);
   if (!x || !axis) return std::nullopt;
   return chosen(call, *x, static_cast<std::int64_t>(*axis), by[*axis].tensor->value);
+}
+/// `x[places[i]] = values[i]` where x is data: from x and the values beside each other, each number
+/// of x or the one that takes its place.
+Result put_into_data(const Torch& call, const OnnxValue& x, std::int64_t axis,
+                     const OnnxValue& values, const Integers& places) {
+  Integers from(static_cast<std::size_t>((*x.shape)[static_cast<std::size_t>(axis)]));
+  std::iota(from.begin(), from.end(), std::int64_t{0});
+  const auto size = static_cast<std::int64_t>(from.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    from[static_cast<std::size_t>(places[i])] = size + static_cast<std::int64_t>(i);
+  }
+  const OnnxValue both = call.node("Concat", {x, values}, {{"axis", axis}});
+  return chosen(call, both, axis, integers_value(std::move(from), {size}));
+}
+/// The same where x is a row of constants: a matrix of zeros and ones puts the values there, and
+/// what is left of x is its bias.
+Result put_into_constant(const Torch& call, const OnnxValue& x, const OnnxValue& values,
+                         const Integers& places) {
+  PolicyProblem problem;
+  auto rest = read_floats(x.constant, problem);
+  if (!rest) return std::nullopt;
+  const auto size = static_cast<std::int64_t>(rest->size());
+  const auto count = static_cast<std::int64_t>(places.size());
+  const OnnxCall budget(onnx::NodeProto(), {}, call.state());
+  if (size > kMaxValues / count || !budget.spend(size * count)) return std::nullopt;
+  std::vector<float> matrix(static_cast<std::size_t>(size * count), 0.0F);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto place = static_cast<std::size_t>(places[i]);
+    for (std::size_t k = 0; k < i; ++k) matrix[k * rest->size() + place] = 0.0F;  // the last wins
+    matrix[i * rest->size() + place] = 1.0F;
+    (*rest)[place] = 0.0F;
+  }
+  const OnnxValue row =
+      call.node("Reshape", {values}, {{"shape", {}, {}, Integers{1, count}}, {"allowzero", 1}});
+  const OnnxValue all =
+      call.node("Gemm", {row, call.constant(matrix, {count, size}), call.constant(*rest, {size})});
+  return call.node("Reshape", {all}, {{"shape", {}, {}, *x.shape}, {"allowzero", 1}});
+}
+/// x[:, places] = values: x with these in it.
+Result index_put(const Torch& call) {
+  const auto x = call.tensor(0);
+  const auto values = call.tensor(2, "values");
+  const std::vector<TorchValue>& by = call.argument(1, "indices").items;
+  const auto axis = indexed_axis(by);
+  const TorchValue& adds = call.argument(3, "accumulate");
+  if (!x || !x->shape || !values || !axis || *axis >= x->shape->size()) return std::nullopt;
+  if (!adds.is_none() && adds.whole() != 0) return std::nullopt;
+  const OnnxValue& where = by[*axis].tensor->value;
+  auto places = integers_of(where);
+  if (!places || places->empty() || !where.shape || where.shape->size() != 1) return std::nullopt;
+  const std::int64_t size = (*x->shape)[*axis];
+  for (std::int64_t& place : *places) {
+    if (place < -size || place >= size) return std::nullopt;
+    if (place < 0) place += size;
+  }
+  Dims shape = *x->shape;
+  shape[*axis] = static_cast<std::int64_t>(places->size());
+  const OnnxValue put = call.node("Expand", {*values}, {{"shape", {}, {}, shape}});
+  if (x->kind == OnnxValue::Kind::data) {
+    return put_into_data(call, *x, static_cast<std::int64_t>(*axis), put, *places);
+  }
+  const bool is_row = x->kind == OnnxValue::Kind::constant && element_count(*x->shape) == size;
+  return is_row ? put_into_constant(call, *x, put, *places) : std::nullopt;
 }
 }  // namespace
 
 TorchOperator torch_shape_operator(std::string_view name) {
-  static const std::map<std::string_view, TorchOperator> kTable = {
-      {"t", transpose},         {"numpy_T", transpose},
-      {"transpose", transpose}, {"permute", permute},
-      {"reshape", reshape},     {"view", reshape},
-      {"flatten", flatten},     {"unsqueeze", unsqueeze},
-      {"squeeze", squeeze},     {"expand", expand},
-      {"expand_as", expand},    {"slice", slice},
-      {"narrow", narrow},       {"select", select},
-      {"index", index},         {"index_select", index_select}};
+  static const std::map<std::string_view, TorchOperator> kTable = {{"t", transpose},
+                                                                   {"numpy_T", transpose},
+                                                                   {"transpose", transpose},
+                                                                   {"permute", permute},
+                                                                   {"reshape", reshape},
+                                                                   {"view", reshape},
+                                                                   {"flatten", flatten},
+                                                                   {"unsqueeze", unsqueeze},
+                                                                   {"squeeze", squeeze},
+                                                                   {"expand", expand},
+                                                                   {"expand_as", expand},
+                                                                   {"slice", slice},
+                                                                   {"narrow", narrow},
+                                                                   {"select", select},
+                                                                   {"index", index},
+                                                                   {"index_put", index_put},
+                                                                   {"index_select", index_select}};
   const auto found = kTable.find(name);
   return found == kTable.end() ? nullptr : found->second;
 }

@@ -100,6 +100,21 @@ class Reordered(nn.Module):
         return torch.index_select(self.actor(torch.cat((x[:, :2], joints), dim=-1)), 1, self.back)
 
 
+class SomeJoints(nn.Module):
+    """Moves some of the joints; the others get what a constant or the observation says."""
+
+    def __init__(self, keeps):
+        super().__init__()
+        self.actor = mlp([6, 8, 3], nn.ELU)
+        self.register_buffer("joints", torch.tensor([4, 0, -3]))
+        self.keeps = keeps
+
+    def forward(self, x):
+        every = x[:, 1:].clone() if self.keeps else 0.25 * torch.ones(x.shape[0], 5, dtype=x.dtype)
+        every[:, self.joints] = self.actor(x).view(3)
+        return every
+
+
 def several():
     module = Several().eval()
     make.save(torch.jit.script(module), "several_scripted")
@@ -119,3 +134,5 @@ if __name__ == "__main__":
     make.write("conditions", Conditions(), 6, "scripted", "traced", "onnx")
     several()
     make.write("reordered", Reordered(), 6, "traced", "onnx")
+    make.write("some_joints", SomeJoints(False), 6, "traced")
+    make.write("kept_joints", SomeJoints(True), 6, "traced")

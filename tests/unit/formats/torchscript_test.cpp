@@ -69,7 +69,7 @@ TEST(TorchScript, AnswersAsTorchDoes) {
         "history_scripted.pt",   "history_traced.pt",      "history.onnx",
         "picture_scripted.pt",   "picture_traced.pt",      "conditions_scripted.pt",
         "conditions_traced.pt",  "conditions.onnx",        "reordered_traced.pt",
-        "reordered.onnx"}) {
+        "reordered.onnx",        "some_joints_traced.pt",  "kept_joints_traced.pt"}) {
     EXPECT_LT(difference(file), 2e-6) << file;
   }
 }
@@ -219,6 +219,9 @@ TEST(TorchScript, WhatIsNotUnderstoodIsRefusedByItsLine) {
   expect_refused(with_body("    return (x, x)\n"), "E0751", "has 2 results");
   expect_refused(with_body("    return 3\n"), "E0754", "returns no tensor");
   expect_refused(body_with("z = torch.bitwise_not(y)"), "E0754", "`bitwise_not` in a way");
+  const std::string places = "annotate(List[Optional[Tensor]], [None, y])";
+  expect_refused(body_with("z = torch.index_put_(y, " + places + ", y)"), "E0754",
+                 "`index_put` in a way");
   expect_refused(body_with("z = torch.matmul(y, self.a)"), "E0618", "line 6");
   expect_refused(with_body("    return x\n", "x: Tensor,\n    hc: Tuple[Tensor, Tensor]"), "E0754",
                  "takes `hc`, which is no tensor but Tuple[Tensor,Tensor]");
