@@ -7,14 +7,14 @@ namespace {
 
 constexpr std::uint32_t kEpisodes = 100;
 
-struct Episode {
+}  // namespace
+
+struct Evaluator::Episode {
   double sum = 0.0;
   std::vector<double> terms;
   std::uint32_t steps = 0;
   bool success = false;
 };
-
-}  // namespace
 
 class Evaluator::Part {
  public:

@@ -30,6 +30,7 @@ class Evaluator {
   Evaluation run(const Policy& policy, std::uint64_t seed);
 
  private:
+  struct Episode;
   class Part;  // sixteen environments or fewer
 
   const Kernels& kernels_;

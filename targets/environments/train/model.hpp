@@ -10,6 +10,9 @@
 
 namespace eagerx::train {
 
+/// ln(2 pi) / 2, of the logarithm of a normal density.
+inline constexpr float kHalfLogTwoPi = 0.9189385F;
+
 /// Actor and critic with all that the next update depends on.
 struct Model {
   Model(const Settings& settings, std::size_t inputs, const Head& head)

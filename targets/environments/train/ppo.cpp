@@ -9,8 +9,6 @@
 namespace eagerx::train {
 namespace {
 
-constexpr float kHalfLogTwoPi = 0.9189385F;
-
 void add_to(std::vector<float>& sum, const std::vector<float>& more) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += more[i];
 }

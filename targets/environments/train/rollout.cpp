@@ -10,8 +10,6 @@
 namespace eagerx::train {
 namespace {
 
-constexpr float kHalfLogTwoPi = 0.9189385F;
-
 float& lane(Packs& packs, std::size_t row, std::size_t environment) {
   return packs[row + environment / kLanes].lane[environment % kLanes];
 }
