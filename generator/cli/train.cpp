@@ -35,6 +35,7 @@ Command train_commands(Options& options) {
             option("-o,--output", "the policy (default: policy.safetensors)", "FILE"),
             option("--algorithm", "ppo (default); there is no other", "NAME"),
             option("--steps", "steps of all environments, at most (default: 5000000)", "N"),
+            option("--until-return", "do not end before the mean return of 100 episodes is X", "X"),
             option("--seed",
                    "where random numbers start: another seed gives another policy (default: 1)",
                    "N"),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstring>
 #include <string_view>
 #include <type_traits>
@@ -154,8 +155,11 @@ std::string names_and_sizes(const std::vector<Space>& spaces) {
 }  // namespace
 
 std::string conditions(const Settings& settings, const std::string& contract_hash) {
-  return fmt::format("graph {}, seed {}, layers {}, discount {}", contract_hash, settings.seed,
-                     fmt::join(settings.hidden, ","), settings.discount);
+  std::string text = fmt::format("graph {}, seed {}, layers {}, discount {}", contract_hash,
+                                 settings.seed, fmt::join(settings.hidden, ","), settings.discount);
+  if (std::isfinite(settings.until_return))
+    text += fmt::format(", until return {}", settings.until_return);
+  return text;
 }
 
 std::string interface_of(const Settings& settings, const Description& description) {

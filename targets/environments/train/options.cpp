@@ -51,6 +51,7 @@ struct Option {
 const auto& table() {
   constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
   constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 62U) - 1;  // above: evaluation
+  constexpr double kMostReturn = 1e30;
   static const std::array kTable = {
       Option{"-o", "FILE", "the policy (default: policy.safetensors)",
              [](Options& o, const std::string& v) { o.output = v; }},
@@ -61,6 +62,10 @@ const auto& table() {
       Option{"--steps", "N", "steps of all environments, at most (default: 5000000)",
              [](Options& o, const std::string& v) {
                o.steps = number<std::uint64_t>(v, 1, kMostSteps);
+             }},
+      Option{"--until-return", "X", "do not end before the mean return of 100 episodes is X",
+             [](Options& o, const std::string& v) {
+               o.settings.until_return = number<double>(v, -kMostReturn, kMostReturn);
              }},
       Option{"--seed", "N", "another one is another training (default: 1)",
              [](Options& o, const std::string& v) {

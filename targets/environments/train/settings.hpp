@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace eagerx::train {
@@ -13,6 +14,8 @@ struct Settings {
   std::vector<std::size_t> hidden = {64, 64};  // widths of the layers, of actor and critic
   float discount = 0.99F;                      // γ
   float trace_decay = 0.95F;                   // λ of generalised advantage estimation
+  /// It does not end before the mean return of 100 episodes is this, whatever `success:` says.
+  double until_return = -std::numeric_limits<double>::infinity();
 
   std::size_t environments = 256;  // a multiple of kParts * kLanes
   std::size_t horizon = 32;        // steps of each between two updates

@@ -102,6 +102,7 @@ Training::Training(const Options& options, const Library& library)
       kernels_(chosen_kernels(options.kernels)),
       longest_(checked(library).episode_steps > 0 ? 0 : kLongest),
       era_(era_of(options.settings, library.description())),
+      has_aim_(library.description().has_success || std::isfinite(options.settings.until_return)),
       conditions_(conditions(options.settings, library.description().hash)),
       interface_(interface_of(options.settings, library.description())),
       head_(library.description()),
@@ -134,7 +135,7 @@ int Training::run(const volatile int& is_interrupted) {
   write_curve();
   if (!options_.is_quiet) report(last, ending);
   if (ending == Ending::interrupted) return 130;  // as shells say it
-  return ending == Ending::success || !library_.description().has_success ? kDone : kProblems;
+  return ending == Ending::success || !has_aim_ ? kDone : kProblems;
 }
 
 Ending Training::learn(const volatile int& is_interrupted) {
@@ -182,7 +183,12 @@ CurvePoint Training::note(const Ppo::Result& result) {
       result.divergence};
 }
 
-/// Whether the policy succeeds: on a hundred new seeds, and then on three hundred others, since one
+bool Training::is_good(const Evaluation& evaluation) const {
+  if (!has_aim_ || evaluation.mean_return < options_.settings.until_return) return false;
+  return !library_.description().has_success || evaluation.passed();
+}
+
+/// Whether the policy is good: on a hundred new seeds, and then on three hundred others, since one
 /// of many evaluations may be good by luck.
 bool Training::evaluate(CurvePoint& point) {
   const bool has_success = library_.description().has_success;
@@ -199,9 +205,9 @@ bool Training::evaluate(CurvePoint& point) {
   const bool is_better = evaluation.successes != best.successes
                              ? evaluation.successes > best.successes
                              : evaluation.mean_return > best.mean_return;
-  bool succeeds = has_success && evaluation.passed();
+  bool succeeds = is_good(evaluation);
   for (std::uint64_t again = 1; again < kEvaluations && succeeds; ++again) {
-    succeeds = evaluator_.run(now, seed + again).passed();
+    succeeds = is_good(evaluator_.run(now, seed + again));
   }
   if (best.parameters.empty() || is_better || succeeds) {
     best = {std::move(now.parameters), evaluation.successes, evaluation.mean_return};
@@ -233,8 +239,12 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
   fmt::print("written: {}, {}\n", options_.output, golden_path(options_.output));
   fmt::print("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
              name_of(golden_path(options_.output)));
-  if (!description.has_success) {
+  if (!has_aim_) {
     fmt::print("note: the task has no `success:`, so nobody knows whether this policy is good\n");
+  } else if (ending != Ending::success && evaluation.mean_return < options_.settings.until_return) {
+    fmt::print(
+        "note: the return is below --until-return {:g}; more --steps or another --seed may\n",
+        options_.settings.until_return);
   } else if (ending != Ending::success) {
     fmt::print(
         "note: the policy does not succeed; a task whose reward leads to its `success:` "

@@ -28,6 +28,7 @@ class Training {
   void start_era();
   void write_checkpoint();
   CurvePoint note(const Ppo::Result& result);
+  bool is_good(const Evaluation& evaluation) const;
   bool evaluate(CurvePoint& point);
   Policy policy(std::vector<float> parameters) const;
   void report(const Evaluation& evaluation, Ending ending) const;
@@ -40,6 +41,7 @@ class Training {
   const Kernels& kernels_;
   const std::uint32_t longest_;  // steps of an episode, besides the task's limit
   const std::uint32_t era_;      // iterations between two starts of all environments
+  const bool has_aim_;           // something says when a policy is good
   const std::string conditions_, interface_;
   const Head head_;
   Team team_;

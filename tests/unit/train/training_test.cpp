@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
+#include <sstream>
 
 #include "targets/environments/train/client.hpp"
 
@@ -127,6 +129,35 @@ TEST_F(TrainTraining, LearnsToChoose) {
   all.threads = 2;
   const int never = 0;
   EXPECT_EQ(Training(all, choices()).run(never), kDone);
+}
+
+/// Of the last row of a learning curve that has one.
+double last_evaluation(const std::string& csv) {
+  double result = std::numeric_limits<double>::quiet_NaN();
+  std::istringstream rows(csv);
+  std::string row, cell;
+  std::getline(rows, row);  // names
+  while (std::getline(rows, row)) {
+    std::istringstream cells(row);
+    for (int i = 0; i < 4; ++i) std::getline(cells, cell, ',');
+    if (!cell.empty()) result = std::stod(cell);
+  }
+  return result;
+}
+
+TEST_F(TrainTraining, GoesOnUntilTheReturnIsGoodToo) {
+  constexpr double kMoreThanAtFirst = -57.0;  // the first policy that succeeds has -61.3
+  Options all = options(200);
+  all.csv = path("curve.csv");
+  const int never = 0;
+  ASSERT_EQ(Training(all, pendulum()).run(never), kDone);
+  EXPECT_LT(last_evaluation(read_file(all.csv)), kMoreThanAtFirst);
+  all.settings.until_return = kMoreThanAtFirst;
+  EXPECT_EQ(Training(all, pendulum()).run(never), kDone);
+  EXPECT_GE(last_evaluation(read_file(all.csv)), kMoreThanAtFirst);
+  all = options(40);
+  all.settings.until_return = 1.0;  // the reward is negative
+  EXPECT_EQ(Training(all, pendulum()).run(never), kProblems);
 }
 
 TEST_F(TrainTraining, AnyThreadsAndInstructionsLearnToChooseTheSameBits) {
