@@ -3,23 +3,15 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <cstdio>
 #include <string_view>
 
 #include "targets/environments/campaign/campaign.hpp"
 #include "targets/environments/client/files.hpp"
+#include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/client/problem.hpp"
 
 namespace eagerx::campaign {
 namespace {
-
-volatile int interrupted = 0;
-
-extern "C" void interrupt(int /*signal*/) {
-  interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);  // the second one ends the program
-}
 
 /// A file of this process alone with these bytes, for dlopen().
 std::string file_of(const std::string& bytes) {
@@ -47,18 +39,7 @@ int run_ranks(int argc, char** argv, Ranks& ranks) {
     if (is_all) return client::kDone;
   }
   const client::Library library(ranks.is_first() ? options.library : file_of(bytes));
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  return run_campaign(options, library, ranks, interrupted);
-}
-
-/// Prints what is wrong. The exit code.
-int tell(const std::exception& error) {
-  fmt::print(stderr, "error: {}\n", error.what());
-  const auto* const problem = dynamic_cast<const client::Problem*>(&error);
-  if (problem == nullptr) return client::kProblems;
-  if (!problem->help.empty()) fmt::print(stderr, "help: {}\n", problem->help);
-  return problem->code;
+  return run_campaign(options, library, ranks, client::watch_interrupts());
 }
 
 int run(int argc, char** argv) {
@@ -67,7 +48,7 @@ int run(int argc, char** argv) {
     ranks = make_ranks(argc, argv);
     return run_ranks(argc, argv, *ranks);
   } catch (const std::exception& error) {
-    const int code = tell(error);
+    const int code = client::tell(error);
     if (ranks && ranks->size() > 1) ranks->abort(code);  // the others wait for this one
     return code;
   }

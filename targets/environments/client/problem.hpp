@@ -1,6 +1,7 @@
-// What ends a training: caught and printed by main().
+// What ends a program around a library: caught and printed by main().
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -15,5 +16,8 @@ struct Problem : std::runtime_error {
   ExitCode code;
   std::string help;  // empty: nothing to say
 };
+
+/// Prints what is wrong, and what to do, to the standard error. The exit code.
+int tell(const std::exception& error);
 
 }  // namespace eagerx::client

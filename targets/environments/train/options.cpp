@@ -1,31 +1,18 @@
 #include "targets/environments/train/options.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <functional>
 #include <string_view>
 
+#include "targets/environments/client/command_line.hpp"
 #include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
 namespace {
 
-using Set = std::function<void(Options&, const std::string&)>;
+using client::number;
 
 [[noreturn]] void refuse(const std::string& what) {
-  throw Problem(kUsage, what, "`eagerx-gen train --help` lists the options");
-}
-
-template <class T>
-T number(std::string_view text, T low, T high) {
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() ||
-      !(value >= low && value <= high)) {
-    refuse("`" + std::string(text) + "` is not a number in its range");
-  }
-  return value;
+  throw Problem(kUsage, what);
 }
 
 std::vector<std::size_t> widths(const std::string& text) {
@@ -37,101 +24,59 @@ std::vector<std::size_t> widths(const std::string& text) {
         number<std::size_t>(std::string_view(text).substr(at, comma - at), 1, kWidest));
     at = comma + 1;
   }
-  if (result.size() > kMostLayers) refuse("--hidden takes at most 8 layers");
+  if (result.size() > kMostLayers) refuse("there are at most 8 layers");
   return result;
 }
 
-struct Option {
-  const char* name;
-  const char* value;
-  const char* about;
-  Set set;
-};
-
-const auto& table() {
+std::vector<client::Option> table(Options& o) {
+  using Text = const std::string&;
   constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
   constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 62U) - 1;  // above: evaluation
   constexpr double kMostReturn = 1e30;
-  static const std::array kTable = {
-      Option{"-o", "FILE", "the policy (default: policy.safetensors)",
-             [](Options& o, const std::string& v) { o.output = v; }},
-      Option{"--algorithm", "NAME", "ppo (default); there is no other",
-             [](Options&, const std::string& v) {
-               if (v != "ppo") refuse("there is no algorithm `" + v + "`, only ppo");
-             }},
-      Option{"--steps", "N", "steps of all environments, at most (default: 5000000)",
-             [](Options& o, const std::string& v) {
-               o.steps = number<std::uint64_t>(v, 1, kMostSteps);
-             }},
-      Option{"--until-return", "X", "do not end before the mean return of 100 episodes is X",
-             [](Options& o, const std::string& v) {
-               o.settings.until_return = number<double>(v, -kMostReturn, kMostReturn);
-             }},
-      Option{"--seed", "N", "another one is another training (default: 1)",
-             [](Options& o, const std::string& v) {
-               o.settings.seed = number<std::uint64_t>(v, 0, kMostSeed);
-             }},
-      Option{"--threads", "N", "the policy does not depend on it (default: one for each core)",
-             [](Options& o, const std::string& v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      Option{"--hidden", "N,N", "widths of the hidden layers (default: 64,64)",
-             [](Options& o, const std::string& v) { o.settings.hidden = widths(v); }},
-      Option{"--discount", "X", "weight of a reward one step later (default: 0.99)",
-             [](Options& o, const std::string& v) {
-               o.settings.discount = number<float>(v, 0.0F, 0.99999F);
-             }},
-      Option{"--checkpoint", "FILE", "write here, every few seconds, what --resume and --from need",
-             [](Options& o, const std::string& v) { o.checkpoint = v; }},
-      Option{"--resume", "FILE", "go on from a checkpoint: the policy is that of one long run",
-             [](Options& o, const std::string& v) { o.resume = v; }},
-      Option{"--from", "FILE", "begin with what another training has learnt: its checkpoint",
-             [](Options& o, const std::string& v) { o.from = v; }},
-      Option{"--csv", "FILE", "write the learning curve as a table",
-             [](Options& o, const std::string& v) { o.csv = v; }},
-      Option{"--curve", "FILE", "write the learning curve as a picture (SVG)",
-             [](Options& o, const std::string& v) { o.curve = v; }},
-      Option{"--isa", "NAME", "plain, avx2 or avx512; the bits are the same (default: the fastest)",
-             [](Options& o, const std::string& v) { o.kernels = v; }},
+  Settings& settings = o.settings;
+  return {
+      {"-o, --output", "FILE", "the policy (default: policy.safetensors)",
+       [&](Text v) { o.output = v; }},
+      {"--algorithm", "NAME", "ppo (default); there is no other",
+       [](Text v) {
+         if (v != "ppo") refuse("there is no algorithm `" + v + "`, only ppo");
+       }},
+      {"--steps", "N", "steps of all environments, at most (default: 5000000)",
+       [&](Text v) { o.steps = number<std::uint64_t>(v, 1, kMostSteps); }},
+      {"--until-return", "X", "do not end before the mean return of 100 episodes is X",
+       [&](Text v) { settings.until_return = number<double>(v, -kMostReturn, kMostReturn); }},
+      {"--seed", "N", "another one is another training (default: 1)",
+       [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
+      {"--threads", "N", "the policy does not depend on it (default: one for each core)",
+       [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
+      {"--hidden", "N,N", "widths of the hidden layers (default: 64,64)",
+       [&](Text v) { settings.hidden = widths(v); }},
+      {"--discount", "X", "weight of a reward one step later (default: 0.99)",
+       [&](Text v) { settings.discount = number<float>(v, 0.0F, 0.99999F); }},
+      {"--checkpoint", "FILE", "write here, every few seconds, what --resume and --from need",
+       [&](Text v) { o.checkpoint = v; }},
+      {"--resume", "FILE", "go on from a checkpoint: the policy is that of one long run",
+       [&](Text v) { o.resume = v; }},
+      {"--from", "FILE", "begin with what another training has learnt: its checkpoint",
+       [&](Text v) { o.from = v; }},
+      {"--csv", "FILE", "write the learning curve as a table", [&](Text v) { o.csv = v; }},
+      {"--curve", "FILE", "write the learning curve as a picture (SVG)",
+       [&](Text v) { o.curve = v; }},
+      {"--isa", "NAME", "plain, avx2 or avx512; the bits are the same (default: the fastest)",
+       [&](Text v) { o.kernels = v; }},
+      {"-q, --quiet", "", "print problems only", [&](Text) { o.is_quiet = true; }},
+      {"--check", "", "only look whether the options are right and the files can be written",
+       [&](Text) { o.only_checks = true; }},
+      {"-h, --help", "", "print this", [&](Text) { o.wants_help = true; }, true},
   };
-  return kTable;
-}
-
-const Option* find(std::string_view name) {
-  if (name == "--output") name = "-o";
-  for (const Option& option : table()) {
-    if (name == option.name) return &option;
-  }
-  return nullptr;
 }
 
 }  // namespace
 
 Options parse_options(int argc, const char* const* argv) {
   Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--help" || word == "-h") {
-      options.wants_help = true;
-      return options;
-    }
-    if (word == "-q" || word == "--quiet") {
-      options.is_quiet = true;
-      continue;
-    }
-    if (word == "--check") {
-      options.only_checks = true;
-      continue;
-    }
-    if (!word.starts_with('-')) {
-      if (!options.library.empty()) refuse("there is one LIBRARY only, `" + word + "` is another");
-      options.library = word;
-      continue;
-    }
-    const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
-    const Option* option = find(std::string_view(word).substr(0, equals));
-    if (option == nullptr) refuse("there is no option `" + word + "`");
-    if (equals == std::string::npos && i + 1 == argc) refuse("`" + word + "` needs a value");
-    option->set(options, equals == std::string::npos ? argv[++i] : word.substr(equals + 1));
-  }
+  client::parse({"train", table(options), &options.library}, argc, argv);
+  if (options.wants_help) return options;
   if (!options.resume.empty() && !options.from.empty())
     refuse("--resume goes on with one training and --from begins another: give one of them");
   if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
@@ -139,21 +84,12 @@ Options parse_options(int argc, const char* const* argv) {
 }
 
 std::string help_text() {
-  constexpr std::size_t kColumn = 22;
-  std::string text =
-      "usage: eagerx-train LIBRARY [options]\n"
-      "Trains a policy on the environments of LIBRARY, which `eagerx-gen generate GRAPH.yaml "
-      "--target environments` makes.\n"
-      "`eagerx-gen train GRAPH.yaml` does both.\n\n";
-  for (const Option& option : table()) {
-    std::string name = std::string("  ") + option.name + " " + option.value;
-    name.resize(std::max(kColumn, name.size() + 1), ' ');
-    text += name + option.about + "\n";
-  }
-  return text +
-         "  -q, --quiet         print problems only\n"
-         "  --check             only look whether the options are right and the files can be "
-         "written\n"
+  Options unused;
+  return "usage: eagerx-train LIBRARY [options]\n"
+         "Trains a policy on the environments of LIBRARY, which `eagerx-gen generate GRAPH.yaml "
+         "--target environments` makes.\n"
+         "`eagerx-gen train GRAPH.yaml` does both.\n\n" +
+         client::help_of(table(unused)) +
          "Exit codes: 0 done, 1 not successful or a problem of the graph, 2 wrong usage, 3 "
          "cannot read or write, 130 interrupted.\n";
 }

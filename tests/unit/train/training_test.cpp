@@ -245,12 +245,20 @@ TEST(TrainOptions, WrongOnesAreRefused) {
   EXPECT_EQ(parse({"lib.so"}), "nothing");
   EXPECT_EQ(parse({}), "LIBRARY is missing");
   EXPECT_EQ(parse({"a.so", "b.so"}), "there is one LIBRARY only, `b.so` is another");
-  EXPECT_EQ(parse({"a.so", "--steps", "0"}), "`0` is not a number in its range");
+  EXPECT_EQ(parse({"a.so", "--steps", "0"}),
+            "--steps: `0` is not a number from 1 to 1000000000000");
   EXPECT_EQ(parse({"a.so", "--steps"}), "`--steps` needs a value");
-  EXPECT_EQ(parse({"a.so", "--seed=1x"}), "`1x` is not a number in its range");
-  EXPECT_EQ(parse({"a.so", "--discount", "nan"}), "`nan` is not a number in its range");
-  EXPECT_EQ(parse({"a.so", "--hidden", "64,"}), "`` is not a number in its range");
-  EXPECT_EQ(parse({"a.so", "--algorithm", "sac"}), "there is no algorithm `sac`, only ppo");
+  EXPECT_EQ(parse({"a.so", "--seed=1x"}),
+            "--seed: `1x` is not a number from 0 to 4611686018427387903");
+  EXPECT_EQ(parse({"a.so", "--discount", "nan"}),
+            "--discount: `nan` is not a number from 0 to 0.99999");
+  EXPECT_EQ(parse({"a.so", "--until-return", "inf"}),
+            "--until-return: `inf` is not a number from -1e+30 to 1e+30");
+  EXPECT_EQ(parse({"a.so", "--hidden", "64,"}), "--hidden: `` is not a number from 1 to 1024");
+  EXPECT_EQ(parse({"a.so", "--algorithm", "sac"}),
+            "--algorithm: there is no algorithm `sac`, only ppo");
+  EXPECT_EQ(parse({"a.so", "--quiet=1"}), "`--quiet` takes no value");
+  EXPECT_EQ(parse({"--help", "--more"}), "nothing");
   EXPECT_EQ(parse({"a.so", "--more"}), "there is no option `--more`");
 }
 

@@ -1,0 +1,75 @@
+#include "targets/environments/client/command_line.hpp"
+
+#include <algorithm>
+
+namespace eagerx::client {
+namespace {
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw Problem(kUsage, what);
+}
+
+bool is_called(const Option& option, std::string_view word) {
+  const std::string_view names = option.name;
+  const std::size_t comma = names.find(", ");
+  return word == names.substr(0, comma) ||
+         (comma != std::string_view::npos && word == names.substr(comma + 2));
+}
+
+/// Whether something is left to look at. `i` is where the word stands.
+bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
+  const std::string word = argv[i];
+  if (!word.starts_with('-')) {
+    if (!line.library->empty()) refuse("there is one LIBRARY only, `" + word + "` is another");
+    *line.library = word;
+    return true;
+  }
+  const std::size_t equals = word.starts_with("--") ? word.find('=') : std::string::npos;
+  const std::string name = word.substr(0, equals);
+  const auto option = std::ranges::find_if(
+      line.options, [&](const Option& other) { return is_called(other, name); });
+  if (option == line.options.end()) refuse("there is no option `" + word + "`");
+  const bool has_value = equals != std::string::npos;
+  if (*option->value == '\0') {
+    if (has_value) refuse("`" + name + "` takes no value");
+    option->set({});
+    return !option->ends;
+  }
+  if (!has_value && i + 1 == argc) refuse("`" + word + "` needs a value");
+  try {
+    option->set(has_value ? word.substr(equals + 1) : std::string(argv[++i]));
+  } catch (const Problem& problem) {
+    throw Problem(problem.code, name + ": " + problem.what(), problem.help);
+  }
+  return true;
+}
+
+}  // namespace
+
+void parse(const CommandLine& line, int argc, const char* const* argv) {
+  try {
+    for (int i = 1; i < argc && take(line, argc, argv, i); ++i) {
+    }
+  } catch (const Problem& problem) {
+    if (!problem.help.empty()) throw;
+    throw Problem(problem.code, problem.what(),
+                  std::string("`eagerx-gen ") + line.command + " --help` lists the options");
+  }
+}
+
+std::string help_of(const std::vector<Option>& options) {
+  std::size_t column = 0;
+  const auto name_of = [](const Option& option) {
+    return std::string("  ") + option.name + (*option.value == '\0' ? "" : " ") + option.value;
+  };
+  for (const Option& option : options) column = std::max(column, name_of(option).size() + 2);
+  std::string text;
+  for (const Option& option : options) {
+    std::string name = name_of(option);
+    name.resize(column, ' ');
+    text += name + option.about + "\n";
+  }
+  return text;
+}
+
+}  // namespace eagerx::client

@@ -1,0 +1,51 @@
+// The command lines of programs around a library: LIBRARY, and options from a table.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "targets/environments/client/problem.hpp"
+
+namespace eagerx::client {
+
+struct Option {
+  const char* name;   // "--seed", or two names, "-o, --output"
+  const char* value;  // "N"; empty: an option without a value
+  const char* about;
+  std::function<void(const std::string& text)> set;
+  bool ends = false;  // nothing else is looked at, as after --help
+};
+
+struct CommandLine {
+  const char* command;  // of eagerx-gen, as "train"
+  std::vector<Option> options;
+  std::string* library;
+};
+
+/// Calls what the words say. Throws Problem with kUsage: LIBRARY may be missing, but not twice.
+void parse(const CommandLine& line, int argc, const char* const* argv);
+
+/// A line for each option.
+std::string help_of(const std::vector<Option>& options);
+
+/// All of `text` as a number from `low` to `high`, or false.
+template <class T>
+bool read_number(std::string_view text, T low, T high, T& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size() && value >= low && value <= high;
+}
+
+/// The same, or it throws Problem with kUsage.
+template <class T>
+T number(std::string_view text, T low, T high) {
+  T value{};
+  if (read_number(text, low, high, value)) return value;
+  throw Problem(kUsage, fmt::format("`{}` is not a number from {} to {}", text, low, high));
+}
+
+}  // namespace eagerx::client
