@@ -9,10 +9,7 @@ namespace {
 
 using client::number;
 using client::read_number;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw client::Problem(client::kUsage, what);
-}
+using client::refuse;
 
 /// "pendulum.mass=0.1:0.2"
 Variation variation(const std::string& text) {
@@ -78,11 +75,12 @@ std::vector<client::Option> table(Options& o) {
 
 Options parse_options(int argc, const char* const* argv) {
   Options options;
-  client::parse({"campaign", table(options), &options.library}, argc, argv);
-  if (options.wants_help) return options;
-  if (!options.checkpoint.empty() && !options.resume.empty())
-    refuse("`--resume` goes on in its file: leave out `--checkpoint`");
-  if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
+  const auto check = [&] {
+    if (!options.checkpoint.empty() && !options.resume.empty())
+      refuse("`--resume` goes on in its file: leave out `--checkpoint`");
+    if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
+  };
+  client::parse({"campaign", table(options), &options.library, check}, argc, argv);
   return options;
 }
 

@@ -5,10 +5,6 @@
 namespace eagerx::client {
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw Problem(kUsage, what);
-}
-
 bool is_called(const Option& option, std::string_view word) {
   const std::string_view names = option.name;
   const std::size_t comma = names.find(", ");
@@ -46,10 +42,16 @@ bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
 
 }  // namespace
 
+void refuse(const std::string& what) {
+  throw Problem(kUsage, what);
+}
+
 void parse(const CommandLine& line, int argc, const char* const* argv) {
   try {
-    for (int i = 1; i < argc && take(line, argc, argv, i); ++i) {
+    for (int i = 1; i < argc; ++i) {
+      if (!take(line, argc, argv, i)) return;
     }
+    line.check();
   } catch (const Problem& problem) {
     if (!problem.help.empty()) throw;
     throw Problem(problem.code, problem.what(),

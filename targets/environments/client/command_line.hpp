@@ -25,7 +25,11 @@ struct CommandLine {
   const char* command;  // of eagerx-gen, as "train"
   std::vector<Option> options;
   std::string* library;
+  std::function<void()> check;  // of all together, unless an option ended it
 };
+
+/// Throws Problem with kUsage.
+[[noreturn]] void refuse(const std::string& what);
 
 /// Calls what the words say. Throws Problem with kUsage: LIBRARY may be missing, but not twice.
 void parse(const CommandLine& line, int argc, const char* const* argv);

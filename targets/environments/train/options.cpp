@@ -10,10 +10,7 @@ namespace eagerx::train {
 namespace {
 
 using client::number;
-
-[[noreturn]] void refuse(const std::string& what) {
-  throw Problem(kUsage, what);
-}
+using client::refuse;
 
 std::vector<std::size_t> widths(const std::string& text) {
   constexpr std::size_t kWidest = 1024, kMostLayers = 8;
@@ -75,11 +72,12 @@ std::vector<client::Option> table(Options& o) {
 
 Options parse_options(int argc, const char* const* argv) {
   Options options;
-  client::parse({"train", table(options), &options.library}, argc, argv);
-  if (options.wants_help) return options;
-  if (!options.resume.empty() && !options.from.empty())
-    refuse("--resume goes on with one training and --from begins another: give one of them");
-  if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
+  const auto check = [&] {
+    if (!options.resume.empty() && !options.from.empty())
+      refuse("--resume goes on with one training and --from begins another: give one of them");
+    if (options.library.empty() && !options.only_checks) refuse("LIBRARY is missing");
+  };
+  client::parse({"train", table(options), &options.library, check}, argc, argv);
   return options;
 }
 
