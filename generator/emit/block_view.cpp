@@ -242,6 +242,7 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
     view.set("target", ring_place(plan, names, r, message.seq));
     view.set("processor", names.input_processor[*ring.reader_node][*ring.reader_input]);
     view.set("source", message.value);
+    view.set("channel_index", fmt::format("{}", ring.output));
     const Input& input = plan.graph->nodes[*ring.reader_node].inputs[*ring.reader_input];
     const bool action = ring.node == Graph::kEnvironment && names.runs(Graph::kEnvironment);
     view.set("space", text_or_false(action && input.actuator &&

@@ -11,13 +11,15 @@ namespace {
 
 class LimitsView {
  public:
-  LimitsView(const Plan& plan, const ProgramNames& names) : graph_(*plan.graph), names_(names) {
+  LimitsView(const Plan& plan, const ProgramNames& names)
+      : plan_(plan), graph_(*plan.graph), names_(names) {
     constants_.unique("kSafety");
   }
 
   View make() {
     add_actions();
     add_observations();
+    add_outputs();
     add_safety();
     return std::move(view_);
   }
@@ -51,6 +53,7 @@ class LimitsView {
       }
       actions.push_back(views[i]);
     }
+    add_names("action", graph_.environment().outputs);
     view_.set("has_actions", actions.is_non_empty_list());
     view_["actions"] = std::move(actions);
     view_["actuators"] = std::move(actuators);
@@ -64,6 +67,53 @@ class LimitsView {
     }
     view_.set("has_observations", observations.is_non_empty_list());
     view_["observations"] = std::move(observations);
+    std::vector<Input> seen;
+    if (names_.receives(Graph::kEnvironment)) seen = graph_.environment().inputs;
+    add_names("observation", seen);
+    std::vector<std::string> may_wait;
+    for (const auto& input : seen) may_wait.push_back(bool_literal(input.skip));
+    view_.set("may_wait", braced(may_wait));
+  }
+
+  /// How many there are, and their names as texts.
+  template <class Ports>
+  void add_names(const std::string& what, const Ports& ports) {
+    std::vector<std::string> texts;
+    for (const auto& port : ports) texts.push_back(cpp_string(port.name));
+    view_.set(what + "_count", fmt::format("{}", texts.size()));
+    view_.set(what + "_names", braced(texts));
+  }
+
+  /// What leaves of a graph without engine.
+  void add_outputs() {
+    const bool guards = guards_outputs(plan_, names_);
+    view_.set("guards_outputs", guards);
+    View outputs = list();
+    std::vector<Input> ports;
+    for (const SafeOutput& output : graph_.safety.outputs) {
+      if (!guards) break;
+      const Input& input = graph_.environment().inputs[output.input];
+      ports.push_back(input);
+      View item = space_view(input.name, output.space, output.span, "Output");
+      item.set("value", message_literal(shortened(output.value), output.space));
+      const Rational steps = output.hold_s * graph_.environment().rate_hz;
+      item.set("hold_steps", output.holds_always
+                                 ? "eagerx::SafeOutput<" + message_type(output.space) + ">::kAlways"
+                                 : fmt::format("{}", steps.floor()));
+      item.set("most_change", literal(output.ramp_per_s / graph_.environment().rate_hz.to_double(),
+                                      output.space.dtype));
+      outputs.push_back(item);
+    }
+    add_names("output", ports);
+    view_.set("all_outputs", bool_literal(ports.size() == graph_.environment().inputs.size()));
+    view_.set("resets_nodes", bool_literal(graph_.safety.resets_nodes));
+    view_["outputs"] = std::move(outputs);
+  }
+
+  /// One number for all elements where they are equal.
+  static std::vector<double> shortened(std::vector<double> value) {
+    if (std::count(value.begin(), value.end(), value.front()) == std::ssize(value)) value.resize(1);
+    return value;
   }
 
   void add_safety() {
@@ -83,14 +133,13 @@ class LimitsView {
     view_.set("holds", bool_literal(safety.holds));
     std::vector<std::string> values;
     for (std::size_t i = 0; i < safety.actions.size(); ++i) {
-      std::vector<double> value = safety.actions[i];
-      if (std::count(value.begin(), value.end(), value.front()) == std::ssize(value))
-        value.resize(1);  // one for all elements
-      values.push_back(message_literal(value, graph_.environment().outputs[i].space));
+      values.push_back(
+          message_literal(shortened(safety.actions[i]), graph_.environment().outputs[i].space));
     }
     view_.set("safe_action", braced(values));
   }
 
+  const Plan& plan_;
   const Graph& graph_;
   const ProgramNames& names_;
   Names constants_;
@@ -98,6 +147,11 @@ class LimitsView {
 };
 
 }  // namespace
+
+bool guards_outputs(const Plan& plan, const ProgramNames& names) {
+  return !plan.graph->safety.outputs.empty() && names.runs(Graph::kEnvironment) &&
+         !names.is_board();
+}
 
 View limits_view(const Plan& plan, const ProgramNames& names) {
   return LimitsView(plan, names).make();

@@ -97,6 +97,9 @@ struct IncludePaths {
 };
 View includes_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
 View io_view(const Plan& plan, const ProgramNames& names, const IncludePaths& paths);
+/// Whether this program has the guard of a graph without engine. It is where the main loop is; the
+/// half of a split graph that a board runs has none.
+bool guards_outputs(const Plan& plan, const ProgramNames& names);
 /// Spaces and `safety:`.
 View limits_view(const Plan& plan, const ProgramNames& names);
 /// The header of a library: what a main loop of one's own needs to know.

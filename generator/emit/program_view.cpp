@@ -77,6 +77,10 @@ class ProgramView {
                                 : decides ? "const Action& action"
                                           : "Action& action");
     view_.set("guards", decides && !graph_.environment().outputs.empty());
+    const bool outputs = guards_outputs(plan_, names_);
+    view_.set("guards_outputs", outputs);
+    view_.set("guard_type", outputs ? "OutputGuard" : "Guard");
+    view_.set("guard_header", outputs ? "output_guard" : "guard");
     // Without an engine, actions are what a main loop measures: no answer to what it is given.
     view_.set("answers", decides && graph_.has_engine() && !graph_.environment().outputs.empty());
     view_.set("gives_action_back", !decides && !names_.is_board());
@@ -148,14 +152,17 @@ class ProgramView {
   }
 
   void add_observation() {
-    std::vector<std::string> windows;
+    std::vector<std::string> windows, nothing;
     bool asks = false;
     const auto& inputs = graph_.environment().inputs;
     for (std::size_t i = 0; names_.receives(Graph::kEnvironment) && i < inputs.size(); ++i) {
       windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
+      const std::size_t ring = plan_.nodes[Graph::kEnvironment].receptions[i].ring;
+      nothing.push_back(fmt::format("{{{}, 0, 0}}", names_.ring_member[ring]));
       asks = asks || asks_what_is_due(plan_, Graph::kEnvironment, i);
     }
     view_.set("observation", braced(windows));
+    view_.set("nothing", "Observation" + braced(nothing));
     view_.set("observation_asks", asks);
   }
 

@@ -40,6 +40,9 @@ std::string why_not(const GraphNode& node) {
 std::string why_not_in_time(const Plan& plan) {
   const Graph& graph = *plan.graph;
   const Rational& rate_hz = graph.environment().rate_hz;
+  if (!graph.safety.outputs.empty())
+    return "a graph without an engine stands still while its outputs are safe (`safety: {outputs: "
+           "none}` if nothing acts on them)";
   for (const auto& node : graph.nodes) {
     if ((node.rate_hz / rate_hz).is_integer()) continue;
     return fmt::format("`{}` runs at {} Hz, no multiple of the environment's {} Hz", node.name,

@@ -17,6 +17,7 @@ void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
   check_sensors(judged, diagnostics);
   check_memory(judged, diagnostics);
   check_keys(judged, diagnostics);
+  check_outputs(judged, diagnostics);
   check_task(judged.graph, diagnostics);
 }
 

@@ -18,7 +18,8 @@ struct Judged {
 /// W0101 an action wider than its actuator, W0102 units that differ, W0103 an actuator that nothing
 /// drives, W0104 what reaches nothing, W0105 a port that is connected and not listed, W0106 a
 /// sensor faster than the engine, W0107 an observation of a policy without bounds, W0109 a key that
-/// does nothing in this graph, W0110 what of a task changes nothing; E0421 a budget for a node that
+/// does nothing in this graph, W0110 what of a task changes nothing, W0111 an output that nobody
+/// said the safe value of; E0421 a budget for a node that
 /// there is not, E0423 buffers that do not fit into the RAM.
 void check_plausibility(const Judged& judged, Diagnostics& diagnostics);
 
@@ -34,6 +35,7 @@ void check_wiring(const Judged& judged, Diagnostics& diagnostics);
 void check_sensors(const Judged& judged, Diagnostics& diagnostics);
 void check_memory(const Judged& judged, Diagnostics& diagnostics);
 void check_keys(const Judged& judged, Diagnostics& diagnostics);
+void check_outputs(const Judged& judged, Diagnostics& diagnostics);
 void check_task(const Graph& graph, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

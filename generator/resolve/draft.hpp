@@ -195,6 +195,15 @@ void check_sync(Draft& draft);
 /// What runs on a board (E0332 what cannot, E0333 two boards, E0334 boards that are no partners).
 void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement);
 
+/// The safe value of `name`, checked against its space (E0322, E0327), one number for each element;
+/// nullopt if it is wrong.
+std::optional<std::vector<double>> safe_value(const std::string& name, const Space& space,
+                                              const YamlValue& yaml, Diagnostics& diagnostics);
+/// Zero, moved into the space.
+std::vector<double> zero_in(const Space& space);
+/// What leaves of a graph without engine while it is safe (E0307, E0327, E0348).
+void resolve_safe_outputs(Draft& draft);
+
 /// What `$(safety KEY)` means in manifests.
 References safety_references(const GraphSpec& spec);
 /// Adds what `$(safe ACTUATOR)` means in the implementation of `object`, whose own references are

@@ -166,6 +166,17 @@ struct Agent {
   Span span;
 };
 
+/// What an observation of a graph without engine is while it is safe.
+struct SafeOutput {
+  std::size_t input = 0;  // of the environment
+  std::vector<double> value;  // one for each element
+  Space space;                // what leaves is within
+  Rational hold_s;            // for which the last good one stays first
+  bool holds_always = false;
+  double ramp_per_s = 0.0;  // 0: at once
+  Span span;
+};
+
 /// What is safe and when; defaults filled in.
 struct Safety {
   bool declared = false;
@@ -175,6 +186,10 @@ struct Safety {
   bool clips = true;                         // actions outside of their space
   bool holds = false;                        // the action before one that is not finite
   std::vector<std::vector<double>> actions;  // of the environment, a value for each element
+  // Without an engine the observations leave to the world:
+  std::vector<SafeOutput> outputs;
+  std::vector<std::size_t> undeclared;  // observations that `outputs:` says nothing of
+  bool resets_nodes = true;             // when safe outputs are over
   Span span;
 };
 

@@ -7,7 +7,6 @@
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
-namespace {
 
 std::vector<double> zero_in(const Space& space) {
   std::vector<double> zero;
@@ -19,16 +18,17 @@ std::vector<double> zero_in(const Space& space) {
   return zero;
 }
 
-/// The value that was written, checked against its space (E0322, E0327); nullopt if it is wrong.
-std::optional<std::vector<double>> value_of(const std::string& name, const Space& space,
-                                            const Setting& setting, Diagnostics& diagnostics) {
+std::optional<std::vector<double>> safe_value(const std::string& name, const Space& space,
+                                              const YamlValue& yaml, Diagnostics& diagnostics) {
   RandomSpec spec;
   spec.kind = RandomSpec::Kind::value;
-  spec.span = setting.value.span;
-  spec.first = setting.value;
+  spec.span = yaml.span;
+  spec.first = yaml;
   const auto random = read_random(name, space, spec, diagnostics);
   return random ? std::optional(random->first) : std::nullopt;
 }
+
+namespace {
 
 YamlValue list_of(const std::vector<double>& values, Span span) {
   std::vector<YamlValue> items;
@@ -114,8 +114,9 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
       // The action's own value is told of with the action.
       Diagnostics& diagnostics = setting != nullptr ? draft.diagnostics : quiet;
       if (setting == nullptr) setting = of_connected_action(draft.spec, object.name.value, name);
-      const auto value =
-          setting != nullptr ? value_of(written, *space, *setting, diagnostics) : std::nullopt;
+      const auto value = setting != nullptr
+                             ? safe_value(written, *space, setting->value, diagnostics)
+                             : std::nullopt;
       if (value) {
         safe = *value;
         span = setting->value.span;
@@ -151,10 +152,12 @@ void resolve_safety(Draft& draft) {
   safety.recover = count("recover");
   safety.clips = text("limits") == "clip";
   safety.holds = text("not_finite") == "hold";
+  safety.resets_nodes = text("nodes") == "reset";
   const Rational lateness = Rational::parse(text("max_lateness")).value_or(Rational());
   safety.max_lateness_s = lateness == Rational() ? Rational(1) / environment.rate_hz : lateness;
   safety.link_timeout_s = Rational::parse(text("link_timeout")).value_or(Rational());
   for (const auto& action : environment.outputs) safety.actions.push_back(zero_in(action.space));
+  resolve_safe_outputs(draft);
   if (!draft.spec.safety) return;
   safety.declared = true;
   safety.span = draft.spec.safety->span;
@@ -162,7 +165,8 @@ void resolve_safety(Draft& draft) {
     const Output& action = environment.outputs[i];
     const Setting* setting = find_named(draft.spec.safety->actions, action.name);
     if (setting == nullptr) continue;
-    auto value = value_of("actions." + action.name, action.space, *setting, draft.diagnostics);
+    auto value =
+        safe_value("actions." + action.name, action.space, setting->value, draft.diagnostics);
     if (value) safety.actions[i] = std::move(*value);
   }
 }

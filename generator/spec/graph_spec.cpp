@@ -12,6 +12,9 @@
 namespace eagerx::gen {
 namespace {
 
+constexpr const char* kNone = "none";
+constexpr const char* kAlways = "always";
+
 Spanned<std::string> text_of(const YamlValue& yaml) {
   return {yaml.text, yaml.span};
 }
@@ -131,14 +134,44 @@ void read_what_runs(const YamlValue& yaml, EntitySpec& spec, Diagnostics& diagno
   }
 }
 
+SafeOutputSpec read_safe_output(const YamlValue::Entry& entry) {
+  SafeOutputSpec spec;
+  spec.name = {entry.key, entry.key_span};
+  const YamlValue& yaml = entry.value;
+  spec.span = yaml.is_null() ? entry.key_span : yaml.span;
+  if (yaml.is_map()) {
+    spec.value = value_at(yaml, "value");
+    spec.low = value_at(yaml, "low");
+    spec.high = value_at(yaml, "high");
+    spec.ramp = value_at(yaml, "ramp");
+    const YamlValue* hold = yaml.find("hold");
+    spec.holds_always = hold != nullptr && hold->text == kAlways;
+    if (!spec.holds_always) spec.hold_s = optional_of<Rational>(yaml, "hold", rational_of);
+  } else {
+    spec.is_free = yaml.is_scalar() && yaml.text == kNone;
+    if (!spec.is_free && !yaml.is_null()) spec.value = yaml;
+  }
+  return spec;
+}
+
+void read_safe_outputs(const YamlValue& yaml, Span key, SafetySpec& spec) {
+  spec.outputs_span = key;
+  spec.no_outputs = yaml.is_scalar();
+  for (const auto& entry : yaml.entries) spec.outputs.push_back(read_safe_output(entry));
+}
+
 std::optional<SafetySpec> read_safety(const YamlValue* yaml) {
   if (yaml == nullptr) return std::nullopt;
   SafetySpec spec;
   spec.span = yaml->span;
   spec.actions = read_config(yaml->find("actions"));
   spec.actuators = read_config(yaml->find("actuators"));
+  const auto outputs = std::ranges::find(yaml->entries, "outputs", &YamlValue::Entry::key);
+  if (outputs != yaml->entries.end()) read_safe_outputs(outputs->value, outputs->key_span, spec);
   for (const auto& setting : read_config(yaml)) {
-    if (setting.name != "actions" && setting.name != "actuators") spec.settings.push_back(setting);
+    const std::string& key = setting.name;
+    if (key != "actions" && key != "actuators" && key != "outputs")
+      spec.settings.push_back(setting);
   }
   return spec;
 }

@@ -80,9 +80,23 @@ struct ConnectionSpec {
   ConnectionSettings settings;
 };
 
+/// What an observation of a graph without engine is while it is safe.
+struct SafeOutputSpec {
+  Spanned<std::string> name;
+  Span span;  // of what was written
+  bool is_free = false;  // `none`: it leaves as the nodes made it
+  std::optional<YamlValue> value, low, high;
+  std::optional<Spanned<Rational>> hold_s;
+  bool holds_always = false;
+  std::optional<YamlValue> ramp;  // per second
+};
+
 /// What is safe and when it is applied; what is left out has the default of `safety_defaults`.
 struct SafetySpec {
   Span span;
+  std::optional<Span> outputs_span;
+  bool no_outputs = false;  // `outputs: none`
+  std::vector<SafeOutputSpec> outputs;
   std::vector<Setting> actions;    // by name: a number or a list
   std::vector<Setting> actuators;  // by object.actuator
   std::vector<Setting> settings;   // the others, by key

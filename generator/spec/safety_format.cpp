@@ -5,10 +5,34 @@ namespace eagerx::gen {
 
 const std::vector<SafetyDefault>& safety_defaults() {
   static const std::vector<SafetyDefault> kDefaults = {
-      {"late", "1"},      {"max_lateness", "0"},  {"missed", "2"},         {"recover", "3"},
-      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}};
+      {"late", "1"},      {"max_lateness", "0"},  {"missed", "2"},          {"recover", "3"},
+      {"limits", "clip"}, {"not_finite", "safe"}, {"link_timeout", "0.01"}, {"nodes", "reset"}};
   return kDefaults;
 }
+
+namespace {
+
+/// What leaves in place of an output: `0.0`, `none`, or all that can be said of it.
+FormatPtr safe_output_format(const FormatPtr& values) {
+  const FormatPtr number = format::number("a number");
+  const FormatPtr hold =
+      format::one_of("a time in seconds, or `always`",
+                     {format::time("a time in seconds"), format::keyword({"always"})});
+  const FormatPtr settings = format::record(
+      "safety.outputs",
+      {{"value", values, false, "the safe value (default: zero, moved into the limits)"},
+       {"hold", hold, false,
+        "how long the last good output stays first, in seconds, or `always` (default 0)"},
+       {"ramp", number, false,
+        "largest change a second on the way to the safe value and back (default: at once)"},
+       {"low", values, false, "what leaves is never less (default: the bound of its space)"},
+       {"high", values, false, "what leaves is never more (default: the bound of its space)"}});
+  return format::one_of(
+      "a safe value, `none`, or a mapping such as `{value: 0.0, ramp: 10}`",
+      {format::list("a list of numbers", number, 1), number, format::keyword({"none"}), settings});
+}
+
+}  // namespace
 
 FormatPtr safety_format() {
   constexpr double kMost = 1'000'000;
@@ -27,6 +51,16 @@ FormatPtr safety_format() {
        {"actuators", std::make_shared<const Format>(std::move(actuators)), false,
         "safe value of each `object.actuator` of real hardware (default: the safe value of the "
         "action that is connected to it, else zero, moved into its space)"},
+       {"outputs",
+        format::one_of(
+            "`none`, or a mapping from observations to safe values",
+            {format::map("outputs", safe_output_format(values)), format::keyword({"none"})}),
+        false,
+        "graphs without an engine: what leaves as an observation while a measurement is missing, "
+        "not finite or late; `none`: nothing acts on it (default: zero, moved into its space)"},
+       {"nodes", format::keyword({"reset", "hold"}), false,
+        "graphs without an engine: what the nodes do when a safe output is over. reset: they begin "
+        "as after a reset; hold: they go on from where they stood (default reset)"},
        {"late", count, false,
         "the safe action takes over after so many instants in a row that were later than "
         "`max_lateness` (default 1)"},

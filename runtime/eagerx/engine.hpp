@@ -1,9 +1,8 @@
 // How a program starts, resets, makes safe and stops its engine, and what everything counts.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <initializer_list>
+#include <eagerx/channel_counts.hpp>
 
 namespace eagerx {
 
@@ -62,16 +61,8 @@ void for_each_count_of(F& f, const Part& part) {
 /// The same for a node, whose counts are called "name: count". The text is valid during the call.
 template <class F, class Node>
 void for_each_count_of_node(F& f, const char* name, const Node& node) {
-  node.for_each_count([&](const char* what, std::uint64_t count) {
-    constexpr std::size_t kLongest = 127;
-    char text[kLongest + 1];
-    std::size_t n = 0;
-    for (const char* part : {name, ": ", what}) {
-      while (*part != '\0' && n < kLongest) text[n++] = *part++;
-    }
-    text[n] = '\0';
-    f(static_cast<const char*>(text), count);
-  });
+  node.for_each_count(
+      [&](const char* what, std::uint64_t count) { tell_count(f, name, what, count); });
 }
 
 /// The same for an engine and its simulators.

@@ -1,26 +1,19 @@
 // The guard of a program's actions: what reaches the actuators in place of what the agent wants.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/channel_counts.hpp>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/safety.hpp>
 #include <eagerx/space.hpp>
+#include <eagerx/verdict.hpp>
 #include <limits>
 #include <type_traits>
 
 namespace eagerx {
-
-template <class Message>
-constexpr bool is_finite(const Message& message) {
-  bool finite = true;
-  if constexpr (std::is_floating_point_v<ScalarOf<Message>>) {
-    for (std::size_t i = 0; i < size_of<Message>; ++i)
-      finite = finite && eagerx::isfinite(element(message, i));
-  }
-  return finite;
-}
 
 /// What `safety:` in the graph says: when the safe action takes the agent's place, and when it
 /// ends.
@@ -29,103 +22,84 @@ class Takeover {
  public:
   using Action = typename Limits::Action;
   using Observation = typename Limits::Observation;
-  static constexpr Safety kSafety = Limits::kSafety;
+  static constexpr std::size_t kObservations = Limits::kObservationNames.size();
 
   void reset() {
-    right_ = kAllRight;
-    bad_ = 0;
-    is_safe_ = false;
+    verdict_.reset(true);
     seen_ = true;
-    last_ = Limits::safe();
   }
 
-  /// What an observation is padded with before its first message is no number, either.
+  /// An observation that has no message yet because the graph says so (`skip`) is no fault; one
+  /// that is padded for another reason is no number.
   void see(const Observation& observation) {
     seen_ = true;
+    std::size_t channel = 0;
     Limits::for_each_observation(
         observation, [&](const char* /*name*/, const auto& window, const auto& /*space*/) {
-          for (std::uint32_t i = 0; i < window.size(); ++i) seen_ = seen_ && is_finite(window[i]);
+          seen_ = seen_ && (waits(window, channel) || are_finite(window));
+          ++channel;
         });
+    if (!seen_) find_not_finite(observation);
   }
 
-  void saw(bool is_finite) { seen_ = is_finite; }
+  /// The same, told of each channel.
+  void saw(std::size_t channel, bool is_finite) {
+    if (channel == 0) seen_ = true;
+    seen_ = seen_ && is_finite;
+    not_finite_[channel] = !is_finite;
+  }
+  void saw_numbers() { seen_ = true; }
 
   Action judge(Action action, std::uint64_t late_in_a_row) {
-    const bool late = late_in_a_row >= kSafety.late;
-    overruns_ += late;
-    const bool numbers = are_numbers(action);
-    const bool within = numbers && move_into_limits(action);
-    bad_ = numbers ? 0 : bad_ + 1;
-    const bool holds = kSafety.holds && bad_ > 0 && bad_ < kSafety.missed && !is_safe_;
-    note(!late && (numbers || holds) && (within || kSafety.clips || holds));
-    if (is_safe_) {
-      ++safe_steps_;
-      return last_ = Limits::safe();
-    }
-    return holds ? last_ : last_ = action;
+    if (!seen_) count_not_seen();
+    return verdict_.judge(action, seen_, late_in_a_row) ? action : Limits::safe();
   }
 
   void stop() { ++stops_; }
 
   template <class F>
   void for_each_count(F&& f) const {
-    f("safe: steps", safe_steps_);
-    f("safe: times", safe_times_);
-    f("safe: overrun", overruns_);
-    f("safe: observation not finite", observations_);
-    f("safe: action not finite", actions_);
-    f("safe: action out of limits", limits_);
+    verdict_.for_each_count(f);
+    observations_.for_each(f, "safe: observation not finite", Limits::kObservationNames);
     f("safe: stopped", stops_);
   }
 
  private:
-  static constexpr std::uint32_t kAllRight = 0xffff'ffffU;
-
-  bool are_numbers(Action& action) {
-    bool given = true;
-    Limits::for_each_action(action,
-                            [&](const char* /*name*/, const auto& message, const auto& /*space*/) {
-                              given = given && is_finite(message);
-                            });
-    observations_ += !seen_;
-    actions_ += seen_ && !given;  // an agent that was given NaN may answer with it
-    return seen_ && given;
-  }
-
-  /// True if it was within them.
-  bool move_into_limits(Action& action) {
-    bool within = true;
-    Limits::for_each_action(action, [&](const char* /*name*/, auto& message, const auto& space) {
-      within = within && space.contains(message);
-      message = space.clipped(message);
-    });
-    limits_ += !within;
-    return within;
-  }
-
-  void note(bool right) {
-    if (!right) {
-      safe_times_ += !is_safe_;
-      is_safe_ = true;
-      right_ = 0;
-    } else if (is_safe_) {
-      // The instant that completes `recover` right ones is the first whose action is applied.
-      if (right_ != kAllRight) ++right_;
-      is_safe_ = kSafety.recover == 0 || right_ < kSafety.recover;
+  template <class Window>
+  static bool waits(const Window& window, std::size_t channel) {
+    if constexpr (requires { window.received(); }) {
+      return Limits::kMayWait[channel] && window.received() == 0;
+    } else {
+      return false;  // without padding there is nothing that is no message
     }
   }
 
-  std::uint32_t right_ = 0;  // instants in a row since the last wrong one
-  std::uint32_t bad_ = 0;    // instants in a row with a number that is not finite
-  bool is_safe_ = false;
-  bool seen_ = false;  // whether the latest observation was finite
-  Action last_{};
-  std::uint64_t safe_steps_ = 0;
-  std::uint64_t safe_times_ = 0;
-  std::uint64_t overruns_ = 0;
-  std::uint64_t observations_ = 0;
-  std::uint64_t actions_ = 0;
-  std::uint64_t limits_ = 0;
+  template <class Window>
+  static bool are_finite(const Window& window) {
+    bool finite = true;
+    for (std::uint32_t i = 0; i < window.size(); ++i) finite = finite && is_finite(window[i]);
+    return finite;
+  }
+
+  [[gnu::noinline, gnu::cold]] void find_not_finite(const Observation& observation) {
+    std::size_t channel = 0;
+    Limits::for_each_observation(
+        observation, [&](const char* /*name*/, const auto& window, const auto& /*space*/) {
+          not_finite_[channel] = !waits(window, channel) && !are_finite(window);
+          ++channel;
+        });
+  }
+
+  [[gnu::noinline, gnu::cold]] void count_not_seen() {
+    for (std::size_t i = 0; i < kObservations; ++i) {
+      if (not_finite_[i]) observations_.add(i);
+    }
+  }
+
+  Verdict<Limits> verdict_;
+  bool seen_ = false;                             // whether the latest observation was finite
+  std::array<bool, kObservations> not_finite_{};  // which were not, if it was not
+  ChannelCounts<kObservations> observations_;
   std::uint64_t stops_ = 0;
 };
 
@@ -153,9 +127,13 @@ class Guard {
   void see(const Observation& observation) {
     if constexpr (kTakesOver) takeover_.see(observation);
   }
-  /// The same of an observation that is finite, or not.
-  void saw(bool is_finite) {
-    if constexpr (kTakesOver) takeover_.saw(is_finite);
+  /// The same of an observation whose numbers are elsewhere: all are finite, or, from the first
+  /// channel to the last, those of each are finite or not.
+  void saw_numbers() {
+    if constexpr (kTakesOver) takeover_.saw_numbers();
+  }
+  void saw(std::size_t channel, bool is_finite) {
+    if constexpr (kTakesOver) takeover_.saw(channel, is_finite);
   }
 
   /// What is applied in place of `action`. `late_in_a_row`: instants up to now that were later than
@@ -179,10 +157,10 @@ class Guard {
 
   /// An action on its way to an actuator, after a processor.
   template <class Message>
-  Message within(const Space<Message>& space, const Message& message) {
+  Message within(std::size_t channel, const Space<Message>& space, const Message& message) {
     const bool finite = is_finite(message);
     if (finite && space.contains(message)) return message;
-    ++beyond_;
+    beyond_.add(channel);
     return space.clipped(finite ? message : Message{});
   }
 
@@ -190,12 +168,14 @@ class Guard {
   template <class F>
   void for_each_count(F&& f) const {
     if constexpr (kTakesOver) takeover_.for_each_count(f);
-    f(kTakesOver ? "safe: safe action not finite" : "safe: action not finite", not_finite_);
-    f("safe: action beyond its actuator", beyond_);
-    if constexpr (!kTakesOver) f("safe: action out of limits", limits_);
+    not_finite_.for_each(f, kTakesOver ? "safe: safe action not finite" : "safe: action not finite",
+                         Limits::kActionNames);
+    beyond_.for_each(f, "safe: action beyond its actuator", Limits::kActionNames);
+    if constexpr (!kTakesOver)
+      limits_.for_each(f, "safe: action out of limits", Limits::kActionNames);
   }
 
-  template <std::size_t>
+  template <class, std::size_t>
   friend class LaneGuard;
 
  private:
@@ -226,31 +206,36 @@ class Guard {
   /// Rare, so it is kept out of the way.
   [[gnu::noinline, gnu::cold]] Action corrected(Action action) {
     bool finite = true;
-    bool within = true;
+    std::size_t channel = 0;
     Limits::for_each_action(action,
-                            [&](const char* /*name*/, const auto& message, const auto& space) {
-                              finite = finite && is_finite(message);
-                              within = within && space.contains(message);
+                            [&](const char* /*name*/, const auto& message, const auto& /*space*/) {
+                              if (!is_finite(message)) {
+                                finite = false;
+                                not_finite_.add(channel);
+                              }
+                              ++channel;
                             });
-    not_finite_ += !finite;
     if (!finite) action = Limits::safe();
-    limits_ += finite && !within;
-    Limits::for_each_action(action, [](const char* /*name*/, auto& message, const auto& space) {
+    channel = 0;
+    Limits::for_each_action(action, [&](const char* /*name*/, auto& message, const auto& space) {
+      if (finite && !space.contains(message)) limits_.add(channel);
       message = space.clipped(message);
+      ++channel;
     });
-    within = true;
+    channel = 0;
     Limits::for_each_applied(action, [&](auto& message, const auto& space) {
-      within = within && space.contains(message);
+      if (!space.contains(message)) beyond_.add(channel);
       message = space.clipped(message);
+      ++channel;
     });
-    beyond_ += !within;
     return action;
   }
 
   [[no_unique_address]] std::conditional_t<kTakesOver, Takeover<Limits>, NoTakeover> takeover_{};
-  std::uint32_t not_finite_ = 0;
-  std::uint32_t limits_ = 0;
-  std::uint32_t beyond_ = 0;
+  static constexpr std::size_t kActions = Limits::kActionNames.size();
+  ChannelCounts<kActions> not_finite_;
+  ChannelCounts<kActions> limits_;
+  ChannelCounts<kActions> beyond_;
 };
 
 }  // namespace eagerx

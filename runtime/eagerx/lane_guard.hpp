@@ -1,6 +1,7 @@
 // The guard of actions on their way to the actuators of a pack of environments.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/guard.hpp>
@@ -13,11 +14,11 @@ namespace eagerx {
 
 /// Guard::within() lane by lane, and what it counts. The rest of a guard stays with the
 /// environment's own program.
-template <std::size_t N>
+template <class Limits, std::size_t N>
 class LaneGuard {
  public:
   template <class Message>
-  Message within(const Space<Message>& space, const Message& message) {
+  Message within(std::size_t channel, const Space<Message>& space, const Message& message) {
     using Real = ScalarOf<Message>;
     TruthOf<Real> finite = true;
     TruthOf<Real> contained = true;
@@ -34,21 +35,22 @@ class LaneGuard {
       const Real raised = select(x >= low, x, low);
       element(result, i) = select(raised > high, high, raised);
     }
-    beyond_ += one_if<Real>(!(finite && contained));
+    beyond_[channel] += one_if<Real>(!(finite && contained));
     return result;
   }
 
-  template <class Limits>
   void load(std::size_t lane, const Guard<Limits>& one) {
-    set_lane(beyond_, static_cast<int>(lane), one.beyond_);
+    for (std::size_t i = 0; i < kActions; ++i)
+      set_lane(beyond_[i], static_cast<int>(lane), one.beyond_[i]);
   }
-  template <class Limits>
   void store(std::size_t lane, Guard<Limits>& one) const {
-    one.beyond_ = eagerx::lane(beyond_, static_cast<int>(lane));
+    for (std::size_t i = 0; i < kActions; ++i)
+      one.beyond_[i] = eagerx::lane(beyond_[i], static_cast<int>(lane));
   }
 
  private:
-  LaneCounts<N> beyond_{};
+  static constexpr std::size_t kActions = Limits::kActionNames.size();
+  std::array<LaneCounts<N>, kActions> beyond_{};
 };
 
 }  // namespace eagerx

@@ -67,6 +67,17 @@ class PacedTrace : public HashTrace {
     begin_slot(deadline);
   }
 
+  /// A step in which no node runs takes its time, too: the grid of deadlines moves by a period of
+  /// `Rate`, that of the step.
+  template <class Rate>
+  void stand_still(Rate /*rate*/) {
+    if (pace_ == Pace::free) return;
+    const std::uint64_t period = Clock::hz() * Rate::den / Rate::num;
+    start_ += period;
+    deadline_ += period;
+    begin_slot(deadline_);
+  }
+
   const Timing& timing() const { return timing_; }
 
   /// Slots in a row that were too late, now that the answer to the latest one is about to be

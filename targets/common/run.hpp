@@ -126,7 +126,9 @@ Action guarded(Program& program, const Action& wanted, std::uint64_t late_in_a_r
 /// A step with an action that the guard has seen, or that is repeated from a log.
 template <class Program, class Action>
 auto apply(Program& program, Action& action) {
-  if constexpr (requires { program.guard; }) {
+  if constexpr (requires { program.step_checked(action); }) {
+    return program.step_checked(action);
+  } else if constexpr (requires { program.guard; }) {
     return program.step_unguarded(action);
   } else {
     return program.step(action);
@@ -237,6 +239,8 @@ void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, 
 /// What a program counts besides its messages: f(name, count) for each. Counts are 32 or 64 bits.
 template <class Program, class F>
 void for_each_fault(const Program& program, F&& f) {
+  if constexpr (requires { program.steps_before_reset(); })
+    f("safe: steps before the first reset", program.steps_before_reset());
   if constexpr (requires { program.reset_timeouts(); })
     f("reset timeouts", program.reset_timeouts());
   if constexpr (requires { program.refused_delays(); })

@@ -122,7 +122,7 @@ uint64_t eagerx_hash(eagerx_environments* environments, uint32_t environment);
 int eagerx_picture(eagerx_environments* environments, uint32_t environment, uint32_t width, uint32_t height,
                    uint8_t* pixels);
 
-/* JSON: what guards and nodes of all environments have counted that is not 0, such as {"safe: action not finite": 3}.
+/* JSON: what guards and nodes of all environments have counted that is not 0, such as {"safe: action not finite: voltage": 3}.
    Valid until the next call with these environments. Null: eagerx_error() says why. */
 const char* eagerx_counts(eagerx_environments* environments);
 

@@ -66,7 +66,12 @@ class PackMemory {
   /// The guard looks at the observation of the step.
   void show_guard(const PackColumn& column, Program& program) const {
     if constexpr (requires { requires decltype(program.guard)::kTakesOver; }) {
-      if (kernel_.answers) program.guard.saw(column.end(kFinite) != 0.0F);
+      if (!kernel_.answers) return;
+      if (column.end(kFinite) != 0.0F) {
+        program.guard.saw_numbers();
+      } else {
+        show_channels(column, program);
+      }
     }
   }
 
@@ -86,6 +91,20 @@ class PackMemory {
     std::align_val_t alignment;
     void operator()(std::byte* memory) const { ::operator delete(memory, alignment); }
   };
+
+  /// Which of the observations are not finite.
+  static void show_channels(const PackColumn& column, Program& program) {
+    std::size_t from = 0, channel = 0;
+    Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {
+      using Observed = typename decltype(observed)::type;
+      constexpr std::size_t kNumbers =
+          messages_of<Observed>() * size_of<typename Observed::value_type>;
+      bool finite = true;
+      for (std::size_t i = 0; i < kNumbers; ++i)
+        finite = finite && eagerx::isfinite(column.number(from++));
+      program.guard.saw(channel++, finite);
+    });
+  }
 
   std::byte* pack(std::uint32_t k) const { return memory_.get() + k / lanes() * kernel_.bytes; }
   float* columns(unsigned member) {

@@ -333,7 +333,7 @@ static void check_not_finite(void) {
   }
   expect(finite, "actions that are no numbers");
   const char* counts = eagerx_counts(batch);
-  expect(counts != NULL && strstr(counts, "\"safe: action not finite\": ") != NULL, counts);
+  expect(counts != NULL && strstr(counts, "\"safe: action not finite: ") != NULL, counts);
   eagerx_destroy(batch);
   drop(&b);
 }

@@ -88,9 +88,9 @@ TEST(OwnLoopTest, NothingLeavesTheActuatorsSpace) {
   EXPECT_EQ(program.trace.least, -2.0F);
   EXPECT_EQ(program.trace.most, 2.0F);
   auto counts = counts_of(program);
-  EXPECT_GT(counts["safe: action not finite"], kMillion / 4U);
-  EXPECT_GT(counts["safe: action out of limits"], kMillion / 10U);
-  EXPECT_GT(counts["safe: action beyond its actuator"], kMillion / 10U);
+  EXPECT_GT(counts["safe: action not finite: voltage"], kMillion / 4U);
+  EXPECT_GT(counts["safe: action out of limits: voltage"], kMillion / 10U);
+  EXPECT_GT(counts["safe: action beyond its actuator: voltage"], kMillion / 10U);
 }
 
 TEST(OwnLoopTest, NorThroughAProcessor) {

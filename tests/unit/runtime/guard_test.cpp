@@ -1,6 +1,7 @@
 // eagerx/guard.hpp: when the safe action takes the agent's place, and when it ends.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <eagerx/guard.hpp>
 #include <limits>
 #include <map>
@@ -26,6 +27,9 @@ struct FakeLimits {
     float operator[](std::uint32_t /*i*/) const { return value; }
   };
   static constexpr Safety kSafety = kDeclared;
+  static constexpr std::array<const char*, 2> kActionNames{"volt", "gear"};
+  static constexpr std::array<const char*, 1> kObservationNames{"angle"};
+  static constexpr std::array<bool, 1> kMayWait{false};
   static Action safe() { return {0.5F, 1}; }
   template <class F>
   static void for_each_action(Action& action, F&& f) {
@@ -81,29 +85,29 @@ TEST(GuardTest, WithoutSafetyOnlyWhatNoActuatorTakesIsChanged) {
   EXPECT_EQ(run.volt(1.5F, kNaN, 9), 1.5F) << "neither NaN before it nor lateness";
   for (const auto& [name, count] : run.counts()) EXPECT_EQ(count, 0U) << name;
   EXPECT_EQ(run.volt(7.0F), 2.0F);
-  EXPECT_EQ(run.counts()["safe: action out of limits"], 1U);
+  EXPECT_EQ(run.counts()["safe: action out of limits: volt"], 1U);
   EXPECT_EQ(run.volt(kNaN), 0.5F);
   EXPECT_EQ(run.volt(-std::numeric_limits<float>::infinity()), 0.5F);
-  EXPECT_EQ(run.counts()["safe: action not finite"], 2U);
+  EXPECT_EQ(run.counts()["safe: action not finite: volt"], 2U);
   EXPECT_EQ(run.volt(-1.95F), -1.9F);
-  EXPECT_EQ(run.counts()["safe: action beyond its actuator"], 1U);
+  EXPECT_EQ(run.counts()["safe: action beyond its actuator: volt"], 1U);
   EXPECT_EQ(run.volt(1.0F), 1.0F);
 }
 
 TEST(GuardTest, WithinAnActuatorsSpaceAfterAProcessor) {
   Guarded<kUsual> run;
   const Space<float> space{1.0F, 2.0F};
-  EXPECT_EQ(run.guard.within(space, 1.5F), 1.5F);
-  EXPECT_EQ(run.guard.within(space, 3.0F), 2.0F);
-  EXPECT_EQ(run.guard.within(space, kNaN), 1.0F) << "zero, moved into it";
-  EXPECT_EQ(run.counts()["safe: action beyond its actuator"], 2U);
+  EXPECT_EQ(run.guard.within(0, space, 1.5F), 1.5F);
+  EXPECT_EQ(run.guard.within(0, space, 3.0F), 2.0F);
+  EXPECT_EQ(run.guard.within(0, space, kNaN), 1.0F) << "zero, moved into it";
+  EXPECT_EQ(run.counts()["safe: action beyond its actuator: volt"], 2U);
 }
 
 TEST(GuardTest, LimitsClip) {
   Guarded<kUsual> run;
   EXPECT_EQ(run.volt(7.0F), 2.0F);
   EXPECT_EQ(run.volt(1.0F), 1.0F);
-  EXPECT_EQ(run.counts()["safe: action out of limits"], 1U);
+  EXPECT_EQ(run.counts()["safe: action out of limits: volt"], 1U);
   EXPECT_EQ(run.counts()["safe: steps"], 0U);
 }
 
@@ -120,8 +124,8 @@ TEST(GuardTest, NaNMakesSafeAtOnceAndIsCountedOnce) {
   Guarded<kUsual> run;
   EXPECT_EQ(run.volt(kNaN, kNaN), 0.5F);
   EXPECT_EQ(run.volt(std::numeric_limits<float>::infinity()), 0.5F);
-  EXPECT_EQ(run.counts()["safe: observation not finite"], 1U);
-  EXPECT_EQ(run.counts()["safe: action not finite"], 1U) << "not the answer to NaN";
+  EXPECT_EQ(run.counts()["safe: observation not finite: angle"], 1U);
+  EXPECT_EQ(run.counts()["safe: action not finite: volt"], 1U) << "not the answer to NaN";
   run.guard.reset();
   EXPECT_EQ(run.volt(1.0F), 1.0F) << "another episode";
 }

@@ -244,7 +244,7 @@ class Environments:
         return pixels
 
     def counts(self):
-        """What guards and nodes have counted: {"safe: action not finite": 3}."""
+        """What guards and nodes have counted: {"safe: action not finite: voltage": 3}."""
         text = self.library.c.eagerx_counts(self._open())
         if text is None:
             self._fail()

@@ -2,6 +2,7 @@
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -24,6 +25,11 @@ struct Limits {
       .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
   /// observations.theta_dot, graph.yaml:36:36
   static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
+
+  static constexpr std::array<const char*, 1> kActionNames{"voltage"};
+  static constexpr std::array<const char*, 2> kObservationNames{"angle", "theta_dot"};
+  /// Whether an observation may have no message yet, because the graph says so.
+  static constexpr std::array<bool, 2> kMayWait{false, false};
 
   /// When the safe action takes the agent's place.
   static constexpr eagerx::Safety kSafety{.declared = false,

@@ -93,6 +93,7 @@ class Program {
   Observation step_safely() { return step_unguarded(guard.stop()); }
   /// Without the guard: whatever `action` is, the actuators get it.
   Observation step_unguarded(const Action& action) {
+    if (n30Hz_ == 0) [[unlikely]] return before_reset();
     // actions.voltage, graph.yaml:29:3
     action_voltage_[0] = action.voltage;
     trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
@@ -101,9 +102,17 @@ class Program {
     return observe();
   }
 
+  /// Steps before the first reset. They do nothing: neither the engine nor a node runs.
+  std::uint32_t steps_before_reset() const { return steps_before_reset_; }
+
  private:
   using Due = std::uint32_t;
   static constexpr Due k30Hz = Due{1} << 0U;
+
+  [[gnu::noinline, gnu::cold]] Observation before_reset() {
+    ++steps_before_reset_;
+    return Observation{{observation_angle_, 0, 0}, {pendulum_theta_dot_observation_, 0, 0}};
+  }
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
@@ -217,6 +226,7 @@ class Program {
     return observation;
   }
 
+  std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.
   eagerx::Seq n30Hz_ = 0;
 

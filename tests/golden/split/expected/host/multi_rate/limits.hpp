@@ -2,6 +2,7 @@
 // Made by eagerx-gen 0.1.0 from graph.yaml. Do not edit: change the graph and generate again.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -35,6 +36,12 @@ struct Limits {
       .low = {{-2.0F}}, .high = {{2.0F}}};
   /// observations.other, graph.yaml:59:29
   static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
+
+  static constexpr std::array<const char*, 2> kActionNames{"voltage", "push"};
+  static constexpr std::array<const char*, 5> kObservationNames{
+      "angle", "speeds", "recent", "applied", "other"};
+  /// Whether an observation may have no message yet, because the graph says so.
+  static constexpr std::array<bool, 5> kMayWait{false, false, true, true, false};
 
   /// When the safe action takes the agent's place.
   static constexpr eagerx::Safety kSafety{.declared = false,

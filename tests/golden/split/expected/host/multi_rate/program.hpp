@@ -96,6 +96,7 @@ class Program {
 
   /// Applies an action and runs to the next tick of the environment.
   Observation step(Action& action) {
+    if (n10Hz_ == 0) [[unlikely]] return before_reset();
     link->begin_step();
     // actions.voltage, graph.yaml:46:3
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
@@ -146,6 +147,9 @@ class Program {
     }
   }
 
+  /// Steps before the first reset. They do nothing: neither the engine nor a node runs.
+  std::uint32_t steps_before_reset() const { return steps_before_reset_; }
+
  private:
   using Due = std::uint32_t;
   static constexpr Due k60Hz = Due{1} << 0U;
@@ -153,6 +157,13 @@ class Program {
   static constexpr Due k20Hz = Due{1} << 2U;
   static constexpr Due k15Hz = Due{1} << 3U;
   static constexpr Due k10Hz = Due{1} << 4U;
+
+  [[gnu::noinline, gnu::cold]] Observation before_reset() {
+    ++steps_before_reset_;
+    return Observation{
+        {observation_angle_, 0, 0}, {left_theta_dot_observation_, 0, 0}, {fast_filtered_, 0, 0},
+        {left_u_applied_action_applied_, 0, 0}, {right_theta_observation_, 0, 0}};
+  }
 
   // Up to the environment: everything that does not need the action of the same instant.
   template <class Mask>
@@ -363,6 +374,7 @@ class Program {
   std::uint32_t slot_ = 0;
   std::uint8_t kind_ = 0;  // of the slot of the last observation
 
+  std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;
   eagerx::Seq n30Hz_ = 0;

@@ -1,0 +1,158 @@
+// The guard of a controller without an engine: its actions are measurements, and its observations
+// are what leaves to the world.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/channel_counts.hpp>
+#include <eagerx/safe_output.hpp>
+#include <eagerx/verdict.hpp>
+#include <optional>
+#include <type_traits>
+
+namespace eagerx {
+
+/// A measurement that is not finite or late, or an output that is not finite, leads to the declared
+/// outputs without the controller: no node runs in such a step. `Limits` is the generated struct of
+/// that name. All zero until the first reset(); until then every output has its safe value.
+template <class Limits>
+class OutputGuard {
+ public:
+  using Action = typename Limits::Action;
+  using Observation = typename Limits::Observation;
+  static constexpr bool kTakesOver = true;
+  static constexpr std::size_t kOutputs = Limits::kOutputNames.size();
+
+  void reset() {
+    verdict_.reset(false);
+    acts_ = true;
+    begins_anew_ = false;
+    was_not_finite_ = false;
+    is_reset_ = true;
+    Limits::for_each_kept(outputs_, [](auto& keeper, const auto& safe) { keeper.reset(safe); });
+  }
+
+  /// What leaves of a reset, when nothing has been measured: the safe values.
+  Observation begin(Observation seen) {
+    remember(seen);
+    Limits::for_each_output(seen, outputs_, [](auto& window, auto& keeper, const auto& /*safe*/) {
+      show(window, keeper);
+    });
+    return seen;
+  }
+
+  /// What the nodes measure in place of `action`, if acts(). `late_in_a_row`: steps up to now that
+  /// were later than `max_lateness`.
+  Action check(Action action, std::uint64_t late_in_a_row) {
+    const bool was_safe = verdict_.is_safe();
+    acts_ = is_reset_ && verdict_.judge(action, true, late_in_a_row);
+    begins_anew_ = acts_ && was_safe && (Limits::kResetsNodes || was_not_finite_);
+    return action;
+  }
+  /// Whether the nodes run in the step that was checked last.
+  bool acts() const { return acts_; }
+  /// Whether they are reset before it, because a safe output is over.
+  bool begins_anew() const { return begins_anew_; }
+
+  /// What leaves after the nodes have run.
+  Observation leave(Observation seen) {
+    was_not_finite_ = false;
+    remember(seen);
+    if (!are_right(seen)) {
+      verdict_.refuse();
+      return safe(seen);
+    }
+    Limits::for_each_output(seen, outputs_, [](auto& window, auto& keeper, const auto& safe) {
+      keeper.leave(safe.space.clipped(window.back()), safe);
+      show(window, keeper);
+    });
+    return seen;
+  }
+
+  /// What leaves of a step in which no node has run. `nothing`: an observation before any message.
+  Observation stay(const Observation& nothing) { return safe(last(nothing)); }
+
+  /// The same for the end of a run: nothing is held.
+  Observation stop(const Observation& nothing) {
+    ++stops_;
+    return safe(last(nothing), false);
+  }
+
+  /// Before the first reset: the safe values, whatever was declared of the way to them.
+  Observation before_reset(Observation nothing) {
+    Limits::for_each_output(nothing, outputs_, [](auto& window, auto& keeper, const auto& safe) {
+      keeper.reset(safe);
+      show(window, keeper);
+    });
+    return nothing;
+  }
+
+  /// f(name, count) for each.
+  template <class F>
+  void for_each_count(F&& f) const {
+    verdict_.for_each_count(f);
+    not_finite_.for_each(f, "safe: output not finite", Limits::kOutputNames);
+    limits_.for_each(f, "safe: output out of limits", Limits::kOutputNames);
+    f("safe: stopped", stops_);
+  }
+
+ private:
+  struct Nothing {};
+  static constexpr bool kRemembers = !Limits::kAllOutputs;
+
+  void remember(const Observation& seen) {
+    if constexpr (kRemembers) last_ = seen;
+  }
+  const Observation& last(const Observation& nothing) const {
+    if constexpr (kRemembers) return last_ ? *last_ : nothing;
+    return nothing;
+  }
+
+  /// Its window becomes the one message that leaves, with `seq` 0.
+  template <class Window, class Keeper>
+  static void show(Window& window, const Keeper& keeper) {
+    window = std::remove_cvref_t<Window>(&keeper.message(), 1, 1);
+  }
+
+  /// Whether every output may leave, if moved into its limits.
+  bool are_right(Observation& seen) {
+    bool right = true;
+    std::size_t channel = 0;
+    Limits::for_each_output(seen, outputs_,
+                            [&](const auto& window, const auto& /*keeper*/, const auto& safe) {
+                              const auto& message = window.back();
+                              if (!is_finite(message)) {
+                                not_finite_.add(channel);
+                                was_not_finite_ = true;
+                                right = false;
+                              } else if (!safe.space.contains(message)) {
+                                limits_.add(channel);
+                                right = right && Limits::kSafety.clips;
+                              }
+                              ++channel;
+                            });
+    return right;
+  }
+
+  Observation safe(Observation seen, bool holds = true) {
+    Limits::for_each_output(seen, outputs_, [&](auto& window, auto& keeper, const auto& safe) {
+      keeper.be_safe(safe, holds);
+      show(window, keeper);
+    });
+    return seen;
+  }
+
+  Verdict<Limits> verdict_;
+  typename Limits::Outputs outputs_{};
+  // What the nodes sent last, for observations that are no outputs.
+  [[no_unique_address]] std::conditional_t<kRemembers, std::optional<Observation>, Nothing> last_;
+  bool is_reset_ = false;
+  bool acts_ = false;
+  bool begins_anew_ = false;
+  bool was_not_finite_ = false;  // the last step of the nodes
+  ChannelCounts<kOutputs> not_finite_;
+  ChannelCounts<kOutputs> limits_;
+  std::uint64_t stops_ = 0;
+};
+
+}  // namespace eagerx

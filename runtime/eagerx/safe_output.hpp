@@ -1,0 +1,83 @@
+// What leaves to the world of a controller without an engine while it is safe.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/message.hpp>
+#include <eagerx/space.hpp>
+#include <limits>
+#include <type_traits>
+
+namespace eagerx {
+
+/// What leaves in place of an output while it is safe, `safety: {outputs: …}` of a graph.
+template <class Message>
+struct SafeOutput {
+  static constexpr std::uint64_t kAlways = std::numeric_limits<std::uint64_t>::max();
+
+  Message value;                  // in the end
+  Space<Message> space;           // everything that leaves is within
+  std::uint64_t hold_steps;       // for which the last good output stays first
+  ScalarOf<Message> most_change;  // of an element in a step, to `value` and back; 0: at once
+};
+
+/// What leaves of one output. All zero until the first reset().
+template <class Message>
+class OutputKeeper {
+ public:
+  const Message& message() const { return message_; }
+
+  void reset(const SafeOutput<Message>& safe) {
+    message_ = safe.value;
+    safe_steps_ = 0;
+    returns_ = false;
+    has_good_ = false;
+  }
+
+  /// A step whose output, finite and within its space, may leave.
+  void leave(const Message& good, const SafeOutput<Message>& safe) {
+    returns_ = returns_ && approach(good, safe.most_change);
+    if (!returns_) message_ = good;
+    safe_steps_ = 0;
+    has_good_ = true;
+  }
+
+  /// A step in which it is safe. `holds`: whether the last good output may stay.
+  void be_safe(const SafeOutput<Message>& safe, bool holds) {
+    returns_ = safe.most_change > ScalarOf<Message>{};
+    if (holds && has_good_ && safe_steps_ < safe.hold_steps) {
+      ++safe_steps_;
+    } else {
+      safe_steps_ = safe.hold_steps;  // holding is over for this time
+      if (!returns_ || !approach(safe.value, safe.most_change)) message_ = safe.value;
+    }
+  }
+
+ private:
+  /// A step towards `target`; false if it is reached, or if there are no steps.
+  bool approach(const Message& target, ScalarOf<Message> most_change) {
+    if constexpr (!std::is_floating_point_v<ScalarOf<Message>>) return false;
+    bool is_there = true;
+    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+      auto& x = element(message_, i);
+      const auto& end = element(target, i);
+      if (end > x && end - x > most_change) {
+        x += most_change;
+        is_there = false;
+      } else if (x > end && x - end > most_change) {
+        x -= most_change;
+        is_there = false;
+      } else {
+        x = end;
+      }
+    }
+    return !is_there;
+  }
+
+  Message message_{};
+  std::uint64_t safe_steps_ = 0;  // in a row in which it was held
+  bool returns_ = false;          // on its way between good and safe
+  bool has_good_ = false;         // since the reset
+};
+
+}  // namespace eagerx

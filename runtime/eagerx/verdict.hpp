@@ -1,0 +1,144 @@
+// Whether what a program is given may act, or what is safe takes over: `safety:` of a graph.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/channel_counts.hpp>
+#include <eagerx/math.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/safety.hpp>
+#include <type_traits>
+
+namespace eagerx {
+
+template <class Message>
+constexpr bool is_finite(const Message& message) {
+  bool finite = true;
+  if constexpr (std::is_floating_point_v<ScalarOf<Message>>) {
+    for (std::size_t i = 0; i < size_of<Message>; ++i)
+      finite = finite && eagerx::isfinite(element(message, i));
+  }
+  return finite;
+}
+
+/// Judges the action of each step. `Limits` is the generated struct of that name. All zero until
+/// the first reset().
+template <class Limits>
+class Verdict {
+ public:
+  using Action = typename Limits::Action;
+  static constexpr Safety kSafety = Limits::kSafety;
+  static constexpr std::size_t kActions = Limits::kActionNames.size();
+
+  /// `has_last`: whether the safe action may be held, as if it had been the action before.
+  void reset(bool has_last) {
+    right_ = kAllRight;
+    bad_ = 0;
+    is_safe_ = false;
+    has_last_ = has_last;
+    last_ = Limits::safe();
+  }
+
+  bool is_safe() const { return is_safe_; }
+
+  /// False if what is safe takes over in this step; otherwise `action` becomes what is applied.
+  /// `seen`: whether what the action answers was finite.
+  bool judge(Action& action, bool seen, std::uint64_t late_in_a_row) {
+    const bool late = late_in_a_row >= kSafety.late;
+    overruns_ += late ? 1U : 0U;
+    const bool numbers = seen && are_numbers(action);
+    const bool within = numbers && move_into_limits(action);
+    bad_ = numbers ? 0 : bad_ + 1;
+    const bool holds = kSafety.holds && bad_ > 0 && bad_ < kSafety.missed && !is_safe_ && has_last_;
+    note(!late && (numbers || holds) && (within || kSafety.clips || holds));
+    if (is_safe_) {
+      ++safe_steps_;
+      last_ = Limits::safe();
+      return false;
+    }
+    if (holds) {
+      action = last_;
+    } else {
+      last_ = action;
+      has_last_ = true;
+    }
+    return true;
+  }
+
+  /// What came of a step that was allowed to act is wrong: what is safe takes over.
+  void refuse() {
+    note(false);
+    ++safe_steps_;
+  }
+
+  template <class F>
+  void for_each_count(F&& f) const {
+    f("safe: steps", safe_steps_);
+    f("safe: times", safe_times_);
+    f("safe: overrun", overruns_);
+    actions_.for_each(f, "safe: action not finite", Limits::kActionNames);
+    limits_.for_each(f, "safe: action out of limits", Limits::kActionNames);
+  }
+
+ private:
+  static constexpr std::uint32_t kAllRight = 0xffff'ffffU;
+
+  bool are_numbers(Action& action) {
+    bool given = true;
+    Limits::for_each_action(action,
+                            [&](const char* /*name*/, const auto& message, const auto& /*space*/) {
+                              given = given && is_finite(message);
+                            });
+    if (!given) count_not_finite(action);
+    return given;
+  }
+
+  [[gnu::noinline, gnu::cold]] void count_not_finite(Action& action) {
+    std::size_t channel = 0;
+    Limits::for_each_action(action,
+                            [&](const char* /*name*/, const auto& message, const auto& /*space*/) {
+                              if (!is_finite(message)) actions_.add(channel);
+                              ++channel;
+                            });
+  }
+
+  /// True if it was within them.
+  bool move_into_limits(Action& action) {
+    bool within = true;
+    std::size_t channel = 0;
+    Limits::for_each_action(action, [&](const char* /*name*/, auto& message, const auto& space) {
+      if (!space.contains(message)) {
+        within = false;
+        limits_.add(channel);
+        message = space.clipped(message);
+      }
+      ++channel;
+    });
+    return within;
+  }
+
+  void note(bool right) {
+    if (!right) {
+      safe_times_ += is_safe_ ? 0U : 1U;
+      is_safe_ = true;
+      right_ = 0;
+    } else if (is_safe_) {
+      // The instant that completes `recover` right ones is the first whose action is applied.
+      if (right_ != kAllRight) ++right_;
+      is_safe_ = kSafety.recover == 0 || right_ < kSafety.recover;
+    }
+  }
+
+  std::uint32_t right_ = 0;  // instants in a row since the last wrong one
+  std::uint32_t bad_ = 0;    // instants in a row with a number that is not finite
+  bool is_safe_ = false;
+  bool has_last_ = false;
+  Action last_{};
+  std::uint64_t safe_steps_ = 0;
+  std::uint64_t safe_times_ = 0;
+  std::uint64_t overruns_ = 0;
+  ChannelCounts<kActions> actions_;
+  ChannelCounts<kActions> limits_;
+};
+
+}  // namespace eagerx
