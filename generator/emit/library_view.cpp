@@ -41,6 +41,7 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
                         : has_memory ? "Graph::policy(seen, program.policy_memory)"
                                      : "Graph::policy(seen)");
   view.set("guards", actions.is_non_empty_list());
+  view.set("guards_outputs", !graph.safety.outputs.empty());
   view.set("safety_place",
            text_or_false(graph.safety.declared
                              ? fmt::format("{}:{}", graph.file_name, graph.safety.span.line)

@@ -106,6 +106,10 @@ class LimitsView {
     }
     add_names("output", ports);
     view_.set("all_outputs", bool_literal(ports.size() == graph_.environment().inputs.size()));
+    std::vector<std::string> frozen;
+    for (const std::uint32_t steps : graph_.safety.frozen)
+      frozen.push_back(fmt::format("{}", steps));
+    view_.set("frozen", braced(frozen));
     view_.set("resets_nodes", bool_literal(graph_.safety.resets_nodes));
     view_["outputs"] = std::move(outputs);
   }

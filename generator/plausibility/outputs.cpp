@@ -21,11 +21,15 @@ void check_idle_keys(const Judged& judged, Diagnostics& diagnostics) {
     constexpr const char* kAgent = "this graph has an engine, so its observations go to the agent";
     if (safety.outputs_span) report_idle(*safety.outputs_span, "outputs", kAgent, diagnostics);
     if (nodes != nullptr) report_idle(nodes->span, "nodes", kAgent, diagnostics);
+    for (const Setting& frozen : safety.frozen)
+      report_idle(frozen.span, "frozen." + frozen.name, kAgent, diagnostics);
     return;
   }
   if (judged.graph.safety.outputs.empty()) {
-    if (nodes != nullptr)
-      report_idle(nodes->span, "nodes", "this graph has no safe outputs", diagnostics);
+    constexpr const char* kNone = "this graph has no safe outputs";
+    if (nodes != nullptr) report_idle(nodes->span, "nodes", kNone, diagnostics);
+    for (const Setting& frozen : safety.frozen)
+      report_idle(frozen.span, "frozen." + frozen.name, kNone, diagnostics);
     return;
   }
   for (const Setting& action : safety.actions) {

@@ -199,6 +199,10 @@ void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement);
 /// nullopt if it is wrong.
 std::optional<std::vector<double>> safe_value(const std::string& name, const Space& space,
                                               const YamlValue& yaml, Diagnostics& diagnostics);
+/// Names in `settings` that are not among those of a graph. `what` they are: "action" (E0307).
+void report_unknown_names(const std::vector<Setting>& settings,
+                          const std::vector<std::string>& known, std::string_view what,
+                          const char* otherwise, Diagnostics& diagnostics);
 /// Zero, moved into the space.
 std::vector<double> zero_in(const Space& space);
 /// What leaves of a graph without engine while it is safe (E0307, E0327, E0348).

@@ -168,7 +168,7 @@ struct Agent {
 
 /// What an observation of a graph without engine is while it is safe.
 struct SafeOutput {
-  std::size_t input = 0;  // of the environment
+  std::size_t input = 0;      // of the environment
   std::vector<double> value;  // one for each element
   Space space;                // what leaves is within
   Rational hold_s;            // for which the last good one stays first
@@ -189,6 +189,7 @@ struct Safety {
   // Without an engine the observations leave to the world:
   std::vector<SafeOutput> outputs;
   std::vector<std::size_t> undeclared;  // observations that `outputs:` says nothing of
+  std::vector<std::uint32_t> frozen;    // steps in a row, of each action; 0: never
   bool resets_nodes = true;             // when safe outputs are over
   Span span;
 };

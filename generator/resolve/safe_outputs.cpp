@@ -109,11 +109,22 @@ void report_unknown_outputs(const Draft& draft) {
 
 void resolve_safe_outputs(Draft& draft) {
   const SafetySpec* const written = draft.spec.safety ? &*draft.spec.safety : nullptr;
-  if (written != nullptr) report_unknown_outputs(draft);
+  if (written != nullptr) {
+    report_unknown_outputs(draft);
+    report_unknown_names(written->frozen, names_of(draft.graph.environment().outputs), "action",
+                         "the graph has no actions", draft.diagnostics);
+  }
   const GraphNode& environment = draft.graph.environment();
   if (draft.spec.has_engine() || environment.outputs.empty()) return;
   if (written != nullptr && written->no_outputs) return;
   Safety& safety = draft.graph.safety;
+  for (const auto& action : environment.outputs) {
+    const Setting* const setting =
+        written != nullptr ? find_named(written->frozen, action.name) : nullptr;
+    safety.frozen.push_back(setting == nullptr ? 0U
+                                               : static_cast<std::uint32_t>(
+                                                     parse_int(setting->value.text).value_or(0)));
+  }
   for (std::size_t i = 0; i < environment.inputs.size(); ++i) {
     const Input& input = environment.inputs[i];
     const SafeOutputSpec* spec =

@@ -28,6 +28,16 @@ std::optional<std::vector<double>> safe_value(const std::string& name, const Spa
   return random ? std::optional(random->first) : std::nullopt;
 }
 
+void report_unknown_names(const std::vector<Setting>& settings,
+                          const std::vector<std::string>& known, std::string_view what,
+                          const char* otherwise, Diagnostics& diagnostics) {
+  for (const auto& setting : settings) {
+    if (contains(known, setting.name)) continue;
+    diagnostics.error("E0307", setting.span, fmt::format("there is no {} `{}`", what, setting.name))
+        .help = suggestion(setting.name, known, otherwise);
+  }
+}
+
 namespace {
 
 YamlValue list_of(const std::vector<double>& values, Span span) {
@@ -49,17 +59,6 @@ const Setting* of_connected_action(const GraphSpec& spec, const std::string& obj
     return find_named(spec.safety->actions, from.within_owner());
   }
   return nullptr;
-}
-
-/// Names in `settings` that are not among those of a graph. `what` they are: "action".
-void report_unknown_names(const std::vector<Setting>& settings,
-                          const std::vector<std::string>& known, std::string_view what,
-                          const char* otherwise, Diagnostics& diagnostics) {
-  for (const auto& setting : settings) {
-    if (contains(known, setting.name)) continue;
-    diagnostics.error("E0307", setting.span, fmt::format("there is no {} `{}`", what, setting.name))
-        .help = suggestion(setting.name, known, otherwise);
-  }
 }
 
 /// nullopt if the type of an object is not known.

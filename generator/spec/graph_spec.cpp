@@ -166,11 +166,12 @@ std::optional<SafetySpec> read_safety(const YamlValue* yaml) {
   spec.span = yaml->span;
   spec.actions = read_config(yaml->find("actions"));
   spec.actuators = read_config(yaml->find("actuators"));
+  spec.frozen = read_config(yaml->find("frozen"));
   const auto outputs = std::ranges::find(yaml->entries, "outputs", &YamlValue::Entry::key);
   if (outputs != yaml->entries.end()) read_safe_outputs(outputs->value, outputs->key_span, spec);
   for (const auto& setting : read_config(yaml)) {
     const std::string& key = setting.name;
-    if (key != "actions" && key != "actuators" && key != "outputs")
+    if (key != "actions" && key != "actuators" && key != "outputs" && key != "frozen")
       spec.settings.push_back(setting);
   }
   return spec;

@@ -83,7 +83,7 @@ struct ConnectionSpec {
 /// What an observation of a graph without engine is while it is safe.
 struct SafeOutputSpec {
   Spanned<std::string> name;
-  Span span;  // of what was written
+  Span span;             // of what was written
   bool is_free = false;  // `none`: it leaves as the nodes made it
   std::optional<YamlValue> value, low, high;
   std::optional<Spanned<Rational>> hold_s;
@@ -97,6 +97,7 @@ struct SafetySpec {
   std::optional<Span> outputs_span;
   bool no_outputs = false;  // `outputs: none`
   std::vector<SafeOutputSpec> outputs;
+  std::vector<Setting> frozen;     // by action: a number of steps
   std::vector<Setting> actions;    // by name: a number or a list
   std::vector<Setting> actuators;  // by object.actuator
   std::vector<Setting> settings;   // the others, by key

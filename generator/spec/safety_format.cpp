@@ -58,6 +58,9 @@ FormatPtr safety_format() {
         false,
         "graphs without an engine: what leaves as an observation while a measurement is missing, "
         "not finite or late; `none`: nothing acts on it (default: zero, moved into its space)"},
+       {"frozen", format::map("frozen", format::integer("a number of steps", 2, kMost)), false,
+        "graphs without an engine: for so many steps in a row an action, which is a measurement, "
+        "may have exactly the same value before safe outputs take over (default: for ever)"},
        {"nodes", format::keyword({"reset", "hold"}), false,
         "graphs without an engine: what the nodes do when a safe output is over. reset: they begin "
         "as after a reset; hold: they go on from where they stood (default reset)"},

@@ -2,6 +2,7 @@
 // are what leaves to the world.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/channel_counts.hpp>
@@ -29,6 +30,7 @@ class OutputGuard {
     begins_anew_ = false;
     was_not_finite_ = false;
     is_reset_ = true;
+    if constexpr (kDetectsFrozen) frozen_.same = {};
     Limits::for_each_kept(outputs_, [](auto& keeper, const auto& safe) { keeper.reset(safe); });
   }
 
@@ -44,10 +46,12 @@ class OutputGuard {
   /// What the nodes measure in place of `action`, if acts(). `late_in_a_row`: steps up to now that
   /// were later than `max_lateness`.
   Action check(Action action, std::uint64_t late_in_a_row) {
-    const bool was_safe = verdict_.is_safe();
-    acts_ = is_reset_ && verdict_.judge(action, true, late_in_a_row);
-    begins_anew_ = acts_ && was_safe && (Limits::kResetsNodes || was_not_finite_);
-    return action;
+    return judged(action, true, late_in_a_row, is_frozen(action));
+  }
+  /// The same of a step for which no measurement has come.
+  Action miss(std::uint64_t late_in_a_row) {
+    ++missing_;
+    return judged(Limits::safe(), false, late_in_a_row, false);
   }
   /// Whether the nodes run in the step that was checked last.
   bool acts() const { return acts_; }
@@ -91,13 +95,59 @@ class OutputGuard {
   template <class F>
   void for_each_count(F&& f) const {
     verdict_.for_each_count(f);
+    f("safe: action missing", missing_);
+    if constexpr (kDetectsFrozen)
+      frozen_.frozen.for_each(f, "safe: action frozen", Limits::kActionNames);
     not_finite_.for_each(f, "safe: output not finite", Limits::kOutputNames);
     limits_.for_each(f, "safe: output out of limits", Limits::kOutputNames);
     f("safe: stopped", stops_);
   }
 
  private:
+  static constexpr std::size_t kActions = Limits::kActionNames.size();
+  static constexpr bool kDetectsFrozen = [] {
+    for (const std::uint32_t steps : Limits::kFrozen) {
+      if (steps > 0) return true;
+    }
+    return false;
+  }();
   struct Nothing {};
+  /// Steps in a row in which each measurement was the same, to the bit of its value.
+  struct Frozen {
+    Action last{};
+    std::array<std::uint32_t, kActions> same{};
+    ChannelCounts<kActions> frozen;
+  };
+
+  Action judged(Action action, bool seen, std::uint64_t late_in_a_row, bool is_wrong) {
+    const bool was_safe = verdict_.is_safe();
+    acts_ = is_reset_ && verdict_.judge(action, seen, late_in_a_row, is_wrong);
+    begins_anew_ = acts_ && was_safe && (Limits::kResetsNodes || was_not_finite_);
+    return action;
+  }
+
+  /// Whether a measurement has been the same for as many steps as `frozen:` says.
+  bool is_frozen([[maybe_unused]] Action& action) {
+    bool result = false;
+    if constexpr (kDetectsFrozen) {
+      std::size_t channel = 0;
+      Limits::for_each_pair(action, frozen_.last, [&](const auto& now, const auto& before) {
+        std::uint32_t& same = frozen_.same[channel];
+        bool equal = same > 0;  // there was one before
+        for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(now)>>; ++i)
+          equal = equal && element(now, i) == element(before, i);
+        same = !equal ? 1 : same < Limits::kFrozen[channel] ? same + 1 : same;
+        if (Limits::kFrozen[channel] > 0 && same >= Limits::kFrozen[channel]) {
+          frozen_.frozen.add(channel);
+          result = true;
+        }
+        ++channel;
+      });
+      frozen_.last = action;
+    }
+    return result;
+  }
+
   static constexpr bool kRemembers = !Limits::kAllOutputs;
 
   void remember(const Observation& seen) {
@@ -152,6 +202,8 @@ class OutputGuard {
   bool was_not_finite_ = false;  // the last step of the nodes
   ChannelCounts<kOutputs> not_finite_;
   ChannelCounts<kOutputs> limits_;
+  [[no_unique_address]] std::conditional_t<kDetectsFrozen, Frozen, Nothing> frozen_;
+  std::uint64_t missing_ = 0;
   std::uint64_t stops_ = 0;
 };
 

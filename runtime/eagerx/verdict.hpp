@@ -42,15 +42,16 @@ class Verdict {
   bool is_safe() const { return is_safe_; }
 
   /// False if what is safe takes over in this step; otherwise `action` becomes what is applied.
-  /// `seen`: whether what the action answers was finite.
-  bool judge(Action& action, bool seen, std::uint64_t late_in_a_row) {
+  /// `seen`: whether what the action answers was finite. `is_wrong`: whether something else is
+  /// wrong with it, so that neither it nor the last one may act.
+  bool judge(Action& action, bool seen, std::uint64_t late_in_a_row, bool is_wrong = false) {
     const bool late = late_in_a_row >= kSafety.late;
     overruns_ += late ? 1U : 0U;
     const bool numbers = seen && are_numbers(action);
     const bool within = numbers && move_into_limits(action);
     bad_ = numbers ? 0 : bad_ + 1;
     const bool holds = kSafety.holds && bad_ > 0 && bad_ < kSafety.missed && !is_safe_ && has_last_;
-    note(!late && (numbers || holds) && (within || kSafety.clips || holds));
+    note(!late && !is_wrong && (numbers || holds) && (within || kSafety.clips || holds));
     if (is_safe_) {
       ++safe_steps_;
       last_ = Limits::safe();

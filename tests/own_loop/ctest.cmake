@@ -1,6 +1,6 @@
 # Main loops that are not ours, on generated libraries.
-set(own_loop_graphs wide converted taken_over)
-add_executable(own_loop ${CMAKE_CURRENT_LIST_DIR}/own_loop_test.cpp)
+set(own_loop_graphs wide converted taken_over servo arm poisoned skipped)
+add_executable(own_loop ${CMAKE_CURRENT_LIST_DIR}/own_loop_test.cpp ${CMAKE_CURRENT_LIST_DIR}/controller_test.cpp)
 foreach(graph IN LISTS own_loop_graphs)
   eagerx_add_graph(TARGET own_loop_${graph} GRAPH ${CMAKE_CURRENT_LIST_DIR}/${graph}.yaml LIBRARY)
   target_link_libraries(own_loop PRIVATE own_loop_${graph})
@@ -10,3 +10,5 @@ gtest_discover_tests(own_loop TEST_PREFIX own_loop. DISCOVERY_TIMEOUT 60)
 # A library for another tree: --standalone needs nothing of the installation, and the example's loop on a board.
 add_test(NAME own_loop.standalone COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen>
          $<TARGET_FILE:replay_swing_up>)
+# The same faults on an emulated Cortex-M4F: what leaves has the same bits.
+add_test(NAME own_loop.board COMMAND ${CMAKE_CURRENT_LIST_DIR}/board ${CMAKE_BINARY_DIR})

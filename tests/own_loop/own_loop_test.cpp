@@ -9,6 +9,7 @@
 #include <string>
 
 #include "converted.hpp"
+#include "skipped.hpp"
 #include "taken_over.hpp"
 #include "wide.hpp"
 
@@ -129,6 +130,17 @@ TEST(OwnLoopTest, SafetyTakesOverAfterLateStepsAndGivesBack) {
   program.reset({});
   EXPECT_EQ(applied(1.0F), 1.0F) << "another episode";
   EXPECT_EQ(applied(3.0F), 2.0F) << "within its space, beyond the actuator's";
+}
+
+TEST(OwnLoopTest, WhatHasNotComeYetBecauseTheGraphSaysSoIsNoFault) {
+  graphs::skipped::Program<MotorTrace> program;
+  for (int episode = 0; episode < 3; ++episode) {
+    program.reset(graphs::skipped::Graph::draw(kKey));
+    for (int i = 0; i < 5; ++i) program.step({.target = {0.1F}});
+  }
+  for (const auto& [name, count] : counts_of(program)) EXPECT_EQ(count, 0U) << name;
+  program.step({.target = {kNaN}});
+  EXPECT_EQ(counts_of(program)["safe: action not finite: target"], 1U);
 }
 
 TEST(OwnLoopTest, TheSafeActionEndsARun) {
