@@ -101,7 +101,7 @@ int eagerx_act(eagerx_environments* environments, const float* observation, floa
 
 /* The states and delays of the next episode, for environments where `mask` is not 0 (null: all).
    states  [environments][numbers of the states]; NaN: drawn as the graph says. One that is outside of its space is an
-           error, and nothing is set */
+           error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the shortest decimal that reads back to it */
 int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states);
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */

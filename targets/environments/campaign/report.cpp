@@ -251,8 +251,11 @@ std::string Report::csv() const {
     const auto flag = [&](Flags one) { return (results.flags[run] & one) != 0 ? 1 : 0; };
     fmt::format_to(out, "{},{},{},{},{},{}", run, results.returns[run], results.steps[run],
                    flag(kSuccess), flag(kTerminated), flag(kTruncated));
-    for (std::size_t i = 0; i < results.width; ++i)
-      fmt::format_to(out, ",{}", results.states[run * results.width + i]);
+    for (std::size_t i = 0; i < results.width; ++i) {
+      const float x = results.states[run * results.width + i];
+      text += ",";
+      if (!std::isnan(x)) fmt::format_to(out, "{}", x);  // empty: nobody has set it
+    }
     text += "\n";
   }
   return text;
