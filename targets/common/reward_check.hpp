@@ -73,19 +73,4 @@ class RewardCheck<Outcome> {
   std::uint32_t counts_[Outcome::kTerms + 1] = {};  // steps: of the reward itself, of each term
 };
 
-/// "`task.angle` is nan in step 13 of episode 2, both counted from 1": `episode` from 0 on, `step`
-/// from 1 on.
-template <class Text, class Outcome>
-Text not_finite_text(const Outcome& outcome, std::size_t place, std::uint64_t episode,
-                     std::uint64_t step) {
-  Text text;
-  RewardCheck<Outcome>::for_each_number(outcome, [&](std::size_t i, const char* name, auto value) {
-    if (i != place) return;
-    const char* const what = value != value ? "nan" : value > 0 ? "infinite" : "-infinite";
-    text = Text("`task.") + name + "` is " + what;
-  });
-  return text + " in step " + std::to_string(step) + " of episode " + std::to_string(episode + 1) +
-         ", both counted from 1";
-}
-
 }  // namespace eagerx::target

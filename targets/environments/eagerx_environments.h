@@ -126,8 +126,8 @@ int eagerx_picture(eagerx_environments* environments, uint32_t environment, uint
                    uint8_t* pixels);
 
 /* How they are stepped, and what made that slower: "in packs of 64 (avx512)", "one by one: `imu` (ImuSensor) has no `packs:
-   true` in its manifest …", "one by one: 1 environment fills less than half of packs of 16 (plain)". Valid until the next
-   call with these environments. Null: eagerx_error() says why. */
+   true` in its manifest …", "one by one: 1 environment is too few for packs". Valid until the next call with
+   these environments. Null: eagerx_error() says why. */
 const char* eagerx_stepping(eagerx_environments* environments);
 
 /* JSON: what guards and nodes of all environments have counted that is not 0, such as

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <targets/common/reward_check.hpp>
+#include <targets/common/reward_text.hpp>
 #include <targets/common/run.hpp>
 
 namespace eagerx::environments {
@@ -41,8 +42,8 @@ class NotFinite {
   /// Of the step, in the environment that comes first.
   std::string text() const {
     const PlaceOfReward& place = first_->place;
-    return target::not_finite_text<std::string>(first_->outcome, first_->blamed, place.episode,
-                                                std::uint64_t{place.step} + 1) +
+    return target::not_finite_text(first_->outcome, first_->blamed, place.episode,
+                                   std::uint64_t{place.step} + 1) +
            ", of environment " + std::to_string(place.environment) + " (seed " +
            std::to_string(place.seed) + ", number " + std::to_string(place.number) + ")";
   }

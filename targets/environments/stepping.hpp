@@ -24,11 +24,11 @@ std::string stepping_text(const PackKernel<Graph>& used, const PackKernel<Graph>
   if (draws) return one_by_one + "their pictures are wanted";
   if (widest.lanes == 0) return one_by_one + "EAGERX_PACKS or this processor allows no packs";
   const std::string few = std::to_string(environments) +
-                          (environments == 1 ? " environment fills" : " environments fill") +
-                          " less than half of ";
-  if (used.lanes == 0) return one_by_one + few + name_of_packs(widest);
+                          (environments == 1 ? " environment is" : " environments are") +
+                          " too few for ";
+  if (used.lanes == 0) return one_by_one + few + "packs";
   const std::string packs = "in " + name_of_packs(used);
-  return used.lanes == widest.lanes ? packs : packs + ": " + few + name_of_packs(widest);
+  return used.lanes == widest.lanes ? packs : packs + "; " + few + name_of_packs(widest);
 }
 
 }  // namespace eagerx::environments

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <targets/common/reward_check.hpp>
+#include <targets/common/reward_text.hpp>
 #include <targets/common/run.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/summary.hpp>
@@ -91,8 +92,7 @@ class TaskRecord<Outcome> {
   /// The first of them, or nothing.
   std::string not_finite() const {
     if (!first_) return {};
-    return target::not_finite_text<std::string>(first_->outcome, first_->place, first_->episode,
-                                                first_->step);
+    return target::not_finite_text(first_->outcome, first_->place, first_->episode, first_->step);
   }
 
  private:
