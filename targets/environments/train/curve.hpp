@@ -7,7 +7,7 @@
 
 namespace eagerx::train {
 
-/// One iteration. NaN where nothing was measured.
+/// One iteration. NaN where there is nothing yet, or no evaluation.
 struct CurvePoint {
   double steps;               // of all environments so far
   double mean_return;         // of the last 100 episodes that ended, or of all if there are fewer
