@@ -41,11 +41,15 @@ class NotFinite {
 
   /// Of the step, in the environment that comes first.
   std::string text() const {
-    const PlaceOfReward& place = first_->place;
-    return target::not_finite_text(first_->outcome, first_->blamed, place.episode,
-                                   std::uint64_t{place.step} + 1) +
-           ", of environment " + std::to_string(place.environment) + " (seed " +
-           std::to_string(place.seed) + ", number " + std::to_string(place.number) + ")";
+    if constexpr (requires { Outcome::kTerms; }) {
+      const PlaceOfReward& place = first_->place;
+      return target::not_finite_text(first_->outcome, first_->blamed, place.episode,
+                                     std::uint64_t{place.step} + 1) +
+             ", of environment " + std::to_string(place.environment) + " (seed " +
+             std::to_string(place.seed) + ", number " + std::to_string(place.number) + ")";
+    } else {
+      return {};  // a graph without a task
+    }
   }
 
   template <class F>
