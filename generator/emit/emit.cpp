@@ -101,16 +101,18 @@ class Emitter {
 
   /// The program once more, over packs of numbers.
   void add_packs(const std::string& folder, const fs::path& here) {
-    const ProgramNames names(plan_, Part::whole, Numbers::packs);
+    Plan plan = plan_;
+    plan.schedule = schedule_of_packs(plan_);
+    const ProgramNames names(plan, Part::whole, Numbers::packs);
     const auto add_one = [&](const std::string& file, const std::string& template_file, View view) {
       view.set("namespace", "graphs::" + plan_.graph->name + "::packs");
       view.set("headers", plan_.graph->name + "/packs/");
       add(folder + "packs/" + file, template_file, std::move(view));
     };
-    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", messages_view(plan_, names));
+    add_one("messages.hpp", "cpp/packs_messages.hpp.mustache", messages_view(plan, names));
     add_one("io.hpp", "cpp/io.hpp.mustache",
-            io_view(plan_, names, {options_.builtin_root, (here / "packs").string()}));
-    View program = program_view(plan_, names);
+            io_view(plan, names, {options_.builtin_root, (here / "packs").string()}));
+    View program = program_view(plan, names);
     program.set("indented", indented());
     add_one("program.hpp", "cpp/packs_program.hpp.mustache", std::move(program));
     if (!failed_) files_.back().text = take_marks(files_.back().text).text;

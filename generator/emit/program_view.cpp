@@ -9,6 +9,7 @@
 #include "generator/emit/reset_view.hpp"
 #include "generator/emit/schedule_view.hpp"
 #include "generator/emit/types.hpp"
+#include "generator/plan/packs.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -50,7 +51,9 @@ class ProgramView {
  private:
   void add_rates() {
     View rates = list();
+    const std::vector<bool> needed = rates_of_packs(plan_);
     for (std::size_t r = 0; r < plan_.rates.size(); ++r) {
+      if (names_.has_packs() && !needed[r]) continue;
       View rate = object();
       rate.set("due", names_.due[r]);
       rate.set("counter", names_.counter[r]);

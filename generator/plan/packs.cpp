@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "generator/plan/schedule.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -44,11 +46,11 @@ std::string why_not_in_time(const Plan& plan) {
     return "a graph without an engine stands still while its outputs are safe (`safety: {outputs: "
            "none}` if nothing acts on them)";
   for (const auto& node : graph.nodes) {
-    if ((node.rate_hz / rate_hz).is_integer()) continue;
+    if (node.drawn || (node.rate_hz / rate_hz).is_integer()) continue;
     return fmt::format("`{}` runs at {} Hz, no multiple of the environment's {} Hz", node.name,
                        node.rate_hz.to_string(), rate_hz.to_string());
   }
-  if (plan.schedule.form != ScheduleForm::constants) return "a step has too many slots";
+  if (schedule_of_packs(plan).form != ScheduleForm::constants) return "a step has too many slots";
   // Its tick 0, at which it does nothing, is then in a reset.
   if (graph.has_engine() && std::ranges::find(plan.before, Graph::kEngine) == plan.before.end())
     return "the engine waits for actions";
@@ -82,6 +84,38 @@ std::string why_not_in_memory(const Plan& plan) {
 }
 
 }  // namespace
+
+std::vector<bool> rates_of_packs(const Plan& plan) {
+  std::vector<bool> needed(plan.rates.size());
+  for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
+    if (!plan.graph->nodes[n].drawn) needed[plan.nodes[n].rate] = true;
+  }
+  return needed;
+}
+
+Schedule schedule_of_packs(const Plan& plan) {
+  const std::vector<bool> needed = rates_of_packs(plan);
+  if (std::ranges::find(needed, false) == needed.end()) return plan.schedule;
+  std::vector<RateClass> rates;
+  std::vector<std::size_t> bit;  // in masks of the plan
+  std::size_t environment = 0;
+  for (std::size_t r = 0; r < plan.rates.size(); ++r) {
+    if (!needed[r]) continue;
+    if (r == plan.nodes[Graph::kEnvironment].rate) environment = rates.size();
+    rates.push_back(plan.rates[r]);
+    bit.push_back(r);
+  }
+  Schedule schedule = make_schedule(rates, environment, plan.nodes.size());
+  const auto widen = [&](std::uint64_t& mask) {
+    std::uint64_t wide = 0;
+    for (std::size_t i = 0; i < bit.size(); ++i) wide |= (mask >> i & 1U) << bit[i];
+    mask = wide;
+  };
+  std::ranges::for_each(schedule.masks, widen);
+  std::ranges::for_each(schedule.kinds, widen);
+  std::ranges::for_each(schedule.runs, widen, &Schedule::Run::mask);
+  return schedule;
+}
 
 std::string why_no_packs(const Plan& plan) {
   const Graph& graph = *plan.graph;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "generator/plan/plan.hpp"
 
@@ -11,5 +12,12 @@ namespace eagerx::gen {
 /// Steps of a pack are those of the graph, with packs for numbers; resets run alone. So all lanes
 /// do the same at the same time: every rate is due whenever an episode may begin.
 std::string why_no_packs(const Plan& plan);
+
+/// By rate of the plan, whether packs have it: not that of pictures alone, which they never show.
+std::vector<bool> rates_of_packs(const Plan& plan);
+/// The slots of packs, with the masks of the plan: without those in which only pictures are due.
+/// Where an environment goes on in its own program, that is where its reset has left it, a step
+/// like any other but for its pictures, which nobody sees.
+Schedule schedule_of_packs(const Plan& plan);
 
 }  // namespace eagerx::gen

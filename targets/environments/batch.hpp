@@ -16,34 +16,18 @@
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
 #include <targets/environments/layout.hpp>
+#include <targets/environments/not_finite.hpp>
 #include <targets/environments/pack_memory.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/environments/task.hpp>
 #include <targets/environments/team.hpp>
 #include <targets/environments/traced.hpp>
+#include <targets/environments/workload.hpp>
 #include <utility>
 #include <vector>
 
 namespace eagerx::environments {
-
-/// How many members of a team are worth their waking, from what the last steps took.
-class Workload {
- public:
-  unsigned members(unsigned most) const {
-    constexpr double kLeastOfMember_ns = 50'000.0;
-    const double wanted = work_ns_ / kLeastOfMember_ns;
-    return wanted >= most ? most : std::max(1U, static_cast<unsigned>(wanted));
-  }
-  void note(unsigned members, double elapsed_ns) {
-    constexpr double kNew = 0.125;
-    const double work_ns = elapsed_ns * members;
-    work_ns_ = work_ns_ == 0.0 ? work_ns : work_ns_ + kNew * (work_ns - work_ns_);
-  }
-
- private:
-  double work_ns_ = 0.0;  // of all members
-};
 
 /// Throws Problem for what a caller did wrong, std::bad_alloc and std::system_error in its
 /// constructor. Nothing is allocated behind that, but for states that are set, traces and counts.
@@ -90,6 +74,7 @@ class Batch {
   }
 
   std::uint32_t size() const { return size_; }
+  bool draws() const { return drawn_.any(); }
 
   void reset(const std::uint8_t* mask, const std::uint64_t* seeds, float* observation) {
     each_block(resets_, [&](std::uint32_t first, std::uint32_t end, unsigned /*member*/) {
@@ -111,14 +96,17 @@ class Batch {
     }
   }
 
-  void step(const float* actions, const eagerx_rows& rows) {
+  /// What is wrong with a reward that was not finite, or nothing.
+  std::string step(const float* actions, const eagerx_rows& rows) {
     require_begun();
+    not_finite_.begin_step();
     each_block(steps_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
       step_block(first, end, member, actions, rows);
     });
     for (auto& [k, traces] : traces_) {
       if (traces.now) traces.now->hand_on();
     }
+    return not_finite_.is_any() ? not_finite_.text() : std::string();
   }
 
   /// What the graph's agent does next, for environments whose episode has not ended.
@@ -202,6 +190,7 @@ class Batch {
     for (const auto& [k, traces] : traces_) {
       if (traces.now) target::for_each_fault(traces.now->program, add);
     }
+    not_finite_.for_each_count(add);
     return sums;
   }
 
@@ -311,6 +300,10 @@ class Batch {
       const PackColumn column = packs_.column(member, k);
       packs_.show_guard(column, programs_[k]);
       const Ends ends = write_outcome<Graph>(column, k, rows);
+      if constexpr (has_task<Graph>) {
+        if (!ends.is_finite) [[unlikely]]
+          not_finite_.note(place_of(k), outcome_of<Graph>(column));
+      }
       end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
     }
   }
@@ -329,6 +322,10 @@ class Batch {
     const std::size_t acted = layout_.actions.numbers();
     const auto observation = program.step(layout_.action(actions + k * acted));
     const Ends ends = write_outcome<Graph>(program, k, rows);
+    if constexpr (has_task<Graph>) {
+      if (!ends.is_finite) [[unlikely]]
+        not_finite_.note(place_of(k), program.outcome());
+    }
     end_step(k, ends, rows, [&](float* row) { layout_.write(observation, row); });
   }
 
@@ -407,6 +404,10 @@ class Batch {
     });
   }
 
+  PlaceOfReward place_of(std::uint32_t k) const {
+    const Episode& episode = episodes_[k];
+    return {k, episode.number, episode.seed, episode.index, episode.steps};
+  }
   static EpisodeKey key_of(const Episode& episode) {
     return {episode.seed, episode.number, episode.index};
   }
@@ -436,6 +437,7 @@ class Batch {
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;
   std::vector<SeenRows<Graph>> seen_;  // [members]
+  NotFinite<Graph> not_finite_;
   Workload resets_, steps_, acts_;
   Team team_;
 };

@@ -1,15 +1,16 @@
 /* Many environments of one graph, as a library: what `lib<graph>_environments.so` gives to programs in C, C++, Python
    and others. Plain C99.
 
-   - Functions that return int return 0, or -1 and eagerx_error() says why. Nothing is printed or thrown.
+   - Functions that return int return 0, or -1 and eagerx_error() says why (eagerx_step() also 1, see there). Nothing is
+     printed or thrown.
    - Buffers belong to the caller. They are rows without gaps, one for each environment: `[environments][numbers]` is
      row-major float32. Columns are in the order of the names of the actions, observations and states, not in that of the
      graph's file; eagerx_describe() lists them. Numbers of another type are converted.
    - An environment's draws depend on (seed, number, episode) and on nothing else: it has the same bits alone, in any
      batch and on any number of threads. Number k of seed S is `PROGRAM --seed S --environment k` of target linux-sim.
    - Of one `eagerx_environments` one thread calls a function at a time; several of them are independent.
-   - Memory is taken by eagerx_create(). After it, only the first eagerx_set_states(), eagerx_trace() and
-     eagerx_counts() take some. */
+   - Memory is taken by eagerx_create(). After it, only the first eagerx_set_states(), eagerx_trace(),
+     eagerx_counts() and a reward that is not finite take some. */
 #ifndef EAGERX_ENVIRONMENTS_H
 #define EAGERX_ENVIRONMENTS_H
 #include <stdint.h>
@@ -19,7 +20,7 @@ extern "C" {
 #endif
 
 /* Of this interface. A program asks eagerx_version() before anything else and compares. */
-#define EAGERX_ENVIRONMENTS_VERSION 2
+#define EAGERX_ENVIRONMENTS_VERSION 3
 
 /* The most environments that eagerx_create() takes. */
 #define EAGERX_ENVIRONMENTS_MOST 1000000
@@ -60,7 +61,7 @@ typedef struct {
 uint32_t eagerx_version(void);
 
 /* JSON, valid as long as the library is loaded:
-   {"version": 2, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
+   {"version": 3, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
     "isa": "avx512", "lanes": 64,            of packs; else 1 and "why_no_lanes"
     "observations": [{"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": […], "high": […],
                       "first": 0}, …],   in the order of the columns; `first`: column of the first number; a window of
@@ -72,7 +73,7 @@ uint32_t eagerx_version(void);
    `hash`: of what a policy must agree with; `episode_steps`: 0 where the task says none. */
 const char* eagerx_describe(void);
 
-/* Why this thread's last call failed; valid until the next call that fails. */
+/* Why this thread's last call did not return 0; valid until the next one that does not. */
 const char* eagerx_error(void);
 
 /* Null: eagerx_error() says why. */
@@ -90,7 +91,9 @@ int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const u
 /* One step of all environments, each of which must have begun.
    action  [environments][numbers of an action], not null unless the graph has no actions. The graph's guard is applied:
            numbers that are not finite become the safe action, others are moved into their spaces; eagerx_counts() counts
-   rows    what of the step is wanted, or null */
+   rows    what of the step is wanted, or null
+   1: the step was made and the rows are written, but a reward is not finite. eagerx_error() then says which term, of which
+   environment, in which step; eagerx_counts() has the steps of each term */
 int eagerx_step(eagerx_environments* environments, const float* action, const eagerx_rows* rows);
 
 /* What the graph's `agent:` does (policy, zero or random): the action of the next eagerx_step(). To be called once a step,
@@ -101,7 +104,7 @@ int eagerx_act(eagerx_environments* environments, const float* observation, floa
 
 /* The states and delays of the next episode, for environments where `mask` is not 0 (null: all).
    states  [environments][numbers of the states]; NaN: drawn as the graph says. One that is outside of its space is an
-           error, and nothing is set */
+           error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the shortest decimal that reads back to it */
 int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states);
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */
@@ -122,7 +125,13 @@ uint64_t eagerx_hash(eagerx_environments* environments, uint32_t environment);
 int eagerx_picture(eagerx_environments* environments, uint32_t environment, uint32_t width, uint32_t height,
                    uint8_t* pixels);
 
-/* JSON: what guards and nodes of all environments have counted that is not 0, such as {"safe: action not finite: voltage": 3}.
+/* How they are stepped, and what made that slower: "in packs of 64 (avx512)", "one by one: `imu` (ImuSensor) has no `packs:
+   true` in its manifest …", "one by one: 1 environment is too few for packs". Valid until the next call with
+   these environments. Null: eagerx_error() says why. */
+const char* eagerx_stepping(eagerx_environments* environments);
+
+/* JSON: what guards and nodes of all environments have counted that is not 0, such as
+   {"safe: action not finite: voltage": 3}; and the steps in which a term of the reward was not finite, {"not finite: task.angle": 12}.
    Valid until the next call with these environments. Null: eagerx_error() says why. */
 const char* eagerx_counts(eagerx_environments* environments);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,24 @@ constexpr std::uint32_t messages_of() {
 template <class T>
 T from_row(float x) {
   return target::from_number<T>(x);
+}
+
+/// The double that is written as the float32 is, 0.05 for 0.05F: what is set is what a command line
+/// or a graph with the same digits sets. A delay of 0.05F exactly would be longer than 0.05 s.
+inline double same_decimal(float x) {
+  constexpr std::size_t kMostDigits = 24;
+  std::array<char, kMostDigits> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), x);
+  double result = x;
+  std::from_chars(text.data(), written.ptr, result);
+  return result;
+}
+
+/// A number of a row of states as what a state holds.
+template <class T>
+T state_from_row(float x) {
+  if constexpr (std::is_same_v<T, double>) return same_decimal(x);
+  return from_row<T>(x);
 }
 
 /// The rows of a graph.
@@ -147,7 +166,7 @@ class Layout {
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         if (std::isnan(from[i])) continue;
         if (!(to.*member)) to.*member = Message{};
-        element(*(to.*member), i) = from_row<ScalarOf<Message>>(from[i]);
+        element(*(to.*member), i) = state_from_row<ScalarOf<Message>>(from[i]);
       }
     });
   }

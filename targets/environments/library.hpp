@@ -18,6 +18,7 @@
 #include <targets/environments/packs_of_processor.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
+#include <targets/environments/stepping.hpp>
 
 namespace eagerx::environments {
 
@@ -64,7 +65,7 @@ class Library {
         : batch(options, packs(options.environments)) {}
     Batch<Graph> batch;
     std::atomic_flag busy;
-    std::string counts;
+    std::string counts, stepping;
   };
 
   static const char* describe(const char* generator, const char* why_no_packs) {
@@ -94,12 +95,17 @@ class Library {
   }
 
   static int step(Environments* environments, const float* action, const eagerx_rows* rows) {
-    return call(environments, [&](Batch<Graph>& batch) {
+    constexpr int kRewardNotFinite = 1;
+    bool is_finite = true;
+    const int result = call(environments, [&](Batch<Graph>& batch) {
       if (action == nullptr && Layout<Graph>::get().actions.numbers() != 0)
         throw Problem("action is null");
       if (rows != nullptr) check_size("eagerx_rows", rows->size, sizeof(eagerx_rows));
-      batch.step(action, rows != nullptr ? *rows : eagerx_rows{});
+      const std::string problem = batch.step(action, rows != nullptr ? *rows : eagerx_rows{});
+      is_finite = problem.empty();
+      if (!is_finite) last_error() = problem;
     });
+    return is_finite ? result : kRewardNotFinite;
   }
 
   static int act(Environments* environments, const float* observation, float* action) {
@@ -151,6 +157,16 @@ class Library {
       check_side("height", height);
       batch.picture(environment, {pixels, static_cast<int>(width), static_cast<int>(height), 3});
     });
+  }
+
+  static const char* stepping(Environments* environments, const char* graph_has_none) {
+    const char* result = nullptr;
+    call(environments, [&](Batch<Graph>& batch) {
+      environments->stepping = stepping_text(packs(batch.size()), packs(EAGERX_ENVIRONMENTS_MOST),
+                                             batch.size(), batch.draws(), graph_has_none);
+      result = environments->stepping.c_str();
+    });
+    return result;
   }
 
   static const char* counts(Environments* environments) {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <iterator>
 #include <targets/environments/pack_kernel.hpp>
@@ -40,6 +41,7 @@ inline constexpr std::size_t terms_of = count_terms<Graph>();
 struct Ends {
   bool terminated = false;
   bool truncated = false;
+  bool is_finite = true;  // the reward
 };
 
 /// Writes reward, success and terms of the program's last step as environment `k`.
@@ -54,7 +56,7 @@ Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         rows.terms[k * terms_of<Graph> + i] = static_cast<float>(element(outcome.terms, i));
     }
-    return {outcome.terminated, outcome.truncated};
+    return {outcome.terminated, outcome.truncated, eagerx::isfinite(outcome.reward)};
   } else {
     if (rows.reward != nullptr) rows.reward[k] = 0.0F;
     if (rows.success != nullptr) rows.success[k] = 0;
@@ -72,7 +74,17 @@ Ends write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows&
     for (std::size_t i = 0; i < terms_of<Graph>; ++i)
       rows.terms[k * terms_of<Graph> + i] = column.end(kTerms + i);
   }
-  return {is_true(kTerminated), is_true(kTruncated)};
+  return {is_true(kTerminated), is_true(kTruncated),
+          !has_task<Graph> || eagerx::isfinite(column.end(kReward))};
+}
+
+/// Reward and terms of a step in a pack, of a graph with a task.
+template <class Graph>
+typename Graph::Outcome outcome_of(const PackColumn& column) {
+  typename Graph::Outcome outcome{};
+  outcome.reward = column.end(kReward);
+  for (std::size_t i = 0; i < terms_of<Graph>; ++i) outcome.terms[i] = column.end(kTerms + i);
+  return outcome;
 }
 
 /// The same where there was no step.

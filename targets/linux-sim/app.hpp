@@ -271,9 +271,12 @@ int run_with(const Options& options, const ActionTable<Graph>& table,
   if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
   if (watch.left_space())
     fail("error: " + spaces_of_run<Graph>.first() + "\n" + place_of(summary), kLeftSpace);
+  const std::string not_finite = watch.not_finite();
+  if (!not_finite.empty()) fail(not_finite, kNotFinite);
   end_as_told();
   if (!broken.empty()) return kBadFile;
   if (!is_right) return kSelfTestFailed;
+  if (!not_finite.empty()) return kNotFinite;
   if (watch.left_space()) return kLeftSpace;
   if (!problem_of_pictures.empty()) return kBadFile;
   return csv_closed && trace_closed && printed ? kDone : kBadFile;

@@ -380,8 +380,8 @@ Ctrl-C, and every other signal that would end the program but SIGKILL, ends the 
 current slot of a reset that waits for something, with files complete and the summary; a second Ctrl-C more than a second
 later ends it at once. Ctrl-Z makes actuators safe first. Nothing can be done about SIGKILL and SIGSTOP.
 
-Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test, diverged from the log or out of a
-space that is strict, 2 wrong usage, 3 cannot read or write.
+Exit codes: 0 done or interrupted, 1 problem in a file of actions, failed self-test, diverged from the log, out of a space
+that is strict or a reward that is not finite, 2 wrong usage, 3 cannot read or write.
 )";
 }
 

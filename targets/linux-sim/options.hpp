@@ -16,6 +16,7 @@ inline constexpr int kBadActions = 1;
 inline constexpr int kSelfTestFailed = 1;
 inline constexpr int kDiverged = 1;
 inline constexpr int kLeftSpace = 1;
+inline constexpr int kNotFinite = 1;
 inline constexpr int kBadUsage = 2;
 inline constexpr int kBadFile = 3;
 

@@ -51,6 +51,17 @@ std::string summary_text(const Summary& summary) {
   return text;
 }
 
+std::string not_finite_problem(const std::string& first, std::uint64_t seed,
+                               std::uint32_t environment) {
+  const std::string one = environment == 0 ? "" : " --environment " + std::to_string(environment);
+  return "error: " + first + ", with `--seed " + std::to_string(seed) + one +
+         "`\nhelp: nothing can be learnt from such a reward. Look at what its expression reads in "
+         "the "
+         "table of `--csv FILE`: log() and sqrt() have no value below 0, a quotient none at 0, and "
+         "`max(x, 1e-6)` keeps x away from them; a simulation that breaks down needs `terminated:` "
+         "before it does";
+}
+
 std::string hash_line(std::uint64_t hash) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   constexpr unsigned kBitsPerDigit = 4;

@@ -31,6 +31,10 @@ std::string fixed(double value, int digits);
 
 std::string summary_text(const Summary& summary);
 
+/// That a run had rewards which were not finite: `first` says which, when.
+std::string not_finite_problem(const std::string& first, std::uint64_t seed,
+                               std::uint32_t environment);
+
 /// "trace hash 0x0123456789abcdef\n", the line of `--hash` on every target.
 std::string hash_line(std::uint64_t hash);
 

@@ -47,6 +47,8 @@ class Watch {
         pacer_(Graph::Rate::period_s, options.real_time_factor, Graph::kSafety.max_lateness_ns),
         progress_(options.plan.episodes * options.plan.steps, !options.quiet),
         steps_an_episode_(options.plan.steps),
+        seed_(options.plan.seed),
+        environment_(options.plan.environment),
         strict_spaces_(options.strict_spaces),
         summary_(options.summary) {}
 
@@ -116,6 +118,11 @@ class Watch {
 
   /// Whether a message has ended the run: --strict-spaces.
   bool left_space() const { return strict_spaces_ && spaces_of_run<Graph>.is_any(); }
+  /// What is wrong with the first reward that was not finite, or nothing.
+  std::string not_finite() const {
+    const std::string first = task_record_.not_finite();
+    return first.empty() ? first : not_finite_problem(first, seed_, environment_);
+  }
   /// Whether there is something that a safe action could stop.
   bool has_begun() const { return episodes_ > 0; }
   std::uint64_t late_in_a_row() const { return pacer_.late_in_a_row(); }
@@ -135,6 +142,7 @@ class Watch {
       measures_of_run.describe(summary);
     }
     task_record_.end_episode();
+    task_record_.count(summary);
     if (summary_) task_record_.describe(summary);
     summary.paced = pacer_.paces();
     summary.overruns = pacer_.overruns();
@@ -165,6 +173,8 @@ class Watch {
   Pacer pacer_;
   Progress progress_;
   std::uint64_t steps_an_episode_;
+  std::uint64_t seed_;
+  std::uint32_t environment_;
   bool strict_spaces_;
   bool summary_;
   std::int64_t began_ns_ = 0;

@@ -4,7 +4,7 @@
 const fs = require("fs");
 const {Simulation, kDrivers} = require("./simulation.js");
 
-const kDone = 0, kBadUsage = 2, kBadFile = 3, kSelfTestFailed = 4;
+const kDone = 0, kProblem = 1, kBadUsage = 2, kBadFile = 3, kSelfTestFailed = 4;
 const kMost32 = 2n ** 32n - 1n, kMost64 = 2n ** 64n - 1n;
 
 class Failure extends Error {
@@ -105,7 +105,9 @@ async function main(words) {
   ];
   if (options.time) lines.push(`steps per second ${Math.round(Number(done) / seconds)}`);
   process.stdout.write([...lines, `trace hash ${simulation.hash}`, ""].join("\n"));
-  return kDone;
+  const broken = Object.entries(simulation.counts).filter(([name]) => name.startsWith("not finite: "));
+  for (const [name, count] of broken) process.stderr.write(`error: ${name} in ${count} of ${done} steps\n`);
+  return broken.length ? kProblem : kDone;
 }
 
 main(process.argv.slice(2))

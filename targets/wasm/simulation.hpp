@@ -15,6 +15,7 @@
 #include <string>
 #include <targets/common/from_number.hpp>
 #include <targets/common/last_shown.hpp>
+#include <targets/common/reward_check.hpp>
 #include <targets/common/run.hpp>
 #include <targets/wasm/fields.hpp>
 #include <type_traits>
@@ -123,6 +124,7 @@ class Simulation {
     target::warm_up(program());
     key_ = {seed, environment, 0};
     next_episode_ = 0;
+    rewards_ = {};
   }
 
   /// The next episode begins; false if a setting is outside of its space, and then nothing happens.
@@ -151,6 +153,7 @@ class Simulation {
       observation_.emplace(target::apply(program(), action));
       ++steps_;
       const Outcome result = target::outcome_of<Graph>(program());
+      rewards_.step(result);
       ended_ = target::has_ended(result);
       if (done + 1 < steps && !ended_) continue;
       write(action);
@@ -185,10 +188,12 @@ class Simulation {
   /// JSON of what was counted that is not 0. Valid until the next call.
   const char* counts() {
     counts_.clear();
-    target::for_each_fault(program(), [&](const char* name, std::uint64_t count) {
+    const auto add = [&](const char* name, std::uint64_t count) {
       if (count == 0) return;
       counts_ += (counts_.empty() ? "" : ", ") + quoted(name) + ": " + std::to_string(count);
-    });
+    };
+    target::for_each_fault(program(), add);
+    rewards_.for_each_count(add);
     counts_ = "{" + counts_ + "}";
     return counts_.c_str();
   }
@@ -264,6 +269,7 @@ class Simulation {
   EpisodeKey key_{};
   std::uint32_t next_episode_ = 0;
   std::uint64_t steps_ = 0;  // of the episode
+  target::RewardCheck<Outcome> rewards_;
   bool has_begun_ = false, ended_ = false;
 };
 

@@ -16,6 +16,7 @@
 #include <targets/common/bare-metal/stack.hpp>
 #include <targets/common/csv.hpp>
 #include <targets/common/pace.hpp>
+#include <targets/common/reward_check.hpp>
 #include <targets/common/run.hpp>
 #include <type_traits>
 
@@ -185,12 +186,15 @@ class Watch {
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation,
             const typename Table::Outcome& outcome) {
     ++steps_;
+    rewards_.step(outcome);
     if (csv_) Table::row(console, episode, step, observation, &action, &outcome);
   }
   std::uint64_t steps() const { return steps_; }
+  const target::RewardCheck<typename Table::Outcome>& rewards() const { return rewards_; }
 
  private:
   const PacedTrace& trace_;
+  target::RewardCheck<typename Table::Outcome> rewards_;
   std::uint64_t steps_ = 0;
   std::uint64_t late_limit_;
   bool csv_;
@@ -310,6 +314,7 @@ int run(const char* board) {
     if (count > 0) print(name, count);
   };
   target::for_each_fault(program, print_count);
+  watch.rewards().for_each_count(print_count);
   if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);
   if (too_late)
     print("error: stopped with the safe action, late slots in a row:", options.late_limit);

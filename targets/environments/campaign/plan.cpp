@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "targets/environments/client/problem.hpp"
 
@@ -92,19 +93,34 @@ void check_range(const Variation& variation, const Place& place) {
   }
 }
 
+bool is_double(const Space& space) {
+  return space.dtype == "float64";
+}
+
 void check_graph(const Description& description) {
   if (!description.has_success) {
     throw Problem(kProblems, "the graph has no success to count",
                   "write into its `task:` what success is, such as "
                   "`success: {upright: abs(th) < 0.15, over_last: 2.0}`");
   }
-  const auto is_double = [](const Space& space) { return space.dtype == "float64"; };
-  if (std::ranges::any_of(description.observations, is_double) ||
-      std::ranges::any_of(description.actions, is_double) ||
-      std::ranges::any_of(description.states, is_double)) {
-    throw Problem(kProblems, "the graph calculates in double, but a campaign's rows are float32",
-                  "leave out `real: double`");
+  for (const auto& [kind, spaces] :
+       {std::pair("observation", &description.observations), {"action", &description.actions}}) {
+    for (const Space& space : *spaces) {
+      if (!is_double(space)) continue;
+      throw Problem(kProblems,
+                    fmt::format("the {} `{}` is float64, but a campaign's rows are float32", kind,
+                                space.name),
+                    "leave out `real: double`, or give it a space with `dtype: float32`");
+    }
   }
+}
+
+/// Of a state in double, an element that is not varied would be repeated with its float32 only.
+void check_element(const Variation& variation, const Place& place) {
+  if (!is_double(place.space) || place.size == place.space.size) return;
+  throw Problem(
+      kProblems, fmt::format("`{}` is float64: its elements are varied together", place.space.name),
+      fmt::format("write `--vary {}={}:{}`", place.space.name, variation.low, variation.high));
 }
 
 std::vector<target::FaultPlace> fault_places(const Description& description) {
@@ -194,6 +210,7 @@ Plan make_plan(const Description& description, std::uint64_t seed, std::uint32_t
   for (const Variation& variation : variations) {
     const Place place = place_of(variation.name, description);
     check_range(variation, place);
+    check_element(variation, place);
     for (std::size_t i = 0; i < place.size; ++i) {
       const std::size_t column = place.first + i;
       if (!taken.insert(column).second)

@@ -32,6 +32,7 @@ struct Sensitivity {
 
 struct Statistics {
   std::uint64_t successes = 0, terminated = 0, truncated = 0, not_finite = 0, steps = 0;
+  std::uint32_t first_not_finite = 0;  // run
   Interval interval;
   std::array<double, kPercentages.size()> returns{}, lengths{};
   double mean_return = 0.0;  // of those that are finite
@@ -75,7 +76,7 @@ Statistics statistics_of(const Report& report) {
     all.successes += results.succeeded(run) ? 1U : 0U;
     all.terminated += (results.flags[run] & kTerminated) != 0 ? 1U : 0U;
     all.truncated += (results.flags[run] & kTruncated) != 0 ? 1U : 0U;
-    all.not_finite += is_finite ? 0U : 1U;
+    if (!is_finite && all.not_finite++ == 0) all.first_not_finite = static_cast<std::uint32_t>(run);
     all.steps += results.steps[run];
     if (is_finite) all.mean_return += results.returns[run];
     lengths.push_back(results.steps[run]);
@@ -187,8 +188,10 @@ std::string Report::text() const {
   text += fmt::format("terminated: {}, truncated: {}, steps: {}\n", grouped(all.terminated),
                       grouped(all.truncated), grouped(all.steps));
   if (all.not_finite != 0) {
-    text += fmt::format("{} runs have a return that is not finite: it counts as the lowest\n",
-                        grouped(all.not_finite));
+    text += fmt::format(
+        "{} runs have a return that is not finite: it counts as the lowest. The first is run {}; "
+        "this says which term, and when\n  {}\n",
+        grouped(all.not_finite), all.first_not_finite, command(all.first_not_finite));
   }
   for (const auto& [name, count] : results.counts)
     text += fmt::format("counted: {} {}\n", name, grouped(count));
@@ -227,6 +230,10 @@ std::string Report::json() const {
                       {"faults", ordered_json::array()},
                       {"sensitivities", ordered_json::array()},
                       {"worst", ordered_json::array()}};
+  if (all.not_finite != 0) {
+    report["first_not_finite"] = {{"run", all.first_not_finite},
+                                  {"command", command(all.first_not_finite)}};
+  }
   for (const Variation& one : plan.variations)
     report["varied"].push_back({{"name", one.name}, {"low", one.low}, {"high", one.high}});
   for (const target::PlacedFault& one : plan.faults) report["faults"].push_back(text_of(one.fault));
@@ -251,8 +258,11 @@ std::string Report::csv() const {
     const auto flag = [&](Flags one) { return (results.flags[run] & one) != 0 ? 1 : 0; };
     fmt::format_to(out, "{},{},{},{},{},{}", run, results.returns[run], results.steps[run],
                    flag(kSuccess), flag(kTerminated), flag(kTruncated));
-    for (std::size_t i = 0; i < results.width; ++i)
-      fmt::format_to(out, ",{}", results.states[run * results.width + i]);
+    for (std::size_t i = 0; i < results.width; ++i) {
+      const float x = results.states[run * results.width + i];
+      text += ",";
+      if (!std::isnan(x)) fmt::format_to(out, "{}", x);  // empty: nobody has set it
+    }
     text += "\n";
   }
   return text;

@@ -39,7 +39,8 @@ class Runner::Chunk {
     for (std::uint32_t running = count_; running != 0;) {
       check(runner_.functions_.act(environments_.handle(), seen(), action_.data()));
       spoil(FaultRow::action, action_, given_);
-      environments_.step(action_.data(), rows);
+      static_cast<void>(
+          environments_.step(action_.data(), rows));  // returns say what is not finite
       for (std::uint32_t e = 0; e < count_; ++e) running -= note_step(e) ? 1U : 0U;
     }
     note_counts();

@@ -34,10 +34,16 @@ void Environments::reset(std::uint64_t seed, float* observation) {
   }
 }
 
-void Environments::step(const float* action, const eagerx_rows& rows) {
-  if (library_.step(handle_.get(), action, &rows) != 0) {
-    fail(library_, "cannot step the environments");
-  }
+bool Environments::step(const float* action, const eagerx_rows& rows) {
+  const int result = library_.step(handle_.get(), action, &rows);
+  if (result < 0) fail(library_, "cannot step the environments");
+  return result == 0;
+}
+
+std::string Environments::stepping() const {
+  const char* const text = library_.stepping(handle_.get());
+  if (text == nullptr) fail(library_, "cannot ask how environments are stepped");
+  return text;
 }
 
 void* Library::address(const char* name) const {
@@ -67,6 +73,7 @@ Library::Library(const std::string& path) : path_(path) {
   functions_.destroy = find<decltype(&eagerx_destroy)>("eagerx_destroy");
   functions_.reset = find<decltype(&eagerx_reset)>("eagerx_reset");
   functions_.step = find<decltype(&eagerx_step)>("eagerx_step");
+  functions_.stepping = find<decltype(&eagerx_stepping)>("eagerx_stepping");
   description_ = read_description(functions_.describe());
 }
 

@@ -19,6 +19,7 @@ struct LibraryFunctions {
   decltype(&eagerx_destroy) destroy;
   decltype(&eagerx_reset) reset;
   decltype(&eagerx_step) step;
+  decltype(&eagerx_stepping) stepping;
 };
 
 /// Some environments of a library, stepped by the caller's thread. What fails throws Problem.
@@ -31,7 +32,12 @@ class Environments {
 
   /// All begin an episode, the first of `seed`. observation [count][observation numbers].
   void reset(std::uint64_t seed, float* observation);
-  void step(const float* action, const eagerx_rows& rows);
+  /// False if a reward is not finite, and error() says which. The step is made.
+  [[nodiscard]] bool step(const float* action, const eagerx_rows& rows);
+  /// How they are stepped, and what made that slower: "in packs of 64 (avx512)".
+  std::string stepping() const;
+  /// Why the last call of this thread was not as it should be.
+  std::string error() const { return library_.error(); }
   /// For other functions of the library.
   eagerx_environments* handle() const { return handle_.get(); }
 

@@ -21,7 +21,10 @@ void Team::take_parts() {
       (*work_)(part);
     } catch (...) {
       const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
+      if (!failure_ || part < failed_) {
+        failure_ = std::current_exception();
+        failed_ = part;
+      }
     }
   }
 }

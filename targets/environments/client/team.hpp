@@ -20,7 +20,7 @@ class Team {
   Team& operator=(const Team&) = delete;
 
   /// Calls work(part) for 0 … parts - 1, each once, on whichever thread is free; returns when all
-  /// have returned. Throws the first exception of any.
+  /// have returned. Throws the exception of the first part that has thrown one.
   void run(std::size_t parts, const std::function<void(std::size_t)>& work);
 
  private:
@@ -36,6 +36,7 @@ class Team {
   std::atomic<bool> leave_ = false;
   std::mutex mutex_;
   std::exception_ptr failure_;
+  std::size_t failed_ = 0;  // the part of it
 };
 
 }  // namespace eagerx::client

@@ -13,7 +13,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 2\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 3\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 std::uint64_t hash_of(std::string_view bytes) {
@@ -74,6 +74,7 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.iteration);
   visitor(progressed.succeeded);
   visitor(progressed.curve);
+  visitor(progressed.recent);
   visitor(progressed.best.parameters);
   visitor(progressed.best.successes);
   visitor(progressed.best.mean_return);

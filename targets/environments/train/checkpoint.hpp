@@ -7,6 +7,7 @@
 
 #include "targets/environments/train/curve.hpp"
 #include "targets/environments/train/model.hpp"
+#include "targets/environments/train/rollout.hpp"
 
 namespace eagerx::train {
 
@@ -17,10 +18,14 @@ struct Best {
   double mean_return = 0.0;
 };
 
+/// Episodes that the mean return of a training is taken of.
+inline constexpr std::size_t kRecent = 100;
+
 struct Progressed {
   std::uint32_t iteration = 0;
   bool succeeded = false;  // and so ended
   std::vector<CurvePoint> curve;
+  std::vector<Episode> recent;  // the last ones that ended, at most kRecent
   Best best;
 };
 

@@ -26,4 +26,13 @@ using client::Team;
 using client::write_file;
 using enum client::ExitCode;
 
+/// A step that can be learnt from. Throws Problem if a reward is not finite.
+inline void step_all(Environments& environments, const float* action, const eagerx_rows& rows) {
+  if (environments.step(action, rows)) return;
+  throw Problem(kProblems, environments.error(),
+                "log() and sqrt() have no value below 0, a quotient none at 0: `max(x, 1e-6)` "
+                "keeps x away from them. A simulation that breaks down needs `terminated:` before "
+                "it does");
+}
+
 }  // namespace eagerx::train

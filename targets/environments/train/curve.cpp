@@ -120,7 +120,8 @@ std::string curve_svg(const std::vector<CurvePoint>& points, const std::string& 
   text += line(points, plane, "#9bd", [](const CurvePoint& p) { return p.mean_return; });
   text += line(points, plane, "#057", [](const CurvePoint& p) { return p.evaluation_return; });
   text += label(320, 350, "middle",
-                "million steps; blue: return, green: success (dark: evaluation without noise)");
+                "million steps; blue: return, green: success, of the last 100 episodes (dark: "
+                "evaluation without noise)");
   return text + "</svg>\n";
 }
 

@@ -7,10 +7,10 @@
 
 namespace eagerx::train {
 
-/// One iteration. NaN where nothing was measured.
+/// One iteration. NaN where there is nothing yet, or no evaluation.
 struct CurvePoint {
   double steps;               // of all environments so far
-  double mean_return;         // of the episodes that ended
+  double mean_return;         // of the last 100 episodes that ended, or of all if there are fewer
   double success;             // share of them, 0 to 1
   double evaluation_return;   // of the deterministic policy
   double evaluation_success;  // 0 to 1

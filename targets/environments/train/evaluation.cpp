@@ -39,14 +39,15 @@ class Evaluator::Part {
     environments_.reset(seed, observation_.data());
     while (std::count(ended.begin(), ended.end(), false) != 0) {
       act(kernels, policy);
-      environments_.step(action_.data(), {.size = sizeof(eagerx_rows),
-                                          .observation = observation_.data(),
-                                          .reward = reward_.data(),
-                                          .terminated = terminated_.data(),
-                                          .truncated = truncated_.data(),
-                                          .success = success_.data(),
-                                          .terms = step_terms_.data(),
-                                          .final_observation = nullptr});
+      step_all(environments_, action_.data(),
+               {.size = sizeof(eagerx_rows),
+                .observation = observation_.data(),
+                .reward = reward_.data(),
+                .terminated = terminated_.data(),
+                .truncated = truncated_.data(),
+                .success = success_.data(),
+                .terms = step_terms_.data(),
+                .final_observation = nullptr});
       for (std::uint32_t e = 0; e < count_; ++e) {
         if (!ended[e]) count(e);
         ended[e] = ended[e] || terminated_[e] != 0 || truncated_[e] != 0;

@@ -178,7 +178,7 @@ void Ppo::begin_era(std::uint32_t era) {
   for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
 }
 
-Episodes Ppo::collect() {
+std::vector<Episode> Ppo::collect() {
   Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, iteration};
   for (const float x : model_.log_deviation) frozen.deviation.push_back(exp(x));
   frozen.reward_scale = static_cast<float>(model_.returns.scale(0));
@@ -187,7 +187,7 @@ Episodes Ppo::collect() {
   } else {
     for (auto& rollout : rollouts_) rollout->collect(frozen);
   }
-  Episodes episodes;
+  std::vector<Episode> episodes;
   Sums advantages(1);
   for (auto& rollout : rollouts_) {
     model_.observations.add(rollout->observation_sums);
@@ -195,10 +195,9 @@ Episodes Ppo::collect() {
     advantages.sum[0] += rollout->advantage_sums.sum[0];
     advantages.squares[0] += rollout->advantage_sums.squares[0];
     advantages.count += rollout->advantage_sums.count;
-    episodes.count += rollout->episodes.count;
-    episodes.successes += rollout->episodes.successes;
-    episodes.returns += rollout->episodes.returns;
+    episodes.insert(episodes.end(), rollout->episodes.begin(), rollout->episodes.end());
   }
+  std::ranges::stable_sort(episodes, {}, &Episode::step);
   const double mean = advantages.sum[0] / advantages.count;
   const double variance = advantages.squares[0] / advantages.count - mean * mean;
   advantage_mean_ = static_cast<float>(mean);

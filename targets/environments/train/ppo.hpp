@@ -27,8 +27,8 @@ class Ppo {
  public:
   /// What an iteration learnt from.
   struct Result {
-    Episodes episodes;
-    double divergence = 0.0;  // of the last minibatch
+    std::vector<Episode> episodes;  // that ended, in order of time
+    double divergence = 0.0;        // of the last minibatch
   };
 
   Ppo(const Settings& settings, const Library& library, const Kernels& kernels, Team& team,
@@ -44,13 +44,15 @@ class Ppo {
   void begin_era(std::uint32_t era);
   /// A rollout and the updates from it.
   Result iterate();
+  /// How environments are stepped, and what made that slower.
+  std::string stepping() const { return rollouts_.front()->stepping(); }
   /// Steps of all environments in one iteration.
   std::size_t steps() const { return settings_.environments * settings_.horizon; }
 
  private:
   class Learner;  // a part of a minibatch
 
-  Episodes collect();
+  std::vector<Episode> collect();
   void update(std::size_t minibatch);
 
   const Settings settings_;

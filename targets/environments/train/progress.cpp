@@ -18,6 +18,7 @@ Progress::Progress(std::uint64_t first_step, std::uint64_t last_step, bool has_s
       is_quiet_(is_quiet),
       is_terminal_(isatty(STDERR_FILENO) == 1),
       last_return_(std::numeric_limits<double>::quiet_NaN()),
+      last_evaluation_(last_return_),
       last_success_(last_return_),
       start_(Clock::now()),
       shown_(start_) {}
@@ -28,6 +29,7 @@ double Progress::seconds() const {
 
 void Progress::show(const CurvePoint& point) {
   if (!std::isnan(point.mean_return)) last_return_ = point.mean_return;
+  if (!std::isnan(point.evaluation_return)) last_evaluation_ = point.evaluation_return;
   if (!std::isnan(point.evaluation_success)) last_success_ = point.evaluation_success;
   using namespace std::chrono_literals;
   const auto now = Clock::now();
@@ -54,6 +56,7 @@ std::string Progress::line(const CurvePoint& point, double seconds) const {
   std::string text = fmt::format("{:.2f} of {:.2f} M steps", point.steps / 1e6,
                                  static_cast<double>(last_step_) / 1e6);
   if (!std::isnan(last_return_)) text += fmt::format(", return {:.4g}", last_return_);
+  if (!std::isnan(last_evaluation_)) text += fmt::format(", evaluation {:.4g}", last_evaluation_);
   if (has_success_ && !std::isnan(last_success_)) {
     text += fmt::format(", success {:.0f} of 100", 100.0 * last_success_);
   }

@@ -30,7 +30,7 @@ class Progress {
   std::uint64_t first_step_, last_step_;
   bool has_success_, is_quiet_, is_terminal_;
   bool is_shown_ = false;
-  double last_return_, last_success_;  // NaN: not yet
+  double last_return_, last_evaluation_, last_success_;  // NaN: not yet
   Clock::time_point start_, shown_;
 };
 

@@ -60,7 +60,7 @@ void Rollout::collect(const Frozen& frozen) {
   critic_row_.resize(frozen.model.critic.row());
   observation_sums.clear();
   return_sums.clear();
-  episodes = {};
+  episodes.clear();
   for (std::size_t t = 0; t < horizon_; ++t) {
     act(frozen, t);
     step(frozen, t);
@@ -134,14 +134,15 @@ void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t t
 }
 
 void Rollout::step(const Frozen& frozen, std::size_t step) {
-  environments_.step(action_.data(), {.size = sizeof(eagerx_rows),
-                                      .observation = observation_.data(),
-                                      .reward = reward_.data(),
-                                      .terminated = terminated_.data(),
-                                      .truncated = truncated_.data(),
-                                      .success = success_.data(),
-                                      .terms = nullptr,
-                                      .final_observation = final_observation_.data()});
+  step_all(environments_, action_.data(),
+           {.size = sizeof(eagerx_rows),
+            .observation = observation_.data(),
+            .reward = reward_.data(),
+            .terminated = terminated_.data(),
+            .truncated = truncated_.data(),
+            .success = success_.data(),
+            .terms = nullptr,
+            .final_observation = final_observation_.data()});
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   bootstrap(frozen, step);
   sum_observations();
@@ -150,10 +151,6 @@ void Rollout::step(const Frozen& frozen, std::size_t step) {
 /// Counts the reward and the end of an episode.
 void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environment) {
   const std::size_t e = environment;
-  if (!std::isfinite(reward_[e])) {
-    throw Problem(kProblems, "a reward is NaN or infinite",
-                  "the graph's `task:` divides by zero, or the simulation breaks down");
-  }
   return_[e] += reward_[e];
   discounted_[e] = discounted_[e] * frozen.settings.discount + reward_[e];
   return_sums.add(0, discounted_[e]);
@@ -161,9 +158,7 @@ void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environ
   const bool ended = terminated_[e] != 0 || truncated_[e] != 0;
   ended_[step * count_ + e] = ended ? 1 : 0;
   if (!ended) return;
-  ++episodes.count;
-  episodes.returns += return_[e];
-  episodes.successes += success_[e] != 0 ? 1 : 0;
+  episodes.push_back({return_[e], static_cast<std::uint32_t>(step), success_[e] != 0 ? 1U : 0U});
   return_[e] = 0.0;
   discounted_[e] = 0.0F;
 }

@@ -1,7 +1,9 @@
 // Steps of some environments under the current policy, and what is to be learnt from them.
 #pragma once
 
+#include <cstdint>
 #include <eagerx/random.hpp>
+#include <string>
 #include <vector>
 
 #include "targets/environments/train/client.hpp"
@@ -21,10 +23,11 @@ struct Frozen {
   std::uint32_t iteration;
 };
 
-/// Episodes that ended during a rollout.
-struct Episodes {
-  std::size_t count = 0, successes = 0;
-  double returns = 0.0;  // their sum
+/// An episode that ended during a rollout.
+struct Episode {
+  double sum = 0.0;           // of its rewards
+  std::uint32_t step = 0;     // of the rollout
+  std::uint32_t success = 0;  // 1 if it did
 };
 
 /// One of kParts parts of the environments, in tiles of sixteen. Steps are in order of time:
@@ -39,6 +42,8 @@ class Rollout {
   /// Steps all environments `horizon` times and estimates advantages.
   void collect(const Frozen& frozen);
 
+  /// How environments are stepped, and what made that slower.
+  std::string stepping() const { return environments_.stepping(); }
   std::size_t tiles() const { return count_ / kLanes; }
 
   Packs inputs;           // [horizon + 1][tiles][inputs] normalised observations
@@ -47,7 +52,7 @@ class Rollout {
   Packs advantage, target;  // target of the critic
   Sums observation_sums, return_sums;
   Sums advantage_sums;
-  Episodes episodes;
+  std::vector<Episode> episodes;  // in order of time
 
  private:
   void act(const Frozen& frozen, std::size_t step);

@@ -124,6 +124,10 @@ std::uint64_t Training::steps() const {
 }
 
 int Training::run(const volatile int& is_interrupted) {
+  if (!options_.is_quiet) {
+    fmt::print(stderr, "{} environments step {}\n", options_.settings.environments,
+               ppo_.stepping());
+  }
   const Ending ending = learn(is_interrupted);
   progress_.finish();
   if (progressed_.best.parameters.empty()) {
@@ -138,7 +142,25 @@ int Training::run(const volatile int& is_interrupted) {
   return ending == Ending::success || !has_aim_ ? kDone : kProblems;
 }
 
+/// With what a problem of the graph is hard to find without.
+void Training::tell_where(const Problem& problem) {
+  progress_.finish();
+  if (problem.code != kProblems) throw problem;
+  throw Problem(problem.code,
+                fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
+                            problem.what(), steps(), options_.settings.seed, checkpoint_),
+                problem.help);
+}
+
 Ending Training::learn(const volatile int& is_interrupted) {
+  try {
+    return iterate(is_interrupted);
+  } catch (const Problem& problem) {
+    tell_where(problem);
+  }
+}
+
+Ending Training::iterate(const volatile int& is_interrupted) {
   if (progressed_.succeeded) return Ending::success;
   while (steps() < options_.steps) {
     if (is_interrupted != 0) return Ending::interrupted;
@@ -165,22 +187,31 @@ void Training::write_checkpoint() {
   progressed_.iteration = ppo_.iteration;
   write_file(options_.checkpoint,
              checkpoint_of(conditions_, interface_, ppo_.model(), progressed_));
+  checkpoint_ = fmt::format("; `{}` is as it was after {}", options_.checkpoint, steps());
 }
 
 CurvePoint Training::note(const Ppo::Result& result) {
-  const auto count = static_cast<double>(result.episodes.count);
+  std::vector<Episode>& recent = progressed_.recent;
+  recent.insert(recent.end(), result.episodes.begin(), result.episodes.end());
+  if (recent.size() > kRecent)
+    recent.erase(recent.begin(), recent.end() - static_cast<std::ptrdiff_t>(kRecent));
+  double returns = 0.0, successes = 0.0;
+  for (const Episode& episode : recent) {
+    returns += episode.sum;
+    successes += episode.success;
+  }
+  const auto count = static_cast<double>(recent.size());
   const bool has_success = library_.description().has_success;
   double deviation = 0.0;
   for (const float x : ppo_.model().log_deviation) deviation += exp(x);
-  return {
-      static_cast<double>(steps()),
-      count > 0 ? result.episodes.returns / count : kNothing,
-      count > 0 && has_success ? static_cast<double>(result.episodes.successes) / count : kNothing,
-      kNothing,
-      kNothing,
-      deviation / static_cast<double>(ppo_.model().log_deviation.size()),
-      ppo_.model().step_size,
-      result.divergence};
+  return {static_cast<double>(steps()),
+          count > 0 ? returns / count : kNothing,
+          count > 0 && has_success ? successes / count : kNothing,
+          kNothing,
+          kNothing,
+          deviation / static_cast<double>(ppo_.model().log_deviation.size()),
+          ppo_.model().step_size,
+          result.divergence};
 }
 
 bool Training::is_good(const Evaluation& evaluation) const {

@@ -27,6 +27,8 @@ class Training {
   Ending learn(const volatile int& is_interrupted);
   void start_era();
   void write_checkpoint();
+  Ending iterate(const volatile int& is_interrupted);
+  [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Ppo::Result& result);
   bool is_good(const Evaluation& evaluation) const;
   bool evaluate(CurvePoint& point);
@@ -48,6 +50,7 @@ class Training {
   Ppo ppo_;
   Evaluator evaluator_;
   Progressed progressed_;
+  std::string checkpoint_;  // says what is in the file; nothing: there is none
   Progress progress_;
 };
 

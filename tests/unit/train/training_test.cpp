@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -110,6 +111,34 @@ TEST_F(TrainTraining, FineTuningBeginsWithWhatWasLearnt) {
   const std::string tuned = read_file(second.output);
   second.threads = 3;
   EXPECT_EQ(trained(second), tuned);
+}
+
+/// A column of a learning curve; NaN where it is empty.
+std::vector<double> column_of(const std::string& csv, int column) {
+  std::vector<double> result;
+  std::istringstream rows(csv);
+  std::string row, cell;
+  std::getline(rows, row);  // names
+  while (std::getline(rows, row)) {
+    std::istringstream cells(row);
+    for (int i = 0; i <= column; ++i) std::getline(cells, cell, ',');
+    result.push_back(cell.empty() ? std::numeric_limits<double>::quiet_NaN() : std::stod(cell));
+  }
+  return result;
+}
+
+// On d78331f1 a row has a return only if an episode has ended in its iteration: every fifth one, as
+// all episodes have 150 steps and an iteration has 32.
+TEST_F(TrainTraining, TheReturnIsThatOfTheLastEpisodesWheneverTheyEnded) {
+  Options some = options(12);
+  some.csv = path("curve.csv");
+  trained(some);
+  const std::vector<double> returns = column_of(read_file(some.csv), 1);
+  ASSERT_EQ(returns.size(), 12);
+  for (std::size_t i = 0; i < returns.size(); ++i)
+    EXPECT_EQ(std::isnan(returns[i]), i < 4) << "episodes end in iteration 5, counted from 1";
+  EXPECT_EQ(returns[5], returns[4]) << "none has ended since";
+  EXPECT_NE(returns[9], returns[8]);
 }
 
 TEST_F(TrainTraining, LearnsToSwingUp) {

@@ -1,0 +1,28 @@
+// What is said of a reward that is no number, where there are strings.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <targets/common/reward_check.hpp>
+
+namespace eagerx::target {
+
+/// "`task.angle` is nan in step 13 of episode 2, both counted from 1". `place`: of RewardCheck;
+/// `episode` is counted from 0 on, `step` from 1 on.
+template <class Outcome>
+std::string not_finite_text(const Outcome& outcome, std::size_t place, std::uint64_t episode,
+                            std::uint64_t step) {
+  std::string text;
+  RewardCheck<Outcome>::for_each_number(outcome, [&](std::size_t i, const char* name, auto value) {
+    if (i != place) return;
+    text = std::string("`task.") + name + "` is " +
+           (value != value ? "nan"
+            : value > 0    ? "infinite"
+                           : "-infinite");
+  });
+  return text + " in step " + std::to_string(step) + " of episode " + std::to_string(episode + 1) +
+         ", both counted from 1";
+}
+
+}  // namespace eagerx::target
