@@ -270,7 +270,7 @@ FormatPtr engine_nodes_format() {
 }
 
 FormatPtr budget_format() {
-  const FormatPtr bytes = format::integer("a number of bytes", 0);
+  const FormatPtr bytes = format::memory("a number of bytes, such as 64k");
   const FormatPtr part =
       format::record("a budget of memory", {{"flash", bytes, false, "bytes of code and constants"},
                                             {"ram", bytes, false, "bytes besides the stack"}});
