@@ -13,6 +13,7 @@
 #include "generator/cli/image_budget.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/plausibility/plausibility.hpp"
 #include "generator/report/report.hpp"
 #include "generator/size/tools.hpp"
 
@@ -76,6 +77,7 @@ void print_report(const SizeReport& report, const std::optional<PlanReport>& pla
   if (plan) {
     Json timing = report_json(*plan);
     json["ages"] = std::move(timing["ages"]);
+    json["budget_ages"] = std::move(timing["budget_ages"]);
     json["link"] = std::move(timing["link"]);
   }
   say("{}\n", dump_json(json));
@@ -87,7 +89,10 @@ int size_command(const Options& options) {
   Run run;
   run.root = data_root();
   std::optional<PlanReport> plan;
-  if (!options.graph.empty() && make(run, options)) plan = report_of(*run.plan);
+  if (!options.graph.empty() && make(run, options)) {
+    plan = report_of(*run.plan, run.spec->budget, run.diagnostics);
+    allow_warnings(run.spec->allow, false, run.diagnostics);
+  }
   const std::optional<Json> baseline = read_baseline(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
   const std::string folder = fs::path(options.image).parent_path().string();
