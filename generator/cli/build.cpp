@@ -7,6 +7,7 @@
 
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/image_budget.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -106,6 +107,7 @@ int build_command(const Options& options) {
   Run run;
   int code = kDone;
   const auto programs = build_graph(run, options, code);
+  if (programs) check_built_budget(run, options, *programs);
   if (programs && !options.quiet) {
     for (const BuiltProgram& program : *programs) say("{}\n", program.image);
   }
@@ -116,6 +118,7 @@ int run_command(const Options& options) {
   Run run;
   int code = kDone;
   const auto programs = build_graph(run, options, code, true);
+  if (programs) check_built_budget(run, options, *programs);
   code = std::max(finish(run, options), code);
   if (!programs || code != kDone) return code;
   const BuiltProgram& program = programs->back();

@@ -212,7 +212,8 @@ void check_budget(Run& run) {
   if (!run.spec->budget) return;
   const YamlValue& budget = *run.spec->budget;
   if (budget.find("age") == nullptr && budget.find("link") == nullptr) return;
-  check_plan_budget(report_of(*run.plan), budget, run.diagnostics);
+  check_plan_budget(report_of(*run.plan, run.spec->budget, run.diagnostics), budget,
+                    run.diagnostics);
 }
 
 /// Whether the graph is as it is written: what is said of another variant says little of it.

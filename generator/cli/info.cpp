@@ -6,6 +6,7 @@
 #include "generator/cli/pipeline.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/library/schema.hpp"
+#include "generator/plausibility/plausibility.hpp"
 #include "generator/report/report.hpp"
 #include "generator/spec/schema.hpp"
 
@@ -208,7 +209,8 @@ int graph_info(Options options) {
   options.graph = options.entity;
   Run run;
   if (!make(run, options)) return finish(run, options);
-  const PlanReport report = report_of(*run.plan);
+  const PlanReport report = report_of(*run.plan, run.spec->budget, run.diagnostics);
+  allow_warnings(run.spec->allow, false, run.diagnostics);
   if (options.json_output)
     say("{}\n", dump_json(report_json(report)));
   else

@@ -66,7 +66,9 @@ Arguments building(Options& options) {
 Command build(Options& options) {
   return {
       .name = "build",
-      .about = "write the program of a graph and build it",
+      .about =
+          "write the program of a graph, build it, and check the image of a board against the "
+          "graph's budget",
       .examples = {{"a program for Linux, in generated/pendulum/build",
                     "eagerx-gen build pendulum.yaml"},
                    {"an image for a board", "eagerx-gen build pendulum.yaml --target stm32f405"}},
@@ -76,7 +78,7 @@ Command build(Options& options) {
 
 Command run(Options& options) {
   return {.name = "run",
-          .about = "write the program of a graph, build it and run it",
+          .about = "write the program of a graph, build it and run it, if it is within its budget",
           .examples = {{"on Linux; the options of the program follow the graph",
                         "eagerx-gen run pendulum.yaml --seed 1 --steps 300"},
                        {"on the emulator of a board",

@@ -60,6 +60,7 @@ int report_command(const Options& options) {
   PageContents contents;
   const std::vector<const Target*> no_targets;
   check_plausibility({*run.spec, *run.graph, *run.plan, no_targets}, run.diagnostics);
+  const PlanReport report = report_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
   if (options.simulate) {
@@ -68,7 +69,6 @@ int report_command(const Options& options) {
     if (!contents.module) return code;
   }
   run.diagnostics.sort_by_place();
-  const PlanReport report = report_of(*run.plan);
   contents.spec = &*run.spec;
   contents.policies = &run.policies;
   contents.report = &report;

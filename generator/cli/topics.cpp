@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "generator/read/bytes.hpp"
 #include "generator/read/quantity.hpp"
 #include "generator/spec/graph_spec.hpp"
 
@@ -45,8 +46,9 @@ std::string units_text() {
   return fmt::format(
       "Rates and times may have a unit: `rate: 30 Hz`, `delay: 10ms`, `delay: 1/3 s`.\n"
       "Without a unit, rates are in Hz and times in seconds. Case counts.\n\n"
-      "rates  {}\ntimes  {} (or \u00b5s)\n",
-      fmt::join(units_of(Quantity::rate), ", "), fmt::join(units_of(Quantity::time), ", "));
+      "rates   {}\ntimes   {} (or \u00b5s)\nmemory  {} (of `budget:`; k is 1024, M is 1024 k)\n",
+      fmt::join(units_of(Quantity::rate), ", "), fmt::join(units_of(Quantity::time), ", "),
+      fmt::join(units_of_memory(), ", "));
 }
 
 constexpr const char* kLibrary =

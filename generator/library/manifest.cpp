@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "generator/library/library.hpp"
+#include "generator/read/bytes.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -327,16 +328,9 @@ ObjectEngine read_implementation(const Spanned<std::string>& engine, const YamlV
 
 /// The size in `[0x20000000, 128K]`; nullopt for what a person has still to fill in.
 std::optional<std::uint64_t> size_of_memory(const std::vector<std::string>& texts) {
-  if (texts.size() != 2 || texts[1].empty()) return std::nullopt;
-  std::string_view text = texts[1];
-  const char unit = text.back();
-  constexpr std::int64_t kKilo = 1024;
-  const std::int64_t scale = unit == 'K' ? kKilo : unit == 'M' ? kKilo * kKilo : 1;
-  if (scale > 1) text.remove_suffix(1);
-  const auto count = parse_whole(text);
-  std::int64_t bytes = 0;
-  if (!count || *count <= 0 || __builtin_mul_overflow(*count, scale, &bytes)) return std::nullopt;
-  return static_cast<std::uint64_t>(bytes);
+  if (texts.size() != 2) return std::nullopt;
+  const auto bytes = parse_bytes(texts[1]);
+  return bytes == 0U ? std::nullopt : bytes;
 }
 
 /// The manifest with its rates in Hz and its times in seconds, if it has the form of its kind.

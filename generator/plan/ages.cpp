@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "generator/plan/ways.hpp"
-
 namespace eagerx::gen {
 namespace {
 
@@ -50,7 +48,7 @@ std::optional<Worst> worst_tick(const Ways& ways) {
       }
     }
   }
-  const std::int64_t period = ways.all.front().front()->period;  // of the actuator
+  const std::int64_t period = ways.all.front().front()->period;  // of the last reader
   const std::int64_t ticks = hyperperiod / period;
   if (ticks > kMaxLookUps / hops) return std::nullopt;
   const std::int64_t first = start / period + 1;
@@ -74,32 +72,47 @@ std::optional<Worst> worst_tick(const Ways& ways) {
 
 class Ages {
  public:
-  explicit Ages(const Plan& plan) : plan_(plan) {}
+  Ages(const Plan& plan, const WayEnds& ends) : plan_(plan) {
+    const Graph& graph = *plan.graph;
+    if (ends.from_actions && ends.to_observations && !graph.has_engine())
+      step_s_ = Rational(1) / plan.rates[plan.nodes.front().rate].rate_hz;
+  }
 
   DataAge of(const WayFinder::Pair& pair, const Ways& ways) const {
     const Way& best = *std::ranges::min_element(ways.all, {}, newest_bound);
     DataAge age;
-    age.sensor = pair.first;
-    age.actuator = pair.second;
+    age.from = pair.first;
+    age.to = pair.second;
     const auto worst = ways.complete ? worst_tick(ways) : std::nullopt;
     age.exact = worst.has_value();
-    age.newest_s = seconds(worst ? worst->newest : newest_bound(best));
+    age.newest_s = seconds(worst ? worst->newest : newest_bound(best)) - step_s_;
     if (worst) {
-      age.oldest_s = seconds(worst->oldest);
+      age.oldest_s = seconds(worst->oldest) - step_s_;
     } else if (ways.complete) {
       std::int64_t most = 0;
       for (const Way& way : ways.all) most = std::max(most, oldest_bound(way));
-      age.oldest_s = seconds(most);
+      age.oldest_s = seconds(most) - step_s_;
     }
-    const Way from_sensor(best.rbegin(), best.rend());
-    for (const Hop* hop : from_sensor) {
+    const Way from_source(best.rbegin(), best.rend());
+    for (const Hop* hop : from_source) {
       const Input& input = plan_.graph->nodes[hop->node].inputs[hop->input];
       age.way.push_back({input.written, input.span, seconds(hop->newest_bound)});
     }
+    take_off_step(age.way);
     return age;
   }
 
  private:
+  /// All that happens within a step happens at one time: its end takes nothing of it.
+  void take_off_step(std::vector<AgeHop>& way) const {
+    Rational rest = step_s_;
+    for (auto hop = way.rbegin(); hop != way.rend() && rest > Rational(); ++hop) {
+      const Rational part = hop->newest_s < rest ? hop->newest_s : rest;
+      hop->newest_s = hop->newest_s - part;
+      rest = rest - part;
+    }
+  }
+
   Rational seconds(std::int64_t quanta) const {
     const RateClass& fastest = plan_.rates.front();
     return Rational(quanta) /
@@ -107,17 +120,14 @@ class Ages {
   }
 
   const Plan& plan_;
+  Rational step_s_;  // that is not counted
 };
 
 }  // namespace
 
-DataAges data_ages(const Plan& plan) {
-  const WayFinder finder(plan);
-  const Ages ages(plan);
-  DataAges result;
-  for (const auto& [pair, ways] : finder.ways()) result.known.push_back(ages.of(pair, ways));
-  result.unknown = finder.unknown();
-  return result;
+DataAges::DataAges(const Plan& plan, const WayEnds& ends) : finder_(plan, ends) {
+  const Ages ages(plan, ends);
+  for (const auto& [pair, ways] : finder_.ways()) known_.push_back(ages.of(pair, ways));
 }
 
 }  // namespace eagerx::gen

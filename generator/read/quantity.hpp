@@ -10,6 +10,7 @@
 
 namespace eagerx::gen {
 
+/// Units of memory are another matter (bytes.hpp): a K is also a kelvin.
 enum class Quantity : std::uint8_t { none, rate, time };
 
 /// A unit of rates or times.

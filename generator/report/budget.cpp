@@ -7,28 +7,28 @@
 namespace eagerx::gen {
 namespace {
 
-/// One problem for each pair of a sensor and an actuator.
-void check_ages(const PlanReport& report, const YamlValue& entry, Diagnostics& diagnostics) {
-  const auto limit = Rational::parse(entry.text);
-  if (!limit) return;  // said when the graph was read
-  for (const Input* input : report.ages_unknown) {
+void check_ages(const AgeComparison& compared, Diagnostics& diagnostics) {
+  const AgeLimit& limit = compared.limit;
+  for (const Input* input : compared.unknown) {
     diagnostics
-        .error("E0420", entry.span,
+        .error("E0420", limit.span,
                fmt::format("how old data become on the way to `{}` is not known", input->written))
         .notes.push_back(
             {"its delay is too long, or its rates are too far apart", input->span, ""});
   }
-  for (const auto& age : report.ages) {
-    if (age.newest_s <= *limit) continue;
+  for (const auto& age : compared.ages) {
+    if (age.newest_s <= limit.at_most_s) continue;
     auto& problem = diagnostics.error(
-        "E0420", entry.span,
+        "E0420", limit.span,
         fmt::format("data of `{}` are up to {:.4g} s old at `{}`, {:.4g} s over the budget of {} s",
-                    age.sensor, age.newest_s.to_double(), age.actuator,
-                    (age.newest_s - *limit).to_double(), limit->to_string()));
+                    age.from, age.newest_s.to_double(), age.to,
+                    (age.newest_s - limit.at_most_s).to_double(), limit.at_most_s.to_string()));
     const auto most = std::ranges::max_element(age.way, {}, &AgeHop::newest_s);
     problem.notes.push_back({fmt::format("the connection to `{}` adds most of it", most->input),
                              most->span,
                              fmt::format("up to {:.4g} s", most->newest_s.to_double())});
+    if (const std::string nodes = nodes_on_way(age); !nodes.empty())
+      problem.notes.push_back({"they go through " + nodes, {}, ""});
   }
 }
 
@@ -53,14 +53,17 @@ void check_link(const PlanReport& report, const YamlValue& entry, Diagnostics& d
 
 }  // namespace
 
-PlanReport report_of(const Plan& plan) {
-  DataAges ages = data_ages(plan);
-  return {&plan, std::move(ages.known), std::move(ages.unknown), link_of(plan)};
+PlanReport report_of(const Plan& plan, const std::optional<YamlValue>& budget,
+                     Diagnostics& diagnostics) {
+  const DataAges ages(plan, usual_ends(*plan.graph));
+  PlanReport report{&plan, ages.known(), ages.unknown(), {}, link_of(plan)};
+  if (budget) report.compared = compare_ages(plan, *budget, diagnostics);
+  return report;
 }
 
 void check_plan_budget(const PlanReport& report, const YamlValue& budget,
                        Diagnostics& diagnostics) {
-  if (const YamlValue* entry = budget.find("age")) check_ages(report, *entry, diagnostics);
+  for (const AgeComparison& compared : report.compared) check_ages(compared, diagnostics);
   if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);
 }
 

@@ -10,14 +10,29 @@ Json time_of(const Rational& seconds) {
   return {{"exact", seconds.to_string()}, {"seconds", seconds.to_double()}};
 }
 
+Json json_of(const std::vector<AgeHop>& way) {
+  Json json = Json::list();
+  for (const auto& hop : way)
+    json.push_back(Json{{"input", hop.input}, {"newest", time_of(hop.newest_s)}});
+  return json;
+}
+
 Json json_of(const DataAge& age) {
-  Json json = {
-      {"sensor", age.sensor}, {"actuator", age.actuator}, {"newest", time_of(age.newest_s)}};
+  Json json = {{"sensor", age.from}, {"actuator", age.to}, {"newest", time_of(age.newest_s)}};
   json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
   json["reached"] = age.exact;
-  json["way"] = Json::list();
-  for (const auto& hop : age.way)
-    json["way"].push_back(Json{{"input", hop.input}, {"newest", time_of(hop.newest_s)}});
+  json["way"] = json_of(age.way);
+  return json;
+}
+
+Json json_of(const DataAge& age, const AgeLimit& limit) {
+  Json json = {{"from", age.from}, {"to", age.to}, {"newest", time_of(age.newest_s)}};
+  json["oldest"] = age.oldest_s ? time_of(*age.oldest_s) : Json(nullptr);
+  json["reached"] = age.exact;
+  json["at_most"] = time_of(limit.at_most_s);
+  json["kept"] = age.newest_s <= limit.at_most_s;
+  json["agent"] = limit.ends.through_agent || limit.ends.from_actions;
+  json["way"] = json_of(age.way);
   return json;
 }
 
@@ -63,6 +78,11 @@ Json report_json(const PlanReport& report) {
   for (const auto& age : report.ages) json["ages"].push_back(json_of(age));
   json["ages_unknown"] = Json::list();
   for (const Input* input : report.ages_unknown) json["ages_unknown"].push_back(input->written);
+  json["budget_ages"] = Json::list();
+  for (const auto& compared : report.compared) {
+    for (const auto& age : compared.ages)
+      json["budget_ages"].push_back(json_of(age, compared.limit));
+  }
   Json messages = Json::list();
   for (const auto& message : report.link.messages)
     messages.push_back(Json{{"name", message.name},

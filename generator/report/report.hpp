@@ -9,14 +9,39 @@
 
 namespace eagerx::gen {
 
+/// An entry of `age` in `budget:`.
+struct AgeLimit {
+  std::string from, to;  // empty: all of this kind
+  WayEnds ends;
+  Rational at_most_s;
+  Span span;
+};
+
+/// What an entry is compared with: the pairs that no entry with more names of its own is about.
+struct AgeComparison {
+  AgeLimit limit;
+  std::vector<DataAge> ages;
+  std::vector<const Input*> unknown;  // connections that these leave out
+};
+
 struct PlanReport {
   const Plan* plan = nullptr;
-  std::vector<DataAge> ages;
+  std::vector<DataAge> ages;               // between the usual ends
   std::vector<const Input*> ages_unknown;  // connections that `ages` leave out
+  std::vector<AgeComparison> compared;
   Link link;
 };
 
-PlanReport report_of(const Plan& plan);
+/// `budget` of the graph, if it has one. Problems with its `age`: E0208 a key that does nothing,
+/// E0424 a name that is none, E0425 a pair that no data go between, W0120 an entry that limits
+/// nothing.
+PlanReport report_of(const Plan& plan, const std::optional<YamlValue>& budget,
+                     Diagnostics& diagnostics);
+/// The comparisons of it.
+std::vector<AgeComparison> compare_ages(const Plan& plan, const YamlValue& budget,
+                                        Diagnostics& diagnostics);
+/// Through which nodes: "position, speed" or "agent, smooth"; empty if there is none between.
+std::string nodes_on_way(const DataAge& age);
 
 /// Rates, slots, buffers.
 std::string plan_text(const PlanReport& report);

@@ -32,6 +32,30 @@ std::string load_text(const char* what, const LinkLoad& load) {
       load.baud.to_double());
 }
 
+std::string compared_text(const PlanReport& report) {
+  if (report.compared.empty()) return {};
+  std::string text = "\nbudget of ages\n";
+  for (const AgeComparison& compared : report.compared) {
+    const AgeLimit& limit = compared.limit;
+    const std::string at_most =
+        milliseconds(limit.at_most_s) +
+        (limit.ends.through_agent || limit.ends.from_actions ? "" : " without the agent");
+    if (compared.ages.empty() && compared.unknown.empty())
+      text += fmt::format("  at most {} (line {}) limits nothing\n", at_most, limit.span.line);
+    for (const Input* input : compared.unknown)
+      text +=
+          fmt::format("  unknown over the connection to {}, at most {}\n", input->written, at_most);
+    for (const DataAge& age : compared.ages) {
+      const std::string nodes = nodes_on_way(age);
+      text += fmt::format("  {} -> {}: {}, at most {}{}{}\n", age.from, age.to,
+                          milliseconds(age.newest_s), at_most,
+                          age.newest_s <= limit.at_most_s ? "" : ", too old",
+                          nodes.empty() ? "" : ", through " + nodes);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string plan_text(const PlanReport& report) {
@@ -69,19 +93,23 @@ std::string packs_text(const Plan& plan) {
 }
 
 std::string timing_text(const PlanReport& report) {
-  std::string text = "\nage of a sensor's data at an actuator's ticks, at most\n";
+  const bool engine = report.plan->graph->has_engine();
+  std::string text = engine ? "\nage of a sensor's data at an actuator's ticks, at most\n"
+                            : "\nage of an action's data in the observation of a step, at most\n";
   if (report.ages.empty() && report.ages_unknown.empty())
-    text += "  no sensor's data reach an actuator\n";
+    text += engine ? "  no sensor's data reach an actuator\n"
+                   : "  no action's data reach an observation\n";
   for (const Input* input : report.ages_unknown)
     text += fmt::format("  unknown over the connection to {}\n", input->written);
   for (const auto& age : report.ages) {
-    text += fmt::format("  {} -> {}: newest {}, oldest {}{}\n", age.sensor, age.actuator,
+    text += fmt::format("  {} -> {}: newest {}, oldest {}{}\n", age.from, age.to,
                         milliseconds(age.newest_s),
                         age.oldest_s ? milliseconds(*age.oldest_s) : "unknown",
                         age.exact ? "" : " (sums over connections)");
     for (const auto& hop : age.way)
       text += fmt::format("    -> {:<24} {}\n", hop.input, milliseconds(hop.newest_s));
   }
+  text += compared_text(report);
   if (report.link.messages.empty()) return text;
   text += fmt::format("\na serial link to the engine would carry ({} bytes of framing a frame)\n",
                       kFrameBytes);

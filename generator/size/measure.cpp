@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -52,6 +53,20 @@ class Measurement {
     attribute_data(report);
     attribute_rest(report);
     return report;
+  }
+
+  /// Says whose each call is: its caller's line in program.hpp tells the node, and below a node all
+  /// is the node's. Else it is the part's that the function belongs to.
+  void name_calls(StackBound& stack) const {
+    const StackCall* node = nullptr;
+    for (StackCall& call : stack.calls) {
+      Owner owner = owner_of_address(call.called_from);
+      if (!owner.is_node && is_known(call.begin)) owner = owner_of_address(call.begin);
+      if (!owner.is_node && node != nullptr) owner = {true, node->part};
+      call.part = owner.name;
+      call.of_node = owner.is_node;
+      if (call.of_node) node = &call;
+    }
   }
 
  private:
@@ -108,11 +123,13 @@ class Measurement {
     }
     if (std::fflush(list.get()) != 0) return false;
     addresses_.clear();
+    places_.clear();
     for_each_line({"sh", "-c", fmt::format("exec {}addr2line -a -i -e \"$1\" <\"$2\"", prefix_),
                    "sh", image_, fmt::format("/dev/fd/{}", fileno(list.get()))},
                   [&](std::string_view line) {
                     if (line.starts_with("0x")) {
                       addresses_.emplace_back();
+                      places_.push_back(hex(line.substr(2)));
                     } else if (!addresses_.empty()) {
                       addresses_.back().emplace_back(line);
                     }
@@ -180,6 +197,16 @@ class Measurement {
     return {false, "libraries"};
   }
 
+  bool is_known(std::uint64_t address) const {
+    return std::ranges::find(places_, address) != places_.end();
+  }
+
+  Owner owner_of_address(std::uint64_t address) const {
+    const auto found = std::ranges::find(places_, address);
+    if (found == places_.end()) return {false, "libraries"};
+    return owner(addresses_[static_cast<std::size_t>(found - places_.begin())]);
+  }
+
   Owner owner_of_file(const std::string& frame) const {
     const auto has = [&](std::string_view part) { return frame.find(part) != std::string::npos; };
     if (has("/models/")) return owner_of_model(frame);
@@ -187,7 +214,7 @@ class Measurement {
     if (has("/program.hpp")) return {false, "schedule"};
     if (has("/runtime/eagerx/") || has("/src/eagerx/") || has("/graph.hpp"))
       return {false, "runtime"};
-    if (has("/targets/")) return {false, "board"};
+    if (has("/targets/") || has("/main.cpp")) return {false, "board"};
     return {};
   }
 
@@ -289,6 +316,7 @@ class Measurement {
   std::map<std::uint64_t, Symbol> symbols_;
   std::map<std::string, std::uint64_t> ends_;
   std::vector<Frames> addresses_;
+  std::vector<std::uint64_t> places_;  // of these
   ProgramMap map_;
 };
 
@@ -310,8 +338,11 @@ std::optional<SizeReport> measure_image(const std::string& image, const std::str
         "give the .elf file that was built for one";
     return std::nullopt;
   }
-  auto report = Measurement(image, *prefix, diagnostics).run();
-  if (report) report->stack = stack_bound(*prefix, image, build);
+  Measurement measurement(image, *prefix, diagnostics);
+  auto report = measurement.run();
+  if (!report) return report;
+  report->stack = stack_bound(*prefix, image, build);
+  measurement.name_calls(report->stack);
   return report;
 }
 

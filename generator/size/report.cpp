@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "generator/json/json.hpp"
+#include "generator/size/function_name.hpp"
 #include "generator/size/size.hpp"
 
 namespace eagerx::gen {
@@ -18,7 +19,23 @@ Json usages(const std::map<std::string, Usage>& parts) {
   return json;
 }
 
+Json calls_json(const std::vector<StackCall>& calls) {
+  Json json = Json::list();
+  for (const StackCall& call : calls)
+    json.push_back(Json{{"function", call.function},
+                        {call.of_node ? "node" : "part", call.part},
+                        {"bytes", call.bytes}});
+  return json;
+}
+
 }  // namespace
+
+std::string stack_text(const StackBound& stack) {
+  std::string text;
+  for (const StackCall& call : stack.calls)
+    text += fmt::format("  {:>6}  {:<20} {}\n", call.bytes, call.part, call.function);
+  return text;
+}
 
 std::string size_text(const SizeReport& report) {
   std::string text = fmt::format("{:<28} {:>8} {:>8}\n", "bytes", "flash", "RAM");
@@ -27,10 +44,12 @@ std::string size_text(const SizeReport& report) {
   text += fmt::format("{:<28} {:>8} {:>8}\n\n", "all", report.flash, report.ram);
   text += fmt::format("stack: {} bytes at most, through {} calls", report.stack.bytes,
                       report.stack.path.empty() ? 0 : report.stack.path.size() - 1);
-  if (!report.stack.unbounded.empty())
+  std::vector<std::string> unbounded;
+  for (const auto& name : report.stack.unbounded) unbounded.push_back(function_name(name));
+  if (!unbounded.empty())
     text += fmt::format("; not counted are calls of {} through pointers, or of themselves",
-                        fmt::join(report.stack.unbounded, ", "));
-  text += "; interrupts come on top\n";
+                        fmt::join(unbounded, ", "));
+  text += "; interrupts come on top\n" + stack_text(report.stack);
   if (const auto& count = report.instructions)
     text += fmt::format("instructions of a slot: {:.0f} on average, {} to {}, in {} slots\n",
                         count->mean, count->least, count->most, count->slots);
@@ -45,6 +64,7 @@ Json size_json(const SizeReport& report) {
   json["others"] = usages(report.others);
   json["stack"] = Json{{"bytes", report.stack.bytes},
                        {"path", report.stack.path},
+                       {"calls", calls_json(report.stack.calls)},
                        {"unbounded", report.stack.unbounded}};
   if (const auto& count = report.instructions)
     json["instructions"] = Json{{"slots", count->slots},

@@ -16,11 +16,21 @@ struct Usage {
   std::uint64_t flash = 0, ram = 0;
 };
 
+/// A function on the deepest chain of calls.
+struct StackCall {
+  std::string function;  // "Program::before"
+  std::string part;      // whose it is: `pendulum/theta`, or one of SizeReport::others
+  bool of_node = false;
+  std::uint64_t bytes = 0;                   // its own
+  std::uint64_t begin = 0, called_from = 0;  // addresses; the first has no caller: both the same
+};
+
 /// The deepest chain of calls.
 struct StackBound {
   std::uint64_t bytes = 0;
   std::vector<std::string> path;       // mangled names, from the start
   std::vector<std::string> unbounded;  // functions that call through pointers, or themselves
+  std::vector<StackCall> calls;        // the path again
 };
 
 /// Instructions of the slots of a run, counted by the emulator, the agent and the measurement
@@ -44,6 +54,8 @@ struct SizeReport {
 std::optional<SizeReport> measure_image(const std::string& image, const std::string& build,
                                         Diagnostics& diagnostics);
 
+/// The chain of calls, a line for each: bytes, whose it is, function.
+std::string stack_text(const StackBound& stack);
 std::string size_text(const SizeReport& report);
 Json size_json(const SizeReport& report);
 

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "generator/size/function_name.hpp"
 #include "generator/size/pattern.hpp"
 #include "generator/size/tools.hpp"
 
@@ -18,8 +19,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Function {
-  std::uint64_t frame = 0;
-  std::set<std::string> calls;
+  std::uint64_t frame = 0, begin = 0;
+  std::map<std::string, std::uint64_t> calls;  // from which address, the first if there are more
   bool through_pointer = false;
 };
 using Functions = std::map<std::string, Function>;
@@ -64,27 +65,33 @@ std::uint64_t stack_taken(const std::string& text) {
 class Disassembly {
  public:
   void line(const std::string& text) {
-    static const Pattern kHead("^[0-9a-f]+ <(.+)>:$");
-    static const Pattern kInstruction(R"(^\s*[0-9a-f]+:\s+(.*)$)");
+    static const Pattern kHead("^([0-9a-f]+) <(.+)>:$");
+    static const Pattern kInstruction(R"(^\s*([0-9a-f]+):\s+(.*)$)");
     if (const auto head = kHead.groups(text); !head.empty()) {
-      if (head[1].starts_with(".L")) return;
-      name_ = head[1];
+      if (head[2].starts_with(".L")) return;
+      name_ = head[2];
       current_ = &functions_[name_];
+      current_->begin = address(head[1]);
     } else if (const auto found = kInstruction.groups(text);
                current_ != nullptr && !found.empty()) {
-      instruction(found[1]);
+      instruction(found[2], address(found[1]));
     }
   }
 
   Functions take() { return std::move(functions_); }
 
  private:
-  void instruction(const std::string& text) {
+  static std::uint64_t address(const std::string& digits) {
+    constexpr int kHexadecimal = 16;
+    return std::strtoull(digits.c_str(), nullptr, kHexadecimal);
+  }
+
+  void instruction(const std::string& text, std::uint64_t at) {
     static const Pattern kCall(R"(^(bl?|b\.w|b\.n|j|jal|call|tail)\S*\s.*<([^+>]+)>)");
     static const Pattern kPointer(R"(^(blx\s+r|jalr|c\.jalr|bx\s+r))");
     current_->frame += stack_taken(text);
     if (const auto call = kCall.groups(text); !call.empty()) {
-      if (call[2] != name_ || text.starts_with("bl")) current_->calls.insert(call[2]);
+      if (call[2] != name_ || text.starts_with("bl")) current_->calls.emplace(call[2], at);
     } else if (!kPointer.groups(text).empty()) {
       current_->through_pointer = true;
     }
@@ -136,7 +143,17 @@ class DeepestPath {
   StackBound from(const std::string& start) {
     StackBound bound;
     bound.bytes = depth(start);
-    for (std::string name = start; !name.empty(); name = next_[name]) bound.path.push_back(name);
+    std::uint64_t called_from = 0;
+    for (std::string name = start; !name.empty(); name = next_[name]) {
+      bound.path.push_back(name);
+      const auto found = functions_.find(name);
+      if (found == functions_.end()) continue;
+      const Function& function = found->second;
+      bound.calls.push_back({function_name(name), "", false, function.frame, function.begin,
+                             bound.calls.empty() ? function.begin : called_from});
+      if (const auto call = function.calls.find(next_[name]); call != function.calls.end())
+        called_from = call->second;
+    }
     bound.unbounded.assign(unbounded_.begin(), unbounded_.end());
     return bound;
   }
@@ -152,7 +169,7 @@ class DeepestPath {
     }
     if (found->second.through_pointer) unbounded_.insert(name);
     std::uint64_t deepest = 0;
-    for (const auto& callee : found->second.calls) {
+    for (const auto& [callee, at] : found->second.calls) {
       const std::uint64_t below = depth(callee);
       if (below <= deepest) continue;
       deepest = below;

@@ -55,6 +55,10 @@ FormatPtr decimal(std::string what, double low, bool low_exclusive) {
   return share(std::move(result));
 }
 
+FormatPtr memory(std::string what) {
+  return share(make(Format::Kind::memory, std::move(what)));
+}
+
 FormatPtr rate() {
   Format result = *decimal("a rate in Hz", 0.0, true);
   result.quantity = Quantity::rate;

@@ -35,6 +35,7 @@ struct Format {
     port,  // names joined by dots
     path,  // names of files and folders, made of letters, digits and `_.+-`
     integer,
+    memory,   // bytes, such as 64k
     decimal,  // kept exact; fractions such as 1/3 too
     number,
     boolean,
@@ -70,6 +71,8 @@ FormatPtr port(std::string what);
 FormatPtr integer(std::string what, std::optional<double> low = {},
                   std::optional<double> high = {});
 FormatPtr decimal(std::string what, double low, bool low_exclusive);
+/// A number of bytes, with or without a unit.
+FormatPtr memory(std::string what);
 FormatPtr rate();
 FormatPtr time(std::string what, bool low_exclusive = false);
 FormatPtr number(std::string what, Quantity quantity = Quantity::none);
@@ -93,8 +96,8 @@ FormatPtr one_of(std::string what, std::vector<FormatPtr> options);
 /// choice, E0205 not a name, E0209 a wrong unit.
 bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics);
 
-/// A tree that `check` has accepted, with all rates in Hz and all times in seconds: "10 ms" becomes
-/// "0.01".
+/// A tree that `check` has accepted, with all rates in Hz, all times in seconds and all memory in
+/// bytes: "10 ms" becomes "0.01".
 YamlValue in_base_units(YamlValue yaml, const Format& format);
 
 /// The format as JSON schema (draft-07).

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/quote/quote.hpp"
+#include "generator/read/bytes.hpp"
 #include "generator/read/rational.hpp"
 #include "generator/read/scalar.hpp"
 #include "generator/spec/format.hpp"
@@ -20,7 +21,7 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                                     format.what, describe(yaml)));
   const bool number = format.kind == Format::Kind::integer ||
                       format.kind == Format::Kind::decimal || format.kind == Format::Kind::number ||
-                      format.kind == Format::Kind::boolean;
+                      format.kind == Format::Kind::boolean || format.kind == Format::Kind::memory;
   if (number && yaml.is_scalar() && yaml.quoted)
     problem.help = "quotes make it a text: leave them out";
   return false;
@@ -161,6 +162,29 @@ bool check_number(const YamlValue& yaml, const Format& format, Diagnostics& diag
                : wrong_type(yaml, format, diagnostics);
 }
 
+bool check_memory(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
+  if (!yaml.is_scalar() || yaml.quoted) return wrong_type(yaml, format, diagnostics);
+  if (parse_bytes(yaml.text)) return true;
+  const auto [number, unit] = take_unit_off(yaml.text);
+  const auto value = Rational::parse(number);
+  const bool known = unit.empty() || contains(units_of_memory(), std::string(unit));
+  if (!value || (known && *value > Rational())) return wrong_type(yaml, format, diagnostics);
+  if (known) {
+    diagnostics
+        .error("E0204", yaml.span,
+               fmt::format("expected {}, found {}", format.what, describe(yaml)))
+        .label = "must be at least 0";
+    return false;
+  }
+  const std::string right = with_right_unit_of_memory(yaml.text);
+  diagnostics
+      .error("E0209", yaml.span, fmt::format("`{}` is not a unit of memory", shortened(unit)))
+      .help = right.empty()
+                  ? fmt::format("units of memory are {}", fmt::join(units_of_memory(), ", "))
+                  : fmt::format("write `{}`", right);
+  return false;
+}
+
 bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (yaml.is_null()) return true;  // `config:` with nothing behind it
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
@@ -293,6 +317,8 @@ bool check(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics
     case Format::Kind::decimal:
     case Format::Kind::number:
       return check_number(yaml, format, diagnostics);
+    case Format::Kind::memory:
+      return check_memory(yaml, format, diagnostics);
     case Format::Kind::list:
       return check_list(yaml, format, diagnostics);
     case Format::Kind::map:
@@ -323,6 +349,10 @@ void put_in_base_units(YamlValue& yaml, const Format& format) {
   if (format.quantity != Quantity::none && yaml.is_scalar()) {
     const Unit& base = *find_unit(format.quantity == Quantity::rate ? "Hz" : "s");
     yaml.text = number_in(yaml.text, base).value_or(yaml.text);
+  }
+  if (format.kind == Format::Kind::memory && yaml.is_scalar()) {
+    const auto bytes = parse_bytes(yaml.text);
+    yaml.text = bytes ? std::to_string(*bytes) : yaml.text;
   }
   for (auto& item : yaml.items) {
     if (format.item) put_in_base_units(item, *format.item);

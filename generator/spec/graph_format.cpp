@@ -269,8 +269,28 @@ FormatPtr engine_nodes_format() {
                        "outputs to use (default: all) and their settings"}}));
 }
 
+FormatPtr age_format() {
+  return format::one_of(
+      "a time in seconds, or a list of `{from: …, to: …, at_most: …}`",
+      {format::time("a time in seconds", true),
+       format::list(
+           "a list of limits of ages",
+           format::record(
+               "a limit of an age",
+               {{"from", format::port("`object.sensor` or `actions.NAME`"), false,
+                 "where data begin (default: every sensor; without an engine every action)"},
+                {"to", format::port("`object.actuator` or `observations.NAME`"), false,
+                 "where they are used (default: every actuator; without an engine every "
+                 "observation)"},
+                {"at_most", format::time("a time in seconds", true), true,
+                 "largest age, in seconds, of the newest data of `from` at `to`"},
+                {"agent", format::boolean(), false,
+                 "false: ways through the agent do not count (default true)"}}),
+           1)});
+}
+
 FormatPtr budget_format() {
-  const FormatPtr bytes = format::integer("a number of bytes", 0);
+  const FormatPtr bytes = format::memory("a number of bytes, such as 64k");
   const FormatPtr part =
       format::record("a budget of memory", {{"flash", bytes, false, "bytes of code and constants"},
                                             {"ram", bytes, false, "bytes besides the stack"}});
@@ -282,8 +302,10 @@ FormatPtr budget_format() {
                          {"stack", bytes, false, "bytes of stack"},
                          {"instructions", format::integer("a number of instructions", 0), false,
                           "most instructions of a slot, the agent included"},
-                         {"age", format::time("a time in seconds", true), false,
-                          "largest age, in seconds, of the newest data of a sensor at an actuator"},
+                         {"age", age_format(), false,
+                          "largest age, in seconds, of the newest data of a sensor at an actuator "
+                          "(without an engine: of an action in an observation), for all pairs or "
+                          "for each"},
                          {"link", format::integer("a baud rate", 1), false,
                           "baud rate of a serial link between the engine and the rest"},
                          {"nodes", std::make_shared<const Format>(std::move(nodes)), false,

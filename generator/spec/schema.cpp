@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "generator/read/bytes.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -46,6 +48,15 @@ std::string text_pattern(const Format& format) {
   return "^(" + (fraction ? number + "|" : "") + with_unit + ")$";
 }
 
+/// A number, or a text with a unit.
+Json memory_schema() {
+  std::string units;
+  for (const std::string& unit : units_of_memory()) units += (units.empty() ? "" : "|") + unit;
+  return {{"anyOf", Json::List{Json{{"type", "integer"}, {"minimum", 0}},
+                               Json{{"type", "string"},
+                                    {"pattern", "^[0-9]+(\\.[0-9]+)? *(" + units + ")$"}}}}};
+}
+
 Json number_schema(const Format& format) {
   Json number = {{"type", "number"}};
   add_bounds(number, format);
@@ -77,6 +88,8 @@ Json schema_of(const Format& format) {
     case Format::Kind::decimal:
     case Format::Kind::number:
       return number_schema(format);
+    case Format::Kind::memory:
+      return memory_schema();
     case Format::Kind::integer: {
       Json schema = {{"type", "integer"}};
       add_bounds(schema, format);

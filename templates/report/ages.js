@@ -59,17 +59,22 @@ function showWay(age, box) {
 function makeAgesView(panel) {
   const detail = el("section.card");
   if (!ages.length)
-    panel.append(card("Ages", el("p", {}, "No sensor's data reach an actuator.")));
+    panel.append(card(
+        "Ages",
+        el("p", {},
+           data.info.engine === "none" ? "No action's data reach an observation." :
+                                         "No sensor's data reach an actuator.")));
   else {
     const most = Math.max(...ages.map((age) => (age.oldest || age.newest).seconds)) || 1;
     panel.append(card(
-        "Age of data at the ticks of an actuator, at most",
+        data.info.engine === "none" ? "Age of an action's data in the observation of a step, at most" :
+                                      "Age of data at the ticks of an actuator, at most",
         el("p.note", {},
            "Dark: the newest data. Light: the oldest message in a window on any way. Select a pair to follow its way."),
         table(
             [
-              {name: "sensor", cell: (age) => age.sensor},
-              {name: "actuator", cell: (age) => age.actuator},
+              {name: "from", cell: (age) => age.sensor},
+              {name: "to", cell: (age) => age.actuator},
               {name: "newest", number: true, cell: (age) => seconds(age.newest.seconds)},
               {name: "oldest", number: true, cell: (age) => (age.oldest ? seconds(age.oldest.seconds) : "unknown")},
               {name: "", cell: (age) => bar(age.newest.seconds / most, age.oldest ? age.oldest.seconds / most : null)},
@@ -78,6 +83,19 @@ function makeAgesView(panel) {
     showWay(ages[0], detail);
     panel.append(detail);
   }
+  if (data.info.budget_ages.length)
+    panel.append(card(
+        "Budget",
+        table(
+            [
+              {name: "from", cell: (age) => age.from},
+              {name: "to", cell: (age) => age.to},
+              {name: "ways", cell: (age) => (age.agent ? "all" : "without the agent")},
+              {name: "newest", number: true, cell: (age) => seconds(age.newest.seconds)},
+              {name: "at most", number: true, cell: (age) => seconds(age.at_most.seconds)},
+              {name: "", cell: (age) => (age.kept ? "kept" : "too old")},
+            ],
+            data.info.budget_ages, 100)));
   if (data.info.ages_unknown.length)
     panel.append(card(
         "Unknown",

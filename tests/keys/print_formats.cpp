@@ -22,6 +22,7 @@ const char* kind_of(Format::Kind kind) {
     case Format::Kind::boolean:
       return "boolean";
     case Format::Kind::integer:
+    case Format::Kind::memory:
     case Format::Kind::decimal:
     case Format::Kind::number:
       return "number";

@@ -40,7 +40,9 @@ class Graph:
         return self
 
     def yaml(self):
-        lines = [f"name: {self.name}", f"rate: {self.rate}", f"engine: {{type: OracleEngine, rate: {self.engine_rate}}}"]
+        lines = [f"name: {self.name}", f"rate: {self.rate}"]
+        if self.engine_rate:
+            lines.append(f"engine: {{type: OracleEngine, rate: {self.engine_rate}}}")
         if self.things:
             lines.append("objects:")
         for name, (nid, rates) in self.things.items():
@@ -93,8 +95,9 @@ class Graph:
         nodes = {
             "environment": Node("environment", "environment", Fraction(self.rate), outputs=self.actions,
                                 inputs=[self._input(f"observations.{o}", o) for o in self.observations]),
-            "engine": Node("engine", "engine", Fraction(self.engine_rate), outputs=["tick"]),
         }
+        if self.engine_rate:
+            nodes["engine"] = Node("engine", "engine", Fraction(self.engine_rate), outputs=["tick"])
         for thing, (nid, rates) in self.things.items():
             for port, rate in rates.items():
                 name = f"{thing}/{port}"
@@ -197,6 +200,28 @@ class RandomGraph:
                     self.connect(f"{thing}.{port}", rate, downstream, everything)
         for i in range(chooser.randrange(1, 5)):
             self.connect(f"observations.x{i}", self.rates[0], upstream, everything)
+
+
+class RandomNodes(RandomGraph):
+    """The same without engine and objects: from actions through nodes to observations."""
+
+    def make(self):
+        self.graph.name, self.graph.engine_rate = self.graph.name.replace("random", "nodes"), None
+        graph, chooser = self.graph, self.random
+        self.sources["actions.u1"] = self.rates[0]
+        count_nodes = [(f"n{i}", self.pick_rate(), ["i0", "i1", "i2"][: chooser.randrange(1, 4)]) for i in range(chooser.randrange(1, 7))]
+        before = list(self.sources)
+        self.sources.update({f"{name}.o0": rate for name, rate, _ in count_nodes})
+        everything = list(self.sources)
+        for i, (name, rate, inputs) in enumerate(count_nodes):
+            graph.node(name, 200 + i, rate, inputs)
+            for item in inputs:
+                self.connect(f"{name}.{item}", rate, before, everything)
+            before.append(f"{name}.o0")
+        for action in ("actions.u0", "actions.u1"):  # each has a reader
+            graph.node(f"r{action[-1]}", 300, self.rates[0], ["i0"]).connect(action, f"r{action[-1]}.i0")
+        for i in range(chooser.randrange(1, 4)):  # what is seen needs no action of its instant
+            self.connect(f"observations.x{i}", self.rates[0], [], everything)
 
 
 def by_hand():

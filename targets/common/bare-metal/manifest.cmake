@@ -4,11 +4,11 @@
 # `flash: [ORIGIN, SIZE]`. A board whose blanks are not filled in does not build.
 function(eagerx_board_memory variable folder name)
   _eagerx_manifest_line(line ${folder} ${name})
-  if(NOT line MATCHES "^\\[ *(0x[0-9a-fA-F]+) *, *([0-9]+[kKM]?) *\\]$")
+  if(NOT line MATCHES "^\\[ *(0x[0-9a-fA-F]+) *, *([0-9]+) *([kKM]?)i?B? *\\]$")
     message(FATAL_ERROR "${folder}/manifest.yaml: `${name}` is `${line}`; fill in [ORIGIN, SIZE], such as "
                         "[0x08000000, 512K]")
   endif()
-  set(${variable} ${CMAKE_MATCH_1} ${CMAKE_MATCH_2} PARENT_SCOPE)
+  set(${variable} ${CMAKE_MATCH_1} ${CMAKE_MATCH_2}${CMAKE_MATCH_3} PARENT_SCOPE)  # as the linker reads it
 endfunction()
 
 # eagerx_board_number(<variable> <folder> <key>): a whole number from the line `key: NUMBER`.

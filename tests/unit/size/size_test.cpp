@@ -8,6 +8,7 @@
 
 #include "generator/cli/commands.hpp"
 #include "generator/program_map/program_map.hpp"
+#include "generator/size/function_name.hpp"
 #include "generator/size/stack.hpp"
 #include "generator/size/tools.hpp"
 #include "tests/unit/size/tools.hpp"
@@ -271,6 +272,35 @@ TEST(Stack, FunctionsThatCallThemselvesAreNamed) {
   EXPECT_EQ(bound.unbounded, std::vector<std::string>{"even"});
 }
 
+TEST(Stack, CallsAreThoseOfTheNodesWhoseLinesMakeThem) {
+  Tools tools;
+  describe(tools);
+  // What stands at 10 is in the lines of `smooth`, and what it calls is in nobody's.
+  tools.says("objdump",
+             "00000000 <eagerx_start>:\n   0:\tpush\t{lr}\n   2:\tbl\t8 <run>\n\n"
+             "00000008 <run>:\n  10:\tbl\t30 <_ZN6eagerx6models3AddIiE8callbackEv>\n\n"
+             "00000030 <_ZN6eagerx6models3AddIiE8callbackEv>:\n  30:\tsub\tsp, #24\n"
+             "  32:\tbl\t40 <leaf>\n\n00000040 <leaf>:\n  40:\tpush\t{r4, lr}\n");
+  Diagnostics diagnostics;
+  const auto report = measured(tools, diagnostics);
+  ASSERT_TRUE(report);
+  EXPECT_EQ(stack_text(report->stack),
+            "       4  board                eagerx_start\n"
+            "       0  board                run\n"
+            "      24  smooth               Add::callback\n"
+            "       8  smooth               leaf\n");
+}
+
+TEST(FunctionName, IsThatOfAPerson) {
+  EXPECT_EQ(function_name("main"), "main");
+  EXPECT_EQ(function_name("_Z"), "_Z");
+  EXPECT_EQ(function_name("_ZN6eagerx5board7DecimalIdE12write_scaledEPcyi"),
+            "Decimal::write_scaled");
+  EXPECT_EQ(function_name("_ZN6eagerx5board3runIN6graphs1g5GraphEEEiPKc"), "run");
+  EXPECT_EQ(function_name("_ZN6eagerx12_GLOBAL__N_14stepEv.constprop.0"), "step");
+  EXPECT_EQ(function_name("_ZN6eagerx6models3AddIiE8callbackEv.isra.0"), "Add::callback");
+}
+
 TEST(ToolPrefix, IsThatOfTheMachine) {
   const Tools tools;
   constexpr int kRiscv = 243;
@@ -296,7 +326,11 @@ SizeReport example() {
   report.ram = 20;
   report.nodes["smooth"] = {60, 16};
   report.others["other"] = {40, 4};
-  report.stack = {64, {"eagerx_start", "step"}, {"step"}};
+  report.stack = {
+      64,
+      {"eagerx_start", "step"},
+      {"step"},
+      {{"eagerx_start", "board", false, 24, 0, 0}, {"step", "smooth", true, 40, 16, 2}}};
   return report;
 }
 
@@ -308,7 +342,9 @@ TEST(Report, AsText) {
             "all                               100       20\n\n"
             "stack: 64 bytes at most, through 1 calls; not counted are calls of step through "
             "pointers, or "
-            "of themselves; interrupts come on top\n");
+            "of themselves; interrupts come on top\n"
+            "      24  board                eagerx_start\n"
+            "      40  smooth               step\n");
 }
 
 TEST(Report, AsJson) {
@@ -318,6 +354,9 @@ TEST(Report, AsJson) {
   EXPECT_EQ(json["flash"], 100);
   EXPECT_EQ(json["nodes"]["smooth"]["ram"], 16);
   EXPECT_EQ(json["stack"]["unbounded"][0], "step");
+  EXPECT_EQ(json["stack"]["calls"][0]["part"], "board");
+  EXPECT_EQ(json["stack"]["calls"][1]["node"], "smooth");
+  EXPECT_EQ(json["stack"]["calls"][1]["bytes"], 40);
   EXPECT_EQ(json["instructions"]["most"], 30);
   EXPECT_EQ(json["instructions"]["mean"], 12.5);
 }
