@@ -146,12 +146,21 @@ struct GraphNode {
   [[nodiscard]] bool is_reset_node() const { return !reset_targets.empty(); }
 };
 
+/// A state of an object that the graph does not write: a reset leaves it as it is.
+struct KeptState {
+  std::string name;
+  bool bounded = false;                  // its space has both bounds, so it could be drawn
+  const Entity* engine_state = nullptr;  // what would set it
+  Config config;
+};
+
 struct Object {
   std::string name;
   const Entity* entity = nullptr;
   const ObjectEngine* implementation = nullptr;
   Config config;
   std::vector<State> states;
+  std::vector<KeptState> kept;
   Span span;
 };
 

@@ -278,6 +278,23 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
                        draft.diagnostics);
 }
 
+/// What the graph leaves alone. Nothing of it is in the program, so no problem of it is reported.
+void find_kept_states(Draft& draft, const EntitySpec& spec, Object& object) {
+  Diagnostics unsaid;
+  const References references = references_of(*object.entity, spec.config);
+  for (const auto& port : object.entity->states) {
+    const EntitySpec* found = find_named(object.implementation->states, port.name.value);
+    if (found == nullptr || find_named(spec.states, port.name.value) != nullptr) continue;
+    const Entity* engine_state = draft.library.find(found->type.value);
+    if (engine_state == nullptr || engine_state->kind != EntityKind::engine_state) continue;
+    const auto space = state_space(port, references, unsaid);
+    const auto settings = substitute(found->config, references, unsaid);
+    object.kept.push_back(
+        {port.name.value, space && !space->low.empty() && !space->high.empty(), engine_state,
+         resolve_config(draft.library, *engine_state, settings, found->type.span, unsaid)});
+  }
+}
+
 }  // namespace
 
 void resolve_states(Draft& draft) {
@@ -306,6 +323,7 @@ void resolve_states(Draft& draft) {
       bind_engine_state(draft, object, draft.spec.objects[i], state);
       object.states.push_back(std::move(state));
     }
+    find_kept_states(draft, draft.spec.objects[i], object);
   }
 }
 
