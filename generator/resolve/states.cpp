@@ -50,12 +50,9 @@ class RandomReader {
       return {};
     }
     const std::uint64_t size = space_.size();
-    if (result->size() == 1) result->assign(size, result->front());
-    if (result->size() != size)
-      return fail("E0327", yaml.span,
-                  fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(),
-                              size == 1 ? "one value" : fmt::format("one value or {}", size),
-                              result->size()));
+    // A list is one of all elements: `[0.1]` for two of them is hardly meant to be both.
+    if (yaml.is_scalar()) result->assign(size, result->front());
+    if (result->size() != size) return wrong_size(yaml, result->size());
     const bool fraction = !is_floating(space_.dtype) &&
                           std::ranges::any_of(*result, [](double v) { return v != std::trunc(v); });
     if (fraction)
@@ -76,6 +73,20 @@ class RandomReader {
                       : fmt::format("{} must be from {} to {}", what, shown(low), shown(high)));
     }
     return *result;
+  }
+
+  std::vector<double> wrong_size(const YamlValue& yaml, std::size_t found) {
+    const std::uint64_t size = space_.size();
+    auto& problem = diagnostics_.error(
+        "E0327", yaml.span,
+        fmt::format("`{}` is {} and takes {}, found {}", name_, space_.describe(),
+                    size == 1 ? "one value" : fmt::format("one value or {}", size),
+                    found == 1 ? "a list of one" : fmt::format("{} values", found)));
+    if (found == 1)
+      problem.help =
+          fmt::format("write the number without brackets if all {} are to have it", size);
+    good_ = false;
+    return {};
   }
 
   void read_range(Random& random) {
