@@ -18,6 +18,7 @@ void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
   check_memory(judged, diagnostics);
   check_keys(judged, diagnostics);
   check_task(judged.graph, diagnostics);
+  check_numbers(judged, diagnostics);
   check_steps(judged, diagnostics);
   check_kept_states(judged, diagnostics);
 }
