@@ -169,9 +169,10 @@ struct Agent {
   std::string file;  // as written
   std::string path;  // where it is
   std::vector<std::size_t>
-      observations;                      // policy: inputs of the environment, in the policy's order
-  std::optional<std::string> output;     // policy: as written, else decided by the network
-  std::vector<std::string> other_files;  // statistics and known answers: where they are
+      observations;                   // policy: inputs of the environment, in the policy's order
+  std::optional<std::string> output;  // policy: as written, else decided by the network
+  std::optional<Spanned<Rational>> trained_at;  // policy: as written
+  std::vector<std::string> other_files;         // statistics and known answers: where they are
   Span span;
 };
 
