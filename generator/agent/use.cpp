@@ -24,6 +24,7 @@ PolicyUse agent_use(const Graph& graph) {
   for (const auto& action : environment.outputs) use.outputs.push_back(&action);
   std::ranges::sort(use.outputs, {}, &Output::name);
   use.output = graph.agent.output;
+  use.trained_at = graph.agent.trained_at;
   use.rate_hz = environment.rate_hz;
   use.takes = "observations of this graph";
   use.gives = "actions of this graph";
@@ -41,6 +42,7 @@ PolicyUse node_use(const Graph& graph, std::size_t node, const AgentSpec& policy
   for (const auto& input : where.inputs) use.inputs.push_back(&input);
   for (const auto& output : where.outputs) use.outputs.push_back(&output);
   if (policy.output) use.output = policy.output->value;
+  use.trained_at = policy.trained_at;
   use.rate_hz = where.rate_hz;
   use.takes = fmt::format("inputs of `{}`", where.name);
   use.gives = fmt::format("outputs of `{}`", where.name);

@@ -18,6 +18,7 @@ struct PolicyUse {
   std::vector<const Output*> outputs;
   std::optional<std::string> output;  // squashed, raw, argmax, binary, as written
   Rational rate_hz;
+  std::optional<Spanned<Rational>> trained_at;  // as written
   std::string takes, gives;  // for messages: "observations of this graph", "outputs of `balance`"
   std::string in, out;       // what names are prefixed with: "observations.", "balance."
   bool is_agent = true;

@@ -14,6 +14,7 @@ class WorldCheck {
       : use_(use), network_(network), diagnostics_(diagnostics) {}
 
   void run() {
+    const std::size_t errors_before = diagnostics_.error_count();
     check_output();
     if (kind() == ActionKind::binary) {
       check_bits();
@@ -26,7 +27,7 @@ class WorldCheck {
     }
     check_observations();
     check_shape();
-    check_rate();
+    check_rate(diagnostics_.error_count() == errors_before);
   }
 
  private:
@@ -363,13 +364,38 @@ class WorldCheck {
     problem.help = "images are channels first, then rows, then columns";
   }
 
-  void check_rate() {
-    const auto& rate = network_.contract.rate_hz;
+  /// Of a policy that does not fit, it is not asked for.
+  void check_rate(bool fits) {
+    const auto& in_file = network_.contract.rate_hz;
+    const auto said = use_.trained_at ? std::optional(use_.trained_at->value.to_double())
+                                      : std::optional<double>();
+    if (in_file && said && !same(*in_file, *said)) {
+      diagnostics_
+          .error("E0707", use_.trained_at->span,
+                 fmt::format("the policy `{}` was not trained at {:g} Hz: its file says {:g} Hz",
+                             use_.file, *said, *in_file))
+          .help = "leave `trained_at` out";
+      return;
+    }
+    const auto rate = in_file ? in_file : said;
     const double ours = use_.rate_hz.to_double();
-    if (!rate || same(*rate, ours)) return;
+    if (!rate && fits) miss_rate();
+    if (!rate) return;
+    if (same(*rate, ours)) return;
     error("E0707", fmt::format("the policy `{}` was trained at {:g} Hz, but the {} runs at {:g} Hz",
                                use_.file, *rate, use_.is_agent ? "graph" : "node", ours))
         .help = fmt::format("set `rate: {:g}`, and let nodes run faster behind it", *rate);
+  }
+
+  void miss_rate() {
+    auto& problem = diagnostics_.warning(
+        "W0116", use_.span,
+        fmt::format("nothing says at what rate the policy `{}` was trained", use_.file));
+    problem.label = fmt::format("{} Hz here", use_.rate_hz.to_string());
+    const std::string place = use_.is_agent ? "agent: {policy: …" : "policy: {file: …";
+    problem.help =
+        fmt::format("write the rate of the training: `{}, trained_at: {} Hz}}`, if it is that",
+                    place, use_.rate_hz.to_string());
   }
 
   const PolicyUse& use_;

@@ -116,6 +116,8 @@ void print_entity(const Entity& entity) {
   say("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
   if (!entity.description.empty()) say("\n{}", entity.description);
   print_eagerx_ids(entity);
+  if (!entity.moves.empty())
+    say("\nsets what changes during an episode: {}\n", fmt::join(entity.moves, ", "));
   if (!entity.engines.empty()) say("\nworks on: {}\n", fmt::join(entity.engines, ", "));
   if (!entity.runs.empty())
     say("\nruns what is implemented for: {}\n", fmt::join(entity.runs, ", "));

@@ -188,10 +188,13 @@ class Checker {
 
   void look_for_calls() {
     std::set<std::pair<std::string, std::uint32_t>> told;
+    std::set<std::string> variables;  // each where it is used first
     for (const ForbiddenCall& call : forbidden_calls(folder_ + "/program.o")) {
       const auto place = std::ranges::find_if(
           call.places, [&](const auto& each) { return is_of_portable_entity(each.file); });
       if (place == call.places.end() || !told.insert({place->file, place->line}).second) continue;
+      const bool named = call.variable.starts_with('_');
+      if (named && !variables.insert(call.variable).second) continue;
       broken(span_of(place->file, place->line, 0), call.what).help = call.mend;
     }
   }

@@ -1,11 +1,15 @@
 #include "generator/compile/forbidden.hpp"
 
+#include <cxxabi.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdlib>
+#include <memory>
 #include <set>
+#include <tuple>
 
 #include "generator/process/process.hpp"
 
@@ -66,6 +70,51 @@ std::pair<std::string, std::string> judge(std::string_view name) {
   return {};
 }
 
+/// Memory that a program writes to, beside that of its own objects. Constants lie in .rodata, and
+/// in .data.rel.ro if they have addresses in them.
+bool is_writable(std::string_view section) {
+  constexpr std::array<std::string_view, 4> kWritable = {".bss", ".data", ".tbss", ".tdata"};
+  return !section.starts_with(".data.rel.ro") &&
+         std::ranges::any_of(kWritable, [&](std::string_view kind) {
+           return section == kind || section.starts_with(std::string(kind) + ".");
+         });
+}
+
+/// "count" of `mine::Gain<…>::callback(…)::count`; empty if that cannot be said.
+std::string variable_of(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, decltype(&std::free)> text(
+      abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status), &std::free);
+  if (status != 0 || text == nullptr) return symbol.starts_with('.') ? std::string() : symbol;
+  const std::string_view name = text.get();
+  const std::size_t scope = name.rfind("::");
+  return std::string(scope == std::string_view::npos ? name : name.substr(scope + 2));
+}
+
+/// The variables of an object file that are in such memory.
+std::set<std::string> static_variables(const std::string& object) {
+  std::set<std::string> result;
+  const auto said = run_process({"nm", "-f", "sysv", "--defined-only", object});
+  std::string_view text = said ? std::string_view(said->output) : std::string_view();
+  while (!text.empty()) {
+    std::string_view line = text.substr(0, text.find('\n'));
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
+    const std::size_t bar = line.rfind('|');
+    if (bar == std::string_view::npos || !is_writable(line.substr(bar + 1))) continue;
+    line = line.substr(0, line.find('|'));
+    result.emplace(line.substr(0, line.find_last_not_of(' ') + 1));
+  }
+  return result;
+}
+
+std::pair<std::string, std::string> judge_variable(const std::string& symbol) {
+  if (symbol.starts_with("_ZGV")) return {};  // whether another one has been made
+  const std::string name = variable_of(symbol);
+  return {fmt::format("uses a static variable{}, which no reset sets and which all programs share",
+                      name.empty() ? "" : fmt::format(" (`{}`)", name)),
+          "make it a member, which `reset()` sets, or constexpr"};
+}
+
 std::vector<std::string_view> words_of(std::string_view line) {
   std::vector<std::string_view> words;
   while (true) {
@@ -98,9 +147,10 @@ std::vector<ForbiddenCall::Place> places_of(const std::string& object, const std
 }  // namespace
 
 std::vector<ForbiddenCall> forbidden_calls(const std::string& object) {
-  std::vector<ForbiddenCall> calls;
+  std::vector<ForbiddenCall> calls, uses;
   const auto said = run_process({"readelf", "-rW", object});
   if (!said) return calls;
+  const std::set<std::string> variables = static_variables(object);
   std::string section;
   std::string_view text = said->output;
   while (!text.empty()) {
@@ -120,10 +170,15 @@ std::vector<ForbiddenCall> forbidden_calls(const std::string& object) {
     if (section.empty() || words.size() <= kName) continue;
     const std::string_view name = words[kName].substr(0, words[kName].find('@'));
     auto [what, mend] = judge(name);
+    const std::string symbol(name);
+    const bool variable = what.empty() && (is_writable(name) || variables.contains(symbol));
+    if (variable) std::tie(what, mend) = judge_variable(symbol);
     if (what.empty()) continue;
-    calls.push_back(
-        {std::move(what), std::move(mend), places_of(object, section, std::string(words[0]))});
+    (variable ? uses : calls)
+        .push_back({std::move(what), std::move(mend),
+                    places_of(object, section, std::string(words[0])), variable ? symbol : ""});
   }
+  calls.insert(calls.end(), uses.begin(), uses.end());
   return calls;
 }
 

@@ -1,4 +1,5 @@
-// What an object file calls that no board has. Inside compile/ only.
+// What an object file calls that no board has, and what it keeps outside of its objects. Inside
+// compile/ only.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +9,8 @@
 
 namespace eagerx::gen {
 
-/// A call that may not be, and the lines that led to it: the innermost first.
+/// A call, or a use of a static variable, that may not be, and the lines that led to it: the
+/// innermost first.
 struct ForbiddenCall {
   struct Place {
     std::string file;
@@ -17,9 +19,11 @@ struct ForbiddenCall {
   std::string what;  // "takes memory from a heap (`operator new`)"
   std::string mend;
   std::vector<Place> places;
+  std::string variable;  // its symbol, or its section where it has none; empty: a call
 };
 
-/// Of an object file with line numbers; nothing if it or the tools cannot be read.
+/// Of an object file with line numbers, calls before variables; nothing if it or the tools cannot
+/// be read.
 std::vector<ForbiddenCall> forbidden_calls(const std::string& object);
 
 }  // namespace eagerx::gen

@@ -18,7 +18,12 @@ constexpr std::size_t kWidth = 110;
 /// What EAGERx can say of a connection: it has no `max_delay` and draws no delays.
 void add_settings(const ConnectionSettings& settings, std::vector<std::string>& items) {
   if (settings.window) items.push_back("window: " + text_of(*settings.window));
-  if (settings.delay) items.push_back("delay: " + text_of(*settings.delay));
+  if (settings.delay) {
+    // With its unit where it could be taken for milliseconds (W0114).
+    const auto seconds = Rational::parse(settings.delay->text);
+    const bool long_one = seconds && *seconds >= Rational(1);
+    items.push_back(fmt::format("delay: {}{}", text_of(*settings.delay), long_one ? " s" : ""));
+  }
   if (settings.skip) items.push_back(fmt::format("skip: {}", settings.skip->value));
   if (settings.processor) items.push_back("processor: " + processor_text(*settings.processor));
 }

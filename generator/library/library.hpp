@@ -115,6 +115,7 @@ struct Entity {
   std::vector<PortManifest> reset_targets;  // of a reset node; others have none
   std::vector<ObjectEngine> object_engines;
   std::vector<std::string> counts;  // nodes: what for_each_count() counts
+  std::vector<std::string> moves;   // engine states: what they set that changes in an episode
   Condition packs;  // where its class also calculates with packs of numbers; empty: nowhere
   std::vector<std::string> packages;           // pkg-config's names of libraries that it needs
   std::optional<Spanned<std::string>> system;  // the operating system it needs

@@ -388,7 +388,10 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
   if (entity.kind == EntityKind::engine_state || entity.kind == EntityKind::engine_node) {
     entity.engines = texts_at(root, "engines");
   }
-  if (entity.kind == EntityKind::engine_state) entity.states = {only_port(root, "space")};
+  if (entity.kind == EntityKind::engine_state) {
+    entity.states = {only_port(root, "space")};
+    entity.moves = texts_at(root, "moves");
+  }
   if (entity.kind == EntityKind::processor) {
     entity.inputs = {only_port(root, "input")};
     entity.outputs = {only_port(root, "output")};

@@ -277,7 +277,10 @@ const Format* manifest_format(std::string_view kind) {
                                             config() + node_ports(false))},
       {"engine_state",
        format::record("an engine state",
-                      common("engine_state") + cpp() + engines() + config() + space_of_state())},
+                      common("engine_state") + cpp() + engines() + config() + space_of_state() +
+                          Fields{{"moves", texts(), false,
+                                  "what it sets that changes during an episode, such as "
+                                  "`positions` (default: nothing, a parameter)"}})},
       {"object", format::record("an object", common("object") + config() + object_ports())},
       {"processor",
        format::record("a processor", common("processor") + cpp() + packs() + config() +

@@ -19,6 +19,9 @@ void check_plausibility(const Judged& judged, Diagnostics& diagnostics) {
   check_keys(judged, diagnostics);
   check_outputs(judged, diagnostics);
   check_task(judged.graph, diagnostics);
+  check_numbers(judged, diagnostics);
+  check_steps(judged, diagnostics);
+  check_kept_states(judged, diagnostics);
 }
 
 void check_keys(const Judged& judged, Diagnostics& diagnostics) {

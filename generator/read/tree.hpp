@@ -23,6 +23,7 @@ struct YamlValue {
                      // ("tag:yaml.org,2002:python/tuple"), else empty
   std::string text;  // scalars
   bool quoted = false;
+  bool with_unit = false;        // a rate or time, whose unit was taken off `text`
   std::vector<YamlValue> items;  // sequences
   std::vector<Entry> entries;    // maps
 

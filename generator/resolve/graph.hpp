@@ -146,12 +146,21 @@ struct GraphNode {
   [[nodiscard]] bool is_reset_node() const { return !reset_targets.empty(); }
 };
 
+/// A state of an object that the graph does not write: a reset leaves it as it is.
+struct KeptState {
+  std::string name;
+  bool bounded = false;                  // its space has both bounds, so it could be drawn
+  const Entity* engine_state = nullptr;  // what would set it
+  Config config;
+};
+
 struct Object {
   std::string name;
   const Entity* entity = nullptr;
   const ObjectEngine* implementation = nullptr;
   Config config;
   std::vector<State> states;
+  std::vector<KeptState> kept;
   Span span;
 };
 
@@ -160,9 +169,10 @@ struct Agent {
   std::string file;  // as written
   std::string path;  // where it is
   std::vector<std::size_t>
-      observations;                      // policy: inputs of the environment, in the policy's order
-  std::optional<std::string> output;     // policy: as written, else decided by the network
-  std::vector<std::string> other_files;  // statistics and known answers: where they are
+      observations;                   // policy: inputs of the environment, in the policy's order
+  std::optional<std::string> output;  // policy: as written, else decided by the network
+  std::optional<Spanned<Rational>> trained_at;  // policy: as written
+  std::vector<std::string> other_files;         // statistics and known answers: where they are
   Span span;
 };
 

@@ -360,7 +360,7 @@ void add_objects(Draft& draft) {
       implementation =
           find_implementation(draft.library, *entity, *engine, spec.type.span, draft.diagnostics);
     }
-    Object object{spec.name.value, entity, implementation, {}, {}, spec.name.span};
+    Object object{spec.name.value, entity, implementation, {}, {}, {}, spec.name.span};
     if (entity != nullptr)
       object.config =
           resolve_config(draft.library, *entity, spec.config, spec.type.span, draft.diagnostics);

@@ -81,6 +81,7 @@ void resolve_agent(Draft& draft) {
   agent.file = spec.file.value;
   agent.path = (std::filesystem::path(draft.spec.path).parent_path() / spec.file.value).string();
   if (spec.output) agent.output = spec.output->value;
+  agent.trained_at = spec.trained_at;
   for (const auto& file : {spec.normalize, spec.golden}) {
     if (!file) continue;
     agent.other_files.push_back(

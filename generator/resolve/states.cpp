@@ -50,12 +50,9 @@ class RandomReader {
       return {};
     }
     const std::uint64_t size = space_.size();
-    if (result->size() == 1) result->assign(size, result->front());
-    if (result->size() != size)
-      return fail("E0327", yaml.span,
-                  fmt::format("`{}` is {} and takes {}, found {} values", name_, space_.describe(),
-                              size == 1 ? "one value" : fmt::format("one value or {}", size),
-                              result->size()));
+    // A list is one of all elements: `[0.1]` for two of them is hardly meant to be both.
+    if (yaml.is_scalar()) result->assign(size, result->front());
+    if (result->size() != size) return wrong_size(yaml, result->size());
     const bool fraction = !is_floating(space_.dtype) &&
                           std::ranges::any_of(*result, [](double v) { return v != std::trunc(v); });
     if (fraction)
@@ -76,6 +73,20 @@ class RandomReader {
                       : fmt::format("{} must be from {} to {}", what, shown(low), shown(high)));
     }
     return *result;
+  }
+
+  std::vector<double> wrong_size(const YamlValue& yaml, std::size_t found) {
+    const std::uint64_t size = space_.size();
+    auto& problem = diagnostics_.error(
+        "E0327", yaml.span,
+        fmt::format("`{}` is {} and takes {}, found {}", name_, space_.describe(),
+                    size == 1 ? "one value" : fmt::format("one value or {}", size),
+                    found == 1 ? "a list of one" : fmt::format("{} values", found)));
+    if (found == 1)
+      problem.help =
+          fmt::format("write the number without brackets if all {} are to have it", size);
+    good_ = false;
+    return {};
   }
 
   void read_range(Random& random) {
@@ -278,6 +289,23 @@ void bind_engine_state(Draft& draft, const Object& object, const EntitySpec& spe
                        draft.diagnostics);
 }
 
+/// What the graph leaves alone. Nothing of it is in the program, so no problem of it is reported.
+void find_kept_states(Draft& draft, const EntitySpec& spec, Object& object) {
+  Diagnostics unsaid;
+  const References references = references_of(*object.entity, spec.config);
+  for (const auto& port : object.entity->states) {
+    const EntitySpec* found = find_named(object.implementation->states, port.name.value);
+    if (found == nullptr || find_named(spec.states, port.name.value) != nullptr) continue;
+    const Entity* engine_state = draft.library.find(found->type.value);
+    if (engine_state == nullptr || engine_state->kind != EntityKind::engine_state) continue;
+    const auto space = state_space(port, references, unsaid);
+    const auto settings = substitute(found->config, references, unsaid);
+    object.kept.push_back(
+        {port.name.value, space && !space->low.empty() && !space->high.empty(), engine_state,
+         resolve_config(draft.library, *engine_state, settings, found->type.span, unsaid)});
+  }
+}
+
 }  // namespace
 
 void resolve_states(Draft& draft) {
@@ -306,6 +334,7 @@ void resolve_states(Draft& draft) {
       bind_engine_state(draft, object, draft.spec.objects[i], state);
       object.states.push_back(std::move(state));
     }
+    find_kept_states(draft, draft.spec.objects[i], object);
   }
 }
 

@@ -348,6 +348,7 @@ void put_in_base_units(YamlValue& yaml, const Format& format) {
   }
   if (format.quantity != Quantity::none && yaml.is_scalar()) {
     const Unit& base = *find_unit(format.quantity == Quantity::rate ? "Hz" : "s");
+    yaml.with_unit = !take_unit_off(yaml.text).unit.empty();
     yaml.text = number_in(yaml.text, base).value_or(yaml.text);
   }
   if (format.kind == Format::Kind::memory && yaml.is_scalar()) {

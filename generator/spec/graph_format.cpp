@@ -129,6 +129,8 @@ std::vector<Field> policy_settings() {
        "largest output (DQN), or of several whole numbers the index of the largest of its own "
        "outputs (MultiDiscrete); binary: 1 where an output is above zero, else 0 (MultiBinary). "
        "Default: as the file says, else squashed if the last layer is a tanh, else raw"},
+      {"trained_at", format::rate(), false,
+       "steps a second in training, in Hz, for files that do not say it: it must be the rate here"},
       {"normalize", format::text("a file name"), false,
        "statistics of the observations: VecNormalize.save, npz or JSON"},
       {"activation",

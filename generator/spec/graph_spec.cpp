@@ -69,6 +69,7 @@ Selection read_optional_selection(const YamlValue& yaml, const char* key,
 void read_policy_settings(const YamlValue& yaml, AgentSpec& spec) {
   const auto text = [](const YamlValue& n) { return n.text; };
   spec.output = optional_of<std::string>(yaml, "output", text);
+  spec.trained_at = optional_of<Rational>(yaml, "trained_at", rational_of);
   spec.normalize = optional_of<std::string>(yaml, "normalize", text);
   spec.activation = optional_of<std::string>(yaml, "activation", text);
   spec.output_activation = optional_of<std::string>(yaml, "output_activation", text);
@@ -97,8 +98,9 @@ AgentSpec read_agent(const YamlValue* yaml, Diagnostics& diagnostics) {
   }
   spec.kind = policy != nullptr ? AgentSpec::Kind::policy : AgentSpec::Kind::csv;
   spec.file = text_of(policy != nullptr ? *policy : *csv);
-  for (const char* key : {"observations", "output", "normalize", "activation", "output_activation",
-                          "actor", "output_name", "golden", "weights", "max_error", "profile"}) {
+  for (const char* key :
+       {"observations", "output", "trained_at", "normalize", "activation", "output_activation",
+        "actor", "output_name", "golden", "weights", "max_error", "profile"}) {
     if (csv == nullptr || yaml->find(key) == nullptr) continue;
     diagnostics.error("E0206", yaml->find(key)->span,
                       fmt::format("`{}` goes with a `policy`, not with a `csv`", key));

@@ -50,6 +50,7 @@ struct AgentSpec {
   Spanned<std::string> file;
   std::vector<Spanned<std::string>> observations;  // order of the policy's inputs; empty: by name
   std::optional<Spanned<std::string>> output;      // squashed | raw | argmax | binary
+  std::optional<Spanned<Rational>> trained_at;     // Hz, for files that do not say it
   std::optional<Spanned<std::string>> normalize;   // file of statistics
   std::optional<Spanned<std::string>> activation;  // of hidden layers
   std::optional<Spanned<std::string>> output_activation;  // after the last layer

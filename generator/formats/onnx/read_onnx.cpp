@@ -5,6 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -269,6 +271,28 @@ std::string describe(const onnx::ModelProto& model, std::int64_t opset) {
   return text;
 }
 
+/// Steps a second in training, from the metadata `rate`, as in safetensors files. False: it makes
+/// no sense.
+bool read_rate(const onnx::ModelProto& model, std::optional<double>& rate_hz,
+               PolicyProblem& problem) {
+  for (const onnx::StringStringEntryProto& note : model.metadata_props()) {
+    if (note.key() != "rate") continue;
+    double rate = 0.0;
+    const std::string& text = note.value();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rate);
+    const bool whole = error == std::errc() && end == text.data() + text.size();
+    if (!whole || !std::isfinite(rate) || rate <= 0.0) {
+      problem = {
+          "E0626",
+          fmt::format("has metadata `rate: {}` that makes no sense", printable(note.value())),
+          "correct it, or leave it out"};
+      return false;
+    }
+    rate_hz = rate;
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<Network> read_onnx(std::string_view bytes, std::string_view output,
@@ -355,6 +379,7 @@ std::optional<Network> read_onnx(std::string_view bytes, std::string_view output
   if (!layers) return std::nullopt;
   // Who names the output knows what it is.
   if (output.empty() && !leads_to_outputs(graph, *names, *chosen, problem)) return std::nullopt;
+  if (!read_rate(*model, network.contract.rate_hz, problem)) return std::nullopt;
   network.format = describe(*model, *opset);
   network.layers = std::move(*layers);
   network.ignored = ignored_parts(graph, *chosen, used, others);
