@@ -12,6 +12,7 @@
 #include <sstream>
 #include <thread>
 
+#include "generator/cli/packages.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/progress.hpp"
 #include "generator/cli/write.hpp"
@@ -22,10 +23,6 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_standalone(const Options& options) {
-  return options.standalone || !options.packages.empty();
-}
 
 std::string toolchain_of(const Run& run, const Options& options, const Target& target,
                          const std::string& folder) {

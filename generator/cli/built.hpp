@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "generator/cli/build_tree.hpp"
+#include "generator/cli/packages.hpp"
 #include "generator/cli/pipeline.hpp"
 
 namespace eagerx::gen {
@@ -14,7 +15,8 @@ namespace eagerx::gen {
 struct Generated {
   std::string folder;
   std::vector<const Target*> targets;  // of a split graph those of the part on Linux
-  std::size_t written = 0, unchanged = 0;
+  std::vector<Package> packages;
+  std::size_t written = 0, unchanged = 0, kept = 0;
 };
 
 /// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in

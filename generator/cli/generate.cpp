@@ -7,6 +7,7 @@
 
 #include "generator/cli/built.hpp"
 #include "generator/cli/next_steps.hpp"
+#include "generator/cli/packages.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
@@ -255,12 +256,13 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::absolute(folder).lexically_normal().string();
-  const bool standalone = options.standalone || !options.packages.empty();
+  const bool standalone = is_standalone(options);
+  const bool bare = is_bare(options);
   if (standalone) emit_options.header_folder = kHeaderFolder;
-  emit_options.packages = package_folders(run, options.packages);
-  if (standalone)
-    emit_options.packages.insert(emit_options.packages.begin(),
-                                 (fs::path(run.root) / "templates" / "standalone").string());
+  const std::vector<Package> packages = read_packages(run, options);
+  check_for_packages(run, options);
+  emit_options.extra = templates_of(run, options, packages);
+  emit_options.cmake = !bare;
   const bool split = run.graph->placement.has_value();
   if (split && standalone) {
     run.diagnostics
@@ -273,8 +275,10 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   }
   if (run.diagnostics.has_errors()) return std::nullopt;
   auto files = split ? emit_parts(run, emit_options) : emit_part(run, emit_options);
-  if (files && standalone && !carry_along(run, emit_options.targets, emit_options.output, *files))
+  if (files && standalone &&
+      !carry_along(run, emit_options.targets, emit_options.output, bare, *files))
     files.reset();
+  if (files && bare) place_headers(run.graph->name, packages, emit_options.extra, *files);
   if (!files) {
     code = kProblems;
     return std::nullopt;
@@ -283,8 +287,10 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return std::nullopt;
   generated.targets = emit_options.targets;
+  generated.packages = packages;
   generated.written = result->written;
   generated.unchanged = result->unchanged;
+  generated.kept = result->kept;
   return generated;
 }
 
@@ -293,9 +299,12 @@ int generate_command(const Options& options) {
   int code = kDone;
   const auto generated = make(run, options) ? generate_graph(run, options, code) : std::nullopt;
   if (generated && !options.quiet) {
-    say("{}: {} files written, {} unchanged\n", generated->folder, generated->written,
-        generated->unchanged);
-    say("{}", next_steps(run, options, generated->targets, generated->folder));
+    say("{}: {} files written, {} unchanged{}\n", generated->folder, generated->written,
+        generated->unchanged,
+        generated->kept == 0 ? "" : fmt::format(", {} of yours left as they are", generated->kept));
+    if (!is_bare(options))
+      say("{}", next_steps(run, options, generated->targets, generated->folder));
+    say("{}", next_steps(run, options, generated->packages, generated->folder));
   }
   return std::max(finish(run, options), code);
 }

@@ -9,8 +9,6 @@
 #include <set>
 #include <sstream>
 
-#include "generator/spec/named.hpp"
-
 namespace eagerx::gen {
 namespace {
 
@@ -49,20 +47,26 @@ class Carrier {
     }
   }
 
-  bool run(const std::vector<const Target*>& targets) {
-    add_folder("targets/common");
-    for (const Target* target : targets) add_target(*target);
-    add_folder("runtime/host");
-    add_folder("toolchains");
-    add_file(fs::path(run_.root) / "runtime" / "flags.cmake",
-             std::string(kShareFolder) + "flags.cmake");
-    add_file(fs::path(run_.root) / "LICENSE", std::string(kShareFolder) + "LICENSE");
+  bool run(const std::vector<const Target*>& targets, bool only_headers) {
+    if (!only_headers) add_package_files(targets);
+    add_file(fs::path(run_.root) / "LICENSE",
+             only_headers ? std::string("LICENSE") : std::string(kShareFolder) + "LICENSE");
     // Grows while it goes: headers include others.
     for (std::size_t i = 0; i < files_.size(); ++i) scan(i);
     return !failed_;
   }
 
  private:
+  /// What stands for the installed package.
+  void add_package_files(const std::vector<const Target*>& targets) {
+    add_folder("targets/common");
+    for (const Target* target : targets) add_target(*target);
+    add_folder("runtime/host");
+    add_folder("toolchains");
+    add_file(fs::path(run_.root) / "runtime" / "flags.cmake",
+             std::string(kShareFolder) + "flags.cmake");
+  }
+
   /// The target's folder, and those that its target.cmake names.
   void add_target(const Target& target) {
     const std::string folder = target.templates.empty() ? std::string() : folder_of(target);
@@ -217,29 +221,8 @@ class Carrier {
 }  // namespace
 
 bool carry_along(Run& run, const std::vector<const Target*>& targets, const std::string& output,
-                 std::vector<GeneratedFile>& files) {
-  return Carrier(run, output, files).run(targets);
-}
-
-std::vector<std::string> package_folders(Run& run, const std::vector<std::string>& names) {
-  const fs::path packages = fs::path(run.root) / "templates" / "packages";
-  std::vector<std::string> known, folders;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(packages, error)) {
-    if (entry.is_directory(error)) known.push_back(entry.path().filename());
-  }
-  std::ranges::sort(known);
-  for (const auto& name : names) {
-    if (contains(known, name)) {
-      folders.push_back((packages / name).string());
-      continue;
-    }
-    const std::string near = nearest(name, known);
-    run.diagnostics.error("E0502", {}, fmt::format("unknown package `{}`", name)).help =
-        near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
-                     : fmt::format("did you mean `{}`?", near);
-  }
-  return folders;
+                 bool only_headers, std::vector<GeneratedFile>& files) {
+  return Carrier(run, output, files).run(targets, only_headers);
 }
 
 }  // namespace eagerx::gen

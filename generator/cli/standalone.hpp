@@ -12,12 +12,9 @@ inline constexpr const char* kHeaderFolder = "src/";
 
 /// Adds what `files` include, directly or not, below `src/`, and the folders of the targets, what
 /// these name, and the toolchain files below `eagerx-gen/`. Headers of other folders than ours are
-/// included from there too. Problems: E0901 a file that cannot be read, E0904 a header that is in
-/// none of these folders.
+/// included from there too. `only_headers`: nothing below `eagerx-gen/`. Problems: E0901 a file
+/// that cannot be read, E0904 a header that is in none of these folders.
 bool carry_along(Run& run, const std::vector<const Target*>& targets, const std::string& output,
-                 std::vector<GeneratedFile>& files);
-
-/// Folders below templates/packages, by their names; E0502 for a name that there is not.
-std::vector<std::string> package_folders(Run& run, const std::vector<std::string>& names);
+                 bool only_headers, std::vector<GeneratedFile>& files);
 
 }  // namespace eagerx::gen

@@ -32,7 +32,9 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 GeneratedFile list_of(const std::vector<GeneratedFile>& files) {
   std::string text = std::string(kList) + "\n";
-  for (const auto& file : files) text += file.path + "\n";
+  for (const auto& file : files) {
+    if (!file.yours) text += file.path + "\n";
+  }
   return {kList, text};
 }
 
@@ -50,6 +52,7 @@ class Writer {
   std::optional<WriteResult> run(std::vector<GeneratedFile> files) {
     if (!folder_.lock()) return fail("", "another run of eagerx-gen writes there");
     if (!finish_earlier_run()) return std::nullopt;
+    spare_yours(files);
     const std::vector<std::string> earlier = earlier_files();
     if (!spares_others(earlier, files)) return std::nullopt;
     files.push_back(list_of(files));
@@ -69,6 +72,15 @@ class Writer {
     std::vector<std::string> result = lines_of(folder_.read(kList).value_or(""));
     std::erase_if(result, [](const std::string& path) { return !is_below(path); });
     return result;
+  }
+
+  /// Files that are the user's once they are there.
+  void spare_yours(std::vector<GeneratedFile>& files) {
+    result_.kept += std::erase_if(files, [&](const GeneratedFile& file) {
+      if (!file.yours || !is_below(file.path)) return false;
+      const Folder::Kind kind = folder_.kind(file.path);
+      return kind == Folder::Kind::file || kind == Folder::Kind::other;
+    });
   }
 
   /// A file that no earlier run wrote is somebody's: `-o .` in a project must not cost its

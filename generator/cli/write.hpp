@@ -10,6 +10,7 @@ namespace eagerx::gen {
 
 struct WriteResult {
   std::size_t written = 0, unchanged = 0, removed = 0;
+  std::size_t kept = 0;  // that are the user's
 };
 
 /// Writes `files` below `folder`. Everything is written beside its place first, then a journal says
@@ -17,7 +18,8 @@ struct WriteResult {
 /// renames is completed by the next one. Until then, or if the disk is full, the previous output
 /// stays as it was. Links below `folder` are not followed. Files of an earlier run that are no
 /// longer made are removed; the list is kept in `eagerx-gen.files`. A file that is not in that list
-/// is left alone. Problems: E0901, E0903 a file of somebody else; nullopt.
+/// is left alone, and so is one with `yours` that is there. Problems: E0901, E0903 a file of
+/// somebody else; nullopt.
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics);
 

@@ -60,12 +60,12 @@ class Emitter {
     if (options_.targets.empty()) {
       add(options_.header_folder + plan_.graph->name + ".hpp", "library/library.hpp.mustache",
           gen::library_view(plan_, network_.has_value(), network_ && network_->has_memory()));
-      add("CMakeLists.txt", "library/CMakeLists.txt.mustache", cmake_view());
+      if (options_.cmake) add("CMakeLists.txt", "library/CMakeLists.txt.mustache", cmake_view());
     } else {
       add("CMakeLists.txt", "cpp/CMakeLists.txt.mustache", cmake_view());
     }
     for (const Target* target : options_.targets) add_target(*target);
-    for (const auto& package : options_.packages) add_package(package);
+    for (const auto& item : options_.extra) add_extra(item);
     if (failed_) return std::nullopt;
     return std::move(files_);
   }
@@ -123,15 +123,18 @@ class Emitter {
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
     if (failed_) return;
     MarkedText program = take_marks(files_.back().text);
-    files_.push_back({folder + "program.map", to_text(program_map(plan_, names_, program))});
-    files_[files_.size() - 2].text = std::move(program.text);
+    if (options_.cmake)
+      files_.push_back({folder + "program.map", to_text(program_map(plan_, names_, program))});
+    std::ranges::find(files_, folder + "program.hpp", &GeneratedFile::path)->text =
+        std::move(program.text);
   }
 
   void add_rendered(const std::string& path, const std::string& template_path, View view) {
     auto text = render_file(template_path, path, with_common(std::move(view)), diagnostics_);
     failed_ = failed_ || !text;
     if (!text) return;
-    const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h");
+    const bool cpp = path.ends_with(".hpp") || path.ends_with(".cpp") || path.ends_with(".h") ||
+                     path.ends_with(".ino");
     files_.push_back({path, cpp ? wrapped(*text) : std::move(*text)});
   }
 
@@ -181,22 +184,12 @@ class Emitter {
     return view;
   }
 
-  /// Every template of a folder, at the same place in the output; `@name@` in a path is the
-  /// graph's.
-  void add_package(const std::string& folder) {
-    std::vector<fs::path> found;
-    std::error_code error;
-    for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-      if (entry.path().extension() == ".mustache") found.push_back(entry.path());
-    }
-    std::sort(found.begin(), found.end());
-    constexpr std::string_view kName = "@name@";
-    for (const auto& path : found) {
-      std::string output = path.lexically_relative(folder).replace_extension().generic_string();
-      for (auto at = output.find(kName); at != std::string::npos; at = output.find(kName))
-        output.replace(at, kName.size(), plan_.graph->name);
-      add_rendered(output, path.string(), View(View::type::object));
-    }
+  void add_extra(const ExtraTemplate& item) {
+    View view = options_.targets.empty()
+                    ? loop_view(plan_, network_.has_value(), network_ && network_->has_memory())
+                    : View(View::type::object);
+    add_rendered(item.output, item.path, std::move(view));
+    if (!failed_) files_.back().yours = item.yours;
   }
 
   void add_target(const Target& target) {

@@ -16,6 +16,14 @@ namespace eagerx::gen {
 struct GeneratedFile {
   std::string path;
   std::string text;
+  bool yours = false;  // written once: what is there then is the user's
+};
+
+/// A template besides those of the program.
+struct ExtraTemplate {
+  std::string output;  // path in the output
+  std::string path;    // of the template
+  bool yours = false;  // as GeneratedFile::yours
 };
 
 struct EmitOptions {
@@ -25,7 +33,8 @@ struct EmitOptions {
   std::string builtin_root;            // headers below it are included as <models/…>
   std::string output;                  // others are included relative to the output folder
   std::string header_folder;           // of the graph's headers in it: empty, or such as `src/`
-  std::vector<std::string> packages;   // folders of further templates, which keep their paths
+  std::vector<ExtraTemplate> extra;    // of packages
+  bool cmake = true;                   // with a CMakeLists.txt and program.map
   Part part = Part::whole;             // of a split graph: which of its two programs
   std::uint64_t graph_hash = 0;        // of a split graph: what its programs tell each other
 };

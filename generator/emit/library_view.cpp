@@ -1,6 +1,9 @@
 // What the header of a library is rendered with.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "generator/emit/names.hpp"
 #include "generator/emit/types.hpp"
 
@@ -51,6 +54,22 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
                                     : ""));
   view["actions"] = has_policy ? list() : std::move(actions);
   view["observations"] = std::move(observations);
+  return view;
+}
+
+View loop_view(const Plan& plan, bool has_policy, bool has_memory) {
+  const Graph& graph = *plan.graph;
+  View view = library_view(plan, has_policy, has_memory);
+  const Rational rate = graph.environment().rate_hz;
+  view.set("rate", rate.to_string());
+  view.set("has_actions", view.get("actions")->is_non_empty_list());
+  view.set("has_observations", view.get("observations")->is_non_empty_list());
+  // Long enough for a step that is late, short enough for what is at the outputs meanwhile.
+  constexpr double kPeriods = 10.0;
+  constexpr double kShortestMs = 100.0;
+  constexpr double kMsPerSecond = 1e3;
+  const double wanted_ms = std::ceil(kPeriods * kMsPerSecond / rate.to_double());
+  view.set("watchdog_ms", fmt::format("{:.0f}", std::max(kShortestMs, wanted_ms)));
   return view;
 }
 

@@ -104,6 +104,8 @@ bool guards_outputs(const Plan& plan, const ProgramNames& names);
 View limits_view(const Plan& plan, const ProgramNames& names);
 /// The header of a library: what a main loop of one's own needs to know.
 View library_view(const Plan& plan, bool has_policy, bool has_memory);
+/// Of the main loops of packages, and of the two functions that their users write.
+View loop_view(const Plan& plan, bool has_policy, bool has_memory);
 /// The class of the graph's task, and what other files say of its outputs: false without one.
 View task_view(const Plan& plan, const ProgramNames& names);
 View outcome_view(const Plan& plan, const ProgramNames& names);

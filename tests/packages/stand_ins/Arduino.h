@@ -1,7 +1,10 @@
-// As much of Arduino's core as the example uses, on Linux, with the macros that the AVR core has.
+// As much of Arduino's core as the sketches use, on Linux, with the macros that the AVR core has.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
+
+#include "world.hpp"
 
 #define min(a, b) ((a) < (b) ? (a) : (b))
 #define max(a, b) ((a) > (b) ? (a) : (b))
@@ -23,5 +26,17 @@ struct SerialPort {
   void print(const char* text) { std::fputs(text, stdout); }
   void print(char character) { std::fputc(character, stdout); }
   void println() { std::fputc('\n', stdout); }
+  void println(const char* text) { std::puts(text); }
 };
 inline SerialPort Serial;
+
+inline unsigned long micros() { return static_cast<std::uint32_t>(world::now_us); }
+inline void delay(unsigned long ms) { world::pass(ms * 1000); }
+
+#if defined(ARDUINO_ARCH_RP2040)
+struct Rp2040 {
+  void wdt_begin(std::uint32_t ms) { world::start_watchdog(ms * std::uint64_t{1000}); }
+  void wdt_reset() { world::feed(); }
+};
+inline Rp2040 rp2040;
+#endif

@@ -1,9 +1,19 @@
-// What the Arduino IDE makes of a sketch: its text behind Arduino.h, and a main program.
+// What the Arduino IDE makes of a sketch: its text behind Arduino.h and the prototypes of its
+// functions, and a main program.
 #include <Arduino.h>
+
+void setup();
+void loop();
 
 #include SKETCH
 
 int main() {
   setup();
+#ifdef LOOPS
+  for (;;) {
+    loop();
+    world::pass(1);
+  }
+#endif
   return 0;
 }

@@ -1,0 +1,197 @@
+#include "generator/cli/packages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "generator/cli/standalone.hpp"
+#include "generator/emit/render.hpp"
+#include "generator/read/tree.hpp"
+#include "generator/resolve/needs.hpp"
+#include "generator/spec/format.hpp"
+#include "generator/spec/named.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kPackageFile = "package.yaml";
+
+fs::path folder_of_packages(const Run& run) {
+  return fs::path(run.root) / "templates" / "packages";
+}
+
+FormatPtr package_format() {
+  const FormatPtr places = format::file_map("places and templates of packages/shared");
+  return format::record(
+      "the description of a package",
+      {{"about", format::text("one line"), true, "what it is"},
+       {"headers", format::text("a folder"), true, "where headers go with --library"},
+       {"library", places, false, "templates that are shared, with --library"},
+       {"program", places, false, "templates that are shared, without --library"},
+       {"yours", places, false, "templates of files that are written once, with --library"}});
+}
+
+std::vector<std::string> names_of_packages(const Run& run) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_of_packages(run), error)) {
+    if (fs::exists(entry.path() / kPackageFile, error)) names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::map<std::string, std::string> places_at(const YamlValue& yaml, std::string_view key) {
+  std::map<std::string, std::string> places;
+  if (const YamlValue* given = yaml.find(key)) {
+    for (const auto& [place, span, item] : given->entries) places[place] = item.text;
+  }
+  return places;
+}
+
+std::optional<Package> read_package(Run& run, const std::string& name) {
+  const fs::path folder = folder_of_packages(run) / name;
+  const YamlValue yaml =
+      read_yaml_file((folder / kPackageFile).string(), run.sources, run.diagnostics);
+  if (run.diagnostics.has_errors() || !check(yaml, *package_format(), run.diagnostics))
+    return std::nullopt;
+  return Package{name,
+                 folder.string(),
+                 yaml.find("headers")->text,
+                 places_at(yaml, "library"),
+                 places_at(yaml, "program"),
+                 places_at(yaml, "yours")};
+}
+
+std::string with_name(std::string path, const std::string& name) {
+  constexpr std::string_view kName = "@name@";
+  for (auto at = path.find(kName); at != std::string::npos; at = path.find(kName))
+    path.replace(at, kName.size(), name);
+  return path;
+}
+
+}  // namespace
+
+std::vector<Package> read_packages(Run& run, const Options& options) {
+  const std::vector<std::string> known = names_of_packages(run);
+  std::vector<Package> packages;
+  for (const auto& name : options.packages) {
+    if (contains(known, name)) {
+      if (auto package = read_package(run, name)) packages.push_back(std::move(*package));
+      continue;
+    }
+    const std::string near = nearest(name, known);
+    run.diagnostics.error("E0502", {}, fmt::format("unknown package `{}`", name)).help =
+        near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+                     : fmt::format("did you mean `{}`?", near);
+  }
+  return packages;
+}
+
+bool is_standalone(const Options& options) {
+  return options.standalone || !options.packages.empty();
+}
+
+bool is_bare(const Options& options) {
+  return options.library && !options.packages.empty() && !options.standalone;
+}
+
+void check_for_packages(Run& run, const Options& options) {
+  if (!options.library || options.packages.empty()) return;
+  const Graph& graph = *run.graph;
+  if (graph.has_engine()) {
+    run.diagnostics
+        .error("E0503", graph.engine().span,
+               fmt::format("the main loop of a package reads and writes hardware itself, but "
+                           "`{}` has the engine {}",
+                           graph.name, graph.engine_id()))
+        .help =
+        "write a graph without `engine:` whose actions are the measurements and whose observations "
+        "go to the hardware, with the policy as a node: `eagerx-gen explain E0503` has one; "
+        "without `--library` a package runs an episode of this graph";
+    return;
+  }
+  for (const auto& name : options.packages) {
+    Target package;
+    package.id = {name, {}};
+    check_system(graph, Part::whole, package, run.library, run.diagnostics);
+  }
+}
+
+std::vector<ExtraTemplate> templates_of(const Run& run, const Options& options,
+                                        const std::vector<Package>& packages) {
+  std::vector<ExtraTemplate> templates;
+  const auto add_folder = [&](const fs::path& folder) {
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(folder, error))
+      if (entry.path().extension() == ".mustache") found.push_back(entry.path());
+    std::ranges::sort(found);
+    for (const auto& path : found) {
+      templates.push_back({path.lexically_relative(folder).replace_extension().generic_string(),
+                           path.string(), false});
+    }
+  };
+  const auto add_shared = [&](const std::map<std::string, std::string>& places, bool yours) {
+    for (const auto& [place, name] : places) {
+      const fs::path path = folder_of_packages(run) / "shared" / (name + ".mustache");
+      templates.push_back({place, path.string(), yours});
+    }
+  };
+  const fs::path standalone = fs::path(run.root) / "templates" / "standalone";
+  if (is_standalone(options) && !is_bare(options)) add_folder(standalone / "both");
+  if (is_standalone(options) && !options.library) add_folder(standalone / "program");
+  for (const Package& package : packages) {
+    const fs::path folder = package.folder;
+    add_folder(folder / "both");
+    add_folder(folder / (options.library ? "library" : "program"));
+    add_shared(options.library ? package.library : package.program, false);
+    if (options.library) add_shared(package.yours, true);
+  }
+  for (auto& item : templates) item.output = with_name(item.output, run.graph->name);
+  return templates;
+}
+
+void place_headers(const std::string& graph, const std::vector<Package>& packages,
+                   const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files) {
+  constexpr const char* kLicense = "LICENSE";
+  std::vector<GeneratedFile> headers;
+  std::erase_if(files, [&](GeneratedFile& file) {
+    if (std::ranges::find(others, file.path, &ExtraTemplate::output) != others.end()) return false;
+    headers.push_back(std::move(file));
+    return true;
+  });
+  std::set<std::string> placed;
+  for (const Package& package : packages) {
+    const fs::path folder = with_name(package.headers, graph);
+    for (const auto& file : headers) {
+      const std::string path =
+          file.path == kLicense
+              ? (folder.parent_path() / kLicense).string()
+              : (folder / file.path.substr(std::string_view(kHeaderFolder).size())).string();
+      if (placed.insert(path).second) files.push_back({path, file.text});
+    }
+  }
+}
+
+std::string next_steps(Run& run, const Options& options, const std::vector<Package>& packages,
+                       const std::string& folder) {
+  View view = object();
+  view.set("name", run.graph->name);
+  view.set("folder", folder);
+  std::string text;
+  for (const Package& package : packages) {
+    const std::string file =
+        options.library ? "next.library.sh.mustache" : "next.program.sh.mustache";
+    text +=
+        render_file((fs::path(package.folder) / file).string(), "next.sh", view, run.diagnostics)
+            .value_or("");
+  }
+  return text;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,35 @@
+// What every main loop must print: a loop by hand, with the lateness written down.
+#include GRAPH_HEADER
+
+#include <optional>
+
+#include "script.hpp"
+
+namespace graph = GRAPH_NAMESPACE;
+
+template <class Graph>
+graph::Action action_of(std::uint64_t step, const graph::Observation& seen) {
+  if constexpr (Graph::kHasPolicy) {
+    return Graph::policy(seen);
+  } else {
+    return script::measured<Graph>(step);
+  }
+}
+
+int main(int /*argc*/, char** argv) {
+  static graph::Program<> program;
+  std::printf("begin\nwatchdog %s ms\n", argv[1]);
+  std::optional<graph::Observation> seen = program.reset({});
+  for (std::uint64_t step = 0; step < script::kSteps; ++step) {
+    const graph::Action action = action_of<graph::Graph>(step, *seen);
+    // 2.2 periods are one and a part of another more than a step may take, which is one; the next
+    // step was due 1.2 periods before.
+    const bool reads = !graph::Graph::kHasPolicy;
+    const std::uint64_t late = !reads                        ? 0
+                               : step == script::kSlow       ? 2
+                               : step == script::kSlow + 1   ? 1
+                                                             : 0;
+    seen = program.step(action, late);
+    script::print(step, *seen);
+  }
+}

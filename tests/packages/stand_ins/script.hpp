@@ -1,0 +1,57 @@
+// What happens to a main loop in the test, and what is printed of it.
+#pragma once
+
+#include <bit>
+#include <type_traits>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <eagerx/message.hpp>
+
+namespace script {
+
+inline constexpr std::uint64_t kSteps = 200;
+inline constexpr std::uint64_t kFails = 30;  // this measurement, and four after it
+inline constexpr std::uint64_t kSlow = 90;   // this one takes 2.2 periods
+inline constexpr std::uint64_t kHangs = 150;
+
+/// Microseconds that reading takes.
+template <class Rate>
+std::uint64_t reading_us(std::uint64_t step) {
+  constexpr double kUsPerSecond = 1e6;
+  if (std::getenv("HANG") != nullptr && step == kHangs) return 3'600'000'000;
+  return step == kSlow ? static_cast<std::uint64_t>(2.2 * kUsPerSecond * Rate::period_s) : 3;
+}
+
+template <class Graph>
+typename Graph::Action measured(std::uint64_t step) {
+  typename Graph::Action action{};
+  unsigned field = 0;
+  Graph::for_each_action(action, [&](const char* /*name*/, auto& message, const auto& space) {
+    ++field;
+    using Message = std::remove_cvref_t<decltype(message)>;
+    for (std::size_t i = 0; i < eagerx::size_of<Message>; ++i) {
+      const float wave = __builtin_sinf(0.05F * static_cast<float>(step * field + i));
+      const bool fails = step >= kFails && step < kFails + 5;
+      eagerx::element(message, i) =
+          fails ? __builtin_nanf("") : wave * eagerx::element(space.high, i) / 4;
+    }
+  });
+  return action;
+}
+
+template <class Observation>
+void print(std::uint64_t step, const Observation& outputs) {
+  std::printf("%llu", static_cast<unsigned long long>(step));
+  outputs.for_each([](const char* name, const auto& window) {
+    const auto& message = window.back();
+    using Message = std::remove_cvref_t<decltype(message)>;
+    for (std::size_t i = 0; i < eagerx::size_of<Message>; ++i) {
+      const auto bits = std::bit_cast<std::uint32_t>(eagerx::element(message, i));
+      std::printf(" %s %08x", name, static_cast<unsigned>(bits));
+    }
+  });
+  std::printf("\n");
+}
+
+}  // namespace script
