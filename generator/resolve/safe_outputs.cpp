@@ -117,6 +117,9 @@ void resolve_safe_outputs(Draft& draft) {
   const GraphNode& environment = draft.graph.environment();
   if (draft.spec.has_engine() || environment.outputs.empty()) return;
   if (written != nullptr && written->no_outputs) return;
+  // Observations that a policy of the program answers do not leave, unless somebody says so.
+  const bool stays = draft.spec.agent.kind == AgentSpec::Kind::policy;
+  if (stays && (written == nullptr || written->outputs.empty())) return;
   Safety& safety = draft.graph.safety;
   for (const auto& action : environment.outputs) {
     const Setting* const setting =
