@@ -47,17 +47,21 @@ class RewardCheck<Outcome> {
   /// its call.
   template <class F>
   void for_each_count(F&& f) const {
+    const char* names[Outcome::kTerms + 1];
     for_each_number(Outcome{}, [&](std::size_t place, const char* name, auto /*value*/) {
-      if (counts_[place] == 0) return;
+      names[place] = name;
+    });
+    for (std::size_t i = 0; i <= Outcome::kTerms; ++i) {
+      if (counts_[i] == 0) continue;
       constexpr std::size_t kLongest = 127;
       char text[kLongest + 1];
       std::size_t n = 0;
-      for (const char* part : {"not finite: task.", name}) {
+      for (const char* part : {"not finite: task.", names[i]}) {
         while (*part != '\0' && n < kLongest) text[n++] = *part++;
       }
       text[n] = '\0';
-      f(static_cast<const char*>(text), counts_[place]);
-    });
+      f(static_cast<const char*>(text), counts_[i]);
+    }
   }
 
   /// f(place, name, value) for the reward and each term.

@@ -131,8 +131,8 @@ int eagerx_picture(eagerx_environments* environments, uint32_t environment, uint
 const char* eagerx_stepping(eagerx_environments* environments);
 
 /* JSON: what guards and nodes of all environments have counted that is not 0, such as
-   {"safe: action not finite: voltage": 3}; and the steps in which a term of the reward was not finite, {"not finite: task.angle": 12}.
-   Valid until the next call with these environments. Null: eagerx_error() says why. */
+   {"safe: action not finite: voltage": 3}; and the steps in which a term of the reward was not finite,
+   {"not finite: task.angle": 12}. Valid until the next call with these environments. Null: eagerx_error() says why. */
 const char* eagerx_counts(eagerx_environments* environments);
 
 #ifdef __cplusplus

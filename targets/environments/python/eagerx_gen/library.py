@@ -78,15 +78,15 @@ class Library:
         self.path = str(path)
         try:
             self.c = ctypes.CDLL(self.path)
+            version = self.c.eagerx_version()  # first: others have other functions
+            if version != VERSION:
+                raise Error(f"`{self.path}` has version {version} of the interface, and this package version {VERSION}: "
+                            "make it again with the eagerx-gen that this package is from")
             functions = {name: getattr(self.c, name) for name in _FUNCTIONS}
         except (OSError, AttributeError) as problem:
             raise Error(f"`{self.path}` is no library of environments: {problem}") from problem
         for name, (result, arguments) in _FUNCTIONS.items():
             functions[name].restype, functions[name].argtypes = result, arguments
-        version = self.c.eagerx_version()
-        if version != VERSION:
-            raise Error(f"`{self.path}` has version {version} of the interface, and this package version {VERSION}: "
-                        "make it again with the eagerx-gen that this package is from")
         self.description = json.loads(self.c.eagerx_describe())
         self.observations = [Field(told) for told in self.description["observations"]]
         self.actions = [Field(told) for told in self.description["actions"]]
