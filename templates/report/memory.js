@@ -49,9 +49,11 @@ function imageCard(image) {
         ["stack", bytes(stack.bytes), "at most; interrupts come on top"],
         instructions ? ["instructions a slot", count(instructions.most), "at most"] : null
       ].filter(Boolean)),
-      stack.path.length ?
-          el("details", {}, el("summary", {}, `The deepest chain: ${counted(stack.path.length, "function")}`),
-             el("ol.calls", {}, stack.path.map((name) => el("li", {}, name)))) :
+      stack.calls.length ?
+          el("details", {}, el("summary", {}, `The deepest chain: ${counted(stack.calls.length, "function")}`),
+             el("ol.calls", {},
+                stack.calls.map(
+                    (call) => el("li", {}, `${call.function}, ${bytes(call.bytes)}, ${call.node || call.part}`)))) :
           null,
       stack.unbounded.length ?
           el("p.note", {}, `Not counted are calls through pointers or of themselves in: ${list(stack.unbounded, 12)}`) :
