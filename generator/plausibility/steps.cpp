@@ -106,6 +106,8 @@ std::vector<Burst> bursts(const Judged& judged) {
 
 void check_steps(const Judged& judged, Diagnostics& diagnostics) {
   if (judged.graph.has_engine()) return;
+  const Safety& safety = judged.graph.safety;
+  if (safety.outputs.empty() && safety.undeclared.empty()) return;  // nothing acts on what leaves
   const Rational step_hz = judged.graph.environment().rate_hz;
   for (const Burst& burst : bursts(judged)) {
     const bool one = burst.nodes.size() == 1;
