@@ -122,36 +122,12 @@ const PortManifest* drawing_of(const Entity& object) {
   return nullptr;
 }
 
-/// Whether a processor of the graph converts what the drawing is made of: some draw what a sensor
-/// sends.
-bool is_converted(const Translation& t, const Pictures& pictures, const ObjectEngine& made,
-                  const std::string& drawing) {
-  const EntitySpec* object = find_named(t.result.spec.objects, t.names.at(pictures.object));
-  if (object == nullptr || !object->sensors) return false;
-  const auto sends = [&](const std::string& port, const std::string& to) {
-    return std::ranges::any_of(made.connections, [&](const ConnectionSpec& c) {
-      return c.from.value == port && c.to.value == to;
-    });
-  };
-  return std::ranges::any_of(made.connections, [&](const ConnectionSpec& c) {
-    const PortName to = parse_port(c.to.value);
-    const bool feeds = std::ranges::any_of(made.connections, [&](const ConnectionSpec& d) {
-      return d.to.value == "sensors." + drawing && parse_port(d.from.value).owner == to.owner;
-    });
-    return feeds && std::ranges::any_of(*object->sensors, [&](const ComponentSpec& sensor) {
-             return sensor.settings.processor &&
-                    sends(c.from.value, "sensors." + sensor.name.value);
-           });
-  });
-}
-
 /// Where the drawing of the object that was shown comes from on the graph's engine; empty: nowhere.
 std::string source_of(const Translation& t, const Pictures& pictures) {
   const Entity* object = pictures.object.empty() ? nullptr : t.entity(pictures.object);
   const PortManifest* drawing = object != nullptr ? drawing_of(*object) : nullptr;
   const ObjectEngine* made = drawing != nullptr ? t.implementation(*object) : nullptr;
   if (made == nullptr) return {};
-  if (is_converted(t, pictures, *made, drawing->name.value)) return {};
   const bool draws = std::ranges::any_of(made->connections, [&](const ConnectionSpec& c) {
     return c.to.value == "sensors." + drawing->name.value;
   });
