@@ -134,6 +134,17 @@ std::string source_of(const Translation& t, const Pictures& pictures) {
   return draws ? fmt::format("{}.{}", t.names.at(pictures.object), drawing->name.value) : "";
 }
 
+/// The engine's, where the drawing is made more often by itself: between two steps nothing is new.
+std::optional<Spanned<Rational>> rate_of_drawing(const Translation& t, const Pictures& pictures,
+                                                 const GraphSpec& spec, const EntitySpec& object) {
+  const Entity& entity = *t.entity(pictures.object);
+  const auto own = manifest_rate(entity, *drawing_of(entity), object.config);
+  const auto engine =
+      spec.engine.rate ? Rational::parse(spec.engine.rate->value.text) : std::nullopt;
+  if (!own || !engine || *own <= *engine) return std::nullopt;
+  return Spanned<Rational>{*engine, pictures.place};
+}
+
 void add_render(Translation& t, const Pictures& pictures, const std::string& source) {
   GraphSpec& spec = t.result.spec;
   RenderSpec& render = spec.render.emplace();
@@ -147,10 +158,13 @@ void add_render(Translation& t, const Pictures& pictures, const std::string& sou
   connection.to = {fmt::format("{}.source", kRender), pictures.place};
   spec.connections.push_back(std::move(connection));
   for (EntitySpec& object : spec.objects) {
-    if (object.name.value != t.names.at(pictures.object) || !object.sensors) continue;
+    if (object.name.value != t.names.at(pictures.object)) continue;
     ComponentSpec drawing;
     drawing.name = {parse_port(source).name, pictures.place};
-    if (has_only_names(*object.sensors)) object.sensors->push_back(std::move(drawing));
+    drawing.rate = rate_of_drawing(t, pictures, spec, object);
+    if (!object.sensors && drawing.rate) object.sensors.emplace();
+    if (object.sensors && (drawing.rate || has_only_names(*object.sensors)))
+      object.sensors->push_back(std::move(drawing));
   }
 }
 
