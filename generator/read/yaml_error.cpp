@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/diagnostics/utf8.hpp"
+#include "generator/read/slips.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -165,6 +166,55 @@ bool report_escape(const Failure& failure) {
   return true;
 }
 
+/// A line whose key nothing separates from its value, `rate = 30`: YAML reads it as a text that
+/// goes on in the next line.
+struct GluedLine {
+  Extent separator;
+  GluedKey glued;
+};
+std::optional<GluedLine> glued_line(const Locator& locator, std::size_t offset) {
+  const std::string_view text = locator.text();
+  std::size_t begin = locator.line_begin(offset);
+  while (begin < text.size() && (text[begin] == ' ' || text[begin] == '-')) ++begin;
+  std::size_t end = locator.line_end(begin);
+  // Not the comment.
+  const std::size_t comment = text.substr(begin, end - begin).find(" #");
+  if (comment != std::string_view::npos) end = begin + comment;
+  const std::string_view line = text.substr(begin, end - begin);
+  const std::size_t at = line.find_first_of(":=");
+  // With a blank behind `:` it is a key, and the mistake another one.
+  if (at == std::string_view::npos || line.substr(at).starts_with(": ")) return std::nullopt;
+  const auto glued = glued_key(line);
+  if (!glued) return std::nullopt;
+  return GluedLine{{begin + at, begin + at + 1}, *glued};
+}
+
+bool report_glued(const Failure& failure) {
+  const bool key = failure.is(Original::MAP_VALUE) || failure.is(Original::END_OF_MAP);
+  const OpenCollection* open = failure.builder.innermost();
+  if (!key || (open != nullptr && open->flow)) return false;
+  // In this line, or in one before it that has no key either.
+  constexpr int kMostLines = 20;
+  std::size_t line =
+      failure.locator.line_begin(std::min(failure.offset, failure.locator.text().size()));
+  for (int i = 0; i < kMostLines; ++i) {
+    if (const auto found = glued_line(failure.locator, line)) {
+      const std::string_view separator = failure.locator.text().substr(found->separator.begin, 1);
+      Diagnostic& error = failure.error(
+          found->separator,
+          fmt::format("`{}` does not make a key of `{}`", separator, found->glued.key));
+      error.help = found->glued.help;
+      return true;
+    }
+    const std::string_view content =
+        failure.locator.text().substr(line, failure.locator.line_end(line) - line);
+    const bool has_key = i > 0 && content.find(':') != std::string_view::npos;
+    if (line == 0 || has_key) return false;
+    line = failure.locator.line_begin(line - 1);
+  }
+  return false;
+}
+
 bool report_colon(const Failure& failure) {
   if (!failure.is(Original::MAP_VALUE)) return false;
   const std::string_view text = failure.locator.text();
@@ -212,7 +262,7 @@ void report_yaml_error(std::string_view message, std::size_t offset, const Locat
   const bool reported = report_tab(failure) || report_anchor(failure) ||
                         report_document_mark(failure) || report_unclosed(failure) ||
                         report_character(failure) || report_escape(failure) ||
-                        report_colon(failure) || report_wording(failure);
+                        report_glued(failure) || report_colon(failure) || report_wording(failure);
   if (!reported) failure.error(character(locator, offset), fmt::format("not YAML: {}", message));
 }
 
