@@ -189,30 +189,30 @@ std::optional<GluedLine> glued_line(const Locator& locator, std::size_t offset) 
   return GluedLine{{begin + at, begin + at + 1}, *glued};
 }
 
-bool report_glued(const Failure& failure) {
+/// In the line of the failure, or in one before it that has no key either.
+std::optional<GluedLine> find_glued(const Failure& failure) {
   const bool key = failure.is(Original::MAP_VALUE) || failure.is(Original::END_OF_MAP);
   const OpenCollection* open = failure.builder.innermost();
-  if (!key || (open != nullptr && open->flow)) return false;
-  // In this line, or in one before it that has no key either.
+  if (!key || (open != nullptr && open->flow)) return std::nullopt;
   constexpr int kMostLines = 20;
-  std::size_t line =
-      failure.locator.line_begin(std::min(failure.offset, failure.locator.text().size()));
+  const Locator& locator = failure.locator;
+  std::size_t line = locator.line_begin(std::min(failure.offset, locator.text().size()));
   for (int i = 0; i < kMostLines; ++i) {
-    if (const auto found = glued_line(failure.locator, line)) {
-      const std::string_view separator = failure.locator.text().substr(found->separator.begin, 1);
-      Diagnostic& error = failure.error(
-          found->separator,
-          fmt::format("`{}` does not make a key of `{}`", separator, found->glued.key));
-      error.help = found->glued.help;
-      return true;
-    }
-    const std::string_view content =
-        failure.locator.text().substr(line, failure.locator.line_end(line) - line);
+    if (auto found = glued_line(locator, line)) return found;
+    const std::string_view content = locator.text().substr(line, locator.line_end(line) - line);
     const bool has_key = i > 0 && content.find(':') != std::string_view::npos;
-    if (line == 0 || has_key) return false;
-    line = failure.locator.line_begin(line - 1);
+    if (line == 0 || has_key) return std::nullopt;
+    line = locator.line_begin(line - 1);
   }
-  return false;
+  return std::nullopt;
+}
+
+bool report_equals_sign(const Failure& failure) {
+  const auto found = find_glued(failure);
+  if (!found || failure.locator.text()[found->separator.begin] != '=') return false;
+  failure.error(found->separator, fmt::format("`=` does not make a key of `{}`", found->glued.key))
+      .help = found->glued.help;
+  return true;
 }
 
 bool report_colon(const Failure& failure) {
@@ -226,6 +226,11 @@ bool report_colon(const Failure& failure) {
       before.find(": ") != std::string_view::npos
           ? "put a text that contains `: ` in quotes"
           : "is this line indented too far, or a space missing behind `:` in the line before?";
+  if (const auto found = find_glued(failure)) {
+    error.notes.push_back({fmt::format("the text begins with `{}`", found->glued.key),
+                           failure.locator.span(found->separator), "no space behind it"});
+    error.help = found->glued.help;
+  }
   return true;
 }
 
@@ -259,10 +264,10 @@ void report_yaml_error(std::string_view message, std::size_t offset, const Locat
     diagnostics.error("E0105", locator.whole(), fmt::format("not YAML: {}", message));
     return;
   }
-  const bool reported = report_tab(failure) || report_anchor(failure) ||
-                        report_document_mark(failure) || report_unclosed(failure) ||
-                        report_character(failure) || report_escape(failure) ||
-                        report_glued(failure) || report_colon(failure) || report_wording(failure);
+  const bool reported =
+      report_tab(failure) || report_anchor(failure) || report_document_mark(failure) ||
+      report_unclosed(failure) || report_character(failure) || report_escape(failure) ||
+      report_equals_sign(failure) || report_colon(failure) || report_wording(failure);
   if (!reported) failure.error(character(locator, offset), fmt::format("not YAML: {}", message));
 }
 
