@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "generator/agent/world.hpp"
@@ -36,6 +37,38 @@ Diagnostic& report(const char* code, const PolicyUse& use, bool takes, std::uint
                        "{policy: …, observations: […]}`), or convert one with a processor"
                      : "connect the actions that it was trained with";
   return problem;
+}
+
+bool has_processor(const Input* input) {
+  return input->processor && input->processor->stages().size() > input->of_sensor;
+}
+
+/// What is wrong is surely the observation that the training knows with another size, or the only
+/// one with a processor: its connection is marked.
+void mark_connection(const PolicyUse& use, const Network& network, const Sum& observed,
+                     Diagnostic& problem) {
+  const auto numbers = [](const Input* input) { return input->window * input->space.size(); };
+  const Input* wrong = nullptr;
+  std::uint64_t wanted = 0;
+  for (const NamedPart& part : network.contract.observations) {
+    const auto found = std::ranges::find(use.inputs, part.name, &Input::name);
+    if (found == use.inputs.end() || numbers(*found) == part.size) continue;
+    if (wrong != nullptr) return;
+    wrong = *found;
+    wanted = part.size;
+  }
+  if (wrong == nullptr && std::ranges::count_if(use.inputs, has_processor) == 1) {
+    wrong = *std::ranges::find_if(use.inputs, has_processor);
+    if (network.inputs() + numbers(wrong) <= observed.total) return;  // it is not this one alone
+    wanted = network.inputs() + numbers(wrong) - observed.total;
+  }
+  if (wrong == nullptr) return;
+  problem.notes.insert(problem.notes.begin(), {"the policy", problem.span, ""});
+  problem.span = has_processor(wrong) ? wrong->processor->span : wrong->span;
+  problem.label = fmt::format("gives {}, where {} would fit", numbers(wrong), wanted);
+  problem.help = fmt::format("{} that `{}{}` had in the training",
+                             has_processor(wrong) ? "write the processor" : "add the processor",
+                             use.in, wrong->name);
 }
 
 /// As many numbers as several observations of one kind have are probably a stack of frames.
@@ -88,8 +121,9 @@ bool check_policy(const PolicyUse& use, const Network& network, Diagnostics& dia
   }
   if (diagnostics.error_count() != errors_before) return false;
   if (taken.total != network.inputs()) {
-    suggest_stack(use, network, taken,
-                  report("E0701", use, true, network.inputs(), taken, use.place, diagnostics));
+    auto& problem = report("E0701", use, true, network.inputs(), taken, use.place, diagnostics);
+    suggest_stack(use, network, taken, problem);
+    mark_connection(use, network, taken, problem);
   }
   if (use.kind(network) != ActionKind::argmax && given.total != network.outputs())
     report("E0702", use, false, network.outputs(), given, use.outputs.front()->span, diagnostics);

@@ -77,10 +77,13 @@ class BlockView {
     View view = object();
     view.set("ring", place.expression);
     view.set("channel", channel(output));
-    view["conversions"] =
-        conversions_view(plan_, names_, {plan_.nodes[n_].rings[output], seq_, place.expression});
+    view["conversions"] = conversions_view(
+        plan_, names_, {plan_.nodes[n_].rings[output], seq_, place.expression, raw_name(output)});
     return view;
   }
+
+  /// What its callback writes of an output that has a processor.
+  std::string raw_name(std::size_t output) const { return "raw_" + node_.outputs[output].name; }
 
   /// What the other program sends of a node that runs there.
   void add_remote() {
@@ -123,7 +126,7 @@ class BlockView {
     std::vector<std::string> outputs;
     for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
       const Output& output = node_.outputs[o];
-      const std::string local = "raw_" + output.name;
+      const std::string local = raw_name(o);
       places.push_back(place(o));
       View item = message(o, places.back());
       item.set("sends", names_.crosses(n_, o));
@@ -240,10 +243,14 @@ View conversions_view(const Plan& plan, const ProgramNames& names, const Written
       continue;
     View view = object();
     view.set("target", ring_place(plan, names, r, message.seq));
-    view.set("processor", names.input_processor[*ring.reader_node][*ring.reader_input]);
-    view.set("source", message.value);
     view.set("channel_index", fmt::format("{}", ring.output));
     const Input& input = plan.graph->nodes[*ring.reader_node].inputs[*ring.reader_input];
+    const std::string& source = input.original ? message.raw : message.value;
+    view.set("converted",
+             input.processor
+                 ? fmt::format("{}::convert({})",
+                               names.input_processor[*ring.reader_node][*ring.reader_input], source)
+                 : source);
     const bool action = ring.node == Graph::kEnvironment && names.runs(Graph::kEnvironment);
     view.set("space", text_or_false(action && input.actuator &&
                                             (!input.space.low.empty() || !input.space.high.empty())

@@ -23,12 +23,14 @@ MessagePlace message_place(const Plan& plan, const ProgramNames& names, std::siz
 /// The references among them.
 View slots_view(const std::vector<MessagePlace>& places);
 
-/// A message of a channel's ring, by its number and an expression for its value.
+/// A message of a channel's ring, by its number and an expression for its value; `raw`: what it was
+/// before the processor of its output.
 struct WrittenMessage {
   std::size_t ring = 0;
-  std::string seq, value;
+  std::string seq, value, raw = {};
 };
-/// Other rings that take it as the processor of one of its readers converts it.
+/// Other rings that take it as the processor of one of its readers converts it, or as it was
+/// before its own.
 View conversions_view(const Plan& plan, const ProgramNames& names, const WrittenMessage& message);
 
 }  // namespace eagerx::gen

@@ -116,7 +116,8 @@ class GraphView {
       item.set("publisher", publisher(node.role));
       const Output& output = node.outputs[channel.output];
       const std::string owner = node.role == NodeRole::environment ? "actions" : node.name;
-      item.set("port", output.sensor.empty() ? owner + "." + output.name : output.sensor);
+      item.set("port", output.sensors.empty() ? owner + "." + output.name
+                                              : fmt::format("{}", fmt::join(output.sensors, ", ")));
       const std::vector<std::string> own = bounds_of(space);
       if (!own.empty()) {
         View place = object();

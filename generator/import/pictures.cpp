@@ -122,40 +122,27 @@ const PortManifest* drawing_of(const Entity& object) {
   return nullptr;
 }
 
-/// Whether a processor of the graph converts what the drawing is made of: some draw what a sensor
-/// sends.
-bool is_converted(const Translation& t, const Pictures& pictures, const ObjectEngine& made,
-                  const std::string& drawing) {
-  const EntitySpec* object = find_named(t.result.spec.objects, t.names.at(pictures.object));
-  if (object == nullptr || !object->sensors) return false;
-  const auto sends = [&](const std::string& port, const std::string& to) {
-    return std::ranges::any_of(made.connections, [&](const ConnectionSpec& c) {
-      return c.from.value == port && c.to.value == to;
-    });
-  };
-  return std::ranges::any_of(made.connections, [&](const ConnectionSpec& c) {
-    const PortName to = parse_port(c.to.value);
-    const bool feeds = std::ranges::any_of(made.connections, [&](const ConnectionSpec& d) {
-      return d.to.value == "sensors." + drawing && parse_port(d.from.value).owner == to.owner;
-    });
-    return feeds && std::ranges::any_of(*object->sensors, [&](const ComponentSpec& sensor) {
-             return sensor.settings.processor &&
-                    sends(c.from.value, "sensors." + sensor.name.value);
-           });
-  });
-}
-
 /// Where the drawing of the object that was shown comes from on the graph's engine; empty: nowhere.
 std::string source_of(const Translation& t, const Pictures& pictures) {
   const Entity* object = pictures.object.empty() ? nullptr : t.entity(pictures.object);
   const PortManifest* drawing = object != nullptr ? drawing_of(*object) : nullptr;
   const ObjectEngine* made = drawing != nullptr ? t.implementation(*object) : nullptr;
   if (made == nullptr) return {};
-  if (is_converted(t, pictures, *made, drawing->name.value)) return {};
   const bool draws = std::ranges::any_of(made->connections, [&](const ConnectionSpec& c) {
     return c.to.value == "sensors." + drawing->name.value;
   });
   return draws ? fmt::format("{}.{}", t.names.at(pictures.object), drawing->name.value) : "";
+}
+
+/// The engine's, where the drawing is made more often by itself: between two steps nothing is new.
+std::optional<Spanned<Rational>> rate_of_drawing(const Translation& t, const Pictures& pictures,
+                                                 const GraphSpec& spec, const EntitySpec& object) {
+  const Entity& entity = *t.entity(pictures.object);
+  const auto own = manifest_rate(entity, *drawing_of(entity), object.config);
+  const auto engine =
+      spec.engine.rate ? Rational::parse(spec.engine.rate->value.text) : std::nullopt;
+  if (!own || !engine || *own <= *engine) return std::nullopt;
+  return Spanned<Rational>{*engine, pictures.place};
 }
 
 void add_render(Translation& t, const Pictures& pictures, const std::string& source) {
@@ -171,10 +158,13 @@ void add_render(Translation& t, const Pictures& pictures, const std::string& sou
   connection.to = {fmt::format("{}.source", kRender), pictures.place};
   spec.connections.push_back(std::move(connection));
   for (EntitySpec& object : spec.objects) {
-    if (object.name.value != t.names.at(pictures.object) || !object.sensors) continue;
+    if (object.name.value != t.names.at(pictures.object)) continue;
     ComponentSpec drawing;
     drawing.name = {parse_port(source).name, pictures.place};
-    if (has_only_names(*object.sensors)) object.sensors->push_back(std::move(drawing));
+    drawing.rate = rate_of_drawing(t, pictures, spec, object);
+    if (!object.sensors && drawing.rate) object.sensors.emplace();
+    if (object.sensors && (drawing.rate || has_only_names(*object.sensors)))
+      object.sensors->push_back(std::move(drawing));
   }
 }
 

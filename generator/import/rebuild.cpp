@@ -214,12 +214,21 @@ class Rebuilder {
         if (to.owner == "sensors" && from.owner == local)
           take_port(rebuilt.object, "sensors", to.name, saved.port("outputs", from.name), rate,
                     connection);
-        if (from.owner == "actuators" && to.owner == local)
+        // Of an actuator that feeds several, the first one's: its defaults are those, too.
+        if (from.owner == "actuators" && to.owner == local &&
+            &connection == first_from(*rebuilt.implementation, connection.from.value))
           take_port(rebuilt.object, "actuators", from.name, saved.port("inputs", to.name), rate,
                     connection);
       }
     }
     take_borrowed_rates(rebuilt);
+  }
+
+  static const ConnectionSpec* first_from(const ObjectEngine& implementation,
+                                          const std::string& from) {
+    return &*std::ranges::find_if(
+        implementation.connections,
+        [&](const ConnectionSpec& connection) { return connection.from.value == from; });
   }
 
   static void take_port(SavedEntity& object, const char* section, const std::string& name,

@@ -1,4 +1,6 @@
 // Nodes with their inputs, outputs and parameters; where messages live, and when nodes run.
+#include <fmt/format.h>
+
 #include <type_traits>
 
 #include "generator/page/page.hpp"
@@ -154,10 +156,10 @@ class Nodes {
 
   std::string unit_of(const GraphNode& node, const Output& output) const {
     const PortManifest* port = node.entity != nullptr ? node.entity->output(output.name) : nullptr;
-    const std::size_t dot = output.sensor.find('.');
-    if (node.object && dot != std::string::npos) {
+    if (node.object && !output.sensors.empty()) {
       const auto& object = *graph_.objects[*node.object].entity;
-      if (const PortManifest* sensor = object.sensor(output.sensor.substr(dot + 1))) port = sensor;
+      const std::string& written = output.sensors.front();
+      if (const auto* sensor = object.sensor(written.substr(written.find('.') + 1))) port = sensor;
     }
     // A processor gives something else.
     return port != nullptr && !output.processor ? port->unit : std::string();
@@ -179,11 +181,12 @@ class Nodes {
     for (std::size_t i = 0; i < node.inputs.size(); ++i) json["inputs"].push_back(input(n, i));
     json["outputs"] = Json::list();
     for (std::size_t o = 0; o < node.outputs.size(); ++o)
-      json["outputs"].push_back(Json{{"name", node.outputs[o].name},
-                                     {"sensor", node.outputs[o].sensor},
-                                     {"space", json_of(node.outputs[o].space)},
-                                     {"unit", unit_of(node, node.outputs[o])},
-                                     {"processor", json_of(node.outputs[o].processor)}});
+      json["outputs"].push_back(
+          Json{{"name", node.outputs[o].name},
+               {"sensor", fmt::format("{}", fmt::join(node.outputs[o].sensors, ", "))},
+               {"space", json_of(node.outputs[o].space)},
+               {"unit", unit_of(node, node.outputs[o])},
+               {"processor", json_of(node.outputs[o].processor)}});
     return json;
   }
 

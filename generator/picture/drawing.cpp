@@ -125,9 +125,9 @@ class Builder {
       wire.from = kActions;
     } else if (!is_hidden(node)) {
       wire.from = *box_of_node_[input.source_node];
-    } else if (node.object && !output.sensor.empty()) {
+    } else if (node.object && !input.sensor.empty()) {
       wire.from = *box_of_object_[*node.object];
-      name = output.sensor.substr(output.sensor.find('.') + 1);
+      name = input.sensor.substr(input.sensor.find('.') + 1);
     } else {
       return false;
     }

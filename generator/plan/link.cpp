@@ -1,5 +1,7 @@
 #include "generator/plan/link.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -13,7 +15,7 @@ bool is_behind_engine(const GraphNode& node) {
 }
 
 std::string name_of(const GraphNode& node, const Output& output) {
-  if (!output.sensor.empty()) return output.sensor;
+  if (!output.sensors.empty()) return fmt::format("{}", fmt::join(output.sensors, ", "));
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
 }
 

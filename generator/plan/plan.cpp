@@ -98,8 +98,9 @@ class Planner {
                       .asynchronous = graph_.asynchronous};
       auto reception = plan_reception(input, ends, diagnostics_);
       if (!reception) reception.emplace();
-      reception->ring = input.processor ? add_converted_ring(n, i)
-                                        : plan_.nodes[input.source_node].rings[input.source_output];
+      reception->ring = input.processor || input.original
+                            ? add_own_ring(n, i)
+                            : plan_.nodes[input.source_node].rings[input.source_output];
       Ring& ring = plan_.rings[reception->ring];
       if (reception->keep > ring.needed || ring.why.empty()) {
         ring.needed = std::max(ring.needed, reception->keep);
@@ -112,14 +113,15 @@ class Planner {
   }
 
   /// Every receiver has its own processor, so a converted message needs a place of its own.
-  std::size_t add_converted_ring(std::size_t n, std::size_t i) {
+  std::size_t add_own_ring(std::size_t n, std::size_t i) {
     const Input& input = graph_.nodes[n].inputs[i];
     Ring ring;
     ring.node = input.source_node;
     ring.output = input.source_output;
     ring.reader_node = n;
     ring.reader_input = i;
-    ring.space = input.processor->output;
+    const Output& output = graph_.nodes[input.source_node].outputs[input.source_output];
+    ring.space = input.processor ? input.processor->output : output.raw;
     plan_.rings.push_back(std::move(ring));
     return plan_.rings.size() - 1;
   }

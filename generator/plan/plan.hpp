@@ -16,11 +16,12 @@ struct RateClass {
   std::uint64_t period = 1;  // in quanta of the grid
 };
 
-/// Storage of one channel, or of one channel as an input's processor converts it.
+/// Storage of one channel, or of one channel as an input has it alone: converted by its processor,
+/// or not converted by that of the output.
 struct Ring {
   std::size_t node = 0;
   std::size_t output = 0;
-  std::optional<std::size_t> reader_node, reader_input;  // of the processor
+  std::optional<std::size_t> reader_node, reader_input;  // of such an input
   Space space;
   std::uint64_t needed = 1;  // messages that must be kept
   std::uint64_t capacity =

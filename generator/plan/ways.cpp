@@ -111,7 +111,7 @@ std::string WayFinder::source_of(const Hop& hop) const {
   const Input& input = plan_.graph->nodes[hop.node].inputs[hop.input];
   const GraphNode& source = plan_.graph->nodes[input.source_node];
   const Output& output = source.outputs[input.source_output];
-  if (!ends_.from_actions) return output.sensor;
+  if (!ends_.from_actions) return input.sensor;
   return source.role == NodeRole::environment ? "actions." + output.name : std::string();
 }
 

@@ -32,10 +32,10 @@ bool is_converted(const GraphSpec& spec, const std::string& sensor) {
 const PortManifest* sender(const Judged& judged, const Input& input) {
   const GraphNode& node = judged.graph.nodes[input.source_node];
   const Output& output = node.outputs[input.source_output];
-  if (!output.sensor.empty()) {
-    return is_converted(judged.spec, output.sensor)
+  if (!input.sensor.empty()) {
+    return is_converted(judged.spec, input.sensor)
                ? nullptr
-               : port_of_object(judged.graph, output.sensor, true);
+               : port_of_object(judged.graph, input.sensor, true);
   }
   const bool known = node.role == NodeRole::node && node.entity != nullptr && !output.processor;
   return known ? node.entity->output(output.name) : nullptr;
@@ -46,7 +46,9 @@ const PortManifest* receiver(const Judged& judged, const GraphNode& node, const 
   if (input.actuator) {
     return input.actuator_space ? port_of_object(judged.graph, input.written, false) : nullptr;
   }
-  if (node.role != NodeRole::node || node.entity == nullptr || input.processor) return nullptr;
+  // Behind a processor of the connection; one of the sensor gives what the sensor says.
+  const bool converted = input.processor && input.processor->stages().size() > input.of_sensor;
+  if (node.role != NodeRole::node || node.entity == nullptr || converted) return nullptr;
   return input.feedthrough ? node.entity->output(input.name) : node.entity->input(input.name);
 }
 

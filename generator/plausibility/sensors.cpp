@@ -27,22 +27,26 @@ struct Fast {
   std::vector<std::string> sensors;
 };
 
+void add_fast(const Judged& judged, const GraphNode& node, const std::string& sensor,
+              std::vector<Fast>& result) {
+  const Span place = place_of_rate(judged.spec, sensor);
+  const auto same = std::ranges::find_if(result, [&](const Fast& fast) {
+    return fast.place.line == place.line && fast.place.column == place.column &&
+           fast.rate_hz == node.rate_hz;
+  });
+  if (same == result.end()) {
+    result.push_back({place, node.rate_hz, {sensor}});
+  } else {
+    same->sensors.push_back(sensor);
+  }
+}
+
 std::vector<Fast> fast_sensors(const Judged& judged) {
   std::vector<Fast> result;
   for (const auto& node : judged.graph.nodes) {
     if (node.rate_hz <= judged.graph.engine().rate_hz) continue;
     for (const auto& output : node.outputs) {
-      if (output.sensor.empty()) continue;
-      const Span place = place_of_rate(judged.spec, output.sensor);
-      const auto same = std::ranges::find_if(result, [&](const Fast& fast) {
-        return fast.place.line == place.line && fast.place.column == place.column &&
-               fast.rate_hz == node.rate_hz;
-      });
-      if (same == result.end()) {
-        result.push_back({place, node.rate_hz, {output.sensor}});
-      } else {
-        same->sensors.push_back(output.sensor);
-      }
+      for (const std::string& sensor : output.sensors) add_fast(judged, node, sensor, result);
     }
   }
   return result;

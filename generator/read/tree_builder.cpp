@@ -270,7 +270,11 @@ void TreeBuilder::take_key(Frame& map, const YamlValue& key) {
   if (!is_new) {
     Diagnostic& error = report("E0104", key.span, fmt::format("key `{}` appears twice", key.text));
     error.notes.push_back({"the first one is here", first->second, "first"});
-    error.help = "remove or rename one of them";
+    // `{low: -1,5, high: 1,5}`
+    const bool number =
+        map.open.flow && key.text.find_first_not_of("0123456789") == std::string::npos;
+    error.help = number ? "a number has a decimal point: a comma within `{…}` ends it"
+                        : "remove or rename one of them";
     return;
   }
   map.key = key.text;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "generator/diagnostics/utf8.hpp"
+#include "generator/read/slips.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -165,6 +166,55 @@ bool report_escape(const Failure& failure) {
   return true;
 }
 
+/// A line whose key nothing separates from its value, `rate = 30`: YAML reads it as a text that
+/// goes on in the next line.
+struct GluedLine {
+  Extent separator;
+  GluedKey glued;
+};
+std::optional<GluedLine> glued_line(const Locator& locator, std::size_t offset) {
+  const std::string_view text = locator.text();
+  std::size_t begin = locator.line_begin(offset);
+  while (begin < text.size() && (text[begin] == ' ' || text[begin] == '-')) ++begin;
+  std::size_t end = locator.line_end(begin);
+  // Not the comment.
+  const std::size_t comment = text.substr(begin, end - begin).find(" #");
+  if (comment != std::string_view::npos) end = begin + comment;
+  const std::string_view line = text.substr(begin, end - begin);
+  const std::size_t at = line.find_first_of(":=");
+  // With a blank behind `:` it is a key, and the mistake another one.
+  if (at == std::string_view::npos || line.substr(at).starts_with(": ")) return std::nullopt;
+  const auto glued = glued_key(line);
+  if (!glued) return std::nullopt;
+  return GluedLine{{begin + at, begin + at + 1}, *glued};
+}
+
+/// In the line of the failure, or in one before it that has no key either.
+std::optional<GluedLine> find_glued(const Failure& failure) {
+  const bool key = failure.is(Original::MAP_VALUE) || failure.is(Original::END_OF_MAP);
+  const OpenCollection* open = failure.builder.innermost();
+  if (!key || (open != nullptr && open->flow)) return std::nullopt;
+  constexpr int kMostLines = 20;
+  const Locator& locator = failure.locator;
+  std::size_t line = locator.line_begin(std::min(failure.offset, locator.text().size()));
+  for (int i = 0; i < kMostLines; ++i) {
+    if (auto found = glued_line(locator, line)) return found;
+    const std::string_view content = locator.text().substr(line, locator.line_end(line) - line);
+    const bool has_key = i > 0 && content.find(':') != std::string_view::npos;
+    if (line == 0 || has_key) return std::nullopt;
+    line = locator.line_begin(line - 1);
+  }
+  return std::nullopt;
+}
+
+bool report_equals_sign(const Failure& failure) {
+  const auto found = find_glued(failure);
+  if (!found || failure.locator.text()[found->separator.begin] != '=') return false;
+  failure.error(found->separator, fmt::format("`=` does not make a key of `{}`", found->glued.key))
+      .help = found->glued.help;
+  return true;
+}
+
 bool report_colon(const Failure& failure) {
   if (!failure.is(Original::MAP_VALUE)) return false;
   const std::string_view text = failure.locator.text();
@@ -176,6 +226,11 @@ bool report_colon(const Failure& failure) {
       before.find(": ") != std::string_view::npos
           ? "put a text that contains `: ` in quotes"
           : "is this line indented too far, or a space missing behind `:` in the line before?";
+  if (const auto found = find_glued(failure)) {
+    error.notes.push_back({fmt::format("the text begins with `{}`", found->glued.key),
+                           failure.locator.span(found->separator), "no space behind it"});
+    error.help = found->glued.help;
+  }
   return true;
 }
 
@@ -209,10 +264,10 @@ void report_yaml_error(std::string_view message, std::size_t offset, const Locat
     diagnostics.error("E0105", locator.whole(), fmt::format("not YAML: {}", message));
     return;
   }
-  const bool reported = report_tab(failure) || report_anchor(failure) ||
-                        report_document_mark(failure) || report_unclosed(failure) ||
-                        report_character(failure) || report_escape(failure) ||
-                        report_colon(failure) || report_wording(failure);
+  const bool reported =
+      report_tab(failure) || report_anchor(failure) || report_document_mark(failure) ||
+      report_unclosed(failure) || report_character(failure) || report_escape(failure) ||
+      report_equals_sign(failure) || report_colon(failure) || report_wording(failure);
   if (!reported) failure.error(character(locator, offset), fmt::format("not YAML: {}", message));
 }
 

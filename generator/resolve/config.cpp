@@ -10,6 +10,7 @@
 
 #include "generator/read/quantity.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/read/slips.hpp"
 #include "generator/resolve/draft.hpp"
 #include "generator/spec/named.hpp"
 
@@ -113,8 +114,10 @@ class Reader {
   }
 
  private:
-  /// What to write in place of a number with a unit.
-  [[nodiscard]] std::string help_with_unit(const YamlValue& yaml) const {
+  /// What to write in place of a number with a decimal comma, or with a unit.
+  [[nodiscard]] std::string help_with_number(const YamlValue& yaml) const {
+    if (const auto point = yaml.is_scalar() ? with_decimal_point(yaml.text) : std::nullopt)
+      return fmt::format("write `{}`: a number has a decimal point", *point);
     const Unit* unit = find_unit(parameter_.unit);
     if (unit == nullptr || !yaml.is_scalar() || take_unit_off(yaml.text).unit.empty()) return {};
     const std::string right = with_right_unit(yaml.text, unit->quantity);
@@ -133,7 +136,7 @@ class Reader {
         .error("E0322", yaml.span,
                fmt::format("`{}` must be {}, found {}", parameter_.name.value,
                            type_name(parameter_.type), describe(yaml)))
-        .help = help_with_unit(yaml);
+        .help = help_with_number(yaml);
     return std::nullopt;
   }
 

@@ -38,7 +38,7 @@ std::vector<PortIndex> find_ports(const Draft& draft, const PortName& port, Side
     if (side == Side::from) {
       const auto sensor = object->sensors.find(port.name);
       return sensor == object->sensors.end() ? std::vector<PortIndex>{}
-                                             : std::vector<PortIndex>{sensor->second};
+                                             : std::vector<PortIndex>{sensor->second.output};
     }
     const auto actuator = object->actuators.find(port.name);
     return actuator == object->actuators.end() ? std::vector<PortIndex>{} : actuator->second;
@@ -262,9 +262,17 @@ class Connector {
           .notes.push_back({"the first processor", input.settings.processor->type.span, ""});
     }
     input.settings = overlay(input.settings, connection.settings);
+    input.sensor = sensor_of(connection);
     input.edge = DraftEdge{source.node, source.port, connection.from.span};
     input.span = connection.to.span;
     excused_.insert({Side::from, source.node, source.port});
+  }
+
+  /// The sensor at the beginning of the connection, if it is one, without a section.
+  std::string sensor_of(const ConnectionSpec& connection) const {
+    const PortName port = parse_port(connection.from.value);
+    const DraftObject* object = find_named(draft_.objects, port.owner);
+    return object == nullptr ? std::string() : object->sensors.at(port.name).written;
   }
 
   /// What the sensor at the beginning of the connection offers, if it is one.

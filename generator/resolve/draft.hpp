@@ -45,6 +45,7 @@ struct DraftInput {
   bool optional = false;  // of a node: a graph may do without it
   bool feedthrough = false;
   bool actuator = false;
+  std::string sensor = {};  // that it reads, as connections call it: "pendulum.theta"
 };
 
 struct DraftOutput {
@@ -52,8 +53,10 @@ struct DraftOutput {
   Span span;
   PartialSpace declared;  // what the callback gives
   std::optional<ProcessorSpec> processor;
-  PartialSpace published = {};  // what comes out of the processor
-  std::string sensor = {};      // what it stands for: "pendulum.theta"
+  PartialSpace published = {};            // what comes out of the processor
+  std::vector<std::string> sensors = {};  // what it stands for: "pendulum.theta"
+  bool of_sensor = false;                 // the processor: other readers get what is in front of it
+  bool of_connection = false;             // the processor, which is written there
 };
 
 struct DraftNode {
@@ -71,10 +74,21 @@ struct PortIndex {
   std::size_t port = 0;
 };
 
+/// What the readers of a sensor get of an engine node's output.
+struct DraftSensor {
+  std::string written;  // "pendulum.theta"
+  PortIndex output;
+  // For these readers alone, as the output has other sensors. What is empty is as the output says.
+  PartialSpace taken;  // bounds of what comes from there
+  std::optional<ProcessorSpec> processor;
+  PartialSpace space = {};     // what that gives
+  bool of_connection = false;  // the processor, which is written there
+};
+
 struct DraftObject {
   std::string name;
   const Entity* entity = nullptr;
-  std::map<std::string, PortIndex> sensors;                 // to outputs of engine nodes
+  std::map<std::string, DraftSensor> sensors;
   std::map<std::string, std::vector<PortIndex>> actuators;  // to inputs of engine nodes
   std::map<std::string, ConnectionSettings> delays;         // defaults of what comes from sensors
 };
@@ -233,7 +247,7 @@ void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);
 void check_resets(Graph& graph, Diagnostics& diagnostics);
 /// What manifests require of parameters, ports and rates together (E0328).
 void check_limits(Draft& draft);
-/// The same of one processor; false if there was a problem.
+/// The same of a processor and those before it; false if there was a problem.
 bool check_limits(const Processor& processor, Diagnostics& diagnostics);
 /// The space that an input is declared with, by the name that connections call it; nullopt if there
 /// is none.

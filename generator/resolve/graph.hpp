@@ -63,7 +63,8 @@ struct Processor {
 /// An output: `raw` is what the callback writes, `space` what is published after the processor.
 struct Output {
   std::string name;
-  std::string sensor;  // the sensor that it stands for, as the graph calls it: "pendulum.theta"
+  std::vector<std::string>
+      sensors;  // that it stands for, as the graph calls them: "pendulum.theta"
   Space raw, space;
   std::optional<Processor> processor;
   Span span;
@@ -83,8 +84,11 @@ struct Input {
   std::string written;  // as messages call it: "smooth.signal", "pendulum.u", "observations.angle"
   std::size_t source_node = 0;
   std::size_t source_output = 0;
-  Space space;  // as the callback sees it, after the processor
+  std::string sensor;  // that it reads: "pendulum.theta"; empty if it reads none
+  Space space;         // as the callback sees it, after the processor
   std::optional<Processor> processor;
+  std::size_t of_sensor = 0;  // so many of its stages, the first, make the sensor's message
+  bool original = false;      // before the processor of its output, which is that of a sensor
   std::uint32_t window = 1;
   Rational delay_s;
   std::optional<Rational> max_delay_s;  // a reset may change the delay up to this

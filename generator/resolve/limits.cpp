@@ -105,16 +105,21 @@ void check(const Entity& entity, const Config& config, Facts facts, Span span,
   }
 }
 
-void check(const std::optional<Processor>& processor, Diagnostics& diagnostics) {
+/// Without the first `known` stages.
+void check(const std::optional<Processor>& processor, Diagnostics& diagnostics,
+           std::size_t known = 0) {
   if (!processor) return;
-  for (const Processor* stage : processor->stages())
-    check(*stage->entity, stage->config, facts_of(*stage), stage->span, diagnostics);
+  const auto stages = processor->stages();
+  for (std::size_t i = known; i < stages.size(); ++i)
+    check(*stages[i]->entity, stages[i]->config, facts_of(*stages[i]), stages[i]->span,
+          diagnostics);
 }
 
 void check(const GraphNode& node, Diagnostics& diagnostics) {
   if (node.entity != nullptr)
     check(*node.entity, node.config, facts_of(node), node.span, diagnostics);
-  for (const auto& input : node.inputs) check(input.processor, diagnostics);
+  // A sensor's own were checked with the sensor.
+  for (const auto& input : node.inputs) check(input.processor, diagnostics, input.of_sensor);
   for (const auto& output : node.outputs) check(output.processor, diagnostics);
   for (const auto& state : node.states) check(state.processor, diagnostics);
   for (const auto& reset_target : node.reset_targets) check(reset_target.processor, diagnostics);
@@ -145,7 +150,7 @@ bool runs_in_packs(const Processor& processor) {
 
 bool check_limits(const Processor& processor, Diagnostics& diagnostics) {
   const std::size_t errors_before = diagnostics.error_count();
-  check(*processor.entity, processor.config, facts_of(processor), processor.span, diagnostics);
+  check(std::optional(processor), diagnostics);
   return diagnostics.error_count() == errors_before;
 }
 

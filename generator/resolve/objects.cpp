@@ -177,6 +177,7 @@ class ObjectBuilder {
       if (!input || !is_free(nodes_[*sink].inputs[*input], connection)) continue;
       DraftInput& port = nodes_[*sink].inputs[*input];
       port.settings = overlay(port.settings, connection.settings);
+      bind(port.settings.processor);
       port.edge = DraftEdge{*source, *output, connection.span};  // made a graph index when it moves
       links_.push_back({*source, *sink});
     }
@@ -233,21 +234,69 @@ class ObjectBuilder {
       return;
     }
     if (!sensors_.contains(name)) return;
-    DraftOutput& port = nodes_[source].outputs[output];
-    const std::string written = spec_.name.value + "." + name;
-    port.sensor = written;
-    if (connection.settings.processor) {
-      port.processor = connection.settings.processor;
-      bind(port.processor);
+    if (sensors_made_.contains(name)) {
+      diagnostics()
+          .error("E0311", connection.to.span,
+                 fmt::format("`{}` is connected twice", connection.to.value))
+          .help = "a sensor is one output of an engine node";
+      return;
     }
-    PartialSpace& space = port.processor ? port.published : port.declared;
-    space = narrow(space, partial_space(sensor->space, references_, diagnostics()), written,
-                   diagnostics());
-    if (const ComponentSpec* set = find_component(spec_.sensors, name))
-      settle(port, *set, written, diagnostics());
+    nodes_[source].outputs[output].sensors.push_back(spec_.name.value + "." + name);
+    sensors_made_[name] = make_sensor(connection, *sensor, {source, output});
     check_rate(*sensor, "sensors", nodes_[source], connection.from.span);
     add_delay(*sensor);
-    sensor_sources_.push_back({name, source, output});
+  }
+
+  /// What its readers get is what the output publishes, if that has no other sensor.
+  DraftSensor make_sensor(const ConnectionSpec& connection, const PortManifest& manifest,
+                          const PortIndex& index) {
+    DraftSensor sensor{
+        spec_.name.value + "." + manifest.name.value, index, {}, connection.settings.processor};
+    bind(sensor.processor);
+    sensor.of_connection = true;
+    DraftOutput& output = nodes_[index.node].outputs[index.port];
+    const bool alone = !has_other_sensors(connection);
+    say_space(sensor, partial_space(manifest.space, references_, diagnostics()), output, alone);
+    const ComponentSpec* set = find_component(spec_.sensors, manifest.name.value);
+    if (set != nullptr && set->settings.processor) {
+      sensor.processor = set->settings.processor;
+      sensor.space = {};  // of the processor that it replaces
+      sensor.of_connection = false;
+    }
+    if (set != nullptr && set->space)
+      say_space(sensor, partial_space(*set->space, {}, diagnostics()), output, alone);
+    if (sensor.processor && alone && !output.processor) {
+      output.processor = std::exchange(sensor.processor, std::nullopt);
+      output.published = std::exchange(sensor.space, {});
+      output.of_sensor = true;
+      output.of_connection = sensor.of_connection;
+    }
+    return sensor;
+  }
+
+  /// Without a processor, dtype and shape are those of the output; bounds, too, if it has no other
+  /// sensor.
+  void say_space(DraftSensor& sensor, PartialSpace said, DraftOutput& output, bool alone) {
+    if (sensor.processor) {
+      sensor.space = narrow(sensor.space, said, sensor.written, diagnostics());
+      return;
+    }
+    if (!alone) {
+      sensor.taken = overlay(sensor.taken, said);
+      said.low.clear();
+      said.high.clear();
+    }
+    PartialSpace& space = output.processor ? output.published : output.declared;
+    space = narrow(space, said, sensor.written, diagnostics());
+  }
+
+  /// Of the same output, in use or not, so that a message does not depend on what else a graph
+  /// connects.
+  [[nodiscard]] bool has_other_sensors(const ConnectionSpec& connection) const {
+    return std::ranges::any_of(implementation_.connections, [&](const ConnectionSpec& other) {
+      return &other != &connection && other.from.value == connection.from.value &&
+             parse_port(other.to.value).owner == "sensors";
+    });
   }
 
   /// The delay of a sensor is that of every connection from it which says nothing else.
@@ -279,7 +328,7 @@ class ObjectBuilder {
   /// that are synchronised with the engine, and what these need.
   void mark_needed() {
     needed_.assign(nodes_.size(), false);
-    for (const auto& source : sensor_sources_) need(source.node);
+    for (const auto& [name, sensor] : sensors_made_) need(sensor.output.node);
     std::vector<bool> reached(nodes_.size(), false);
     for (const auto& sink : actuator_sinks_) {
       if (actuators_.contains(sink.name)) reach(sink.node, reached);
@@ -315,8 +364,10 @@ class ObjectBuilder {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       if (needed_[i]) place[i] = next++;
     }
-    for (const auto& source : sensor_sources_)
-      object.sensors[source.name] = {place[source.node], source.port};
+    for (auto& [name, sensor] : sensors_made_) {
+      sensor.output.node = place[sensor.output.node];
+      object.sensors[name] = std::move(sensor);
+    }
     for (const auto& sink : actuator_sinks_) {
       if (needed_[sink.node]) object.actuators[sink.name].push_back({place[sink.node], sink.port});
     }
@@ -330,7 +381,7 @@ class ObjectBuilder {
     draft_.objects.push_back(std::move(object));
   }
 
-  struct Outside {  // a sensor or actuator and the port it stands for
+  struct Outside {  // an actuator and the port it stands for
     std::string name;
     std::size_t node, port;
   };
@@ -343,7 +394,8 @@ class ObjectBuilder {
   std::set<std::string> sensors_, actuators_;
   std::vector<DraftNode> nodes_;
   std::vector<Link> links_;
-  std::vector<Outside> sensor_sources_, actuator_sinks_;
+  std::vector<Outside> actuator_sinks_;
+  std::map<std::string, DraftSensor> sensors_made_;
   std::vector<bool> needed_;
   std::map<std::string, ConnectionSettings> delays_;  // by sensor
 };

@@ -171,8 +171,9 @@ void drop_engine(Graph& graph) {
 
 std::string name_of_source(const Graph& graph, const Input& input) {
   const GraphNode& node = graph.nodes[input.source_node];
+  if (!input.sensor.empty()) return input.sensor;
   const Output& output = node.outputs[input.source_output];
-  if (!output.sensor.empty()) return output.sensor;
+  if (!output.sensors.empty()) return output.sensors.front();
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
 }
 

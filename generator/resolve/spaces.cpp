@@ -1,6 +1,9 @@
 // Spaces flow from outputs to inputs until every port knows its own; then both ends are compared.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <map>
 #include <tuple>
 
 #include "generator/resolve/draft.hpp"
@@ -38,7 +41,20 @@ class SpaceResolver {
     bool settled = false;
   };
 
+  struct SensorView {
+    Space space;
+    std::optional<Processor> processor;
+  };
+
   Diagnostics& diagnostics() { return draft_.diagnostics; }
+
+  static void prepend(const Processor& first, Processor& second) {
+    std::vector<Processor> before = first.before;
+    before.push_back(first);
+    before.back().before.clear();
+    std::ranges::move(second.before, std::back_inserter(before));
+    second.before = std::move(before);
+  }
 
   /// An action without a space has that of the first port it is connected to.
   void guess_actions() {
@@ -97,7 +113,37 @@ class SpaceResolver {
       for (std::size_t i = 0; i < node.inputs.size(); ++i) news = resolve_input(n, i) || news;
       for (std::size_t o = 0; o < node.outputs.size(); ++o) news = resolve_output(n, o) || news;
     }
+    for (const auto& object : draft_.objects) {
+      for (const auto& [name, sensor] : object.sensors) news = resolve_sensor(sensor) || news;
+    }
     return news;
+  }
+
+  /// What the readers of a sensor get, once it is known what its output publishes.
+  bool resolve_sensor(const DraftSensor& draft) {
+    Slot<SensorView>& slot = sensors_[draft.written];
+    const auto& source = outputs_[draft.output.node][draft.output.port].port;
+    if (slot.settled || !source) return false;
+    slot.settled = true;
+    SensorView view{source->space, std::nullopt};
+    if (!set_bounds(view.space, draft.taken)) return true;
+    if (draft.processor) {
+      view.processor =
+          make_processor(draft_, *draft.processor, view.space, draft.processor->type.span);
+      if (!view.processor) return true;
+      view.space = view.processor->output;
+      if (!publishes(draft.written, draft.space, *view.processor, draft.of_connection)) return true;
+      if (!check_limits(*view.processor, diagnostics())) return true;
+      if (!set_bounds(view.space, draft.space)) return true;
+    }
+    slot.port = std::move(view);
+    return true;
+  }
+
+  bool set_bounds(Space& space, const PartialSpace& written) {
+    if (!written.low.empty()) space.low = written.low;
+    if (!written.high.empty()) space.high = written.high;
+    return check_bounds(space, place_of_bounds(written, written.span), diagnostics());
   }
 
   bool resolve_output(std::size_t n, std::size_t o) {
@@ -108,33 +154,40 @@ class SpaceResolver {
     const auto raw = declared ? complete(*declared) : std::nullopt;
     if (!raw) return false;
     slot.settled = true;
-    Output output{draft.name, draft.sensor, *raw, *raw, std::nullopt, draft.span};
+    Output output{draft.name, draft.sensors, *raw, *raw, std::nullopt, draft.span};
     if (!check_bounds(*raw, place_of_bounds(*declared, draft.declared.span), diagnostics()))
       return true;
     if (draft.processor) {
       output.processor = make_processor(draft_, *draft.processor, *raw, draft.span);
       if (!output.processor) return true;
       output.space = output.processor->output;
-      if (!publishes(draft, output)) return true;
+      const std::string& written = draft.of_connection ? draft.sensors.front() : draft.name;
+      if (!publishes(written, draft.published, *output.processor, draft.of_connection)) return true;
+      if (!set_bounds(output.space, draft.published)) return true;
     }
     slot.port = std::move(output);
     return true;
   }
 
-  /// What comes out of the processor must be what is said of it, and is bounded as is said.
-  bool publishes(const DraftOutput& draft, Output& output) {
-    if (!fits(draft.published, output.space)) {
-      auto& problem =
-          diagnostics().error("E0306", draft.published.span,
-                              fmt::format("`{}` is {} here, but its processor gives {}", draft.name,
-                                          describe(draft.published), output.space.describe()));
-      problem.notes.push_back({"the processor", draft.processor->type.span, ""});
-      return false;
+  /// What comes out of the processor of an output or a sensor must be what is said of it. A
+  /// connection's is wrong itself; elsewhere it is written beside the space.
+  bool publishes(const std::string& written, const PartialSpace& said, const Processor& processor,
+                 bool of_connection) {
+    if (fits(said, processor.output)) return true;
+    if (of_connection) {
+      diagnostics()
+          .error("E0306", processor.span,
+                 fmt::format("`{}` gives {}, but `{}` is {}", processor.entity->id.value,
+                             processor.output.describe(), written, describe(said)))
+          .notes.push_back({fmt::format("the space of `{}`", written), said.span, ""});
+    } else {
+      diagnostics()
+          .error("E0306", said.span,
+                 fmt::format("`{}` is {} here, but its processor gives {}", written, describe(said),
+                             processor.output.describe()))
+          .notes.push_back({"the processor", processor.span, ""});
     }
-    if (!draft.published.low.empty()) output.space.low = draft.published.low;
-    if (!draft.published.high.empty()) output.space.high = draft.published.high;
-    return check_bounds(output.space, place_of_bounds(draft.published, draft.published.span),
-                        diagnostics());
+    return false;
   }
 
   /// The declared space with what it takes from an input of the same node; nullopt while that is
@@ -168,8 +221,16 @@ class SpaceResolver {
     if (slot.settled || !draft.edge) return false;
     const auto& source = outputs_[draft.edge->node][draft.edge->output].port;
     if (!source) return false;
+    if (!draft.sensor.empty() && !sensors_[draft.sensor].settled) return false;
     slot.settled = true;
+    if (!draft.sensor.empty() && !sensors_[draft.sensor].port) return true;
+    const bool original = draft.sensor.empty() &&
+                          draft_.nodes[draft.edge->node].outputs[draft.edge->output].of_sensor;
+    const SensorView arriving = !draft.sensor.empty() ? *sensors_[draft.sensor].port
+                                : original            ? SensorView{source->raw, {}}
+                                                      : SensorView{source->space, {}};
     Input input;
+    input.original = original;
     input.name = draft.name;
     input.written = draft.written;
     input.source_node = draft.edge->node;
@@ -180,20 +241,24 @@ class SpaceResolver {
     input.actuator = draft.actuator;
     input.span = draft.span;
     resolve_delay(draft_, draft, input);
-    input.space = source->space;
-    if (draft.outside && !fits(*draft.outside, source->space)) {
+    input.space = arriving.space;
+    if (draft.outside && !fits(*draft.outside, arriving.space)) {
       report_misfit(n, draft, *draft.outside, input);
       return true;
     }
     if (draft.actuator && (draft.outside || !draft.settings.processor)) {
       const PartialSpace& taken = draft.outside ? *draft.outside : draft.declared;
-      input.actuator_space = complete(overlay(partial_of(source->space), taken));
+      input.actuator_space = complete(overlay(partial_of(arriving.space), taken));
     }
+    input.sensor = draft.sensor;
+    input.processor = arriving.processor;
+    if (input.processor) input.of_sensor = input.processor->stages().size();
     if (draft.settings.processor) {
       input.processor =
-          make_processor(draft_, *draft.settings.processor, source->space, draft.edge->span);
+          make_processor(draft_, *draft.settings.processor, arriving.space, draft.edge->span);
       if (!input.processor) return true;
       input.space = input.processor->output;
+      if (arriving.processor) prepend(*arriving.processor, *input.processor);
     }
     if (!agrees(n, draft, input)) return true;
     // The receiver's own bounds, where it has some, say more about what it takes.
@@ -287,6 +352,7 @@ class SpaceResolver {
   Draft& draft_;
   std::vector<std::vector<Slot<Output>>> outputs_;
   std::vector<std::vector<Slot<Input>>> inputs_;
+  std::map<std::string, Slot<SensorView>> sensors_;
   bool use_declared_ = false;
 };
 

@@ -7,8 +7,10 @@
 #include "generator/read/bytes.hpp"
 #include "generator/read/rational.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/read/slips.hpp"
 #include "generator/spec/format.hpp"
 #include "generator/spec/named.hpp"
+#include "generator/spec/slips.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -24,6 +26,12 @@ bool wrong_type(const YamlValue& yaml, const Format& format, Diagnostics& diagno
                       format.kind == Format::Kind::boolean || format.kind == Format::Kind::memory;
   if (number && yaml.is_scalar() && yaml.quoted)
     problem.help = "quotes make it a text: leave them out";
+  if (!yaml.is_scalar() || yaml.quoted) return false;
+  if (const auto point = with_decimal_point(yaml.text)) {
+    problem.help = fmt::format("write `{}`: a number has a decimal point", *point);
+  } else if (const auto glued = mapping ? glued_key(yaml.text) : std::nullopt) {
+    problem.help = glued->help;
+  }
   return false;
 }
 
@@ -42,9 +50,11 @@ void report_bad_name(std::string_view text, Span span, Diagnostics& diagnostics)
   }
   // `{far: max(theta, 1)}`: YAML ends a value at its comma.
   const bool is_rest = text.find(')') < text.find('(');
+  const auto glued = glued_key(text);
   diagnostics.error("E0205", span, fmt::format("`{}` is not a name", text)).help =
-      is_rest ? "an expression with a comma needs quotes within `{…}`"
-              : "use letters, digits and single underscores, beginning with a letter";
+      glued     ? glued->help
+      : is_rest ? "an expression with a comma needs quotes within `{…}`"
+                : "use letters, digits and single underscores, beginning with a letter";
 }
 
 bool in_range(const YamlValue& yaml, const Format& format, double value, Diagnostics& diagnostics) {
@@ -189,7 +199,16 @@ bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnos
   if (yaml.is_null()) return true;  // `config:` with nothing behind it
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
-  for (const auto& entry : yaml.entries) {
+  for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
+    const auto& entry = yaml.entries[i];
+    const bool bare = i + 1 < yaml.entries.size() && entry.value.is_null();
+    const std::size_t outside =
+        bare ? report_not_indented(yaml, i + 1, format, diagnostics) : std::size_t{0};
+    if (outside > 0 || report_decimal_comma(yaml.entries, i, diagnostics)) {
+      good = false;
+      i += outside;
+      continue;
+    }
     if (format.key)
       good = check(made_scalar(entry.key, entry.key_span), *format.key, diagnostics) && good;
     if (!format.file_names && !is_identifier(entry.key)) {
@@ -218,13 +237,34 @@ bool is_empty_record(const YamlValue& yaml, const Format& format) {
   return yaml.is_null() && std::ranges::none_of(format.fields, &Field::required);
 }
 
+/// Returns the key that was meant; empty if nobody can say.
+std::string report_unknown_key(const YamlValue& yaml, std::size_t i, const Format& format,
+                               const std::vector<std::string>& known, Diagnostics& diagnostics) {
+  const YamlValue::Entry& entry = yaml.entries[i];
+  auto& problem = diagnostics.error("E0201", entry.key_span,
+                                    fmt::format("unknown key `{}` in {}", entry.key, format.what));
+  const auto glued = entry.value.is_null() ? glued_key(entry.key) : std::nullopt;
+  if (glued && contains(known, glued->key)) {
+    problem.help = glued->help;
+    return glued->key;
+  }
+  const std::string near = nearest(entry.key, known);
+  const std::string outer = outdented_from(yaml, i, format);
+  problem.help = !outer.empty() ? fmt::format("indent it, if it is one of `{}:`", outer)
+                 : near.empty()
+                     ? fmt::format("{} has the keys {}", format.what, fmt::join(known, ", "))
+                     : fmt::format("did you mean `{}`?", near);
+  return near;
+}
+
 bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (is_empty_record(yaml, format)) return true;
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
   bool good = true;
   const std::vector<std::string> known = names_of(format.fields);
   std::vector<std::string> meant;
-  for (const auto& entry : yaml.entries) {
+  for (std::size_t i = 0; i < yaml.entries.size(); ++i) {
+    const auto& entry = yaml.entries[i];
     if (const Field* field = find_named(format.fields, entry.key)) {
       good = check(entry.value, *field->format, diagnostics) && good;
       continue;
@@ -234,14 +274,9 @@ bool check_record(const YamlValue& yaml, const Format& format, Diagnostics& diag
              check(entry.value, *format.item, diagnostics) && good;
       continue;
     }
-    auto& problem = diagnostics.error(
-        "E0201", entry.key_span, fmt::format("unknown key `{}` in {}", entry.key, format.what));
-    const std::string near = nearest(entry.key, known);
-    problem.help = near.empty()
-                       ? fmt::format("{} has the keys {}", format.what, fmt::join(known, ", "))
-                       : fmt::format("did you mean `{}`?", near);
-    meant.push_back(near);
     good = false;
+    if (!report_decimal_comma(yaml.entries, i, diagnostics))
+      meant.push_back(report_unknown_key(yaml, i, format, known, diagnostics));
   }
   for (const auto& field : format.fields) {
     if (!field.required || yaml.find(field.name) != nullptr) continue;

@@ -259,8 +259,38 @@ EntitySpec read_entity(const std::string& name, Span span, const YamlValue& yaml
   return spec;
 }
 
+namespace {
+
+/// How a graph uses an entity with a manifest of this kind.
+std::string use_in_graph(const std::string& kind, const std::string& id) {
+  if (kind == "object") return fmt::format("`objects: {{NAME: {{type: {}}}}}`", id);
+  if (kind == "node" || kind == "reset_node")
+    return fmt::format("`nodes: {{NAME: {{type: {}, rate: …}}}}`", id);
+  if (kind == "engine") return fmt::format("`engine: {{type: {}, rate: …}}`", id);
+  if (kind == "processor") return fmt::format("`processor: {}` on a connection", id);
+  return {};
+}
+
+/// A manifest has keys that no graph has. Nothing else needs to be said of it.
+bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics) {
+  const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
+  const YamlValue* id = kind != nullptr ? root.find("id") : nullptr;
+  const bool apart = kind != nullptr && root.find("object") != nullptr;  // an implementation
+  if (kind == nullptr || !kind->is_scalar() || (id == nullptr && !apart)) return false;
+  auto& problem = diagnostics.error("E0210", kind->span,
+                                    fmt::format("this is the manifest of {} `{}`, not a graph",
+                                                kind->text, (id != nullptr ? *id : *kind).text));
+  const std::string use = id != nullptr ? use_in_graph(kind->text, id->text) : "";
+  problem.help = use.empty() ? "give the graph that uses it; `eagerx-gen info` reads manifests"
+                             : fmt::format("give a graph that uses it: {}", use);
+  return true;
+}
+
+}  // namespace
+
 std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::string& path,
                                          Diagnostics& diagnostics) {
+  if (refuse_manifest(written, diagnostics)) return std::nullopt;
   if (!check(written, graph_format(), diagnostics)) return std::nullopt;
   const YamlValue root = in_base_units(written, graph_format());
   GraphSpec spec;
