@@ -33,7 +33,6 @@ class BlockView {
     view_.set("node", node_.name);
     view_.set("label", cpp_string(node_.name));
     view_.set("entity", node_.entity->id.value);
-    view_.set("place", names_.place(node_.span));
     view_.set("member", names_.node_member[n_]);
     view_.set("seq", seq_);
     view_.set("sent", names_.sent[n_]);

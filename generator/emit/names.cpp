@@ -17,11 +17,7 @@ bool is_drawn(const Plan& plan, const Ring& ring) {
 }
 
 ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
-    : numbers(of),
-      io_owner(io_owners(plan, part)),
-      plan_(plan),
-      part_(part),
-      file_name_(plan.graph->file_name) {
+    : numbers(of), io_owner(io_owners(plan, part)), plan_(plan), part_(part) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
   // Each of these has a struct of its own that says what it is compiled for.
@@ -146,10 +142,6 @@ bool ProgramNames::has_io(std::size_t node) const {
     if (io_owner[n] == node && !left_out(n)) return true;
   }
   return false;
-}
-
-std::string ProgramNames::place(Span span) const {
-  return fmt::format("{}:{}:{}", file_name_, span.line, span.column);
 }
 
 }  // namespace eagerx::gen

@@ -102,7 +102,6 @@ class ProgramView {
       const std::string value = here ? "action." + output.name : place.expression;
       View action = object();
       action.set("field", output.name);
-      action.set("place", names_.place(output.span));
       action["slots"] = slots_view({place});
       action.set("ring", place.expression);
       action.set("is_here", here);

@@ -54,7 +54,6 @@ class TaskView {
   }
 
   View make() {
-    view_.set("place", names_.place(task_.span));
     add_inputs();
     add_time();
     ExpressionWriter writer(variables_, "time", locals_);
@@ -141,7 +140,6 @@ class TaskView {
     View view = object();
     view.set("name", expression.name);
     view.set("text", expression.text);
-    view.set("place", names_.place(expression.span));
     view["lines"] = lines_view(lines);
     return view;
   }
@@ -213,7 +211,6 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   View view = object();
   view.set("real", names.real());
   view.set("truth", std::string(element_type(Dtype::boolean, names.numbers)));
-  view.set("place", names.place(task->span));
   view.set("count", fmt::format("{}", task->terms.size()));
   view.set("steps", fmt::format("{}", task->after));
   view["term_names"] = names_view(task->terms);

@@ -94,7 +94,7 @@ class Program {
   /// Without the guard: whatever `action` is, the actuators get it.
   Observation step_unguarded(const Action& action) {
     if (n30Hz_ == 0) [[unlikely]] return before_reset();
-    // actions.voltage, graph.yaml:29:3
+    // actions.voltage
     action_voltage_[0] = action.voltage;
     trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
     after(eagerx::Constant<k30Hz>{});
@@ -123,7 +123,7 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // engine: OdeEngine, graph.yaml:7:1
+      // engine: OdeEngine
       {
         if (n > 0 && eagerx::runs_engine(trace))
           engine_.callback(eagerx::Tick{n}, pendulum_simulator_);
@@ -133,7 +133,7 @@ class Program {
           trace.simulator("pendulum", n, pendulum_simulator_);
         }
       }
-      // pendulum/u_applied: ActionApplied, graph.yaml:13:3
+      // pendulum/u_applied: ActionApplied
       {
         const PendulumUAppliedIo::Inputs in{
             {engine_tick_, n30Hz_}, {pendulum_u_action_applied_, n30Hz_ - 1}};
@@ -143,7 +143,7 @@ class Program {
         pendulum_u_applied_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_u_applied_action_applied, n, pendulum_u_applied_action_applied_[0]);
       }
-      // pendulum/x: OdeOutput, graph.yaml:13:3
+      // pendulum/x: OdeOutput
       {
         const PendulumXIo::Inputs in{{engine_tick_, n30Hz_}};
         PendulumXIo::Outputs out{pendulum_x_observation_[0]};
@@ -152,7 +152,7 @@ class Program {
         pendulum_x_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_x_observation, n, pendulum_x_observation_[0]);
       }
-      // pendulum/theta: FloatOutput, graph.yaml:13:3
+      // pendulum/theta: FloatOutput
       {
         const PendulumThetaIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
         PendulumThetaIo::Outputs out{pendulum_theta_observation_[0]};
@@ -162,7 +162,7 @@ class Program {
         trace(channel::pendulum_theta_observation, n, pendulum_theta_observation_[0]);
         observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
       }
-      // pendulum/scene: PendulumDrawing, graph.yaml:13:3
+      // pendulum/scene: PendulumDrawing
       if constexpr (eagerx::can_draw<Trace>) if (trace.draws()) {
         const PendulumSceneIo::Inputs in{{pendulum_theta_observation_, n30Hz_}};
         PendulumSceneIo::Outputs out{drawing_.pendulum_scene_scene_[0]};
@@ -170,7 +170,7 @@ class Program {
           trace.inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
         drawing_.pendulum_scene_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
       }
-      // pendulum/theta_dot: FloatOutput, graph.yaml:13:3
+      // pendulum/theta_dot: FloatOutput
       {
         const PendulumThetaDotIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
         PendulumThetaDotIo::Outputs out{pendulum_theta_dot_observation_[0]};
@@ -179,7 +179,7 @@ class Program {
         pendulum_theta_dot_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_theta_dot_observation, n, pendulum_theta_dot_observation_[0]);
       }
-      // render: Render, graph.yaml:38:1
+      // render: Render
       if constexpr (eagerx::can_draw<Trace>) if (trace.draws()) {
         const RenderIo::Inputs in{{drawing_.pendulum_scene_scene_, n30Hz_}};
         RenderIo::Outputs out{};
@@ -195,7 +195,7 @@ class Program {
   void after(const Mask due) {
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // smooth: ButterworthFilter, graph.yaml:23:3
+      // smooth: ButterworthFilter
       {
         const SmoothIo::Inputs in{{action_voltage_, n30Hz_}};
         SmoothIo::Outputs out{smooth_filtered_[0]};
@@ -204,7 +204,7 @@ class Program {
         smooth_.callback(eagerx::Tick{n}, in, out);
         trace(channel::smooth_filtered, n, smooth_filtered_[0]);
       }
-      // pendulum/u: OdeInput, graph.yaml:13:3
+      // pendulum/u: OdeInput
       {
         const PendulumUIo::Inputs in{{engine_tick_, n30Hz_}, {smooth_filtered_, n30Hz_}};
         PendulumUIo::Outputs out{pendulum_u_action_applied_[0]};

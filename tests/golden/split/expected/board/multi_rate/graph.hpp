@@ -21,7 +21,7 @@ struct Graph : Limits {
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0x7dfc6c998371d52dU;  // of the sources of both
+    static constexpr std::uint64_t kGraph = graphs::multi_rate::kGraphHash;  // of both programs
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
@@ -31,6 +31,9 @@ struct Graph : Limits {
   using Rate = eagerx::Rate<10>;  // of the environment
 
   static constexpr const char* kName = "multi_rate";
+  static constexpr std::uint64_t kGraphHash = graphs::multi_rate::kGraphHash;
+  static constexpr std::uint64_t kPolicyHash = graphs::multi_rate::kPolicyHash;
+  static constexpr const char* kGenerator = graphs::multi_rate::kGenerator;
   static constexpr const char* kEngine = "OdeEngine";
   static constexpr const char* kDefaultAgent = "random";
   static constexpr const char* kAgentCsv = "";

@@ -60,12 +60,12 @@ class Program {
   /// Without the guard: whatever `action` is, the actuators get it.
   Observation step_unguarded(const Action& action) {
     if (n10Hz_ == 0) [[unlikely]] return before_reset();
-    // actions.voltage, graph.yaml:46:3
+    // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_voltage = action.voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     link->put(new_voltage);
-    // actions.push, graph.yaml:47:3
+    // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_push = action.push;
     trace(channel::environment_push, n10Hz_ - 1, new_push);
@@ -140,7 +140,7 @@ class Program {
     if (!link->ok()) return;
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // fast: ButterworthFilter, graph.yaml:36:3
+      // fast: ButterworthFilter
       {
         const FastIo::Inputs in{{action_push_, n10Hz_ - ((due & k10Hz) != 0)}};
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
@@ -156,7 +156,7 @@ class Program {
     }
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
-      // left/theta: FloatOutput, graph.yaml:11:3
+      // left/theta: FloatOutput
       {
         if (!link->get(left_theta_observation_[0])) return;
         trace(channel::left_theta_observation, n, left_theta_observation_[0]);
@@ -166,7 +166,7 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // left/theta_dot: FloatOutput, graph.yaml:11:3
+      // left/theta_dot: FloatOutput
       {
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
         if (!link->get(new_observation)) return;
@@ -175,7 +175,7 @@ class Program {
     }
     if ((due & k15Hz) != 0) {
       const eagerx::Seq n = n15Hz_ - 1;
-      // right/theta: FloatOutput, graph.yaml:23:3
+      // right/theta: FloatOutput
       {
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
         if (!link->get(new_observation)) return;
@@ -184,7 +184,7 @@ class Program {
     }
     if ((due & k10Hz) != 0) {
       const eagerx::Seq n = n10Hz_ - 1;
-      // left/u_applied: ActionApplied, graph.yaml:11:3
+      // left/u_applied: ActionApplied
       {
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
         if (!link->get(new_action_applied)) return;

@@ -98,12 +98,12 @@ class Program {
   Observation step(Action& action) {
     if (n10Hz_ == 0) [[unlikely]] return before_reset();
     link->begin_step();
-    // actions.voltage, graph.yaml:46:3
+    // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     if (!link->get(new_voltage)) return observe();
     action.voltage = new_voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
-    // actions.push, graph.yaml:47:3
+    // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     if (!link->get(new_push)) return observe();
     action.push = new_push;
@@ -191,7 +191,7 @@ class Program {
     if (!link->ok()) return;
     if ((due & k60Hz) != 0) {
       const eagerx::Seq n = n60Hz_ - 1;
-      // engine: OdeEngine, graph.yaml:8:1
+      // engine: OdeEngine
       {
         if (n > 0 && eagerx::runs_engine(trace))
           engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
@@ -205,14 +205,14 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // fast: ButterworthFilter, graph.yaml:36:3
+      // fast: ButterworthFilter
       {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
         if (!link->get(new_filtered)) return;
         trace(channel::fast_filtered, n, new_filtered);
         right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
       }
-      // right/u_applied: ActionApplied, graph.yaml:23:3
+      // right/u_applied: ActionApplied
       {
         const RightUAppliedIo::Inputs in{
             {engine_tick_, n60Hz_},
@@ -226,7 +226,7 @@ class Program {
     }
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
-      // left/x: OdeOutput, graph.yaml:11:3
+      // left/x: OdeOutput
       {
         const LeftXIo::Inputs in{{engine_tick_, n60Hz_}};
         LeftXIo::Outputs out{left_x_observation_[0]};
@@ -235,7 +235,7 @@ class Program {
         left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_x_observation, n, left_x_observation_[0]);
       }
-      // left/theta: FloatOutput, graph.yaml:11:3
+      // left/theta: FloatOutput
       {
         const LeftThetaIo::Inputs in{{left_x_observation_, n20Hz_}};
         LeftThetaIo::Outputs out{left_theta_observation_[0]};
@@ -247,7 +247,7 @@ class Program {
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
         link->put(left_theta_observation_[0]);
       }
-      // right/u: OdeInput, graph.yaml:23:3
+      // right/u: OdeInput
       {
         const RightUIo::Inputs in{{engine_tick_, n60Hz_}, {right_u_action_, n30Hz_}};
         RightUIo::Outputs out{right_u_action_applied_[0]};
@@ -259,7 +259,7 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // left/theta_dot: FloatOutput, graph.yaml:11:3
+      // left/theta_dot: FloatOutput
       {
         const LeftThetaDotIo::Inputs in{{left_x_observation_, n20Hz_}};
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
@@ -275,7 +275,7 @@ class Program {
     }
     if ((due & k15Hz) != 0) {
       const eagerx::Seq n = n15Hz_ - 1;
-      // right/x: OdeOutput, graph.yaml:23:3
+      // right/x: OdeOutput
       {
         const RightXIo::Inputs in{{engine_tick_, n60Hz_}};
         RightXIo::Outputs out{right_x_observation_[0]};
@@ -284,7 +284,7 @@ class Program {
         right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_x_observation, n, right_x_observation_[0]);
       }
-      // right/theta: FloatOutput, graph.yaml:23:3
+      // right/theta: FloatOutput
       {
         const RightThetaIo::Inputs in{{right_x_observation_, n15Hz_}};
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
@@ -298,7 +298,7 @@ class Program {
     }
     if ((due & k10Hz) != 0) {
       const eagerx::Seq n = n10Hz_ - 1;
-      // left/u_applied: ActionApplied, graph.yaml:11:3
+      // left/u_applied: ActionApplied
       {
         const LeftUAppliedIo::Inputs in{
             {engine_tick_, n60Hz_}, {left_u_action_applied_, n30Hz_ - 1}};
@@ -319,7 +319,7 @@ class Program {
     if (!link->ok()) return;
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
-      // slow: ButterworthFilter, graph.yaml:35:3
+      // slow: ButterworthFilter
       {
         const SlowIo::Inputs in{{action_voltage_, slow_signal_cursor_.take()}};
         auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n)];
@@ -332,7 +332,7 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // left/u: OdeInput, graph.yaml:11:3
+      // left/u: OdeInput
       {
         const LeftUIo::Inputs in{{engine_tick_, n60Hz_}, {slow_filtered_, n20Hz_}};
         LeftUIo::Outputs out{left_u_action_applied_[0]};
