@@ -299,17 +299,17 @@ class GraphView {
   }
 
   void add_random_action() {
-    std::vector<std::string> samples;
+    std::vector<FieldValue> samples;
     std::uint64_t words = 0;
     Names constants;  // the same names as in limits_view()
     for (const auto& action : graph_.environment().outputs) {
-      samples.push_back(
-          fmt::format("{}.sample(random)", constants.unique("kAction" + camel(action.name))));
+      const std::string constant = constants.unique("kAction" + camel(action.name));
+      samples.push_back({action.name, constant + ".sample(random)"});
       words += action.space.size() * 2;
     }
     constexpr std::uint64_t kWordsInBlock = 4;
     view_.set("has_random_action", !samples.empty());
-    view_.set("random_action", braced(samples));
+    view_.set("random_action", designated(samples));
     // Twice what is needed, since drawing an integer may take several words.
     view_.set("draws_a_step",
               fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));

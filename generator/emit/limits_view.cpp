@@ -132,12 +132,12 @@ class LimitsView {
     view_.set("recover", fmt::format("{}", safety.recover));
     view_.set("clips", bool_literal(safety.clips));
     view_.set("holds", bool_literal(safety.holds));
-    std::vector<std::string> values;
+    std::vector<FieldValue> values;
     for (std::size_t i = 0; i < safety.actions.size(); ++i) {
-      values.push_back(
-          message_literal(shortened(safety.actions[i]), graph_.environment().outputs[i].space));
+      const Output& action = graph_.environment().outputs[i];
+      values.push_back({action.name, message_literal(shortened(safety.actions[i]), action.space)});
     }
-    view_.set("safe_action", braced(values));
+    view_.set("safe_action", designated(values));
   }
 
   const Plan& plan_;

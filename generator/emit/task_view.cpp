@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "generator/emit/expression_text.hpp"
 #include "generator/emit/names.hpp"
@@ -224,8 +225,12 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   const auto first_term = places.begin() + Task::term;
   terms.assign(first_term, places.end());
   places.erase(first_term, places.end());
-  places.push_back(braced({braced(terms)}));
-  view.set("values", braced(places));
+  const std::array<const char*, Task::term> names_of_outputs = {"reward", "terminated", "truncated",
+                                                                "success"};
+  std::vector<FieldValue> values;
+  for (std::size_t i = 0; i < Task::term; ++i) values.push_back({names_of_outputs[i], places[i]});
+  values.push_back({"terms", braced({braced(terms)})});
+  view.set("values", designated(values));
   View fields = list();
   for (std::size_t i = 0; i < task->terms.size(); ++i) {
     View field = object();

@@ -65,7 +65,7 @@ TEST(ProgramMap, ACommentIsNoLine) {
 
 TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
   EXPECT_EQ(problem(""), "`m:1` is no program map that this eagerx-gen reads");
-  EXPECT_EQ(problem("eagerx-gen program map 2\n"),
+  EXPECT_EQ(problem("eagerx-gen program map 1\n"),
             "`m:1` is no program map that this eagerx-gen reads");
   EXPECT_EQ(problem("eagerx-gen program map 2\nnode a A\n"),
             "`m:2` ends without the hash of program.hpp");
@@ -89,6 +89,10 @@ TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
                            "program",
                            "member x",
                            "member x node c",
+                           "graph",
+                           "place 1 2",
+                           "place 1 x smooth",
+                           "place 1 2 smooth more",
                            "member x part ",
                            "member x ring a",
                            "member  part a",

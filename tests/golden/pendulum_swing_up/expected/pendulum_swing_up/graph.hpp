@@ -69,7 +69,7 @@ struct Graph : Limits {
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  static States draw(eagerx::EpisodeKey key) {
+  [[nodiscard]] static States draw(eagerx::EpisodeKey key) {
     States states;
     {  // pendulum/model_state
       eagerx::Random random(key, eagerx::entity_id("pendulum/model_state"));
@@ -107,16 +107,16 @@ struct Graph : Limits {
   }
 
   /// The action that does nothing.
-  static Action zero() { return Action{}; }
+  [[nodiscard]] static Action zero() { return Action{}; }
 
   /// An action drawn uniformly from the spaces of the actions.
-  static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
+  [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 2U);
-    return {kActionVoltage.sample(random)};
+    return {.voltage = kActionVoltage.sample(random)};
   }
 
   /// The trained policy's action: swing_up.onnx
-  static Action policy(const Observation& observation) {
+  [[nodiscard]] static Action policy(const Observation& observation) {
     float input[policy::kInputs];
     float output[policy::kOutputs];
     std::size_t in = 0;
@@ -133,7 +133,7 @@ struct Graph : Limits {
 
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 8;
-  static bool self_test() { return policy::self_test(); }
+  [[nodiscard]] static bool self_test() { return policy::self_test(); }
 };
 
 }  // namespace graphs::pendulum_swing_up

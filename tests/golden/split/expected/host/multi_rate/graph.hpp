@@ -92,7 +92,7 @@ struct Graph : Limits {
       .low = {{-1.0F, -2.0F}}, .high = {{1.0F, 2.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  static States draw(eagerx::EpisodeKey key) {
+  [[nodiscard]] static States draw(eagerx::EpisodeKey key) {
     States states;
     {  // left/model_state
       eagerx::Random random(key, eagerx::entity_id("left/model_state"));
@@ -150,17 +150,17 @@ struct Graph : Limits {
   }
 
   /// The action that does nothing.
-  static Action zero() { return Action{}; }
+  [[nodiscard]] static Action zero() { return Action{}; }
 
   /// An action drawn uniformly from the spaces of the actions.
-  static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
+  [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
-    return {kActionVoltage.sample(random), kActionPush.sample(random)};
+    return {.voltage = kActionVoltage.sample(random), .push = kActionPush.sample(random)};
   }
 
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
-  static bool self_test() { return true; }
+  [[nodiscard]] static bool self_test() { return true; }
 };
 
 }  // namespace graphs::multi_rate

@@ -53,7 +53,7 @@ struct Limits {
                                           .clips = true,
                                           .holds = false};
   /// The safe action.
-  static Action safe() { return {{{0.0F}}, {{0.0F}}}; }
+  [[nodiscard]] static Action safe() { return {.voltage = {{0.0F}}, .push = {{0.0F}}}; }
 
   /// f(name, message, space) for each action.
   template <class F>
