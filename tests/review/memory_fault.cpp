@@ -1,5 +1,5 @@
 // A place in the schedule that is none: compiled with -fno-access-control, and with GRAPH as the
-// namespace. SLOTS is how many there are, OTHER one in which nothing is observed.
+// namespace. SLOTS is how many there are.
 #include <cstdint>
 #include <cstdio>
 
@@ -33,8 +33,10 @@ int main() {
       std::printf("%u is a place in the schedule\n", wrong);
       return 1;
     }
+    // Nothing runs until the next reset.
+    const std::uint32_t before = program.steps_before_reset();
     for (int i = 0; i < 50; ++i) static_cast<void>(program.step(Graph::zero()));
-    if (calls != expected) return 2;
+    if (calls != expected || program.steps_before_reset() != before + 50) return 2;
   }
   return 0;
 }
