@@ -33,7 +33,6 @@ class BlockView {
     view_.set("node", node_.name);
     view_.set("label", cpp_string(node_.name));
     view_.set("entity", node_.entity->id.value);
-    view_.set("place", names_.place(node_.span));
     view_.set("member", names_.node_member[n_]);
     view_.set("seq", seq_);
     view_.set("sent", names_.sent[n_]);
@@ -123,7 +122,7 @@ class BlockView {
   void add_node() {
     View raw = list(), published = list();
     std::vector<MessagePlace> places;
-    std::vector<std::string> outputs;
+    std::vector<FieldValue> outputs;
     for (std::size_t o = 0; o < node_.outputs.size(); ++o) {
       const Output& output = node_.outputs[o];
       const std::string local = raw_name(o);
@@ -133,14 +132,14 @@ class BlockView {
       item.set("processor", text_or_false(names_.output_processor[n_][o]));
       item.set("local", local);
       published.push_back(item);
-      outputs.push_back(output.processor ? local : places.back().expression);
+      outputs.push_back({output.name, output.processor ? local : places.back().expression});
       if (!output.processor) continue;
       View variable = object();
       variable.set("type", names_.message(output.raw));
       variable.set("local", local);
       raw.push_back(variable);
     }
-    view_.set("outputs", braced(outputs));
+    view_.set("outputs", designated(outputs));
     view_["slots"] = slots_view(places);
     view_["raw"] = std::move(raw);
     view_["published"] = std::move(published);
@@ -151,18 +150,19 @@ class BlockView {
 
   /// What its callback sees, and what a reset node passes on while there is no reset.
   void add_inputs() {
-    std::vector<std::string> inputs, feedthroughs;
+    std::vector<FieldValue> inputs, feedthroughs;
     View passed = list();
     for (std::size_t i = 0; i < node_.inputs.size(); ++i) {
       const bool passes = node_.inputs[i].feedthrough;
-      (passes ? feedthroughs : inputs).push_back(window_argument(plan_, names_, n_, i));
+      (passes ? feedthroughs : inputs)
+          .push_back({node_.inputs[i].name, window_argument(plan_, names_, n_, i)});
       View item = object();
       item.set("field", node_.inputs[i].name);
       if (passes) passed.push_back(item);
     }
-    view_.set("inputs", braced(inputs));
+    view_.set("inputs", designated(inputs));
     view_.set("is_reset_node", !node_.reset_targets.empty());
-    view_.set("feedthroughs", braced(feedthroughs));
+    view_.set("feedthroughs", designated(feedthroughs));
     view_["passed"] = std::move(passed);
     view_.set("targets", names_.targets_member[n_]);
     view_.set("done", names_.done_member[n_]);

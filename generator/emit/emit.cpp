@@ -49,14 +49,23 @@ class Emitter {
     View program = program_view(plan_, names_);
     program.set("has_memory", network_ && network_->has_memory());
     program.set("indented", indented());
-    program.set("beside_packs", has_packs_);
-    add_program(folder, std::move(program));
+    program.set("beside_packs", false);
+    const std::size_t at = files_.size();
+    add_program(folder, program);
+    if (has_packs_ && !failed_) {
+      program_alone_ = std::move(files_[at].text);
+      files_.resize(at);
+      program.set("beside_packs", true);
+      add_program(folder, std::move(program));
+    }
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
+    const std::size_t first_policy = files_.size();
     if (network_) add(folder + "policy.hpp", "cpp/policy.hpp.mustache", agent_view());
     for (const NodePolicy& policy : node_policies_) {
       add(fmt::format("{}{}.hpp", folder, policy_namespace(plan_.graph->nodes[policy.node].name)),
           "cpp/policy.hpp.mustache", node_view(policy));
     }
+    if (!failed_) add_hashes(first_policy);
     if (options_.targets.empty()) {
       add(options_.header_folder + plan_.graph->name + ".hpp", "library/library.hpp.mustache",
           gen::library_view(plan_, network_.has_value(), network_ && network_->has_memory()));
@@ -129,6 +138,29 @@ class Emitter {
         std::move(program.text);
   }
 
+  /// Into messages.hpp, which has zeros in their places: what all headers so far were made from.
+  /// Equal for all targets, and for a standalone tree.
+  void add_hashes(std::size_t first_policy) {
+    std::vector<GeneratedFile> headers, policies;
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      GeneratedFile file = files_[i];
+      file.path.erase(0, options_.header_folder.size());
+      if (has_packs_ && file.path.ends_with("/program.hpp")) file.text = program_alone_;
+      if (i >= first_policy) policies.push_back(file);
+      if (file.path.find("/packs/") == std::string::npos) headers.push_back(std::move(file));
+    }
+    put_hash("kGraphHash", options_.graph_hash != 0 ? options_.graph_hash : hash_of(headers));
+    put_hash("kPolicyHash", policies.empty() ? 0 : hash_of(policies));
+  }
+
+  void put_hash(const std::string& constant, std::uint64_t hash) {
+    std::string& text = files_.front().text;
+    const std::string begin = constant + " = 0x";
+    const std::string digits = fmt::format("{:016x}", hash);
+    if (const auto at = text.find(begin); at != std::string::npos)
+      text.replace(at + begin.size(), digits.size(), digits);
+  }
+
   void add_rendered(const std::string& path, const std::string& template_path, View view) {
     auto text = render_file(template_path, path, with_common(std::move(view)), diagnostics_);
     failed_ = failed_ || !text;
@@ -140,7 +172,6 @@ class Emitter {
 
   View graph_view() const {
     View view = gen::graph_view(plan_, names_, network_, node_policies_);
-    view.set("graph_hash", fmt::format("0x{:016x}", options_.graph_hash));
     return view;
   }
 
@@ -156,7 +187,7 @@ class Emitter {
   View node_view(const NodePolicy& policy) {
     View view = policy_view(*policy.network);
     view.set("policy", policy_namespace(plan_.graph->nodes[policy.node].name));
-    view["node"] = policy_node_view(plan_, names_, policy);
+    view["node"] = policy_node_view(plan_, policy);
     return view;
   }
 
@@ -211,6 +242,7 @@ class Emitter {
   ProgramNames names_;
   bool has_packs_ = false;
   std::string why_no_packs_;
+  std::string program_alone_;  // program.hpp without what packs need of it
   std::vector<GeneratedFile> files_;
   bool failed_ = false;
 };
@@ -219,7 +251,15 @@ class Emitter {
 
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
   std::uint64_t hash = hash_text({});
-  for (const auto& file : files) hash = hash_text(file.text, hash_text(file.path, hash));
+  for (const auto& file : files) {
+    if (file.path.ends_with("/program.map")) continue;
+    hash = hash_text(file.path, hash);
+    for (std::string_view rest = file.text; !rest.empty();) {
+      const std::string_view line = rest.substr(0, std::min(rest.find('\n'), rest.size() - 1) + 1);
+      if (!line.starts_with("#include \"")) hash = hash_text(line, hash);
+      rest.remove_prefix(line.size());
+    }
+  }
   return hash;
 }
 

@@ -36,10 +36,12 @@ struct EmitOptions {
   std::vector<ExtraTemplate> extra;    // of packages
   bool cmake = true;                   // with a CMakeLists.txt and program.map
   Part part = Part::whole;             // of a split graph: which of its two programs
-  std::uint64_t graph_hash = 0;        // of a split graph: what its programs tell each other
+  std::uint64_t graph_hash = 0;        // of a split graph: what its programs tell each other;
+                                       // otherwise 0, and it is made of this program's headers
 };
 
-/// A hash of all texts, for EmitOptions::graph_hash.
+/// A hash of all texts, for EmitOptions::graph_hash: without program.map, which says where the
+/// graph says something, and without the paths of headers of its own, which depend on the output's.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
 
 /// A class of an entity that the program uses.

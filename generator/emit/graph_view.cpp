@@ -46,7 +46,6 @@ class GraphView {
   View render_view() const {
     if (!graph_.render || !names_.runs(graph_.render->node)) return View(false);
     View view = object();
-    view.set("place", names_.place(graph_.render->span));
     view.set("rate_type", rate_type(graph_.nodes[graph_.render->node].rate_hz));
     view.set("io", names_.io[graph_.render->node]);
     return view;
@@ -139,12 +138,10 @@ class GraphView {
     view_["channels"] = std::move(channels);
   }
 
-  View space_view(const std::string& field, const Space& space, Span span,
-                  const std::string& prefix) {
+  View space_view(const std::string& field, const Space& space, const std::string& prefix) {
     View item = object();
     item.set("field", field);
     item.set("type", message_type(space));
-    item.set("place", names_.place(span));
     item.set("constant", constants_.unique("k" + prefix + camel(field)));
     item.set("literal", space_literal(space));
     return item;
@@ -228,14 +225,13 @@ class GraphView {
       }
       std::string constant;
       if (kind != RandomSpec::Kind::value && kind != RandomSpec::Kind::choice) {
-        View item = space_view(field, range, state.random->span, "State");
+        View item = space_view(field, range, "State");
         constant = item.get("constant")->string_value();
         item.set("state", owner + "." + state.name);
         ranges.push_back(item);
       }
       View item = object();
       item.set("state", owner + "/" + state.name);
-      item.set("place", names_.place(state.random->span));
       item.set("needs_random", kind != RandomSpec::Kind::value);
       item.set("lines", draw_lines(*state.random, state.space, field, constant));
       randoms.push_back(item);
@@ -304,17 +300,17 @@ class GraphView {
   }
 
   void add_random_action() {
-    std::vector<std::string> samples;
+    std::vector<FieldValue> samples;
     std::uint64_t words = 0;
     Names constants;  // the same names as in limits_view()
     for (const auto& action : graph_.environment().outputs) {
-      samples.push_back(
-          fmt::format("{}.sample(random)", constants.unique("kAction" + camel(action.name))));
+      const std::string constant = constants.unique("kAction" + camel(action.name));
+      samples.push_back({action.name, constant + ".sample(random)"});
       words += action.space.size() * 2;
     }
     constexpr std::uint64_t kWordsInBlock = 4;
     view_.set("has_random_action", !samples.empty());
-    view_.set("random_action", braced(samples));
+    view_.set("random_action", designated(samples));
     // Twice what is needed, since drawing an integer may take several words.
     view_.set("draws_a_step",
               fmt::format("{}", std::bit_ceil(2 * (words + kWordsInBlock - 1) / kWordsInBlock)));
@@ -352,7 +348,6 @@ class GraphView {
     view_["policy_inputs"] = std::move(inputs);
     view_["policy_outputs"] = policy_answers(use, *network_, "kAction");
     view_.set("reads_in_order", reads_in_order(use, *network_));
-    view_.set("place", names_.place(graph_.agent.span));
   }
 
   const Plan& plan_;

@@ -59,7 +59,6 @@ View node_view(const Plan& plan, std::size_t n, const ProgramNames& names) {
   view.set("entity", node.entity->id.value);
   view.set("rate", node.rate_hz.to_string());
   view.set("rate_type", rate_type(node.rate_hz));
-  view.set("place", names.place(node.span));
   view.set("type", names.io[n]);
   view.set("config", config_view(node.config));
   View inputs = list(), feedthroughs = list(), targets = list(), delays = list();
@@ -120,7 +119,6 @@ View simulators_view(const Plan& plan, const ProgramNames& names) {
     view.set("object", item.name);
     view.set("entity", item.entity->id.value);
     view.set("engine", item.implementation->engine.value);
-    view.set("place", names.place(item.span));
     view.set("type", names.simulator_type[i]);
     view.set("simulator", from_global_namespace(plan.graph->engine().entity->simulator.name));
     view.set("model", from_global_namespace(item.implementation->model.name));
@@ -138,9 +136,8 @@ View engine_states_view(const Plan& plan, const ProgramNames& names) {
     for (std::size_t s = 0; s < item.states.size(); ++s) {
       const State& state = item.states[s];
       View view = object();
-      view.set("state", item.name + "." + state.name);
+      view.set("state", item.name + ".states." + state.name);
       view.set("entity", state.engine_state->id.value);
-      view.set("place", names.place(state.span));
       view.set("type", names.engine_state_type[i][s]);
       view.set("message", names.message(state.received()));
       view.set("simulator", names.simulator_type[i]);
@@ -157,7 +154,6 @@ View processor_view(const Processor& processor, const std::string& type, const s
   View view = object();
   view.set("where", where);
   view.set("entity", processor.entity->id.value);
-  view.set("place", names.place(processor.span));
   view.set("type", type);
   view.set("class", from_global_namespace(processor.entity->cpp.name));
   view.set("input", names.message(processor.input));
@@ -224,13 +220,14 @@ View processors_view(const Plan& plan, const ProgramNames& names) {
   return views;
 }
 
-View port_view(const std::string& type, const std::string& field, const Space& space,
-               const std::string& place) {
+/// `what`: as the graph calls it.
+View port_view(const std::string& type, const std::string& field, const std::string& space,
+               const std::string& what) {
   View view = object();
   view.set("type", type);
   view.set("field", field);
-  view.set("space", space.describe());
-  view.set("place", place);
+  view.set("space", space);
+  view.set("what", what);
   return view;
 }
 
@@ -242,41 +239,40 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   View actions = list(), observations = list(), states = list();
   view["task"] = outcome_view(plan, names);
   for (const auto& action : graph.environment().outputs)
-    actions.push_back(port_view(names.message(action.space), action.name, action.space,
-                                names.place(action.span)));
+    actions.push_back(port_view(names.message(action.space), action.name, action.space.describe(),
+                                "actions." + action.name));
   const bool observes = names.receives(Graph::kEnvironment);
   std::uint64_t numbers = 0;
   for (std::size_t i = 0; observes && i < graph.environment().inputs.size(); ++i) {
     const Input& input = graph.environment().inputs[i];
     numbers += input.window * input.space.size();
     observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i, names.numbers),
-                                     input.name, input.space, names.place(input.span)));
+                                     input.name, input.space.describe(), input.written));
   }
   for (std::size_t i = 0; i < graph.objects.size(); ++i) {
     for (std::size_t s = 0; s < graph.objects[i].states.size(); ++s) {
       const State& state = graph.objects[i].states[s];
-      states.push_back(port_view(names.message(state.space), names.object_state[i][s], state.space,
-                                 names.place(state.span)));
+      states.push_back(port_view(names.message(state.space), names.object_state[i][s],
+                                 state.space.describe(),
+                                 graph.objects[i].name + ".states." + state.name));
     }
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     for (std::size_t s = 0; s < graph.nodes[n].states.size(); ++s) {
       const State& state = graph.nodes[n].states[s];
       if (!state.settable) continue;
-      states.push_back(port_view(names.message(state.space), names.node_state[n][s], state.space,
-                                 names.place(state.span)));
+      states.push_back(port_view(names.message(state.space), names.node_state[n][s],
+                                 state.space.describe(),
+                                 graph.nodes[n].name + ".states." + state.name));
     }
   }
   for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
     for (std::size_t i = 0; i < graph.nodes[n].inputs.size(); ++i) {
       const Input& input = graph.nodes[n].inputs[i];
       if (names.delay_state[n][i].empty()) continue;
-      View field = object();
-      field.set("type", "double");
-      field.set("field", names.delay_state[n][i]);
-      field.set("space", fmt::format("s, at most {}", input.max_delay_s->to_string()));
-      field.set("place", names.place(input.span));
-      states.push_back(field);
+      states.push_back(port_view("double", names.delay_state[n][i],
+                                 fmt::format("s, at most {}", input.max_delay_s->to_string()),
+                                 "delay of " + input.written));
     }
   }
   view["actions"] = std::move(actions);

@@ -45,13 +45,8 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory) {
                                      : "Graph::policy(seen)");
   view.set("guards", actions.is_non_empty_list());
   view.set("guards_outputs", !graph.safety.outputs.empty());
-  view.set("safety_place",
-           text_or_false(graph.safety.declared
-                             ? fmt::format("{}:{}", graph.file_name, graph.safety.span.line)
-                             : ""));
-  view.set("task_place",
-           text_or_false(graph.task ? fmt::format("{}:{}", graph.file_name, graph.task->span.line)
-                                    : ""));
+  view.set("has_safety", graph.safety.declared);
+  view.set("has_task", graph.task.has_value());
   view["actions"] = has_policy ? list() : std::move(actions);
   view["observations"] = std::move(observations);
   return view;

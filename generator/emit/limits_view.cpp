@@ -25,12 +25,10 @@ class LimitsView {
   }
 
  private:
-  View space_view(const std::string& field, const Space& space, Span span,
-                  const std::string& prefix) {
+  View space_view(const std::string& field, const Space& space, const std::string& prefix) {
     View item = object();
     item.set("field", field);
     item.set("type", message_type(space));
-    item.set("place", names_.place(span));
     item.set("constant", constants_.unique("k" + prefix + camel(field)));
     item.set("literal", space_literal(space));
     return item;
@@ -40,13 +38,12 @@ class LimitsView {
     View actions = list(), actuators = list();
     std::vector<View> views;
     for (const auto& action : graph_.environment().outputs)
-      views.push_back(space_view(action.name, action.space, action.span, "Action"));
+      views.push_back(space_view(action.name, action.space, "Action"));
     for (std::size_t i = 0; i < views.size(); ++i) {
       const AppliedAction& applied = graph_.applied[i];
       views[i].set("applied", views[i].get("constant")->string_value());
       if (!applied.narrowed_by.empty()) {
-        View item = space_view(graph_.environment().outputs[i].name, applied.space, applied.span,
-                               "Applied");
+        View item = space_view(graph_.environment().outputs[i].name, applied.space, "Applied");
         item.set("what", applied.narrowed_by);
         views[i].set("applied", item.get("constant")->string_value());
         actuators.push_back(item);
@@ -63,7 +60,7 @@ class LimitsView {
     View observations = list();
     if (names_.receives(Graph::kEnvironment)) {
       for (const auto& input : graph_.environment().inputs)
-        observations.push_back(space_view(input.name, input.space, input.span, "Observation"));
+        observations.push_back(space_view(input.name, input.space, "Observation"));
     }
     view_.set("has_observations", observations.is_non_empty_list());
     view_["observations"] = std::move(observations);
@@ -94,7 +91,7 @@ class LimitsView {
       if (!guards) break;
       const Input& input = graph_.environment().inputs[output.input];
       ports.push_back(input);
-      View item = space_view(input.name, output.space, output.span, "Output");
+      View item = space_view(input.name, output.space, "Output");
       item.set("value", message_literal(shortened(output.value), output.space));
       const Rational steps = output.hold_s * graph_.environment().rate_hz;
       item.set("hold_steps", output.holds_always
@@ -123,7 +120,7 @@ class LimitsView {
   void add_safety() {
     constexpr std::int64_t kNsPerSecond = 1'000'000'000;
     const Safety& safety = graph_.safety;
-    view_.set("safety_place", text_or_false(safety.declared ? names_.place(safety.span) : ""));
+    view_.set("has_safety", safety.declared);
     view_.set("declared", bool_literal(safety.declared));
     view_.set("late", fmt::format("{}", safety.late));
     const auto whole_ns = [](const Rational& seconds) {
@@ -135,12 +132,12 @@ class LimitsView {
     view_.set("recover", fmt::format("{}", safety.recover));
     view_.set("clips", bool_literal(safety.clips));
     view_.set("holds", bool_literal(safety.holds));
-    std::vector<std::string> values;
+    std::vector<FieldValue> values;
     for (std::size_t i = 0; i < safety.actions.size(); ++i) {
-      values.push_back(
-          message_literal(shortened(safety.actions[i]), graph_.environment().outputs[i].space));
+      const Output& action = graph_.environment().outputs[i];
+      values.push_back({action.name, message_literal(shortened(safety.actions[i]), action.space)});
     }
-    view_.set("safe_action", braced(values));
+    view_.set("safe_action", designated(values));
   }
 
   const Plan& plan_;

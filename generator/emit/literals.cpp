@@ -103,4 +103,11 @@ std::string braced(const std::vector<std::string>& items) {
   return "{" + joined(items) + "}";
 }
 
+std::string designated(const std::vector<FieldValue>& items) {
+  std::vector<std::string> texts;
+  texts.reserve(items.size());
+  for (const auto& item : items) texts.push_back(fmt::format(".{} = {}", item.field, item.value));
+  return braced(texts);
+}
+
 }  // namespace eagerx::gen

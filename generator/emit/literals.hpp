@@ -28,5 +28,11 @@ std::string space_literal(const Space& space);
 std::string joined(const std::vector<std::string>& items);
 /// "{a, b, c}"
 std::string braced(const std::vector<std::string>& items);
+/// A value and the field that it is for.
+struct FieldValue {
+  std::string field, value;
+};
+/// "{.a = 1, .b = 2}": another order, or another field, does not compile.
+std::string designated(const std::vector<FieldValue>& items);
 
 }  // namespace eagerx::gen

@@ -17,11 +17,7 @@ bool is_drawn(const Plan& plan, const Ring& ring) {
 }
 
 ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
-    : numbers(of),
-      io_owner(io_owners(plan, part)),
-      plan_(plan),
-      part_(part),
-      file_name_(plan.graph->file_name) {
+    : numbers(of), io_owner(io_owners(plan, part)), plan_(plan), part_(part) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
   // Each of these has a struct of its own that says what it is compiled for.
@@ -39,8 +35,8 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
   for (const char* taken :
-       {"slot_", "due_", "kind_", "countdown_", "warm_", "started_", "resetting_",
-        "reset_timeouts_", "refused_delays_", "arrivals_", "drawing_"})
+       {"slot_", "due_", "countdown_", "warm_", "started_", "resetting_", "reset_timeouts_",
+        "refused_delays_", "memory_faults_", "arrivals_", "drawing_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
@@ -146,10 +142,6 @@ bool ProgramNames::has_io(std::size_t node) const {
     if (io_owner[n] == node && !left_out(n)) return true;
   }
   return false;
-}
-
-std::string ProgramNames::place(Span span) const {
-  return fmt::format("{}:{}:{}", file_name_, span.line, span.column);
 }
 
 }  // namespace eagerx::gen

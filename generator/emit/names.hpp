@@ -41,9 +41,6 @@ struct ProgramNames {
   std::vector<std::vector<std::string>> delay_member, delay_state;   // of delays that may change
   std::vector<std::vector<std::string>> channel;  // constants, by node and output
 
-  /// "graph.yaml:14:5"
-  [[nodiscard]] std::string place(Span span) const;
-
   /// What there is in this program of a split graph; of a whole one everything.
   [[nodiscard]] bool is_split() const { return part_ != Part::whole; }
   [[nodiscard]] bool is_board() const { return part_ == Part::board; }
@@ -82,7 +79,6 @@ struct ProgramNames {
 
   const Plan& plan_;
   Part part_;
-  std::string file_name_;
 };
 
 /// Whether only pictures need what is in a ring; the names of its member and of its node's then

@@ -61,11 +61,10 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
   return answers;
 }
 
-View policy_node_view(const Plan& plan, const ProgramNames& names, const NodePolicy& policy) {
+View policy_node_view(const Plan& plan, const NodePolicy& policy) {
   const GraphNode& node = plan.graph->nodes[policy.node];
   View view = object();
   view.set("node_name", node.name);
-  view.set("place", names.place(node.span));
   View inputs = list(), spaces = list();
   for (const Input* input : policy.use.inputs) {
     View item = object();

@@ -16,6 +16,6 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
 bool reads_in_order(const PolicyUse& use, const Network& network);
 
 /// The class of a node that runs a policy, for cpp/policy_node.mustache.
-View policy_node_view(const Plan& plan, const ProgramNames& names, const NodePolicy& policy);
+View policy_node_view(const Plan& plan, const NodePolicy& policy);
 
 }  // namespace eagerx::gen

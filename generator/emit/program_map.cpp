@@ -3,6 +3,44 @@
 #include "generator/emit/reset_view.hpp"
 
 namespace eagerx::gen {
+namespace {
+
+/// Where the comments of generated code can be found again: these name elements only, so that a
+/// comment in the graph changes nothing but this.
+std::vector<ProgramMap::Place> places_of(const Graph& graph) {
+  std::vector<ProgramMap::Place> places;
+  const auto add = [&](const Span& span, const std::string& element) {
+    if (span.line > 0) places.push_back({span.line, span.column, element});
+  };
+  const auto add_states = [&](const std::vector<State>& states, const std::string& owner) {
+    for (const auto& state : states) add(state.span, owner + ".states." + state.name);
+  };
+  for (const auto& action : graph.environment().outputs) add(action.span, "actions." + action.name);
+  for (const auto& observation : graph.environment().inputs)
+    add(observation.span, observation.written);
+  for (const auto& object : graph.objects) {
+    add(object.span, object.name);
+    add_states(object.states, object.name);
+  }
+  for (const auto& node : graph.nodes) {
+    if (node.entity == nullptr) continue;
+    add(node.span, node.name);
+    add_states(node.states, node.name);
+  }
+  if (graph.task) {
+    const Task& task = *graph.task;
+    add(task.span, "task");
+    for (const auto& term : task.terms) add(term.span, "task.reward." + term.name);
+    for (const auto& end : task.terminated) add(end.span, "task.terminated." + end.name);
+    for (const auto& end : task.truncated) add(end.span, "task.truncated." + end.name);
+    for (const auto& success : task.success) add(success.span, "task.success." + success.name);
+  }
+  if (graph.safety.declared) add(graph.safety.span, "safety");
+  add(graph.agent.span, "agent");
+  return places;
+}
+
+}  // namespace
 
 ProgramMap program_map(const Plan& plan, const ProgramNames& names, const MarkedText& program) {
   const Graph& graph = *plan.graph;
@@ -15,6 +53,8 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
   }
   for (const auto& block : map.blocks) map.type_of_node[block.node] = types.at(block.node);
 
+  map.graph_file = graph.file_name;
+  map.places = places_of(graph);
   map.owner_of_member["trace"] = {false, "runtime"};
   for (const std::size_t n : nodes_in_order(plan)) {
     if (names.runs(n) && !graph.nodes[n].drawn)

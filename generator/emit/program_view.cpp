@@ -102,7 +102,6 @@ class ProgramView {
       const std::string value = here ? "action." + output.name : place.expression;
       View action = object();
       action.set("field", output.name);
-      action.set("place", names_.place(output.span));
       action["slots"] = slots_view({place});
       action.set("ring", place.expression);
       action.set("is_here", here);
@@ -155,17 +154,17 @@ class ProgramView {
   }
 
   void add_observation() {
-    std::vector<std::string> windows, nothing;
+    std::vector<FieldValue> windows, nothing;
     bool asks = false;
     const auto& inputs = graph_.environment().inputs;
     for (std::size_t i = 0; names_.receives(Graph::kEnvironment) && i < inputs.size(); ++i) {
-      windows.push_back(window_argument(plan_, names_, Graph::kEnvironment, i));
+      windows.push_back({inputs[i].name, window_argument(plan_, names_, Graph::kEnvironment, i)});
       const std::size_t ring = plan_.nodes[Graph::kEnvironment].receptions[i].ring;
-      nothing.push_back(fmt::format("{{{}, 0, 0}}", names_.ring_member[ring]));
+      nothing.push_back({inputs[i].name, fmt::format("{{{}, 0, 0}}", names_.ring_member[ring])});
       asks = asks || asks_what_is_due(plan_, Graph::kEnvironment, i);
     }
-    view_.set("observation", braced(windows));
-    view_.set("nothing", "Observation" + braced(nothing));
+    view_.set("observation", designated(windows));
+    view_.set("nothing", "Observation" + designated(nothing));
     view_.set("observation_asks", asks);
   }
 

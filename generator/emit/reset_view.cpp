@@ -72,8 +72,8 @@ class ResetView {
     View view = object();
     view.set("all", joined(all));
     // Whether the engine's reset takes the simulators, too, is for the C++ compiler to see.
-    all.insert(all.begin() + 1,
-               names_.io[Graph::kEngine] + "::States" + braced(state_arguments(Graph::kEngine)));
+    all.insert(all.begin() + 1, names_.io[Graph::kEngine] + "::States" +
+                                    designated(state_arguments(Graph::kEngine)));
     view.set("reset_call", fmt::format("eagerx::reset_engine({})", joined(all)));
     view.set("has_states", states.is_non_empty_list());
     view["states"] = std::move(states);
@@ -84,12 +84,14 @@ class ResetView {
     View resets = list();
     for (const std::size_t n : nodes_in_order(plan_)) {
       if (graph_.nodes[n].role == NodeRole::engine || !names_.runs(n)) continue;
-      std::vector<std::string> arguments = {braced(state_arguments(n))}, delays;
+      std::vector<std::string> arguments = {designated(state_arguments(n))};
+      std::vector<FieldValue> delays;
       const GraphNode& node = graph_.nodes[n];
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
-        if (node.inputs[i].entity_sets_delay) delays.push_back(names_.delay_member[n][i]);
+        if (node.inputs[i].entity_sets_delay)
+          delays.push_back({node.inputs[i].name, names_.delay_member[n][i]});
       }
-      if (!delays.empty()) arguments.push_back(braced(delays));
+      if (!delays.empty()) arguments.push_back(designated(delays));
       View reset = object();
       reset.set("is_drawn", node.drawn);
       reset.set("call", fmt::format("{}.reset({}{})", names_.node_member[n], joined(arguments),
@@ -99,10 +101,10 @@ class ResetView {
     view_["resets"] = std::move(resets);
   }
 
-  std::vector<std::string> state_arguments(std::size_t n) {
-    std::vector<std::string> arguments;
+  std::vector<FieldValue> state_arguments(std::size_t n) {
+    std::vector<FieldValue> arguments;
     for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s)
-      arguments.push_back(state_argument(n, s));
+      arguments.push_back({graph_.nodes[n].states[s].name, state_argument(n, s)});
     return arguments;
   }
 
@@ -208,13 +210,13 @@ class ResetView {
     for (const std::size_t n : nodes_in_order(plan_)) {
       const GraphNode& node = graph_.nodes[n];
       if (!node.is_reset_node()) continue;
-      std::vector<std::string> targets;
+      std::vector<FieldValue> targets;
       for (std::size_t t = 0; t < node.reset_targets.size(); ++t) {
         const ResetTarget& target = node.reset_targets[t];
         const std::string field =
             "states." + (target.object ? names_.object_state[*target.object][target.state]
                                        : names_.node_state[target.node][target.state]);
-        targets.push_back(optional(field, names_.target_processor[n][t]));
+        targets.push_back({target.name, optional(field, names_.target_processor[n][t])});
         asked.push_back(field);
         open.push_back(fmt::format("{0}.{2} && !{1}.{2}", names_.targets_member[n],
                                    names_.done_member[n], target.name));
@@ -223,7 +225,7 @@ class ResetView {
       item.set("io", names_.io[n]);
       item.set("targets_member", names_.targets_member[n]);
       item.set("done_member", names_.done_member[n]);
-      item.set("targets", braced(targets));
+      item.set("targets", designated(targets));
       reset_nodes.push_back(item);
     }
     View view = object();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "generator/emit/expression_text.hpp"
 #include "generator/emit/names.hpp"
@@ -54,7 +55,6 @@ class TaskView {
   }
 
   View make() {
-    view_.set("place", names_.place(task_.span));
     add_inputs();
     add_time();
     ExpressionWriter writer(variables_, "time", locals_);
@@ -141,7 +141,6 @@ class TaskView {
     View view = object();
     view.set("name", expression.name);
     view.set("text", expression.text);
-    view.set("place", names_.place(expression.span));
     view["lines"] = lines_view(lines);
     return view;
   }
@@ -213,7 +212,6 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   View view = object();
   view.set("real", names.real());
   view.set("truth", std::string(element_type(Dtype::boolean, names.numbers)));
-  view.set("place", names.place(task->span));
   view.set("count", fmt::format("{}", task->terms.size()));
   view.set("steps", fmt::format("{}", task->after));
   view["term_names"] = names_view(task->terms);
@@ -227,8 +225,12 @@ View outcome_view(const Plan& plan, const ProgramNames& names) {
   const auto first_term = places.begin() + Task::term;
   terms.assign(first_term, places.end());
   places.erase(first_term, places.end());
-  places.push_back(braced({braced(terms)}));
-  view.set("values", braced(places));
+  const std::array<const char*, Task::term> names_of_outputs = {"reward", "terminated", "truncated",
+                                                                "success"};
+  std::vector<FieldValue> values;
+  for (std::size_t i = 0; i < Task::term; ++i) values.push_back({names_of_outputs[i], places[i]});
+  values.push_back({"terms", braced({braced(terms)})});
+  view.set("values", designated(values));
   View fields = list();
   for (std::size_t i = 0; i < task->terms.size(); ++i) {
     View field = object();

@@ -36,7 +36,7 @@ std::string window_argument(const Plan& plan, const ProgramNames& names, std::si
       total = names.counter[rate] + " - 1";
       break;
     case Reception::Count::ticks_before:
-      total = fmt::format("{} - ((due & {}) != 0)", names.counter[rate], names.due[rate]);
+      total = fmt::format("{} - ((due & {}) != 0 ? 1U : 0U)", names.counter[rate], names.due[rate]);
       break;
     case Reception::Count::delayed:
     case Reception::Count::skipped:

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 namespace eagerx::gen {
 namespace {
 
-constexpr std::string_view kFirstLine = "eagerx-gen program map 1";
+constexpr std::string_view kFirstLine = "eagerx-gen program map 2";
 
 /// One line in words.
 class Words {
@@ -31,6 +32,8 @@ class Words {
       return std::nullopt;
     return value;
   }
+  /// All that is left: a file's name may have blanks.
+  std::string rest() { return std::string(std::exchange(rest_, {})); }
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
 
  private:
@@ -68,6 +71,8 @@ class Parser {
     if (kind == "program") return take_program(words);
     if (kind == "node") return take_node(words);
     if (kind == "lines") return take_lines(words);
+    if (kind == "graph") return take_graph(words);
+    if (kind == "place") return take_place(words);
     return kind == "member" && take_member(words);
   }
 
@@ -103,6 +108,21 @@ class Parser {
     if (member.empty() || owner.name.empty() || (kind != "node" && kind != "part")) return false;
     if (owner.is_node && !map_.type_of_node.contains(owner.name)) return false;
     return map_.owner_of_member.emplace(member, owner).second;
+  }
+
+  bool take_graph(Words& words) {
+    if (!map_.graph_file.empty()) return false;
+    map_.graph_file = words.rest();
+    return !map_.graph_file.empty();
+  }
+
+  bool take_place(Words& words) {
+    const auto line = words.number<std::uint32_t>();
+    const auto column = words.number<std::uint32_t>();
+    const std::string element(words.word());
+    if (!line || !column || element.empty()) return false;
+    map_.places.push_back({*line, *column, element});
+    return true;
   }
 
   std::optional<ProgramMap> fail(std::string_view what) {
@@ -144,13 +164,17 @@ std::string to_text(const ProgramMap& map) {
   text +=
       "# What of program.hpp belongs to which node, for `eagerx-gen size`: the hash of its text, "
       "nodes and\n";
-  text += "# their types, lines, members of the class.\n";
+  text +=
+      "# their types, lines, members of the class. Places are lines and columns of the graph.\n";
   text += fmt::format("program {:016x}\n", map.program_hash);
   for (const auto& [node, type] : map.type_of_node) text += fmt::format("node {} {}\n", node, type);
   for (const auto& block : map.blocks)
     text += fmt::format("lines {} {} {}\n", block.first, block.last, block.node);
   for (const auto& [member, owner] : map.owner_of_member)
     text += fmt::format("member {} {} {}\n", member, owner.is_node ? "node" : "part", owner.name);
+  if (!map.graph_file.empty()) text += fmt::format("graph {}\n", map.graph_file);
+  for (const auto& place : map.places)
+    text += fmt::format("place {} {} {}\n", place.line, place.column, place.element);
   return text;
 }
 

@@ -30,10 +30,18 @@ struct ProgramMap {
     std::string name;
   };
 
+  /// Where an element of the graph is written.
+  struct Place {
+    std::uint32_t line = 0, column = 0;
+    std::string element;  // `smooth`, `actions.voltage`, `task.reward.upright`
+  };
+
   std::uint64_t program_hash = 0;                   // of the text of program.hpp
   std::map<std::string, std::string> type_of_node;  // `smooth` → `ButterworthFilter`
   std::vector<Block> blocks;                        // in the order of their lines, none in another
   std::map<std::string, Owner> owner_of_member;     // those of the schedule are left out
+  std::string graph_file;                           // of the places; its name alone
+  std::vector<Place> places;                        // in the order of the graph
 
   /// Whose line this is; nullptr if it is no node's.
   [[nodiscard]] const std::string* node_of_line(std::uint32_t line) const;

@@ -2,6 +2,7 @@
 // Reference Manual (DDI 0403E) B3.2.15 to B3.2.18 (fault status registers), B1.5.6 (stacked frame);
 // ARMv8-M (DDI 0553B).
 #include <cstdint>
+#include <eagerx/memory_fault.hpp>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
@@ -87,6 +88,11 @@ void eagerx_report_exception(const std::uint32_t* frame, std::uint32_t number) {
   console.text("\n");
   console.flush();
   eagerx::board::semihosting_exit(eagerx::board::kFault);
+}
+
+// What a program finds in its memory ends like every other fault.
+void eagerx_memory_fault() {
+  __builtin_trap();
 }
 
 // The stack may be what is broken: report on a fresh one, nobody returns.

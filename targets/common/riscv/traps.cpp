@@ -1,6 +1,7 @@
 // Traps switch outputs off, say what they are and end the program. Source: "The RISC-V Instruction
 // Set Manual, Volume II: Privileged Architecture", 20211203, 3.1.15 (mcause).
 #include <cstdint>
+#include <eagerx/memory_fault.hpp>
 #include <iterator>
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
@@ -61,6 +62,11 @@ void eagerx_report_trap(std::uint32_t cause, std::uint32_t address, std::uint32_
   console.text("\n");
   console.flush();
   eagerx::board::semihosting_exit(eagerx::board::kFault);
+}
+
+// What a program finds in its memory ends like every other fault.
+void eagerx_memory_fault() {
+  __builtin_trap();
 }
 
 // The stack may be what is broken: report on a fresh one, nobody returns.

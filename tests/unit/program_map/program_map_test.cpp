@@ -14,10 +14,12 @@ ProgramMap example() {
   map.owner_of_member = {{"smooth_", {true, "smooth"}},
                          {"smooth_filtered_", {false, "rings"}},
                          {"trace", {false, "runtime"}}};
+  map.graph_file = "my graph.yaml";
+  map.places = {{12, 3, "actions.voltage"}, {9, 5, "smooth"}};
   return map;
 }
 
-constexpr const char* kHead = "eagerx-gen program map 1\nprogram 01\nnode a A\nnode b B\n";
+constexpr const char* kHead = "eagerx-gen program map 2\nprogram 01\nnode a A\nnode b B\n";
 
 std::string problem(const std::string& text) {
   Diagnostics diagnostics;
@@ -35,6 +37,11 @@ TEST(ProgramMap, IsReadAsItWasWritten) {
   EXPECT_EQ(to_text(*map), text);
   EXPECT_EQ(map->program_hash, example().program_hash);
   EXPECT_EQ(map->type_of_node.at("pendulum/theta"), "FloatOutput");
+  EXPECT_EQ(map->graph_file, "my graph.yaml");
+  ASSERT_EQ(map->places.size(), 2U);
+  EXPECT_EQ(map->places[1].line, 9U);
+  EXPECT_EQ(map->places[1].column, 5U);
+  EXPECT_EQ(map->places[1].element, "smooth");
 }
 
 TEST(ProgramMap, KnowsWhoseLinesAndMembersAre) {
@@ -58,9 +65,9 @@ TEST(ProgramMap, ACommentIsNoLine) {
 
 TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
   EXPECT_EQ(problem(""), "`m:1` is no program map that this eagerx-gen reads");
-  EXPECT_EQ(problem("eagerx-gen program map 2\n"),
+  EXPECT_EQ(problem("eagerx-gen program map 1\n"),
             "`m:1` is no program map that this eagerx-gen reads");
-  EXPECT_EQ(problem("eagerx-gen program map 1\nnode a A\n"),
+  EXPECT_EQ(problem("eagerx-gen program map 2\nnode a A\n"),
             "`m:2` ends without the hash of program.hpp");
   for (const char* line : {"",
                            "\r",
@@ -82,6 +89,10 @@ TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
                            "program",
                            "member x",
                            "member x node c",
+                           "graph",
+                           "place 1 2",
+                           "place 1 x smooth",
+                           "place 1 2 smooth more",
                            "member x part ",
                            "member x ring a",
                            "member  part a",

@@ -23,6 +23,9 @@ struct Graph : Limits {
   using Rate = eagerx::Rate<10>;  // of the environment
 
   static constexpr const char* kName = "multi_rate";
+  static constexpr std::uint64_t kGraphHash = graphs::multi_rate::kGraphHash;
+  static constexpr std::uint64_t kPolicyHash = graphs::multi_rate::kPolicyHash;
+  static constexpr const char* kGenerator = graphs::multi_rate::kGenerator;
   static constexpr const char* kEngine = "OdeEngine";
   static constexpr const char* kDefaultAgent = "random";
   static constexpr const char* kAgentCsv = "";
@@ -71,30 +74,30 @@ struct Graph : Limits {
       {-2.0, 2.0},  // slow/filtered
   };
 
-  /// What left.model_state is drawn from, graph.yaml:20:21
+  /// What left.model_state is drawn from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateLeftModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
-  /// What left.mass is drawn from, graph.yaml:21:14
+  /// What left.mass is drawn from
   static constexpr eagerx::Space<float> kStateLeftMass{.low = 0.01F, .high = 0.07F};
-  /// What right.model_state is drawn from, graph.yaml:30:21
+  /// What right.model_state is drawn from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStateRightModelState{
       .low = {{-1.0F, -2.0F}}, .high = {{1.0F, 2.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  static States draw(eagerx::EpisodeKey key) {
+  [[nodiscard]] static States draw(eagerx::EpisodeKey key) {
     States states;
-    {  // left/model_state, graph.yaml:20:21
+    {  // left/model_state
       eagerx::Random random(key, eagerx::entity_id("left/model_state"));
       constexpr eagerx::Array<float, 2> kMean{{0.5F, 0.0F}};
       constexpr eagerx::Array<float, 2> kStd{{0.1F, 0.2F}};
       states.left_model_state =
           kStateLeftModelState.clipped(eagerx::draw_normal(random, kMean, kStd));
     }
-    {  // left/mass, graph.yaml:21:14
+    {  // left/mass
       eagerx::Random random(key, eagerx::entity_id("left/mass"));
       states.left_mass = eagerx::draw_log_uniform(random, kStateLeftMass.low, kStateLeftMass.high);
     }
-    {  // left/length, graph.yaml:22:16
+    {  // left/length
       eagerx::Random random(key, eagerx::entity_id("left/length"));
       constexpr float kChoices[] = {
           0.05F,
@@ -103,11 +106,11 @@ struct Graph : Limits {
       };
       states.left_length = eagerx::draw_choice(random, kChoices);
     }
-    {  // right/model_state, graph.yaml:30:21
+    {  // right/model_state
       eagerx::Random random(key, eagerx::entity_id("right/model_state"));
       states.right_model_state = kStateRightModelState.sample(random);
     }
-    {  // right/max_speed, graph.yaml:31:19
+    {  // right/max_speed
       states.right_max_speed = float{22.0F};
     }
     return states;
@@ -139,17 +142,17 @@ struct Graph : Limits {
   }
 
   /// The action that does nothing.
-  static Action zero() { return Action{}; }
+  [[nodiscard]] static Action zero() { return Action{}; }
 
   /// An action drawn uniformly from the spaces of the actions.
-  static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
+  [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
-    return {kActionVoltage.sample(random), kActionPush.sample(random)};
+    return {.voltage = kActionVoltage.sample(random), .push = kActionPush.sample(random)};
   }
 
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
-  static bool self_test() { return true; }
+  [[nodiscard]] static bool self_test() { return true; }
 };
 
 }  // namespace graphs::multi_rate

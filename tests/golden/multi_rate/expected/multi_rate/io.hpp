@@ -46,21 +46,21 @@ inline constexpr std::uint32_t right_x_observation = 12;
 inline constexpr std::uint32_t slow_filtered = 13;
 }  // namespace channel
 
-// left: Pendulum on OdeEngine, graph.yaml:11:3
+// left: Pendulum on OdeEngine
 struct LeftSimulatorIo {
   using Real = graphs::multi_rate::Real;
   struct Config {};
 };
 using LeftSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<LeftSimulatorIo>>;
 
-// right: Pendulum on OdeEngine, graph.yaml:23:3
+// right: Pendulum on OdeEngine
 struct RightSimulatorIo {
   using Real = graphs::multi_rate::Real;
   struct Config {};
 };
 using RightSimulator = eagerx::models::OdeSimulator<eagerx::models::PendulumOde<RightSimulatorIo>>;
 
-// left.model_state: OdeEngineState, graph.yaml:20:7
+// left.states.model_state: OdeEngineState
 struct LeftModelStateIo {
   using Real = graphs::multi_rate::Real;
   using State = eagerx::Array<float, 2>;
@@ -69,7 +69,7 @@ struct LeftModelStateIo {
 };
 using LeftModelState = eagerx::models::OdeEngineState<LeftModelStateIo>;
 
-// left.mass: DummyState, graph.yaml:21:7
+// left.states.mass: DummyState
 struct LeftMassIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
@@ -78,7 +78,7 @@ struct LeftMassIo {
 };
 using LeftMass = eagerx::models::DummyState<LeftMassIo>;
 
-// left.length: DummyState, graph.yaml:22:7
+// left.states.length: DummyState
 struct LeftLengthIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
@@ -87,7 +87,7 @@ struct LeftLengthIo {
 };
 using LeftLength = eagerx::models::DummyState<LeftLengthIo>;
 
-// right.model_state: OdeEngineState, graph.yaml:30:7
+// right.states.model_state: OdeEngineState
 struct RightModelStateIo {
   using Real = graphs::multi_rate::Real;
   using State = eagerx::Array<float, 2>;
@@ -96,7 +96,7 @@ struct RightModelStateIo {
 };
 using RightModelState = eagerx::models::OdeEngineState<RightModelStateIo>;
 
-// right.max_speed: DummyState, graph.yaml:31:7
+// right.states.max_speed: DummyState
 struct RightMaxSpeedIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
@@ -105,7 +105,7 @@ struct RightMaxSpeedIo {
 };
 using RightMaxSpeed = eagerx::models::DummyState<RightMaxSpeedIo>;
 
-// right.length: DummyState, graph.yaml:32:7
+// right.states.length: DummyState
 struct RightLengthIo {
   using Real = graphs::multi_rate::Real;
   using State = float;
@@ -114,7 +114,7 @@ struct RightLengthIo {
 };
 using RightLength = eagerx::models::DummyState<RightLengthIo>;
 
-// observations.angle: DecomposedAngle, graph.yaml:55:59
+// observations.angle: DecomposedAngle
 struct ObservationAngleProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = float;
@@ -123,7 +123,7 @@ struct ObservationAngleProcessorIo {
 };
 using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAngleProcessorIo>;
 
-// fast.filtered: Negate, graph.yaml:43:29
+// fast.filtered: Negate
 struct FastFilteredProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
@@ -132,7 +132,7 @@ struct FastFilteredProcessorIo {
 };
 using FastFilteredProcessor = eagerx::models::Negate<FastFilteredProcessorIo>;
 
-// left/theta_dot.observation: Negate, graph.yaml:15:40
+// left/theta_dot.observation: Negate
 struct LeftThetaDotObservationProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = float;
@@ -141,7 +141,7 @@ struct LeftThetaDotObservationProcessorIo {
 };
 using LeftThetaDotObservationProcessor = eagerx::models::Negate<LeftThetaDotObservationProcessorIo>;
 
-// right/u.action: Identity, graph.yaml:54:51
+// right/u.action: Identity
 struct RightUActionProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
@@ -150,7 +150,7 @@ struct RightUActionProcessorIo {
 };
 using RightUActionProcessor = eagerx::models::Identity<RightUActionProcessorIo>;
 
-// engine: OdeEngine at 60 Hz, graph.yaml:8:1
+// engine: OdeEngine at 60 Hz
 struct EngineIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<60>;
@@ -166,7 +166,7 @@ struct EngineIo {
   struct States {};
 };
 
-// slow: ButterworthFilter at 20 Hz, graph.yaml:35:3
+// slow: ButterworthFilter at 20 Hz
 struct SlowIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
@@ -189,7 +189,7 @@ struct SlowIo {
   struct States {};
 };
 
-// fast: ButterworthFilter at 30 Hz, graph.yaml:36:3
+// fast: ButterworthFilter at 30 Hz
 struct FastIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
@@ -212,7 +212,7 @@ struct FastIo {
   struct States {};
 };
 
-// left/x: OdeOutput at 20 Hz, graph.yaml:11:3
+// left/x: OdeOutput at 20 Hz
 struct LeftXIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
@@ -234,7 +234,7 @@ struct LeftXIo {
   using Simulator = LeftSimulator;
 };
 
-// left/theta: FloatOutput at 20 Hz, graph.yaml:11:3
+// left/theta: FloatOutput at 20 Hz
 struct LeftThetaIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
@@ -257,7 +257,7 @@ struct LeftThetaIo {
   using Simulator = LeftSimulator;
 };
 
-// left/theta_dot: FloatOutput at 30 Hz, graph.yaml:11:3
+// left/theta_dot: FloatOutput at 30 Hz
 struct LeftThetaDotIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
@@ -280,7 +280,7 @@ struct LeftThetaDotIo {
   using Simulator = LeftSimulator;
 };
 
-// left/u: OdeInput at 30 Hz, graph.yaml:11:3
+// left/u: OdeInput at 30 Hz
 struct LeftUIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;
@@ -304,7 +304,7 @@ struct LeftUIo {
   using Simulator = LeftSimulator;
 };
 
-// left/u_applied: ActionApplied at 10 Hz, graph.yaml:11:3
+// left/u_applied: ActionApplied at 10 Hz
 struct LeftUAppliedIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<10>;
@@ -327,7 +327,7 @@ struct LeftUAppliedIo {
   using Simulator = LeftSimulator;
 };
 
-// right/x: OdeOutput at 15 Hz, graph.yaml:23:3
+// right/x: OdeOutput at 15 Hz
 struct RightXIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<15>;
@@ -349,7 +349,7 @@ struct RightXIo {
   using Simulator = RightSimulator;
 };
 
-// right/theta: FloatOutput at 15 Hz, graph.yaml:23:3
+// right/theta: FloatOutput at 15 Hz
 struct RightThetaIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<15>;
@@ -372,7 +372,7 @@ struct RightThetaIo {
   using Simulator = RightSimulator;
 };
 
-// right/u: OdeInput at 20 Hz, graph.yaml:23:3
+// right/u: OdeInput at 20 Hz
 struct RightUIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<20>;
@@ -396,7 +396,7 @@ struct RightUIo {
   using Simulator = RightSimulator;
 };
 
-// right/u_applied: ActionApplied at 30 Hz, graph.yaml:23:3
+// right/u_applied: ActionApplied at 30 Hz
 struct RightUAppliedIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;

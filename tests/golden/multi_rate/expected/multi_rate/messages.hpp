@@ -16,10 +16,16 @@ static_assert(eagerx::kVersionMajor == 0 && eagerx::kVersionMinor == 1,
 
 namespace graphs::multi_rate {
 
+/// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
+/// which is 0 without a policy. A comment in the graph changes neither.
+inline constexpr std::uint64_t kGraphHash = 0x37b4de63543b028bU;
+inline constexpr std::uint64_t kPolicyHash = 0x0000000000000000U;
+inline constexpr const char* kGenerator = "eagerx-gen 0.1.0";
+
 /// What the agent decides at every step.
 struct Action {
-  eagerx::Array<float, 1> voltage;  // float32 [1], graph.yaml:46:3
-  eagerx::Array<float, 1> push;  // float32 [1], graph.yaml:47:3
+  eagerx::Array<float, 1> voltage;  // float32 [1]
+  eagerx::Array<float, 1> push;  // float32 [1]
 
   template <class F>
   void for_each(F&& f) const {
@@ -31,15 +37,15 @@ struct Action {
 /// What the agent sees: windows into the program's own memory, oldest message first, valid until
 /// the next step or reset.
 struct Observation {
-  // float32 [2], graph.yaml:55:28
+  // float32 [2]
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<20>, 2, 2, false> angle;
-  // float32 [], graph.yaml:56:32
+  // float32 []
   eagerx::PaddedWindow<float, eagerx::Rate<30>, 8, 4, false> speeds;
-  // float32 [1], graph.yaml:57:31
+  // float32 [1]
   eagerx::Window<eagerx::Array<float, 1>, eagerx::Rate<30>, 4, 3, false> recent;
-  // float32 [1], graph.yaml:58:32
+  // float32 [1]
   eagerx::PaddedWindow<eagerx::Array<float, 1>, eagerx::Rate<10>, 2, 1, false> applied;
-  // float32 [], graph.yaml:59:29
+  // float32 []
   eagerx::PaddedWindow<float, eagerx::Rate<15>, 2, 1, true> other;
 
   template <class F>
@@ -54,12 +60,14 @@ struct Observation {
 
 /// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {
-  std::optional<eagerx::Array<float, 2>> left_model_state{};  // float32 [2], graph.yaml:20:7
-  std::optional<float> left_mass{};  // float32 [], graph.yaml:21:7
-  std::optional<float> left_length{};  // float32 [], graph.yaml:22:7
-  std::optional<eagerx::Array<float, 2>> right_model_state{};  // float32 [2], graph.yaml:30:7
-  std::optional<float> right_max_speed{};  // float32 [], graph.yaml:31:7
-  std::optional<float> right_length{};  // float32 [], graph.yaml:32:7
+  // left.states.model_state: float32 [2]
+  std::optional<eagerx::Array<float, 2>> left_model_state{};
+  std::optional<float> left_mass{};  // left.states.mass: float32 []
+  std::optional<float> left_length{};  // left.states.length: float32 []
+  // right.states.model_state: float32 [2]
+  std::optional<eagerx::Array<float, 2>> right_model_state{};
+  std::optional<float> right_max_speed{};  // right.states.max_speed: float32 []
+  std::optional<float> right_length{};  // right.states.length: float32 []
 
   /// f(name, optional message) for each.
   template <class F>

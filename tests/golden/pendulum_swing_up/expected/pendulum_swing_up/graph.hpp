@@ -24,12 +24,15 @@ struct Graph : Limits {
   using Rate = eagerx::Rate<30>;  // of the environment
 
   static constexpr const char* kName = "pendulum_swing_up";
+  static constexpr std::uint64_t kGraphHash = graphs::pendulum_swing_up::kGraphHash;
+  static constexpr std::uint64_t kPolicyHash = graphs::pendulum_swing_up::kPolicyHash;
+  static constexpr const char* kGenerator = graphs::pendulum_swing_up::kGenerator;
   static constexpr const char* kEngine = "OdeEngine";
   static constexpr const char* kDefaultAgent = "policy";
   static constexpr const char* kAgentCsv = "";
   static constexpr bool kHasPolicy = true;
 
-  /// `render:`, graph.yaml:38:1: pictures at this rate.
+  /// `render:`: pictures at this rate.
   static constexpr bool kRenders = true;
   using RenderRate = eagerx::Rate<30>;
   using Rendered = typename decltype(RenderIo::Inputs::source)::value_type;
@@ -61,24 +64,24 @@ struct Graph : Limits {
       {-2.0, 2.0},  // smooth/filtered
   };
 
-  /// What pendulum.model_state is drawn from, graph.yaml:16:20
+  /// What pendulum.model_state is drawn from
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kStatePendulumModelState{
       .low = {{-3.14F, -9.0F}}, .high = {{3.14F, 9.0F}}};
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  static States draw(eagerx::EpisodeKey key) {
+  [[nodiscard]] static States draw(eagerx::EpisodeKey key) {
     States states;
-    {  // pendulum/model_state, graph.yaml:16:20
+    {  // pendulum/model_state
       eagerx::Random random(key, eagerx::entity_id("pendulum/model_state"));
       states.pendulum_model_state = kStatePendulumModelState.sample(random);
     }
-    {  // pendulum/mass, graph.yaml:18:14
+    {  // pendulum/mass
       states.pendulum_mass = float{0.0358F};
     }
-    {  // pendulum/length, graph.yaml:19:16
+    {  // pendulum/length
       states.pendulum_length = float{0.1158F};
     }
-    {  // pendulum/max_speed, graph.yaml:20:19
+    {  // pendulum/max_speed
       states.pendulum_max_speed = float{22.0F};
     }
     return states;
@@ -104,16 +107,16 @@ struct Graph : Limits {
   }
 
   /// The action that does nothing.
-  static Action zero() { return Action{}; }
+  [[nodiscard]] static Action zero() { return Action{}; }
 
   /// An action drawn uniformly from the spaces of the actions.
-  static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
+  [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 2U);
-    return {kActionVoltage.sample(random)};
+    return {.voltage = kActionVoltage.sample(random)};
   }
 
-  /// The trained policy's action: swing_up.onnx, graph.yaml:39:17
-  static Action policy(const Observation& observation) {
+  /// The trained policy's action: swing_up.onnx
+  [[nodiscard]] static Action policy(const Observation& observation) {
     float input[policy::kInputs];
     float output[policy::kOutputs];
     std::size_t in = 0;
@@ -130,7 +133,7 @@ struct Graph : Limits {
 
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 8;
-  static bool self_test() { return policy::self_test(); }
+  [[nodiscard]] static bool self_test() { return policy::self_test(); }
 };
 
 }  // namespace graphs::pendulum_swing_up

@@ -39,7 +39,7 @@ inline constexpr std::uint32_t pendulum_x_observation = 6;
 inline constexpr std::uint32_t smooth_filtered = 7;
 }  // namespace channel
 
-// pendulum: Pendulum on OdeEngine, graph.yaml:13:3
+// pendulum: Pendulum on OdeEngine
 struct PendulumSimulatorIo {
   using Real = graphs::pendulum_swing_up::Real;
   struct Config {};
@@ -47,7 +47,7 @@ struct PendulumSimulatorIo {
 using PendulumSimulator =
     eagerx::models::OdeSimulator<eagerx::models::PendulumOde<PendulumSimulatorIo>>;
 
-// pendulum.model_state: OdeEngineState, graph.yaml:16:7
+// pendulum.states.model_state: OdeEngineState
 struct PendulumModelStateIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = eagerx::Array<float, 2>;
@@ -56,7 +56,7 @@ struct PendulumModelStateIo {
 };
 using PendulumModelState = eagerx::models::OdeEngineState<PendulumModelStateIo>;
 
-// pendulum.mass: DummyState, graph.yaml:18:7
+// pendulum.states.mass: DummyState
 struct PendulumMassIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = float;
@@ -65,7 +65,7 @@ struct PendulumMassIo {
 };
 using PendulumMass = eagerx::models::DummyState<PendulumMassIo>;
 
-// pendulum.length: DummyState, graph.yaml:19:7
+// pendulum.states.length: DummyState
 struct PendulumLengthIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = float;
@@ -74,7 +74,7 @@ struct PendulumLengthIo {
 };
 using PendulumLength = eagerx::models::DummyState<PendulumLengthIo>;
 
-// pendulum.max_speed: DummyState, graph.yaml:20:7
+// pendulum.states.max_speed: DummyState
 struct PendulumMaxSpeedIo {
   using Real = graphs::pendulum_swing_up::Real;
   using State = float;
@@ -83,7 +83,7 @@ struct PendulumMaxSpeedIo {
 };
 using PendulumMaxSpeed = eagerx::models::DummyState<PendulumMaxSpeedIo>;
 
-// observations.angle: DecomposedAngle, graph.yaml:35:63
+// observations.angle: DecomposedAngle
 struct ObservationAngleProcessorIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Input = float;
@@ -92,7 +92,7 @@ struct ObservationAngleProcessorIo {
 };
 using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAngleProcessorIo>;
 
-// engine: OdeEngine at 30 Hz, graph.yaml:7:1
+// engine: OdeEngine at 30 Hz
 struct EngineIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -108,7 +108,7 @@ struct EngineIo {
   struct States {};
 };
 
-// smooth: ButterworthFilter at 30 Hz, graph.yaml:23:3
+// smooth: ButterworthFilter at 30 Hz
 struct SmoothIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -131,7 +131,7 @@ struct SmoothIo {
   struct States {};
 };
 
-// pendulum/x: OdeOutput at 30 Hz, graph.yaml:13:3
+// pendulum/x: OdeOutput at 30 Hz
 struct PendulumXIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -153,7 +153,7 @@ struct PendulumXIo {
   using Simulator = PendulumSimulator;
 };
 
-// pendulum/theta: FloatOutput at 30 Hz, graph.yaml:13:3
+// pendulum/theta: FloatOutput at 30 Hz
 struct PendulumThetaIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -176,7 +176,7 @@ struct PendulumThetaIo {
   using Simulator = PendulumSimulator;
 };
 
-// pendulum/theta_dot: FloatOutput at 30 Hz, graph.yaml:13:3
+// pendulum/theta_dot: FloatOutput at 30 Hz
 struct PendulumThetaDotIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -199,7 +199,7 @@ struct PendulumThetaDotIo {
   using Simulator = PendulumSimulator;
 };
 
-// pendulum/u: OdeInput at 30 Hz, graph.yaml:13:3
+// pendulum/u: OdeInput at 30 Hz
 struct PendulumUIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -223,7 +223,7 @@ struct PendulumUIo {
   using Simulator = PendulumSimulator;
 };
 
-// pendulum/u_applied: ActionApplied at 30 Hz, graph.yaml:13:3
+// pendulum/u_applied: ActionApplied at 30 Hz
 struct PendulumUAppliedIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -246,7 +246,7 @@ struct PendulumUAppliedIo {
   using Simulator = PendulumSimulator;
 };
 
-// pendulum/scene: PendulumDrawing at 30 Hz, graph.yaml:13:3
+// pendulum/scene: PendulumDrawing at 30 Hz
 struct PendulumSceneIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;
@@ -270,7 +270,7 @@ struct PendulumSceneIo {
   using Simulator = PendulumSimulator;
 };
 
-// render: Render at 30 Hz, graph.yaml:38:1
+// render: Render at 30 Hz
 struct RenderIo {
   using Real = graphs::pendulum_swing_up::Real;
   using Rate = eagerx::Rate<30>;

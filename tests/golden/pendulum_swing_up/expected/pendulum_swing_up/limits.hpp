@@ -17,13 +17,13 @@ struct Limits {
   using Action = graphs::pendulum_swing_up::Action;
   using Observation = graphs::pendulum_swing_up::Observation;
 
-  /// actions.voltage, graph.yaml:29:3
+  /// actions.voltage
   static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
       .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.angle, graph.yaml:35:32
+  /// observations.angle
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
       .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.theta_dot, graph.yaml:36:36
+  /// observations.theta_dot
   static constexpr eagerx::Space<float> kObservationThetaDot{.low = -999.0F, .high = 999.0F};
 
   static constexpr std::array<const char*, 1> kActionNames{"voltage"};
@@ -41,7 +41,7 @@ struct Limits {
                                           .clips = true,
                                           .holds = false};
   /// The safe action.
-  static Action safe() { return {{{0.0F}}}; }
+  [[nodiscard]] static Action safe() { return {.voltage = {{0.0F}}}; }
 
   /// f(name, message, space) for each action.
   template <class F>

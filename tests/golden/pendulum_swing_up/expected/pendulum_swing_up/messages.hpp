@@ -16,9 +16,15 @@ static_assert(eagerx::kVersionMajor == 0 && eagerx::kVersionMinor == 1,
 
 namespace graphs::pendulum_swing_up {
 
+/// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
+/// which is 0 without a policy. A comment in the graph changes neither.
+inline constexpr std::uint64_t kGraphHash = 0xb2b1fafd9c9ce791U;
+inline constexpr std::uint64_t kPolicyHash = 0x538276ca31da2752U;
+inline constexpr const char* kGenerator = "eagerx-gen 0.1.0";
+
 /// What the agent decides at every step.
 struct Action {
-  eagerx::Array<float, 1> voltage;  // float32 [1], graph.yaml:29:3
+  eagerx::Array<float, 1> voltage;  // float32 [1]
 
   template <class F>
   void for_each(F&& f) const {
@@ -29,9 +35,9 @@ struct Action {
 /// What the agent sees: windows into the program's own memory, oldest message first, valid until
 /// the next step or reset.
 struct Observation {
-  // float32 [2], graph.yaml:35:32
+  // float32 [2]
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> angle;
-  // float32 [], graph.yaml:36:36
+  // float32 []
   eagerx::PaddedWindow<float, eagerx::Rate<30>, 1, 1, true> theta_dot;
 
   template <class F>
@@ -43,10 +49,11 @@ struct Observation {
 
 /// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {
-  std::optional<eagerx::Array<float, 2>> pendulum_model_state{};  // float32 [2], graph.yaml:16:7
-  std::optional<float> pendulum_mass{};  // float32 [], graph.yaml:18:7
-  std::optional<float> pendulum_length{};  // float32 [], graph.yaml:19:7
-  std::optional<float> pendulum_max_speed{};  // float32 [], graph.yaml:20:7
+  // pendulum.states.model_state: float32 [2]
+  std::optional<eagerx::Array<float, 2>> pendulum_model_state{};
+  std::optional<float> pendulum_mass{};  // pendulum.states.mass: float32 []
+  std::optional<float> pendulum_length{};  // pendulum.states.length: float32 []
+  std::optional<float> pendulum_max_speed{};  // pendulum.states.max_speed: float32 []
 
   /// f(name, optional message) for each.
   template <class F>

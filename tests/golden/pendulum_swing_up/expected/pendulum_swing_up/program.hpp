@@ -31,21 +31,31 @@ class Program {
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
   /// The first reset does it if nobody has.
   void warm_up() {
-    if (warm_) return;
+    if (warm_) {
+      return;
+    }
     warm_ = true;
-    if (eagerx::runs_engine(trace)) eagerx::start(engine_, pendulum_simulator_);
+    if (eagerx::runs_engine(trace)) {
+      eagerx::start(engine_, pendulum_simulator_);
+    }
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() {
-    if (eagerx::runs_engine(trace)) eagerx::stop(engine_, pendulum_simulator_);
+    if (eagerx::runs_engine(trace)) {
+      eagerx::stop(engine_, pendulum_simulator_);
+    }
   }
   /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
   /// applies its safe actions.
   void make_safe() {
-    if (eagerx::runs_engine(trace)) eagerx::make_safe(engine_, pendulum_simulator_);
+    if (eagerx::runs_engine(trace)) {
+      eagerx::make_safe(engine_, pendulum_simulator_);
+    }
   }
   /// Whether the engine acts on the world itself.
-  bool is_real() const { return eagerx::is_real(engine_, pendulum_simulator_); }
+  [[nodiscard]] bool is_real() const {
+    return eagerx::is_real(engine_, pendulum_simulator_);
+  }
   /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid
   /// during its call.
   template <class F>
@@ -62,21 +72,30 @@ class Program {
       started_ = true;
     }
     if (eagerx::runs_engine(trace)) {
-      if (states.pendulum_model_state)
+      if (states.pendulum_model_state) {
         PendulumModelState::reset(*states.pendulum_model_state, pendulum_simulator_);
-      if (states.pendulum_mass) PendulumMass::reset(*states.pendulum_mass, pendulum_simulator_);
-      if (states.pendulum_length)
+      }
+      if (states.pendulum_mass) {
+        PendulumMass::reset(*states.pendulum_mass, pendulum_simulator_);
+      }
+      if (states.pendulum_length) {
         PendulumLength::reset(*states.pendulum_length, pendulum_simulator_);
-      if (states.pendulum_max_speed)
+      }
+      if (states.pendulum_max_speed) {
         PendulumMaxSpeed::reset(*states.pendulum_max_speed, pendulum_simulator_);
+      }
       eagerx::reset_engine(engine_, EngineIo::States{}, pendulum_simulator_);
     }
     pendulum_u_applied_.reset({}, pendulum_simulator_);
     pendulum_x_.reset({}, pendulum_simulator_);
     pendulum_theta_.reset({}, pendulum_simulator_);
-    if constexpr (eagerx::can_draw<Trace>) drawing_.pendulum_scene_.reset({}, pendulum_simulator_);
+    if constexpr (eagerx::can_draw<Trace>) {
+      drawing_.pendulum_scene_.reset({}, pendulum_simulator_);
+    }
     pendulum_theta_dot_.reset({}, pendulum_simulator_);
-    if constexpr (eagerx::can_draw<Trace>) drawing_.render_.reset({});
+    if constexpr (eagerx::can_draw<Trace>) {
+      drawing_.render_.reset({});
+    }
     smooth_.reset({});
     pendulum_u_.reset({}, pendulum_simulator_);
     before(eagerx::Constant<k30Hz>{});
@@ -93,8 +112,10 @@ class Program {
   Observation step_safely() { return step_unguarded(guard.stop()); }
   /// Without the guard: whatever `action` is, the actuators get it.
   Observation step_unguarded(const Action& action) {
-    if (n30Hz_ == 0) [[unlikely]] return before_reset();
-    // actions.voltage, graph.yaml:29:3
+    if (n30Hz_ == 0) [[unlikely]] {
+      return before_reset();
+    }
+    // actions.voltage
     action_voltage_[0] = action.voltage;
     trace(channel::environment_voltage, n30Hz_ - 1, action_voltage_[0]);
     after(eagerx::Constant<k30Hz>{});
@@ -103,7 +124,7 @@ class Program {
   }
 
   /// Steps before the first reset. They do nothing: neither the engine nor a node runs.
-  std::uint32_t steps_before_reset() const { return steps_before_reset_; }
+  [[nodiscard]] std::uint32_t steps_before_reset() const { return steps_before_reset_; }
 
  private:
   using Due = std::uint32_t;
@@ -111,7 +132,11 @@ class Program {
 
   [[gnu::noinline, gnu::cold]] Observation before_reset() {
     ++steps_before_reset_;
-    return Observation{{observation_angle_, 0, 0}, {pendulum_theta_dot_observation_, 0, 0}};
+    return at_rest();
+  }
+  Observation at_rest() {
+    return Observation{
+        .angle = {observation_angle_, 0, 0}, .theta_dot = {pendulum_theta_dot_observation_, 0, 0}};
   }
 
   // Up to the environment: everything that does not need the action of the same instant.
@@ -119,73 +144,87 @@ class Program {
   void before(const Mask due) {
     if ((due & k30Hz) != 0) {
       ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      }
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // engine: OdeEngine, graph.yaml:7:1
+      // engine: OdeEngine
       {
-        if (n > 0 && eagerx::runs_engine(trace))
+        if (n > 0 && eagerx::runs_engine(trace)) {
           engine_.callback(eagerx::Tick{n}, pendulum_simulator_);
+        }
         engine_tick_[0] = static_cast<std::int64_t>(n);
         trace(channel::engine_tick, n, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>) {
           trace.simulator("pendulum", n, pendulum_simulator_);
         }
       }
-      // pendulum/u_applied: ActionApplied, graph.yaml:13:3
+      // pendulum/u_applied: ActionApplied
       {
         const PendulumUAppliedIo::Inputs in{
-            {engine_tick_, n30Hz_}, {pendulum_u_action_applied_, n30Hz_ - 1}};
-        PendulumUAppliedIo::Outputs out{pendulum_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+            .tick = {engine_tick_, n30Hz_},
+            .action_applied = {pendulum_u_action_applied_, n30Hz_ - 1}};
+        PendulumUAppliedIo::Outputs out{.action_applied = pendulum_u_applied_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/u_applied", PendulumUAppliedIo::Rate{}, n, in);
+        }
         pendulum_u_applied_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_u_applied_action_applied, n, pendulum_u_applied_action_applied_[0]);
       }
-      // pendulum/x: OdeOutput, graph.yaml:13:3
+      // pendulum/x: OdeOutput
       {
-        const PendulumXIo::Inputs in{{engine_tick_, n30Hz_}};
-        PendulumXIo::Outputs out{pendulum_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const PendulumXIo::Inputs in{.tick = {engine_tick_, n30Hz_}};
+        PendulumXIo::Outputs out{.observation = pendulum_x_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/x", PendulumXIo::Rate{}, n, in);
+        }
         pendulum_x_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_x_observation, n, pendulum_x_observation_[0]);
       }
-      // pendulum/theta: FloatOutput, graph.yaml:13:3
+      // pendulum/theta: FloatOutput
       {
-        const PendulumThetaIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
-        PendulumThetaIo::Outputs out{pendulum_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const PendulumThetaIo::Inputs in{.observation_array = {pendulum_x_observation_, n30Hz_}};
+        PendulumThetaIo::Outputs out{.observation = pendulum_theta_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/theta", PendulumThetaIo::Rate{}, n, in);
+        }
         pendulum_theta_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_theta_observation, n, pendulum_theta_observation_[0]);
         observation_angle_[0] = ObservationAngleProcessor::convert(pendulum_theta_observation_[0]);
       }
-      // pendulum/scene: PendulumDrawing, graph.yaml:13:3
-      if constexpr (eagerx::can_draw<Trace>) if (trace.draws()) {
-        const PendulumSceneIo::Inputs in{{pendulum_theta_observation_, n30Hz_}};
-        PendulumSceneIo::Outputs out{drawing_.pendulum_scene_scene_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+      // pendulum/scene: PendulumDrawing
+      if constexpr (eagerx::can_draw<Trace>) {
+      if (trace.draws()) {
+        const PendulumSceneIo::Inputs in{.angle = {pendulum_theta_observation_, n30Hz_}};
+        PendulumSceneIo::Outputs out{.scene = drawing_.pendulum_scene_scene_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/scene", PendulumSceneIo::Rate{}, n, in);
+        }
         drawing_.pendulum_scene_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
       }
-      // pendulum/theta_dot: FloatOutput, graph.yaml:13:3
+      }
+      // pendulum/theta_dot: FloatOutput
       {
-        const PendulumThetaDotIo::Inputs in{{pendulum_x_observation_, n30Hz_}};
-        PendulumThetaDotIo::Outputs out{pendulum_theta_dot_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const PendulumThetaDotIo::Inputs in{.observation_array = {pendulum_x_observation_, n30Hz_}};
+        PendulumThetaDotIo::Outputs out{.observation = pendulum_theta_dot_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/theta_dot", PendulumThetaDotIo::Rate{}, n, in);
+        }
         pendulum_theta_dot_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_theta_dot_observation, n, pendulum_theta_dot_observation_[0]);
       }
-      // render: Render, graph.yaml:38:1
-      if constexpr (eagerx::can_draw<Trace>) if (trace.draws()) {
-        const RenderIo::Inputs in{{drawing_.pendulum_scene_scene_, n30Hz_}};
+      // render: Render
+      if constexpr (eagerx::can_draw<Trace>) {
+      if (trace.draws()) {
+        const RenderIo::Inputs in{.source = {drawing_.pendulum_scene_scene_, n30Hz_}};
         RenderIo::Outputs out{};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("render", RenderIo::Rate{}, n, in);
+        }
         drawing_.render_.callback(eagerx::Tick{n}, in, out, trace);
+      }
       }
     }
   }
@@ -195,21 +234,24 @@ class Program {
   void after(const Mask due) {
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // smooth: ButterworthFilter, graph.yaml:23:3
+      // smooth: ButterworthFilter
       {
-        const SmoothIo::Inputs in{{action_voltage_, n30Hz_}};
-        SmoothIo::Outputs out{smooth_filtered_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const SmoothIo::Inputs in{.signal = {action_voltage_, n30Hz_}};
+        SmoothIo::Outputs out{.filtered = smooth_filtered_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("smooth", SmoothIo::Rate{}, n, in);
+        }
         smooth_.callback(eagerx::Tick{n}, in, out);
         trace(channel::smooth_filtered, n, smooth_filtered_[0]);
       }
-      // pendulum/u: OdeInput, graph.yaml:13:3
+      // pendulum/u: OdeInput
       {
-        const PendulumUIo::Inputs in{{engine_tick_, n30Hz_}, {smooth_filtered_, n30Hz_}};
-        PendulumUIo::Outputs out{pendulum_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const PendulumUIo::Inputs in{
+            .tick = {engine_tick_, n30Hz_}, .action = {smooth_filtered_, n30Hz_}};
+        PendulumUIo::Outputs out{.action_applied = pendulum_u_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("pendulum/u", PendulumUIo::Rate{}, n, in);
+        }
         pendulum_u_.callback(eagerx::Tick{n}, in, out, pendulum_simulator_);
         trace(channel::pendulum_u_action_applied, n, pendulum_u_action_applied_[0]);
       }
@@ -219,10 +261,12 @@ class Program {
   // What the environment sees.
   Observation observe() {
     const Observation observation{
-        {observation_angle_, n30Hz_}, {pendulum_theta_dot_observation_, n30Hz_}};
+        .angle = {observation_angle_, n30Hz_},
+        .theta_dot = {pendulum_theta_dot_observation_, n30Hz_}};
     guard.see(observation);
-    if constexpr (eagerx::traces_inputs<Trace>)
+    if constexpr (eagerx::traces_inputs<Trace>) {
       trace.inputs("environment", eagerx::Rate<30>{}, n30Hz_ - 1, observation);
+    }
     return observation;
   }
 

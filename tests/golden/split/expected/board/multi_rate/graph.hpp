@@ -21,7 +21,7 @@ struct Graph : Limits {
   using Program = graphs::multi_rate::Program<Trace, Link>;
   /// The link between the two programs of this graph.
   struct Link {
-    static constexpr std::uint64_t kGraph = 0x7dfc6c998371d52dU;  // of the sources of both
+    static constexpr std::uint64_t kGraph = graphs::multi_rate::kGraphHash;  // of both programs
     static constexpr std::size_t kToBoard = 36;  // most bytes of a frame's payload
     static constexpr std::size_t kToHost = 16;
     static constexpr bool kBoardDecides = true;
@@ -31,6 +31,9 @@ struct Graph : Limits {
   using Rate = eagerx::Rate<10>;  // of the environment
 
   static constexpr const char* kName = "multi_rate";
+  static constexpr std::uint64_t kGraphHash = graphs::multi_rate::kGraphHash;
+  static constexpr std::uint64_t kPolicyHash = graphs::multi_rate::kPolicyHash;
+  static constexpr const char* kGenerator = graphs::multi_rate::kGenerator;
   static constexpr const char* kEngine = "OdeEngine";
   static constexpr const char* kDefaultAgent = "random";
   static constexpr const char* kAgentCsv = "";
@@ -81,7 +84,7 @@ struct Graph : Limits {
 
 
   /// The randomised states of an episode: a function of the key and of nothing else.
-  static States draw(eagerx::EpisodeKey /*key*/) {
+  [[nodiscard]] static States draw(eagerx::EpisodeKey /*key*/) {
     States states;
     return states;
   }
@@ -108,17 +111,17 @@ struct Graph : Limits {
   }
 
   /// The action that does nothing.
-  static Action zero() { return Action{}; }
+  [[nodiscard]] static Action zero() { return Action{}; }
 
   /// An action drawn uniformly from the spaces of the actions.
-  static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
+  [[nodiscard]] static Action random(eagerx::EpisodeKey key, eagerx::Seq step) {
     auto random = eagerx::Random::of_step(key, eagerx::entity_id("agent"), step, 4U);
-    return {kActionVoltage.sample(random), kActionPush.sample(random)};
+    return {.voltage = kActionVoltage.sample(random), .push = kActionPush.sample(random)};
   }
 
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
-  static bool self_test() { return true; }
+  [[nodiscard]] static bool self_test() { return true; }
 };
 
 }  // namespace graphs::multi_rate

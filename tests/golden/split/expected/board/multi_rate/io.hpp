@@ -36,7 +36,7 @@ inline constexpr std::uint32_t right_x_observation = 12;
 inline constexpr std::uint32_t slow_filtered = 13;
 }  // namespace channel
 
-// observations.angle: DecomposedAngle, graph.yaml:55:59
+// observations.angle: DecomposedAngle
 struct ObservationAngleProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = float;
@@ -45,7 +45,7 @@ struct ObservationAngleProcessorIo {
 };
 using ObservationAngleProcessor = eagerx::models::DecomposedAngle<ObservationAngleProcessorIo>;
 
-// fast.filtered: Negate, graph.yaml:43:29
+// fast.filtered: Negate
 struct FastFilteredProcessorIo {
   using Real = graphs::multi_rate::Real;
   using Input = eagerx::Array<float, 1>;
@@ -54,7 +54,7 @@ struct FastFilteredProcessorIo {
 };
 using FastFilteredProcessor = eagerx::models::Negate<FastFilteredProcessorIo>;
 
-// fast: ButterworthFilter at 30 Hz, graph.yaml:36:3
+// fast: ButterworthFilter at 30 Hz
 struct FastIo {
   using Real = graphs::multi_rate::Real;
   using Rate = eagerx::Rate<30>;

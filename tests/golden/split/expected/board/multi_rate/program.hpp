@@ -13,6 +13,7 @@
 #include <eagerx/engine.hpp>
 #include <eagerx/guard.hpp>
 #include <eagerx/link/host.hpp>
+#include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -44,10 +45,11 @@ class Program {
     observation_speeds_cursor_.reset(2);
     observation_recent_new_.reset();
     observation_other_cursor_.reset(2);
-    next_kind();
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
+  /// Steps that found their place in the schedule to be none: something had written over it.
+  [[nodiscard]] std::uint32_t memory_faults() const { return memory_faults_; }
 
   /// Applies an action, or what the guard puts in its place, and runs to the next tick of the
   /// environment. `late_in_a_row`: how many steps up to this one were later than
@@ -59,22 +61,21 @@ class Program {
   Observation step_safely() { return step_unguarded(guard.stop()); }
   /// Without the guard: whatever `action` is, the actuators get it.
   Observation step_unguarded(const Action& action) {
-    if (n10Hz_ == 0) [[unlikely]] return before_reset();
-    // actions.voltage, graph.yaml:46:3
+    if (n10Hz_ == 0) [[unlikely]] {
+      return before_reset();
+    }
+    // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_voltage = action.voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     link->put(new_voltage);
-    // actions.push, graph.yaml:47:3
+    // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_push = action.push;
     trace(channel::environment_push, n10Hz_ - 1, new_push);
     link->put(new_push);
-    for (;;) {
-      switch (next_kind()) {
-        case 0:
-          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-          return observe();
+    for (std::uint32_t at = slot_ + 1; at < 12; ++at) {
+      switch (kKindAt[at]) {
         case 1:
           before(eagerx::Constant<k60Hz>{});
           break;
@@ -87,17 +88,20 @@ class Program {
         case 4:
           before(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
-        case 5:
+        default:  // 5
+          slot_ = at;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
           return observe();
-        default:
-          __builtin_unreachable();
       }
     }
+    // All rates are due again: the first slot.
+    slot_ = 0;
+    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    return observe();
   }
 
   /// Steps before the first reset. They do nothing: neither the engine nor a node runs.
-  std::uint32_t steps_before_reset() const { return steps_before_reset_; }
+  [[nodiscard]] std::uint32_t steps_before_reset() const { return steps_before_reset_; }
 
  private:
   using Due = std::uint32_t;
@@ -109,9 +113,13 @@ class Program {
 
   [[gnu::noinline, gnu::cold]] Observation before_reset() {
     ++steps_before_reset_;
+    return at_rest();
+  }
+  Observation at_rest() {
     return Observation{
-        {observation_angle_, 0, 0}, {left_theta_dot_observation_, 0, 0}, {fast_filtered_, 0, 0},
-        {left_u_applied_action_applied_, 0, 0}, {right_theta_observation_, 0, 0}};
+        .angle = {observation_angle_, 0, 0}, .speeds = {left_theta_dot_observation_, 0, 0},
+        .recent = {fast_filtered_, 0, 0}, .applied = {left_u_applied_action_applied_, 0, 0},
+        .other = {right_theta_observation_, 0, 0}};
   }
 
   // Up to the environment: everything that does not need the action of the same instant.
@@ -119,35 +127,48 @@ class Program {
   void before(const Mask due) {
     if ((due & k60Hz) != 0) {
       ++n60Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      }
     }
     if ((due & k30Hz) != 0) {
       ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      }
     }
     if ((due & k20Hz) != 0) {
       ++n20Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      }
     }
     if ((due & k15Hz) != 0) {
       ++n15Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      }
     }
     if ((due & k10Hz) != 0) {
       ++n10Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      }
     }
-    if (!link->ok()) return;
+    if (!link->ok()) {
+      return;
+    }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // fast: ButterworthFilter, graph.yaml:36:3
+      // fast: ButterworthFilter
       {
-        const FastIo::Inputs in{{action_push_, n10Hz_ - ((due & k10Hz) != 0)}};
+        const FastIo::Inputs in{.signal = {action_push_, n10Hz_ - ((due & k10Hz) != 0 ? 1U : 0U)}};
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
         eagerx::Array<float, 1> raw_filtered{};
-        FastIo::Outputs out{raw_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        FastIo::Outputs out{.filtered = raw_filtered};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("fast", FastIo::Rate{}, n, in);
+        }
         fast_.callback(eagerx::Tick{n}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
         trace(channel::fast_filtered, n, new_filtered);
@@ -156,9 +177,11 @@ class Program {
     }
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
-      // left/theta: FloatOutput, graph.yaml:11:3
+      // left/theta: FloatOutput
       {
-        if (!link->get(left_theta_observation_[0])) return;
+        if (!link->get(left_theta_observation_[0])) {
+          return;
+        }
         trace(channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
@@ -166,28 +189,34 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // left/theta_dot: FloatOutput, graph.yaml:11:3
+      // left/theta_dot: FloatOutput
       {
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
-        if (!link->get(new_observation)) return;
+        if (!link->get(new_observation)) {
+          return;
+        }
         trace(channel::left_theta_dot_observation, n, new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
       const eagerx::Seq n = n15Hz_ - 1;
-      // right/theta: FloatOutput, graph.yaml:23:3
+      // right/theta: FloatOutput
       {
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
-        if (!link->get(new_observation)) return;
+        if (!link->get(new_observation)) {
+          return;
+        }
         trace(channel::right_theta_observation, n, new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
       const eagerx::Seq n = n10Hz_ - 1;
-      // left/u_applied: ActionApplied, graph.yaml:11:3
+      // left/u_applied: ActionApplied
       {
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
-        if (!link->get(new_action_applied)) return;
+        if (!link->get(new_action_applied)) {
+          return;
+        }
         trace(channel::left_u_applied_action_applied, n, new_action_applied);
       }
     }
@@ -196,25 +225,33 @@ class Program {
   // What the environment sees.
   Observation observe() {
     const Observation observation{
-        {observation_angle_, n20Hz_},
-        {left_theta_dot_observation_, observation_speeds_cursor_.take()},
-        {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
-        {left_u_applied_action_applied_, n10Hz_ - 1},
-        {right_theta_observation_, observation_other_cursor_.take()}};
+        .angle = {observation_angle_, n20Hz_},
+        .speeds = {left_theta_dot_observation_, observation_speeds_cursor_.take()},
+        .recent = {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
+        .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
+        .other = {right_theta_observation_, observation_other_cursor_.take()}};
     guard.see(observation);
-    if constexpr (eagerx::traces_inputs<Trace>)
+    if constexpr (eagerx::traces_inputs<Trace>) {
       trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    }
     return observation;
   }
 
   // The kind of every slot.
   static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
-  std::uint8_t next_kind() {
-    const std::uint8_t kind = kKindAt[slot_];
-    slot_ = slot_ + 1 == 12 ? 0 : slot_ + 1;
-    return kind;
+  std::uint32_t slot_ = 0;  // of the last observation
+
+  // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
+  // whoever defines eagerx_memory_fault() decides; a board ends as after any other fault. Else it
+  // is
+  // as before the first reset, until there is one.
+  [[gnu::noinline, gnu::cold]] Observation memory_fault() {
+    ++memory_faults_;
+    eagerx::tell_memory_fault();
+    n10Hz_ = 0;
+    return at_rest();
   }
-  std::uint32_t slot_ = 0;
+  std::uint32_t memory_faults_ = 0;
 
   std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.

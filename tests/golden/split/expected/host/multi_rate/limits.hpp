@@ -17,24 +17,24 @@ struct Limits {
   using Action = graphs::multi_rate::Action;
   using Observation = graphs::multi_rate::Observation;
 
-  /// actions.voltage, graph.yaml:46:3
+  /// actions.voltage
   static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionVoltage{
       .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// actions.push, graph.yaml:47:3
+  /// actions.push
   static constexpr eagerx::Space<eagerx::Array<float, 1>> kActionPush{
       .low = {{-1.0F}}, .high = {{1.0F}}};
-  /// observations.angle, graph.yaml:55:28
+  /// observations.angle
   static constexpr eagerx::Space<eagerx::Array<float, 2>> kObservationAngle{
       .low = {{-1.0F, -1.0F}}, .high = {{1.0F, 1.0F}}};
-  /// observations.speeds, graph.yaml:56:32
+  /// observations.speeds
   static constexpr eagerx::Space<float> kObservationSpeeds{.low = -999.0F, .high = 999.0F};
-  /// observations.recent, graph.yaml:57:31
+  /// observations.recent
   static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationRecent{
       .low = {{-1.0F}}, .high = {{1.0F}}};
-  /// observations.applied, graph.yaml:58:32
+  /// observations.applied
   static constexpr eagerx::Space<eagerx::Array<float, 1>> kObservationApplied{
       .low = {{-2.0F}}, .high = {{2.0F}}};
-  /// observations.other, graph.yaml:59:29
+  /// observations.other
   static constexpr eagerx::Space<float> kObservationOther{.low = -999.0F, .high = 999.0F};
 
   static constexpr std::array<const char*, 2> kActionNames{"voltage", "push"};
@@ -53,7 +53,7 @@ struct Limits {
                                           .clips = true,
                                           .holds = false};
   /// The safe action.
-  static Action safe() { return {{{0.0F}}, {{0.0F}}}; }
+  [[nodiscard]] static Action safe() { return {.voltage = {{0.0F}}, .push = {{0.0F}}}; }
 
   /// f(name, message, space) for each action.
   template <class F>

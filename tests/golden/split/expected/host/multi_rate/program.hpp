@@ -12,6 +12,7 @@
 #include <eagerx/delay.hpp>
 #include <eagerx/engine.hpp>
 #include <eagerx/link/host.hpp>
+#include <eagerx/memory_fault.hpp>
 #include <eagerx/schedule.hpp>
 #include <eagerx/trace.hpp>
 
@@ -30,21 +31,31 @@ class Program {
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
   /// The first reset does it if nobody has.
   void warm_up() {
-    if (warm_) return;
+    if (warm_) {
+      return;
+    }
     warm_ = true;
-    if (eagerx::runs_engine(trace)) eagerx::start(engine_, left_simulator_, right_simulator_);
+    if (eagerx::runs_engine(trace)) {
+      eagerx::start(engine_, left_simulator_, right_simulator_);
+    }
   }
   /// At the end of a run: an engine of real hardware lets it come to rest.
   void stop() {
-    if (eagerx::runs_engine(trace)) eagerx::stop(engine_, left_simulator_, right_simulator_);
+    if (eagerx::runs_engine(trace)) {
+      eagerx::stop(engine_, left_simulator_, right_simulator_);
+    }
   }
   /// Outside of a step, when what decides is silent or about to stop: an engine of real hardware
   /// applies its safe actions.
   void make_safe() {
-    if (eagerx::runs_engine(trace)) eagerx::make_safe(engine_, left_simulator_, right_simulator_);
+    if (eagerx::runs_engine(trace)) {
+      eagerx::make_safe(engine_, left_simulator_, right_simulator_);
+    }
   }
   /// Whether the engine acts on the world itself.
-  bool is_real() const { return eagerx::is_real(engine_, left_simulator_, right_simulator_); }
+  [[nodiscard]] bool is_real() const {
+    return eagerx::is_real(engine_, left_simulator_, right_simulator_);
+  }
   /// f(name, count) for what engine, objects and nodes count besides messages. A name is valid
   /// during its call.
   template <class F>
@@ -65,13 +76,24 @@ class Program {
       started_ = true;
     }
     if (eagerx::runs_engine(trace)) {
-      if (states.left_model_state) LeftModelState::reset(*states.left_model_state, left_simulator_);
-      if (states.left_mass) LeftMass::reset(*states.left_mass, left_simulator_);
-      if (states.left_length) LeftLength::reset(*states.left_length, left_simulator_);
-      if (states.right_model_state)
+      if (states.left_model_state) {
+        LeftModelState::reset(*states.left_model_state, left_simulator_);
+      }
+      if (states.left_mass) {
+        LeftMass::reset(*states.left_mass, left_simulator_);
+      }
+      if (states.left_length) {
+        LeftLength::reset(*states.left_length, left_simulator_);
+      }
+      if (states.right_model_state) {
         RightModelState::reset(*states.right_model_state, right_simulator_);
-      if (states.right_max_speed) RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
-      if (states.right_length) RightLength::reset(*states.right_length, right_simulator_);
+      }
+      if (states.right_max_speed) {
+        RightMaxSpeed::reset(*states.right_max_speed, right_simulator_);
+      }
+      if (states.right_length) {
+        RightLength::reset(*states.right_length, right_simulator_);
+      }
       eagerx::reset_engine(engine_, EngineIo::States{}, left_simulator_, right_simulator_);
     }
     right_u_applied_.reset({}, right_simulator_);
@@ -89,27 +111,37 @@ class Program {
     observation_other_cursor_.reset(2);
     slow_signal_cursor_.reset(3);
     right_u_applied_action_applied_cursor_.reset(0);
-    kind_ = next_kind();
     before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
     return observe();
   }
+  /// Steps that found their place in the schedule to be none: something had written over it.
+  [[nodiscard]] std::uint32_t memory_faults() const { return memory_faults_; }
 
   /// Applies an action and runs to the next tick of the environment.
   Observation step(Action& action) {
-    if (n10Hz_ == 0) [[unlikely]] return before_reset();
+    if (n10Hz_ == 0) [[unlikely]] {
+      return before_reset();
+    }
     link->begin_step();
-    // actions.voltage, graph.yaml:46:3
+    // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link->get(new_voltage)) return observe();
+    if (!link->get(new_voltage)) {
+      return observe();
+    }
     action.voltage = new_voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
-    // actions.push, graph.yaml:47:3
+    // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link->get(new_push)) return observe();
+    if (!link->get(new_push)) {
+      return observe();
+    }
     action.push = new_push;
     trace(channel::environment_push, n10Hz_ - 1, new_push);
+    if (slot_ >= 12) {
+      return memory_fault();
+    }
     // The slot of the last observation goes on, then come those up to the next.
-    switch (kind_) {
+    switch (kKindAt[slot_]) {
       case 0:
         after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
         break;
@@ -117,14 +149,10 @@ class Program {
         after(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
         break;
       default:
-        __builtin_unreachable();
+        return memory_fault();
     }
-    for (;;) {
-      switch (next_kind()) {
-        case 0:
-          kind_ = 0;
-          before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
-          return observe();
+    for (std::uint32_t at = slot_ + 1; at < 12; ++at) {
+      switch (kKindAt[at]) {
         case 1:
           slot(eagerx::Constant<k60Hz>{});
           break;
@@ -137,18 +165,20 @@ class Program {
         case 4:
           slot(eagerx::Constant<k60Hz | k30Hz | k15Hz>{});
           break;
-        case 5:
-          kind_ = 5;
+        default:  // 5
+          slot_ = at;
           before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k10Hz>{});
           return observe();
-        default:
-          __builtin_unreachable();
       }
     }
+    // All rates are due again: the first slot.
+    slot_ = 0;
+    before(eagerx::Constant<k60Hz | k30Hz | k20Hz | k15Hz | k10Hz>{});
+    return observe();
   }
 
   /// Steps before the first reset. They do nothing: neither the engine nor a node runs.
-  std::uint32_t steps_before_reset() const { return steps_before_reset_; }
+  [[nodiscard]] std::uint32_t steps_before_reset() const { return steps_before_reset_; }
 
  private:
   using Due = std::uint32_t;
@@ -160,9 +190,13 @@ class Program {
 
   [[gnu::noinline, gnu::cold]] Observation before_reset() {
     ++steps_before_reset_;
+    return at_rest();
+  }
+  Observation at_rest() {
     return Observation{
-        {observation_angle_, 0, 0}, {left_theta_dot_observation_, 0, 0}, {fast_filtered_, 0, 0},
-        {left_u_applied_action_applied_, 0, 0}, {right_theta_observation_, 0, 0}};
+        .angle = {observation_angle_, 0, 0}, .speeds = {left_theta_dot_observation_, 0, 0},
+        .recent = {fast_filtered_, 0, 0}, .applied = {left_u_applied_action_applied_, 0, 0},
+        .other = {right_theta_observation_, 0, 0}};
   }
 
   // Up to the environment: everything that does not need the action of the same instant.
@@ -170,31 +204,44 @@ class Program {
   void before(const Mask due) {
     if ((due & k60Hz) != 0) {
       ++n60Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<60>{}, n60Hz_ - 1);
+      }
     }
     if ((due & k30Hz) != 0) {
       ++n30Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<30>{}, n30Hz_ - 1);
+      }
     }
     if ((due & k20Hz) != 0) {
       ++n20Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<20>{}, n20Hz_ - 1);
+      }
     }
     if ((due & k15Hz) != 0) {
       ++n15Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<15>{}, n15Hz_ - 1);
+      }
     }
     if ((due & k10Hz) != 0) {
       ++n10Hz_;
-      if constexpr (eagerx::waits_for_slots<Trace>) trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      if constexpr (eagerx::waits_for_slots<Trace>) {
+        trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
+      }
     }
-    if (!link->ok()) return;
+    if (!link->ok()) {
+      return;
+    }
     if ((due & k60Hz) != 0) {
       const eagerx::Seq n = n60Hz_ - 1;
-      // engine: OdeEngine, graph.yaml:8:1
+      // engine: OdeEngine
       {
-        if (n > 0 && eagerx::runs_engine(trace))
+        if (n > 0 && eagerx::runs_engine(trace)) {
           engine_.callback(eagerx::Tick{n}, left_simulator_, right_simulator_);
+        }
         engine_tick_[0] = static_cast<std::int64_t>(n);
         trace(channel::engine_tick, n, engine_tick_[0]);
         if constexpr (eagerx::traces_simulators<Trace>) {
@@ -205,68 +252,77 @@ class Program {
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // fast: ButterworthFilter, graph.yaml:36:3
+      // fast: ButterworthFilter
       {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
-        if (!link->get(new_filtered)) return;
+        if (!link->get(new_filtered)) {
+          return;
+        }
         trace(channel::fast_filtered, n, new_filtered);
         right_u_action_[0] = RightUActionProcessor::convert(new_filtered);
       }
-      // right/u_applied: ActionApplied, graph.yaml:23:3
+      // right/u_applied: ActionApplied
       {
         const RightUAppliedIo::Inputs in{
-            {engine_tick_, n60Hz_},
-            {right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
-        RightUAppliedIo::Outputs out{right_u_applied_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+            .tick = {engine_tick_, n60Hz_},
+            .action_applied = {
+            right_u_action_applied_, right_u_applied_action_applied_cursor_.take()}};
+        RightUAppliedIo::Outputs out{.action_applied = right_u_applied_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/u_applied", RightUAppliedIo::Rate{}, n, in);
+        }
         right_u_applied_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_u_applied_action_applied, n, right_u_applied_action_applied_[0]);
       }
     }
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
-      // left/x: OdeOutput, graph.yaml:11:3
+      // left/x: OdeOutput
       {
-        const LeftXIo::Inputs in{{engine_tick_, n60Hz_}};
-        LeftXIo::Outputs out{left_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const LeftXIo::Inputs in{.tick = {engine_tick_, n60Hz_}};
+        LeftXIo::Outputs out{.observation = left_x_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("left/x", LeftXIo::Rate{}, n, in);
+        }
         left_x_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_x_observation, n, left_x_observation_[0]);
       }
-      // left/theta: FloatOutput, graph.yaml:11:3
+      // left/theta: FloatOutput
       {
-        const LeftThetaIo::Inputs in{{left_x_observation_, n20Hz_}};
-        LeftThetaIo::Outputs out{left_theta_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const LeftThetaIo::Inputs in{.observation_array = {left_x_observation_, n20Hz_}};
+        LeftThetaIo::Outputs out{.observation = left_theta_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("left/theta", LeftThetaIo::Rate{}, n, in);
+        }
         left_theta_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
         link->put(left_theta_observation_[0]);
       }
-      // right/u: OdeInput, graph.yaml:23:3
+      // right/u: OdeInput
       {
-        const RightUIo::Inputs in{{engine_tick_, n60Hz_}, {right_u_action_, n30Hz_}};
-        RightUIo::Outputs out{right_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const RightUIo::Inputs in{
+            .tick = {engine_tick_, n60Hz_}, .action = {right_u_action_, n30Hz_}};
+        RightUIo::Outputs out{.action_applied = right_u_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/u", RightUIo::Rate{}, n, in);
+        }
         right_u_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_u_action_applied, n, right_u_action_applied_[0]);
       }
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // left/theta_dot: FloatOutput, graph.yaml:11:3
+      // left/theta_dot: FloatOutput
       {
-        const LeftThetaDotIo::Inputs in{{left_x_observation_, n20Hz_}};
+        const LeftThetaDotIo::Inputs in{.observation_array = {left_x_observation_, n20Hz_}};
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
         float raw_observation{};
-        LeftThetaDotIo::Outputs out{raw_observation};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        LeftThetaDotIo::Outputs out{.observation = raw_observation};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("left/theta_dot", LeftThetaDotIo::Rate{}, n, in);
+        }
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
         trace(channel::left_theta_dot_observation, n, new_observation);
@@ -275,22 +331,24 @@ class Program {
     }
     if ((due & k15Hz) != 0) {
       const eagerx::Seq n = n15Hz_ - 1;
-      // right/x: OdeOutput, graph.yaml:23:3
+      // right/x: OdeOutput
       {
-        const RightXIo::Inputs in{{engine_tick_, n60Hz_}};
-        RightXIo::Outputs out{right_x_observation_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const RightXIo::Inputs in{.tick = {engine_tick_, n60Hz_}};
+        RightXIo::Outputs out{.observation = right_x_observation_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/x", RightXIo::Rate{}, n, in);
+        }
         right_x_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_x_observation, n, right_x_observation_[0]);
       }
-      // right/theta: FloatOutput, graph.yaml:23:3
+      // right/theta: FloatOutput
       {
-        const RightThetaIo::Inputs in{{right_x_observation_, n15Hz_}};
+        const RightThetaIo::Inputs in{.observation_array = {right_x_observation_, n15Hz_}};
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
-        RightThetaIo::Outputs out{new_observation};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        RightThetaIo::Outputs out{.observation = new_observation};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("right/theta", RightThetaIo::Rate{}, n, in);
+        }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_theta_observation, n, new_observation);
         link->put(new_observation);
@@ -298,14 +356,15 @@ class Program {
     }
     if ((due & k10Hz) != 0) {
       const eagerx::Seq n = n10Hz_ - 1;
-      // left/u_applied: ActionApplied, graph.yaml:11:3
+      // left/u_applied: ActionApplied
       {
         const LeftUAppliedIo::Inputs in{
-            {engine_tick_, n60Hz_}, {left_u_action_applied_, n30Hz_ - 1}};
+            .tick = {engine_tick_, n60Hz_}, .action_applied = {left_u_action_applied_, n30Hz_ - 1}};
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
-        LeftUAppliedIo::Outputs out{new_action_applied};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        LeftUAppliedIo::Outputs out{.action_applied = new_action_applied};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("left/u_applied", LeftUAppliedIo::Rate{}, n, in);
+        }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_u_applied_action_applied, n, new_action_applied);
         link->put(new_action_applied);
@@ -316,28 +375,33 @@ class Program {
   // From the environment on: everything that needs its action.
   template <class Mask>
   void after(const Mask due) {
-    if (!link->ok()) return;
+    if (!link->ok()) {
+      return;
+    }
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
-      // slow: ButterworthFilter, graph.yaml:35:3
+      // slow: ButterworthFilter
       {
-        const SlowIo::Inputs in{{action_voltage_, slow_signal_cursor_.take()}};
+        const SlowIo::Inputs in{.signal = {action_voltage_, slow_signal_cursor_.take()}};
         auto& new_filtered = slow_filtered_[eagerx::ring_position<2>(n)];
-        SlowIo::Outputs out{new_filtered};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        SlowIo::Outputs out{.filtered = new_filtered};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("slow", SlowIo::Rate{}, n, in);
+        }
         slow_.callback(eagerx::Tick{n}, in, out);
         trace(channel::slow_filtered, n, new_filtered);
       }
     }
     if ((due & k30Hz) != 0) {
       const eagerx::Seq n = n30Hz_ - 1;
-      // left/u: OdeInput, graph.yaml:11:3
+      // left/u: OdeInput
       {
-        const LeftUIo::Inputs in{{engine_tick_, n60Hz_}, {slow_filtered_, n20Hz_}};
-        LeftUIo::Outputs out{left_u_action_applied_[0]};
-        if constexpr (eagerx::traces_inputs<Trace>)
+        const LeftUIo::Inputs in{
+            .tick = {engine_tick_, n60Hz_}, .action = {slow_filtered_, n20Hz_}};
+        LeftUIo::Outputs out{.action_applied = left_u_action_applied_[0]};
+        if constexpr (eagerx::traces_inputs<Trace>) {
           trace.inputs("left/u", LeftUIo::Rate{}, n, in);
+        }
         left_u_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_u_action_applied, n, left_u_action_applied_[0]);
       }
@@ -354,25 +418,33 @@ class Program {
   // What the environment sees.
   Observation observe() {
     const Observation observation{
-        {observation_angle_, n20Hz_},
-        {left_theta_dot_observation_, observation_speeds_cursor_.take()},
-        {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
-        {left_u_applied_action_applied_, n10Hz_ - 1},
-        {right_theta_observation_, observation_other_cursor_.take()}};
-    if constexpr (eagerx::traces_inputs<Trace>)
+        .angle = {observation_angle_, n20Hz_},
+        .speeds = {left_theta_dot_observation_, observation_speeds_cursor_.take()},
+        .recent = {fast_filtered_, observation_recent_new_.take(n30Hz_ - 1)},
+        .applied = {left_u_applied_action_applied_, n10Hz_ - 1},
+        .other = {right_theta_observation_, observation_other_cursor_.take()}};
+    if constexpr (eagerx::traces_inputs<Trace>) {
       trace.inputs("environment", eagerx::Rate<10>{}, n10Hz_ - 1, observation);
+    }
     return observation;
   }
 
   // The kind of every slot.
   static constexpr std::uint8_t kKindAt[12] = {0, 1, 2, 3, 4, 1, 5, 1, 4, 3, 2, 1};
-  std::uint8_t next_kind() {
-    const std::uint8_t kind = kKindAt[slot_];
-    slot_ = slot_ + 1 == 12 ? 0 : slot_ + 1;
-    return kind;
+  std::uint32_t slot_ = 0;  // of the last observation
+
+  // The place in the schedule is none: something wrote over it. The engine makes itself safe, and
+  // whoever defines eagerx_memory_fault() decides; a board ends as after any other fault. Else it
+  // is
+  // as before the first reset, until there is one.
+  [[gnu::noinline, gnu::cold]] Observation memory_fault() {
+    ++memory_faults_;
+    make_safe();
+    eagerx::tell_memory_fault();
+    n10Hz_ = 0;
+    return at_rest();
   }
-  std::uint32_t slot_ = 0;
-  std::uint8_t kind_ = 0;  // of the slot of the last observation
+  std::uint32_t memory_faults_ = 0;
 
   std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.

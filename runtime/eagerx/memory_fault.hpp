@@ -1,0 +1,15 @@
+// What happens when a program finds in its own memory what it never wrote there: a bit has flipped, or
+// something wrote over it.
+#pragma once
+
+/// Whoever defines it is called when a program finds its place in the schedule to be none. It may
+/// end the program, as boards do; if it returns, or if nobody defines it, the program counts.
+extern "C" [[gnu::weak]] void eagerx_memory_fault();
+
+namespace eagerx {
+
+[[gnu::cold]] inline void tell_memory_fault() {
+  if (eagerx_memory_fault != nullptr) eagerx_memory_fault();
+}
+
+}  // namespace eagerx
