@@ -11,8 +11,8 @@
 namespace eagerx::gen {
 namespace {
 
-/// "eagerx::(anonymous namespace)::f(int)" → "eagerx::::f(int)", and the like of lambdas, which
-/// have parentheses and brackets in their names.
+/// Without what stands in <…> and {…}, and without "(anonymous namespace)", whose parenthesis would
+/// be taken for that of the arguments: "a::(anonymous namespace)::f<int>(int)" → "a::::f(int)".
 std::string without_templates(std::string_view text) {
   std::string result;
   int depth = 0;

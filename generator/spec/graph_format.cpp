@@ -369,8 +369,8 @@ const Format& graph_format() {
         "the "
         "agent and all nodes"},
        {"budget", budget_format(), false,
-        "limits for memory, instructions and the age of data; `eagerx-gen size` checks those of an "
-        "image"},
+        "limits for memory, instructions and the age of data; `build`, `run` and `size` check "
+        "those of an image"},
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
         false, "warnings that are not given for this graph"}});
   return *kFormat;
