@@ -26,6 +26,7 @@ Arguments output(Options& options) {
            "also write everything that is needed to compile the output"),
       texts("--package", options.packages,
             "make the output standalone and a package: arduino, esp-idf, platformio or zephyr; "
+            "with --library a controller for hardware, without it an episode of the simulation; "
             "may be repeated",
             "NAME"),
       text("--depfile", options.depfile,
@@ -40,8 +41,10 @@ Command generate(Options& options) {
                         "eagerx-gen generate pendulum.yaml"},
                        {"for a board, in a folder of your choice",
                         "eagerx-gen generate pendulum.yaml --target mps2-an386 -o out"},
-                       {"a tree that compiles without eagerx-gen, also as an Arduino library",
-                        "eagerx-gen generate pendulum.yaml --standalone --package arduino"}},
+                       {"a tree that compiles without eagerx-gen",
+                        "eagerx-gen generate pendulum.yaml --standalone"},
+                       {"a controller to flash with Arduino's tools",
+                        "eagerx-gen generate controller.yaml --library --package arduino"}},
           .arguments = joined({{graph(options)},
                                output(options),
                                selection(options),

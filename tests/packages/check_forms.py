@@ -1,4 +1,5 @@
-"""The files that frameworks look for, against the forms that these document: check_forms.py TREE NAME
+"""The files that frameworks look for, against the forms that these document:
+check_forms.py TREE NAME [library]
 
 library.properties: Arduino library specification 1.5. library.json: PlatformIO's manifest, the fields used here.
 module.yml: Zephyr's zephyr_module.py. idf_component.yml: ESP-IDF's component manager. Kconfig is parsed.
@@ -38,6 +39,7 @@ IDF_COMPONENT_YML = {
     "properties": {"version": VERSION, "description": TEXT,
                    "dependencies": {"type": "object", "properties": {"idf": TEXT}, "additionalProperties": False}}}
 
+ARCHITECTURES = {"esp32", "rp2040", "stm32"}  # with a compiler that has C++20
 CATEGORIES = {"Display", "Communication", "Signal Input/Output", "Sensors", "Device Control", "Timing", "Data Storage",
               "Data Processing", "Other"}
 
@@ -49,24 +51,29 @@ def check_properties(text, tree):
     assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9 _.-]{0,62}", fields["name"])
     jsonschema.validate(fields["version"], VERSION)
     assert fields["category"] in CATEGORIES
+    assert set(fields["architectures"].split(",")) <= ARCHITECTURES, fields["architectures"]
     for header in fields["includes"].split(","):
         assert (tree / "src" / header).is_file(), f"there is no {header}"
 
 
-def main(tree, name):
+def main(tree, name, kind="program"):
     tree = pathlib.Path(tree)
     check_properties((tree / "library.properties").read_text(), tree)
-    library = json.loads((tree / "library.json").read_text())
+    is_library = kind == "library"
+    folder = tree / f"platformio/lib/{name}" if is_library else tree
+    library = json.loads((folder / "library.json").read_text())
     jsonschema.validate(library, LIBRARY_JSON)
-    assert (tree / library["build"]["srcDir"] / library["headers"]).is_file()
+    assert (folder / library.get("build", {}).get("srcDir", "src") / library["headers"]).is_file()
     module = yaml.safe_load((tree / "zephyr/module.yml").read_text())
     jsonschema.validate(module, MODULE_YML)
     assert (tree / module["build"]["cmake"] / "CMakeLists.txt").is_file()
-    jsonschema.validate(yaml.safe_load((tree / f"esp-idf/{name}/idf_component.yml").read_text()), IDF_COMPONENT_YML)
+    component = tree / "esp-idf" / ("components" if is_library else "") / name / "idf_component.yml"
+    jsonschema.validate(yaml.safe_load(component.read_text()), IDF_COMPONENT_YML)
     symbol = f"EAGERX_{name.upper()}"
     kconfig = kconfiglib.Kconfig(str(tree / module["build"]["kconfig"]), warn_to_stderr=False)
     assert symbol in kconfig.syms and kconfig.syms[symbol].type == kconfiglib.BOOL
-    assert f"CONFIG_{symbol}=y" in (tree / "zephyr/sample/prj.conf").read_text()
+    application = tree / "zephyr" / ("app" if is_library else "sample")
+    assert f"CONFIG_{symbol}=y" in (application / "prj.conf").read_text()
     print("ok   forms of library.properties, library.json, module.yml, Kconfig, idf_component.yml")
 
 

@@ -12,7 +12,7 @@
 #define round(x) ((x) >= 0 ? (long)((x) + 0.5) : (long)((x)-0.5))
 #define bit(b) (1UL << (b))
 #define sq(x) ((x) * (x))
-#define radians(deg) ((deg) * 0.017453292519943295)
+#define radians(deg) ((deg)*0.017453292519943295)
 #define constrain(amt, low, high) ((amt) < (low) ? (low) : ((amt) > (high) ? (high) : (amt)))
 #define F(string_literal) (string_literal)
 #define PI 3.1415926535897932384626433832795
@@ -30,8 +30,12 @@ struct SerialPort {
 };
 inline SerialPort Serial;
 
-inline unsigned long micros() { return static_cast<std::uint32_t>(world::now_us); }
-inline void delay(unsigned long ms) { world::pass(ms * 1000); }
+inline unsigned long micros() {
+  return static_cast<std::uint32_t>(world::now_us);
+}
+inline void delay(unsigned long ms) {
+  world::pass(ms * 1000);
+}
 
 #if defined(ARDUINO_ARCH_RP2040)
 struct Rp2040 {

@@ -25,10 +25,10 @@ int main(int /*argc*/, char** argv) {
     // 2.2 periods are one and a part of another more than a step may take, which is one; the next
     // step was due 1.2 periods before.
     const bool reads = !graph::Graph::kHasPolicy;
-    const std::uint64_t late = !reads                        ? 0
-                               : step == script::kSlow       ? 2
-                               : step == script::kSlow + 1   ? 1
-                                                             : 0;
+    const std::uint64_t late = !reads                      ? 0
+                               : step == script::kSlow     ? 2
+                               : step == script::kSlow + 1 ? 1
+                                                           : 0;
     seen = program.step(action, late);
     script::print(step, *seen);
   }

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <bit>
-#include <type_traits>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <eagerx/message.hpp>
+#include <type_traits>
 
 namespace script {
 

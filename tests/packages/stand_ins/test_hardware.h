@@ -17,7 +17,9 @@ namespace graph = GRAPH_NAMESPACE;
 
 inline std::uint64_t step = 0;
 
-inline void begin() { std::printf("begin\n"); }
+inline void begin() {
+  std::printf("begin\n");
+}
 
 inline graph::Action read_measurements() {
   world::pass(script::reading_us<graph::Graph::Rate>(step));

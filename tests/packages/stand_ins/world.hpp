@@ -18,7 +18,9 @@ inline void pass(std::uint64_t us) {
   std::printf("reset by the watchdog\n");
   std::exit(0);
 }
-inline void feed() { fed_us = now_us; }
+inline void feed() {
+  fed_us = now_us;
+}
 inline void start_watchdog(std::uint64_t us) {
   std::printf("watchdog %llu ms\n", static_cast<unsigned long long>(us / 1000));
   watchdog_us = us;

@@ -121,6 +121,20 @@ TEST_F(WriteFiles, NeverOverwritesWhatSomebodyElseWrote) {
   EXPECT_EQ(listing(), (std::vector<std::string>{"CMakeLists.txt"}));
 }
 
+TEST_F(WriteFiles, WritesWhatIsYoursOnce) {
+  const GeneratedFile yours{"hardware.h", "blank", true};
+  auto result = write({yours, {"a.txt", "one"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(text("hardware.h"), "blank");
+  put("out/hardware.h", "filled in");
+  result = write({yours, {"a.txt", "two"}});
+  ASSERT_TRUE(result);
+  EXPECT_EQ(result->kept, 1U);
+  EXPECT_EQ(text("hardware.h"), "filled in");
+  ASSERT_TRUE(write({{"a.txt", "three"}}));
+  EXPECT_EQ(text("hardware.h"), "filled in") << "not even when it is no longer made";
+}
+
 TEST_F(WriteFiles, NeverOverwritesWhatItMayNotRead) {
   put("out/one.txt", "mine");
   fs::permissions(folder_ / "out/one.txt", fs::perms::none);

@@ -5,4 +5,6 @@ struct device {
   bool is_ready;
 };
 #define DEVICE_DT_GET(node) (&world_##node)
-inline bool device_is_ready(const device* of) { return of->is_ready; }
+inline bool device_is_ready(const device* of) {
+  return of->is_ready;
+}

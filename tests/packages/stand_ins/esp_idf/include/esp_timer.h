@@ -12,8 +12,11 @@ struct esp_timer_create_args_t {
   const char* name;
   bool skip_unhandled_events;
 };
-inline std::int64_t esp_timer_get_time() { return static_cast<std::int64_t>(world::now_us); }
-inline esp_err_t esp_timer_create(const esp_timer_create_args_t* settings, esp_timer_handle_t* timer) {
+inline std::int64_t esp_timer_get_time() {
+  return static_cast<std::int64_t>(world::now_us);
+}
+inline esp_err_t esp_timer_create(const esp_timer_create_args_t* settings,
+                                  esp_timer_handle_t* timer) {
   world::timer_callback = settings->callback;
   world::timer_argument = settings->arg;
   *timer = &world::task;

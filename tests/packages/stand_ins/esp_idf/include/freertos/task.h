@@ -15,9 +15,12 @@ inline void (*timer_callback)(void*) = nullptr;
 inline void* timer_argument = nullptr;
 }  // namespace world
 
-inline TaskHandle_t xTaskGetCurrentTaskHandle() { return &world::task; }
-inline BaseType_t xTaskCreatePinnedToCore(TaskFunction_t run, const char* /*name*/, std::uint32_t stack,
-                                          void* argument, UBaseType_t /*priority*/, TaskHandle_t* /*task*/,
+inline TaskHandle_t xTaskGetCurrentTaskHandle() {
+  return &world::task;
+}
+inline BaseType_t xTaskCreatePinnedToCore(TaskFunction_t run, const char* /*name*/,
+                                          std::uint32_t stack, void* argument,
+                                          UBaseType_t /*priority*/, TaskHandle_t* /*task*/,
                                           BaseType_t core) {
   if (stack < 4096 || core != 1) std::abort();
   run(argument);
@@ -36,4 +39,6 @@ inline std::uint32_t ulTaskNotifyTake(BaseType_t /*clear*/, TickType_t /*wait*/)
   world::notified = 0;
   return count;
 }
-inline void vTaskDelay(TickType_t ticks) { world::pass(ticks * std::uint64_t{10'000}); }
+inline void vTaskDelay(TickType_t ticks) {
+  world::pass(ticks * std::uint64_t{10'000});
+}
