@@ -25,7 +25,7 @@ std::vector<std::string> names_of_sources(const Graph& graph, bool actions) {
   for (const GraphNode& node : graph.nodes) {
     for (const Output& output : node.outputs) {
       if (actions && node.role == NodeRole::environment) names.insert("actions." + output.name);
-      if (!actions && !output.sensor.empty()) names.insert(output.sensor);
+      if (!actions) names.insert(output.sensors.begin(), output.sensors.end());
     }
   }
   return {names.begin(), names.end()};
