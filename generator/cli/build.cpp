@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "generator/cli/become.hpp"
+#include "generator/cli/board_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/image_budget.hpp"
 
@@ -87,13 +88,20 @@ bool check_start(Run& run, const BuiltProgram& program) {
 }  // namespace
 
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
-                                                     bool to_run) {
+                                                     std::vector<std::string>* to_run) {
   if (!make(run, options)) return std::nullopt;
   if (options.output.empty()) options.output = default_folder(*run.graph, options);
   const auto generated = generate_graph(run, options, code);
   if (!generated) return std::nullopt;
   const std::vector<Planned> items = planned(run, options, *generated);
-  if (to_run && !check_start(run, items.back().program)) return std::nullopt;
+  if (to_run != nullptr) {
+    const Planned& last = items.back();
+    if (!check_start(run, last.program)) return std::nullopt;
+    if (!check_board_options(run, *last.program.target, *to_run)) {
+      code = kWrongUsage;
+      return std::nullopt;
+    }
+  }
   std::vector<BuiltProgram> programs;
   for (const Planned& item : items) {
     if (!build_tree(item.tree, title(run, item), options.quiet, run.diagnostics))
@@ -117,7 +125,8 @@ int build_command(const Options& options) {
 int run_command(const Options& options) {
   Run run;
   int code = kDone;
-  const auto programs = build_graph(run, options, code, true);
+  std::vector<std::string> words = options.program_options;
+  const auto programs = build_graph(run, options, code, &words);
   if (programs) check_built_budget(run, options, *programs);
   code = std::max(finish(run, options), code);
   if (!programs || code != kDone) return code;
@@ -125,7 +134,7 @@ int run_command(const Options& options) {
   std::vector<std::string> command = command_to_start(run, program);
   if (command.front() != program.image)
     command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
-  command.insert(command.end(), options.program_options.begin(), options.program_options.end());
+  command.insert(command.end(), words.begin(), words.end());
   return become(command.front(), {command.begin() + 1, command.end()});
 }
 

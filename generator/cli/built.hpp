@@ -32,9 +32,10 @@ struct BuiltProgram {
 
 /// generate_graph(), in a folder of its own for each target that is not this machine, and
 /// build_tree() of every program. Of a split graph the part on the board comes first. `to_run`: the
-/// last program is to be run, E0515 if nothing here can.
+/// last program is to be run with these options, E0515 if nothing here can, E0516 an option that
+/// a board's program does not take; those that are left are what it gets.
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
-                                                     bool to_run = false);
+                                                     std::vector<std::string>* to_run = nullptr);
 
 /// What starts a program, before its own options; nothing if nothing here can (its target's
 /// manifest has no `run:`).
