@@ -278,7 +278,7 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   if (files && standalone &&
       !carry_along(run, emit_options.targets, emit_options.output, bare, *files))
     files.reset();
-  if (files && bare) place_headers(run.graph->name, packages, emit_options.extra, *files);
+  if (files) place_headers(run, options, packages, emit_options.extra, *files);
   if (!files) {
     code = kProblems;
     return std::nullopt;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <set>
 
 #include "generator/cli/standalone.hpp"
@@ -156,23 +157,29 @@ std::vector<ExtraTemplate> templates_of(const Run& run, const Options& options,
   return templates;
 }
 
-void place_headers(const std::string& graph, const std::vector<Package>& packages,
+void place_headers(const Run& run, const Options& options, const std::vector<Package>& packages,
                    const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files) {
-  constexpr const char* kLicense = "LICENSE";
+  constexpr std::string_view kLicense = "LICENSE";
+  if (!options.library || packages.empty()) return;
   std::vector<GeneratedFile> headers;
-  std::erase_if(files, [&](GeneratedFile& file) {
-    if (std::ranges::find(others, file.path, &ExtraTemplate::output) != others.end()) return false;
-    headers.push_back(std::move(file));
-    return true;
-  });
+  const auto is_other = [&](const GeneratedFile& file) {
+    return std::ranges::find(others, file.path, &ExtraTemplate::output) != others.end();
+  };
+  for (const auto& file : files) {
+    if (is_other(file) || file.path.ends_with(".map")) continue;
+    if (file.path.starts_with(kHeaderFolder)) {
+      headers.push_back({file.path.substr(std::string_view(kHeaderFolder).size()), file.text});
+    } else if (file.path.ends_with(kLicense)) {
+      headers.push_back({"../" + std::string(kLicense), file.text});
+    }
+  }
+  if (is_bare(options)) std::erase_if(files, std::not_fn(is_other));
   std::set<std::string> placed;
+  for (const auto& file : files) placed.insert(file.path);
   for (const Package& package : packages) {
-    const fs::path folder = with_name(package.headers, graph);
+    const fs::path folder = with_name(package.headers, run.graph->name);
     for (const auto& file : headers) {
-      const std::string path =
-          file.path == kLicense
-              ? (folder.parent_path() / kLicense).string()
-              : (folder / file.path.substr(std::string_view(kHeaderFolder).size())).string();
+      const std::string path = (folder / file.path).lexically_normal().generic_string();
       if (placed.insert(path).second) files.push_back({path, file.text});
     }
   }

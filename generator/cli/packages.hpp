@@ -38,9 +38,9 @@ void check_for_packages(Run& run, const Options& options);
 std::vector<ExtraTemplate> templates_of(const Run& run, const Options& options,
                                         const std::vector<Package>& packages);
 
-/// Puts the graph's headers where each package has them, for an output that is only packages.
-/// `others`: what is in its place.
-void place_headers(const std::string& graph, const std::vector<Package>& packages,
+/// With --library, puts the graph's headers where each package has them, and nowhere else if the
+/// output is only packages. `others`: what is in its place.
+void place_headers(const Run& run, const Options& options, const std::vector<Package>& packages,
                    const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files);
 
 /// What to type next, for each package: its next.library.sh or next.program.sh.
