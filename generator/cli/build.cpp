@@ -87,6 +87,35 @@ bool check_start(Run& run, const BuiltProgram& program) {
 
 }  // namespace
 
+bool build_program(Run& run, const Tree& tree, const Target& target, const std::string& name,
+                   bool quiet, const std::string& cmake_target) {
+  Diagnostics building;
+  if (build_tree(tree, name, quiet, building, cmake_target)) return true;
+  Diagnostics entities;
+  const auto is_of_compiler = [](const Diagnostic& each) { return each.code == "E0514"; };
+  if (std::ranges::any_of(building.all(), is_of_compiler))
+    compile_entities(run, {&target}, entities);
+  const auto tell = [&](const Diagnostics& from, auto&& wanted) {
+    bool told = false;
+    for (const Diagnostic& each : from.all()) {
+      if (!wanted(each)) continue;
+      (each.io ? run.diagnostics.io_error("", {}, "") : run.diagnostics.error("", {}, "")) = each;
+      told = true;
+    }
+    return told;
+  };
+  const auto is_code = [](const Diagnostic& each) {
+    return each.code == "E0510" || each.code == "E0511";
+  };
+  // What breaks a promise builds for Linux, but has no place in an image.
+  const auto is_promise = [&](const Diagnostic& each) {
+    return each.code == "E0512" && target.system.empty();
+  };
+  if (!tell(entities, is_code) && !tell(entities, is_promise))
+    tell(building, [](const Diagnostic&) { return true; });
+  return false;
+}
+
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
                                                      std::vector<std::string>* to_run) {
   if (!make(run, options)) return std::nullopt;
@@ -104,7 +133,7 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, 
   }
   std::vector<BuiltProgram> programs;
   for (const Planned& item : items) {
-    if (!build_tree(item.tree, title(run, item), options.quiet, run.diagnostics))
+    if (!build_program(run, item.tree, *item.program.target, title(run, item), options.quiet))
       return std::nullopt;
     programs.push_back(item.program);
   }

@@ -23,6 +23,16 @@ struct Generated {
 /// `run`; then `code` is the least that the exit code may be.
 std::optional<Generated> generate_graph(Run& run, const Options& options, int& code);
 
+/// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
+/// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).
+void compile_entities(Run& run, const std::vector<const Target*>& targets,
+                      Diagnostics& diagnostics);
+
+/// build_tree() of a graph's program for `target`. What does not build because of the class of an
+/// entity is told with its place in that entity, as compile_entities() tells it.
+bool build_program(Run& run, const Tree& tree, const Target& target, const std::string& name,
+                   bool quiet, const std::string& cmake_target = {});
+
 /// The program of a target, built.
 struct BuiltProgram {
   const Target* target = nullptr;

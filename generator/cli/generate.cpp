@@ -309,14 +309,12 @@ int generate_command(const Options& options) {
   return std::max(finish(run, options), code);
 }
 
-namespace {
-
-/// The whole program, also of a split graph: every entity is in it.
-void compile_entities(Run& run, const std::vector<const Target*>& targets) {
+void compile_entities(Run& run, const std::vector<const Target*>& targets,
+                      Diagnostics& diagnostics) {
   const TemporaryFolder folder;
   if (folder.path().empty()) {
-    run.diagnostics.io_error(
-        "E0901", {}, fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
+    diagnostics.io_error("E0901", {},
+                         fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
     return;
   }
   EmitOptions emit_options;
@@ -331,15 +329,14 @@ void compile_entities(Run& run, const std::vector<const Target*>& targets) {
   check_entities(*run.plan, *files, folder,
                  {compiler != nullptr && *compiler != '\0' ? compiler : "c++", run.root,
                   run.graph->include_roots, packages_of(*run.graph, Part::whole)},
-                 run.sources, run.diagnostics);
+                 run.sources, diagnostics);
 }
-
-}  // namespace
 
 int check_command(const Options& options) {
   Run run;
   const auto targets = make(run, options) ? find_targets_and_others(run, options) : std::nullopt;
-  if (targets && judge(run, *targets, options) && options.compile) compile_entities(run, *targets);
+  if (targets && judge(run, *targets, options) && options.compile)
+    compile_entities(run, *targets, run.diagnostics);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;

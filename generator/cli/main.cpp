@@ -91,7 +91,8 @@ Command run(Options& options) {
           .arguments = building(options),
           .rest = Argument{"program-options",
                            "options of the program: all that eagerx-gen does not know, and all "
-                           "that follows `--`",
+                           "that follows `--`; on a board --steps, --seed, --episodes, --agent, "
+                           "--csv, --hash",
                            "PROGRAM OPTIONS",
                            [&options](const auto& words) { options.program_options = words; }},
           .check =
