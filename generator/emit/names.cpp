@@ -73,8 +73,8 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_lo
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
   for (const char* taken :
-       {"slot_", "due_", "countdown_", "warm_", "started_", "resetting_", "reset_timeouts_",
-        "refused_delays_", "memory_faults_", "arrivals_", "drawing_"})
+       {"link_", "slot_", "due_", "countdown_", "warm_", "started_", "resetting_",
+        "reset_timeouts_", "refused_delays_", "memory_faults_", "arrivals_", "drawing_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
