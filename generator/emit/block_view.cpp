@@ -31,7 +31,8 @@ class BlockView {
     view_.set("is_drawn", node_.drawn);
     view_.set("trace_argument", is_render(n_) ? ", trace" : "");
     view_.set("node", node_.name);
-    view_.set("label", cpp_string(node_.name));
+    view_.set("alike", "");
+    view_.set("label", names_.label[n_]);
     view_.set("entity", node_.entity->id.value);
     view_.set("member", names_.node_member[n_]);
     view_.set("seq", seq_);
@@ -54,7 +55,10 @@ class BlockView {
   std::string tick() const {
     return names_.has_packs() ? "eagerx::Tick{n.shared}" : "eagerx::Tick{n}";
   }
-  std::string channel(std::size_t output) const { return "channel::" + names_.channel[n_][output]; }
+  std::string channel(std::size_t output) const {
+    const std::string& name = names_.channel[n_][output];
+    return name.ends_with("[i]") ? name : "channel::" + name;
+  }
   MessagePlace place(std::size_t output) const {
     return message_place(plan_, names_, plan_.nodes[n_].rings[output], seq_);
   }
@@ -184,6 +188,35 @@ bool receives_messages(const ProgramNames& names, const GraphNode& node, std::si
   return false;
 }
 
+/// The loop whose nodes begin here, all of them.
+const ProgramNames::Loop* loop_at(const ProgramNames& names, const std::vector<std::size_t>& nodes,
+                                  std::size_t at) {
+  for (const auto& loop : names.loops) {
+    const auto& own = loop.repeat.nodes;
+    if (own.front() == nodes[at] && own.size() <= nodes.size() - at &&
+        std::equal(own.begin(), own.end(), nodes.begin() + static_cast<std::ptrdiff_t>(at)))
+      return &loop;
+  }
+  return nullptr;
+}
+
+View loop_view(const Plan& plan, const ProgramNames& names, const ProgramNames::Loop& loop) {
+  const ProgramNames inside = names.inside(loop);
+  View body = list();
+  for (std::size_t m = 0; m < loop.repeat.length(); ++m) {
+    View node = BlockView(plan, inside, loop.repeat.nodes[m]).make();
+    node.set("alike", fmt::format(" and {} more", loop.repeat.count - 1));
+    body.push_back(node);
+  }
+  View view = object();
+  view.set("count", fmt::format("{}", loop.repeat.count));
+  view["nodes"] = std::move(body);
+  View block = object();
+  block["loop"] = std::move(view);
+  block["nodes"] = list();
+  return block;
+}
+
 }  // namespace
 
 View groups_view(const Plan& plan, const ProgramNames& names,
@@ -194,12 +227,23 @@ View groups_view(const Plan& plan, const ProgramNames& names,
     View blocks = list();
     bool knows_tick = false;
     for (; i < nodes.size() && plan.nodes[nodes[i]].rate == rate; ++i) {
+      if (const ProgramNames::Loop* loop = loop_at(names, nodes, i)) {
+        blocks.push_back(loop_view(plan, names, *loop));
+        knows_tick = true;
+        i += loop->repeat.nodes.size() - 1;
+        continue;
+      }
       const GraphNode& node = plan.graph->nodes[nodes[i]];
       const bool acts = names.runs(nodes[i]) || receives_messages(names, node, nodes[i]);
       // Of a reset node that runs in the other program, both know when it has done its work.
       if (!acts && node.reset_targets.empty()) continue;
       knows_tick = knows_tick || acts;
-      blocks.push_back(BlockView(plan, names, nodes[i]).make());
+      View block = object();
+      block.set("loop", false);
+      View one = list();
+      one.push_back(BlockView(plan, names, nodes[i]).make());
+      block["nodes"] = std::move(one);
+      blocks.push_back(block);
     }
     if (!blocks.is_non_empty_list()) continue;
     View group = object();

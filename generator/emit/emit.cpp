@@ -23,7 +23,10 @@ class Emitter {
   Emitter(const Plan& plan, const std::optional<Network>& network,
           const std::vector<NodePolicy>& node_policies, const EmitOptions& options,
           Diagnostics& diagnostics)
-      : plan_(plan), options_(options), diagnostics_(diagnostics), names_(plan, options.part) {
+      : plan_(plan),
+        options_(options),
+        diagnostics_(diagnostics),
+        names_(plan, options.part, Numbers::plain, true) {
     why_no_packs_ = why_no_packs(plan);
     has_packs_ = why_no_packs_.empty() && options.part == Part::whole &&
                  std::ranges::any_of(options.targets, &Target::packs);
@@ -46,17 +49,13 @@ class Emitter {
       add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_, names_));
     add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
     if (has_packs_) add_packs(folder, here);
-    View program = program_view(plan_, names_);
-    program.set("has_memory", network_ && network_->has_memory());
-    program.set("indented", indented());
-    program.set("beside_packs", false);
     const std::size_t at = files_.size();
-    add_program(folder, program);
+    add_program(folder, names_, false);
     if (has_packs_ && !failed_) {
+      // What packs read is no array.
       program_alone_ = std::move(files_[at].text);
       files_.resize(at);
-      program.set("beside_packs", true);
-      add_program(folder, std::move(program));
+      add_program(folder, ProgramNames(plan_, options_.part), true);
     }
     add(folder + "graph.hpp", "cpp/graph.hpp.mustache", graph_view());
     const std::size_t first_policy = files_.size();
@@ -128,12 +127,16 @@ class Emitter {
   }
 
   /// program.hpp, and what of it belongs to which node.
-  void add_program(const std::string& folder, View view) {
+  void add_program(const std::string& folder, const ProgramNames& names, bool beside_packs) {
+    View view = program_view(plan_, names);
+    view.set("has_memory", network_ && network_->has_memory());
+    view.set("indented", indented());
+    view.set("beside_packs", beside_packs);
     add(folder + "program.hpp", "cpp/program.hpp.mustache", std::move(view));
     if (failed_) return;
     MarkedText program = take_marks(files_.back().text);
     if (options_.cmake)
-      files_.push_back({folder + "program.map", to_text(program_map(plan_, names_, program))});
+      files_.push_back({folder + "program.map", to_text(program_map(plan_, names, program))});
     std::ranges::find(files_, folder + "program.hpp", &GeneratedFile::path)->text =
         std::move(program.text);
   }

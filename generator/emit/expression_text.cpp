@@ -147,10 +147,11 @@ ExpressionWriter::Text ExpressionWriter::reduction(const TypedExpression& part) 
     lines_->push_back(extreme ? fmt::format("Real {} = {};", local, first)
                               : fmt::format("Real {}{{}};", local));
     lines_->push_back(
-        extreme ? fmt::format("for (std::size_t i = 1; i < {}; ++i) {} = eagerx::{}({}, {});",
-                              list.size(), local, part.op == Op::least ? "min" : "max", local, each)
-                : fmt::format("for (std::size_t i = 0; i < {}; ++i) {} += {};", list.size(), local,
-                              each));
+        fmt::format("for (std::size_t i = {}; i < {}; ++i) {{", extreme ? 1 : 0, list.size()));
+    lines_->push_back(extreme ? fmt::format("  {} = eagerx::{}({}, {});", local,
+                                            part.op == Op::least ? "min" : "max", local, each)
+                              : fmt::format("  {} += {};", local, each));
+    lines_->push_back("}");
   }
   const std::string& local = found->second;
   if (part.op == Op::norm) return {fmt::format("eagerx::sqrt({})", local), kWhole};

@@ -24,8 +24,10 @@ MarkedText take_marks(std::string_view text) {
   std::uint32_t lines = 0;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size() - 1) + 1;
-    const std::string_view line = text.substr(0, end);
+    std::string_view line = text.substr(0, end);
     text.remove_prefix(end);
+    const std::size_t mark = std::min(line.find_first_not_of(' '), line.size() - 1);
+    if (line[mark] == kBegin || line[mark] == kEnd) line.remove_prefix(mark);
     if (line.front() == kBegin) {
       result.blocks.push_back({lines + 1, 0, std::string(line.substr(1, line.size() - 2))});
     } else if (line.front() == kEnd) {

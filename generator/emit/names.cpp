@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "generator/quote/quote.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -10,13 +14,47 @@ std::string within_drawing(const std::string& member) {
   return "drawing_." + member;
 }
 
+/// What names have in common, in words: "servo" of "left_servo" and "right_servo". The first name
+/// if that is nothing.
+std::string in_common(const std::vector<std::string>& names) {
+  const auto words_of = [](const std::string& name) {
+    std::vector<std::string> words(1);
+    for (const char c : name) {
+      if (c == '_' || c == '/') {
+        words.emplace_back();
+      } else {
+        words.back() += c;
+      }
+    }
+    std::erase(words, "");
+    return words;
+  };
+  std::vector<std::string> head = words_of(names.front()), tail = head;
+  for (const auto& name : names) {
+    const std::vector<std::string> words = words_of(name);
+    std::size_t same = 0;
+    while (same < std::min(head.size(), words.size()) && head[same] == words[same]) ++same;
+    head.resize(same);
+    same = 0;
+    while (same < std::min(tail.size(), words.size()) &&
+           tail[tail.size() - 1 - same] == words[words.size() - 1 - same])
+      ++same;
+    tail.erase(tail.begin(), tail.end() - static_cast<std::ptrdiff_t>(same));
+  }
+  head.insert(head.end(), tail.begin(), tail.end());
+  const std::string common = fmt::format("{}", fmt::join(head, "_"));
+  // A name begins with a letter.
+  const bool is_name = !common.empty() && (common.front() < '0' || common.front() > '9');
+  return is_name ? common : fmt::format("{}", fmt::join(words_of(names.front()), "_"));
+}
+
 }  // namespace
 
 bool is_drawn(const Plan& plan, const Ring& ring) {
   return plan.graph->nodes[ring.node].drawn;
 }
 
-ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
+ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of, bool with_loops)
     : numbers(of), io_owner(io_owners(plan, part)), plan_(plan), part_(part) {
   const Graph& graph = *plan.graph;
   Names members, types, fields;
@@ -35,8 +73,8 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
     counter.push_back(members.unique("n" + rate_suffix(rate.rate_hz) + "_"));
   }
   for (const char* taken :
-       {"slot_", "due_", "countdown_", "warm_", "started_", "resetting_", "reset_timeouts_",
-        "refused_delays_", "memory_faults_", "arrivals_", "drawing_"})
+       {"link_", "slot_", "due_", "countdown_", "warm_", "started_", "resetting_",
+        "reset_timeouts_", "refused_delays_", "memory_faults_", "arrivals_", "drawing_"})
     members.unique(taken);
   for (const auto& node : graph.nodes) {
     io.push_back(types.unique(camel(node.name) + "Io"));
@@ -118,6 +156,80 @@ ProgramNames::ProgramNames(const Plan& plan, Part part, Numbers of)
   Names channels;
   for (const auto& item : plan.channels)
     channel[item.node][item.output] = channels.unique(snake(item.name));
+  for (const auto& node : graph.nodes) label.push_back(cpp_string(node.name));
+  if (!with_loops || of != Numbers::plain) return;
+  const auto common = [](const std::vector<std::string>& names) { return in_common(names) + "_"; };
+  const auto make_array = [&](std::vector<std::string*> names) {
+    std::vector<std::string> texts;
+    for (const auto* name : names) texts.push_back(*name);
+    const std::string array = members.unique(common(texts));
+    size_of_array[array] = names.size();
+    for (std::size_t i = 0; i < names.size(); ++i) *names[i] = fmt::format("{}[{}]", array, i);
+  };
+  const Repeats repeats = find_repeats(plan, part, io_owner);
+  for (const auto& array : repeats.arrays) {
+    std::vector<std::string*> names;
+    for (const std::size_t ring : array) names.push_back(&ring_member[ring]);
+    make_array(names);
+  }
+  Names tables;
+  for (const Repeat& repeat : repeats.all) {
+    Loop& loop = loops.emplace_back();
+    loop.repeat = repeat;
+    const std::size_t length = repeat.length();
+    for (std::size_t m = 0; m < length; ++m) {
+      std::vector<std::string*> names;
+      std::vector<std::string> nodes;
+      for (std::size_t j = 0; j < repeat.count; ++j) {
+        names.push_back(&node_member[repeat.nodes[j * length + m]]);
+        nodes.push_back(graph.nodes[repeat.nodes[j * length + m]].name);
+      }
+      make_array(names);
+      const std::string chain = camel(in_common(nodes));
+      loop.labels.push_back(tables.unique("kNamesOf" + chain));
+      auto& of_outputs = loop.channels.emplace_back();
+      const std::size_t outputs = graph.nodes[repeat.nodes[m]].outputs.size();
+      for (std::size_t o = 0; o < outputs; ++o) {
+        std::vector<std::string> constants;
+        for (std::size_t j = 0; j < repeat.count; ++j)
+          constants.push_back("channel::" + channel[repeat.nodes[j * length + m]][o]);
+        const std::string& output = graph.nodes[repeat.nodes[m]].outputs[o].name;
+        const std::string table = tables.unique("kChannelOf" + chain + camel(output));
+        of_outputs.push_back(table + "[i]");
+        loop.tables.emplace_back(table, std::move(constants));
+      }
+    }
+  }
+}
+
+ProgramNames ProgramNames::inside(const Loop& loop) const {
+  ProgramNames names = *this;
+  const auto element = [](std::string& member) {
+    if (member.ends_with("[0]")) member.replace(member.size() - 3, 3, "[i]");
+  };
+  const std::size_t length = loop.repeat.length();
+  for (std::size_t m = 0; m < length; ++m) {
+    const std::size_t n = loop.repeat.nodes[m];
+    element(names.node_member[n]);
+    names.label[n] = loop.labels[m] + "[i]";
+    for (std::size_t o = 0; o < names.channel[n].size(); ++o)
+      names.channel[n][o] = loop.channels[m][o];
+    // What all chains read is one ring, which may be the first of another loop's array.
+    for (std::size_t o = 0; o < plan_.nodes[n].rings.size(); ++o)
+      element(names.ring_member[plan_.nodes[n].rings[o]]);
+    for (std::size_t i = 0; i < plan_.nodes[n].receptions.size(); ++i) {
+      const std::size_t ring = plan_.nodes[n].receptions[i].ring;
+      const std::size_t other = loop.repeat.nodes[length + m];
+      if (plan_.nodes[other].receptions[i].ring != ring) element(names.ring_member[ring]);
+    }
+  }
+  return names;
+}
+
+std::string ProgramNames::declared(const std::string& member) const {
+  const std::string array = array_of(member);
+  if (array == member) return member;
+  return member.ends_with("[0]") ? fmt::format("{}[{}]", array, size_of_array.at(array)) : "";
 }
 
 bool ProgramNames::crosses(std::size_t node, std::size_t output) const {

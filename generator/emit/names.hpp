@@ -10,6 +10,7 @@
 #include "generator/emit/marks.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/emit/render.hpp"
+#include "generator/emit/repeats.hpp"
 #include "generator/emit/shared_io.hpp"
 #include "generator/network/network.hpp"
 #include "generator/plan/plan.hpp"
@@ -18,7 +19,8 @@
 namespace eagerx::gen {
 
 struct ProgramNames {
-  ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain);
+  /// `loops`: equal chains of nodes are loops over arrays, as packs have none.
+  ProgramNames(const Plan& plan, Part part, Numbers of = Numbers::plain, bool loops = false);
 
   Numbers numbers;
 
@@ -40,6 +42,26 @@ struct ProgramNames {
   std::vector<std::string> targets_member, done_member;              // of reset nodes
   std::vector<std::vector<std::string>> delay_member, delay_state;   // of delays that may change
   std::vector<std::vector<std::string>> channel;  // constants, by node and output
+
+  /// Equal chains of nodes. Their members and rings are elements of arrays: "servo_[3]".
+  struct Loop {
+    Repeat repeat;
+    std::vector<std::string> labels;                 // tables of nodes' names, by node of a chain
+    std::vector<std::vector<std::string>> channels;  // expressions, by node of a chain and output
+    std::vector<std::pair<std::string, std::vector<std::string>>> tables;  // of channels
+  };
+  std::vector<Loop> loops;
+  std::map<std::string, std::size_t> size_of_array;  // "servo_" → 12
+  std::vector<std::string> label;                    // of nodes: "\"smooth\"", "kServo[i]"
+
+  /// As the body of a loop calls everything: "servo_[i]".
+  [[nodiscard]] ProgramNames inside(const Loop& loop) const;
+  /// "servo_" of "servo_[3]".
+  [[nodiscard]] static std::string array_of(const std::string& member) {
+    return member.substr(0, member.find('['));
+  }
+  /// The declaration of a member, "servo_[12]"; empty for the elements of an array but the first.
+  [[nodiscard]] std::string declared(const std::string& member) const;
 
   /// What there is in this program of a split graph; of a whole one everything.
   [[nodiscard]] bool is_split() const { return part_ != Part::whole; }

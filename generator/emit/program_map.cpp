@@ -51,6 +51,14 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
   for (const auto& node : graph.nodes) {
     if (node.entity != nullptr) types.emplace(node.name, node.entity->id.value);
   }
+  for (const auto& loop : names.loops) {
+    const std::size_t length = loop.repeat.length();
+    for (std::size_t i = length; i < loop.repeat.nodes.size(); ++i) {
+      const std::string& node = graph.nodes[loop.repeat.nodes[i]].name;
+      map.shares[node] = graph.nodes[loop.repeat.nodes[i % length]].name;
+      map.type_of_node[node] = types.at(node);
+    }
+  }
   for (const auto& block : map.blocks) map.type_of_node[block.node] = types.at(block.node);
 
   map.graph_file = graph.file_name;
@@ -58,11 +66,12 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
   map.owner_of_member["trace"] = {false, "runtime"};
   for (const std::size_t n : nodes_in_order(plan)) {
     if (names.runs(n) && !graph.nodes[n].drawn)
-      map.owner_of_member[names.node_member[n]] = {true, graph.nodes[n].name};
+      map.owner_of_member.try_emplace(names.array_of(names.node_member[n]),
+                                      ProgramMap::Owner{true, graph.nodes[n].name});
   }
   for (std::size_t r = 0; r < plan.rings.size(); ++r) {
     if (names.has_ring(r) && !is_drawn(plan, plan.rings[r]))
-      map.owner_of_member[names.ring_member[r]] = {false, "rings"};
+      map.owner_of_member[names.array_of(names.ring_member[r])] = {false, "rings"};
   }
   for (const auto& member : names.simulator_member) {
     if (names.has_engine()) map.owner_of_member[member] = {false, "simulators"};

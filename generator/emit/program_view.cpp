@@ -182,7 +182,9 @@ class ProgramView {
       View item = object();
       item.set("type", names_.message(ring.space));
       const bool drawn = is_drawn(plan_, ring);
-      item.set("member", drawn ? without_owner(names_.ring_member[r]) : names_.ring_member[r]);
+      const std::string member = names_.declared(names_.ring_member[r]);
+      if (member.empty()) continue;
+      item.set("member", drawn ? without_owner(member) : member);
       item.set("clock", names_.counter[plan_.nodes[ring.node].rate]);
       item.set("capacity", fmt::format("{}", ring.capacity));
       item.set(
@@ -207,7 +209,8 @@ class ProgramView {
         add(drawn_members, type, without_owner(names_.node_member[n]));
         continue;
       }
-      add(members, type, names_.node_member[n]);
+      if (const std::string member = names_.declared(names_.node_member[n]); !member.empty())
+        add(members, type, member);
       if (entity.counts.empty()) continue;
       View item = object();
       item.set("node", graph_.nodes[n].name);
@@ -218,12 +221,39 @@ class ProgramView {
     view_["node_counts"] = std::move(counters);
     view_["rings"] = std::move(rings);
     view_["members"] = std::move(members);
+    add_loops();
     view_["drawing"] = View(false);
     if (!drawn_members.is_non_empty_list()) return;
     View drawing = object();
     drawing["drawn_rings"] = std::move(drawn_rings);
     drawing["drawn_members"] = std::move(drawn_members);
     view_["drawing"] = std::move(drawing);
+  }
+
+  /// What differs between the chains of a loop besides members.
+  void add_loops() {
+    View tables = list();
+    const auto add = [&](const char* type, const std::string& table,
+                         const std::vector<std::string>& values) {
+      View item = object();
+      item.set("type", type);
+      item.set("table", table);
+      item.set("count", fmt::format("{}", values.size()));
+      item.set("values", braced(values));
+      tables.push_back(item);
+    };
+    for (const auto& loop : names_.loops) {
+      const std::size_t length = loop.repeat.length();
+      for (std::size_t m = 0; m < length; ++m) {
+        std::vector<std::string> labels;
+        for (std::size_t j = 0; j < loop.repeat.count; ++j)
+          labels.push_back(names_.label[loop.repeat.nodes[j * length + m]]);
+        add("const char* const", loop.labels[m], labels);
+      }
+      for (const auto& [table, values] : loop.tables) add("std::uint32_t", table, values);
+    }
+    view_.set("has_loops", tables.is_non_empty_list());
+    view_["loop_tables"] = std::move(tables);
   }
 
   const Plan& plan_;

@@ -71,6 +71,7 @@ class Parser {
     if (kind == "program") return take_program(words);
     if (kind == "node") return take_node(words);
     if (kind == "lines") return take_lines(words);
+    if (kind == "shares") return take_shares(words);
     if (kind == "graph") return take_graph(words);
     if (kind == "place") return take_place(words);
     return kind == "member" && take_member(words);
@@ -108,6 +109,12 @@ class Parser {
     if (member.empty() || owner.name.empty() || (kind != "node" && kind != "part")) return false;
     if (owner.is_node && !map_.type_of_node.contains(owner.name)) return false;
     return map_.owner_of_member.emplace(member, owner).second;
+  }
+
+  bool take_shares(Words& words) {
+    const std::string node(words.word()), owner(words.word());
+    return map_.type_of_node.contains(node) && map_.type_of_node.contains(owner) &&
+           !map_.shares.contains(owner) && map_.shares.emplace(node, owner).second;
   }
 
   bool take_graph(Words& words) {
@@ -172,6 +179,7 @@ std::string to_text(const ProgramMap& map) {
     text += fmt::format("lines {} {} {}\n", block.first, block.last, block.node);
   for (const auto& [member, owner] : map.owner_of_member)
     text += fmt::format("member {} {} {}\n", member, owner.is_node ? "node" : "part", owner.name);
+  for (const auto& [node, owner] : map.shares) text += fmt::format("shares {} {}\n", node, owner);
   if (!map.graph_file.empty()) text += fmt::format("graph {}\n", map.graph_file);
   for (const auto& place : map.places)
     text += fmt::format("place {} {} {}\n", place.line, place.column, place.element);

@@ -40,8 +40,9 @@ struct ProgramMap {
   std::map<std::string, std::string> type_of_node;  // `smooth` → `ButterworthFilter`
   std::vector<Block> blocks;                        // in the order of their lines, none in another
   std::map<std::string, Owner> owner_of_member;     // those of the schedule are left out
-  std::string graph_file;                           // of the places; its name alone
-  std::vector<Place> places;                        // in the order of the graph
+  std::map<std::string, std::string> shares;  // nodes without lines and members: whose theirs are
+  std::string graph_file;                     // of the places; its name alone
+  std::vector<Place> places;                  // in the order of the graph
 
   /// Whose line this is; nullptr if it is no node's.
   [[nodiscard]] const std::string* node_of_line(std::uint32_t line) const;

@@ -51,6 +51,7 @@ class Measurement {
     if (!read_map()) return std::nullopt;
     for (const auto& frames : addresses_) usage(report, owner(frames)).flash += 2;
     attribute_data(report);
+    divide_shared(report);
     attribute_rest(report);
     return report;
   }
@@ -294,6 +295,21 @@ class Measurement {
       usage(report, map_.owner(member->second)).ram += bytes;
     }
     if (best.empty()) report.others["schedule"].ram += size;
+  }
+
+  /// Nodes that are one loop have equal parts of it; what is left over is the first one's.
+  void divide_shared(SizeReport& report) const {
+    std::map<std::string, std::vector<std::string>> sharers;
+    for (const auto& [node, owner] : map_.shares) sharers[owner].push_back(node);
+    for (const auto& [owner, others] : sharers) {
+      Usage& own = report.nodes[owner];
+      const Usage part{own.flash / (others.size() + 1), own.ram / (others.size() + 1)};
+      for (const auto& node : others) {
+        report.nodes[node] = part;
+        own.flash -= part.flash;
+        own.ram -= part.ram;
+      }
+    }
   }
 
   static void attribute_rest(SizeReport& report) {

@@ -82,7 +82,7 @@ void serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
   while (link.wait_for_host()) {
     program.~Program();
     ::new (static_cast<void*>(&program)) Program{};
-    program.link = &link;
+    program.connect(link);
     std::uint8_t command = 0;
     bool goes_on = link.get(command);
     while (goes_on) {

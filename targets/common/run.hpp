@@ -105,8 +105,8 @@ typename Graph::Action act(Agent agent, EpisodeKey key, Seq step,
 /// False if the other program of a split graph is gone. A program that is not split is linked.
 template <class Program>
 bool is_linked(const Program& program) {
-  if constexpr (requires { program.link->ok(); }) {
-    return program.link->ok();
+  if constexpr (requires { program.link().ok(); }) {
+    return program.link().ok();
   } else {
     return true;
   }

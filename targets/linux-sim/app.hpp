@@ -84,7 +84,7 @@ void run_program(const Options& options, const ActionTable<Graph>& table,
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     if constexpr (LinkOf<Graph>::kBoardDecides) {
       // The board has agent and guard, and the program gives back what they did.
-      program.link->set_late(watch.late_in_a_row());
+      program.link().set_late(watch.late_in_a_row());
       return Graph::zero();
     }
     if (faults.empty()) return action_of<Graph>(options, table, key, step, observation, program);
@@ -101,7 +101,7 @@ void run_program(const Options& options, const ActionTable<Graph>& table,
     if (ends_early && watch.has_begun() && program.is_real()) program.make_safe();
   }
   if (Graph::kSafety.declared && ends_early && watch.has_begun() && target::is_linked(program)) {
-    if constexpr (LinkOf<Graph>::kBoardDecides) program.link->make_safe();
+    if constexpr (LinkOf<Graph>::kBoardDecides) program.link().make_safe();
     target::step_safely<Graph>(program);
   }
   if (eagerx_run_ends != nullptr) eagerx_run_ends();

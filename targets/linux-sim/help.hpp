@@ -17,7 +17,7 @@ int show_help(const char* program_name, const Options& defaults) {
   using Recorder = TraceRecorder<Graph>;
   auto& program = target::program_of_run<typename ProgramOf<Graph, Recorder, link::NoLink>::Type>;
   link::NoLink none;
-  if constexpr (is_split<Graph>) program.link = &none;
+  if constexpr (is_split<Graph>) program.connect(none);
   // Somebody who asks for help does not want a robot to move.
   if (target::is_real(program)) program.trace.leave_engine_alone();
   std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\n" +

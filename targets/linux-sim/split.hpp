@@ -84,7 +84,7 @@ std::string connect(Link& link, const Options& options) {
 /// Gives a program its link. Real hardware is made safe when the board is silent.
 template <class Graph, class Program, class Link>
 void set_link(Program& program, Link& link) {
-  program.link = &link;
+  program.connect(link);
   if constexpr (requires { program.make_safe(); }) {
     if (!program.is_real()) return;
     link.on_silence(

@@ -65,7 +65,7 @@ class Program {
   }
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
-  Observation reset(const States& states) {
+  Observation reset(const States& states) & {
     n60Hz_ = 0;
     n30Hz_ = 0;
     n20Hz_ = 0;
@@ -123,13 +123,13 @@ class Program {
   /// Applies an action, or what the guard puts in its place, and runs to the next tick of the
   /// environment. `late_in_a_row`: how many steps up to this one were later than
   /// `Limits::kSafety.max_lateness_ns`.
-  Observation step(const Action& action, std::uint64_t late_in_a_row = 0) {
+  Observation step(const Action& action, std::uint64_t late_in_a_row = 0) & {
     return step_unguarded(guard.check(action, late_in_a_row));
   }
   /// The safe action, for the end of a run before its time.
-  Observation step_safely() { return step_unguarded(guard.stop()); }
+  Observation step_safely() & { return step_unguarded(guard.stop()); }
   /// Without the guard: whatever `action` is, the actuators get it.
-  Observation step_unguarded(const Action& action) {
+  Observation step_unguarded(const Action& action) & {
     if (n10Hz_ == 0) [[unlikely]] {
       return before_reset();
     }

@@ -18,7 +18,7 @@ namespace graphs::pendulum_swing_up {
 
 /// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0xb2b1fafd9c9ce791U;
+inline constexpr std::uint64_t kGraphHash = 0x4972736164e03172U;
 inline constexpr std::uint64_t kPolicyHash = 0x538276ca31da2752U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.1.0";
 
@@ -33,8 +33,8 @@ struct Action {
 };
 
 /// What the agent sees: windows into the program's own memory, oldest message first, valid until
-/// the next step or reset.
-struct Observation {
+/// the next step or reset, and no longer than the program. Copy messages that are to stay.
+struct ObservationView {
   // float32 [2]
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<30>, 1, 1, true> angle;
   // float32 []
@@ -46,6 +46,8 @@ struct Observation {
     f("theta_dot", this->theta_dot);
   }
 };
+
+using Observation = ObservationView;
 
 /// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {

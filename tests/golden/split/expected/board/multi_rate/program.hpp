@@ -30,10 +30,12 @@ class Program {
   [[no_unique_address]] Trace trace;
   /// Between the agent and the actuators; step() asks it.
   eagerx::Guard<Limits> guard{};
-  Link* link = nullptr;  // to the other program of this graph; set before the first reset
+  /// The link to the other program of this graph; before the first reset.
+  void connect(Link& link) { link_ = &link; }
+  [[nodiscard]] Link& link() const { return *link_; }
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
-  Observation reset(const States& /*states*/) {
+  Observation reset(const States& /*states*/) & {
     n60Hz_ = 0;
     n30Hz_ = 0;
     n20Hz_ = 0;
@@ -54,13 +56,13 @@ class Program {
   /// Applies an action, or what the guard puts in its place, and runs to the next tick of the
   /// environment. `late_in_a_row`: how many steps up to this one were later than
   /// `Limits::kSafety.max_lateness_ns`.
-  Observation step(const Action& action, std::uint64_t late_in_a_row = 0) {
+  Observation step(const Action& action, std::uint64_t late_in_a_row = 0) & {
     return step_unguarded(guard.check(action, late_in_a_row));
   }
   /// The safe action, for the end of a run before its time.
-  Observation step_safely() { return step_unguarded(guard.stop()); }
+  Observation step_safely() & { return step_unguarded(guard.stop()); }
   /// Without the guard: whatever `action` is, the actuators get it.
-  Observation step_unguarded(const Action& action) {
+  Observation step_unguarded(const Action& action) & {
     if (n10Hz_ == 0) [[unlikely]] {
       return before_reset();
     }
@@ -68,12 +70,12 @@ class Program {
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_voltage = action.voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
-    link->put(new_voltage);
+    link_->put(new_voltage);
     // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
     new_push = action.push;
     trace(channel::environment_push, n10Hz_ - 1, new_push);
-    link->put(new_push);
+    link_->put(new_push);
     for (std::uint32_t at = slot_ + 1; at < 12; ++at) {
       switch (kKindAt[at]) {
         case 1:
@@ -155,7 +157,7 @@ class Program {
         trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
       }
     }
-    if (!link->ok()) {
+    if (!link_->ok()) {
       return;
     }
     if ((due & k30Hz) != 0) {
@@ -172,14 +174,14 @@ class Program {
         fast_.callback(eagerx::Tick{n}, in, out);
         new_filtered = FastFilteredProcessor::convert(raw_filtered);
         trace(channel::fast_filtered, n, new_filtered);
-        link->put(new_filtered);
+        link_->put(new_filtered);
       }
     }
     if ((due & k20Hz) != 0) {
       const eagerx::Seq n = n20Hz_ - 1;
       // left/theta: FloatOutput
       {
-        if (!link->get(left_theta_observation_[0])) {
+        if (!link_->get(left_theta_observation_[0])) {
           return;
         }
         trace(channel::left_theta_observation, n, left_theta_observation_[0]);
@@ -192,7 +194,7 @@ class Program {
       // left/theta_dot: FloatOutput
       {
         auto& new_observation = left_theta_dot_observation_[eagerx::ring_position<8>(n)];
-        if (!link->get(new_observation)) {
+        if (!link_->get(new_observation)) {
           return;
         }
         trace(channel::left_theta_dot_observation, n, new_observation);
@@ -203,7 +205,7 @@ class Program {
       // right/theta: FloatOutput
       {
         auto& new_observation = right_theta_observation_[eagerx::ring_position<2>(n)];
-        if (!link->get(new_observation)) {
+        if (!link_->get(new_observation)) {
           return;
         }
         trace(channel::right_theta_observation, n, new_observation);
@@ -214,7 +216,7 @@ class Program {
       // left/u_applied: ActionApplied
       {
         auto& new_action_applied = left_u_applied_action_applied_[eagerx::ring_position<2>(n)];
-        if (!link->get(new_action_applied)) {
+        if (!link_->get(new_action_applied)) {
           return;
         }
         trace(channel::left_u_applied_action_applied, n, new_action_applied);
@@ -253,6 +255,7 @@ class Program {
   }
   std::uint32_t memory_faults_ = 0;
 
+  Link* link_ = nullptr;
   std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;

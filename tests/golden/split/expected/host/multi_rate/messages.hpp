@@ -18,7 +18,7 @@ namespace graphs::multi_rate {
 
 /// What this was made from: FNV-1a of all headers of this program and of those with weights alone,
 /// which is 0 without a policy. A comment in the graph changes neither.
-inline constexpr std::uint64_t kGraphHash = 0x8d4606d64c4bd5b2U;
+inline constexpr std::uint64_t kGraphHash = 0x82258ab1da0c6cadU;
 inline constexpr std::uint64_t kPolicyHash = 0x0000000000000000U;
 inline constexpr const char* kGenerator = "eagerx-gen 0.1.0";
 
@@ -35,8 +35,8 @@ struct Action {
 };
 
 /// What the agent sees: windows into the program's own memory, oldest message first, valid until
-/// the next step or reset.
-struct Observation {
+/// the next step or reset, and no longer than the program. Copy messages that are to stay.
+struct ObservationView {
   // float32 [2]
   eagerx::PaddedWindow<eagerx::Array<float, 2>, eagerx::Rate<20>, 2, 2, false> angle;
   // float32 []
@@ -57,6 +57,8 @@ struct Observation {
     f("other", this->other);
   }
 };
+
+using Observation = ObservationView;
 
 /// What a reset may set. What is left empty stays as it is; before the first reset, its default.
 struct States {

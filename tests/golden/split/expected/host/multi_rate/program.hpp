@@ -26,7 +26,9 @@ template <class Trace = eagerx::NoTrace, class Link = eagerx::link::NoLink>
 class Program {
  public:
   [[no_unique_address]] Trace trace;
-  Link* link = nullptr;  // to the other program of this graph; set before the first reset
+  /// The link to the other program of this graph; before the first reset.
+  void connect(Link& link) { link_ = &link; }
+  [[nodiscard]] Link& link() const { return *link_; }
 
   /// Once: engine and simulators get what they need, memory too if they are built on a library.
   /// The first reset does it if nobody has.
@@ -64,7 +66,7 @@ class Program {
   }
 
   /// Starts an episode; the observation of its tick 0. What `states` leaves empty stays as it is.
-  Observation reset(const States& states) {
+  Observation reset(const States& states) & {
     n60Hz_ = 0;
     n30Hz_ = 0;
     n20Hz_ = 0;
@@ -118,21 +120,21 @@ class Program {
   [[nodiscard]] std::uint32_t memory_faults() const { return memory_faults_; }
 
   /// Applies an action and runs to the next tick of the environment.
-  Observation step(Action& action) {
+  Observation step(Action& action) & {
     if (n10Hz_ == 0) [[unlikely]] {
       return before_reset();
     }
-    link->begin_step();
+    link_->begin_step();
     // actions.voltage
     auto& new_voltage = action_voltage_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link->get(new_voltage)) {
+    if (!link_->get(new_voltage)) {
       return observe();
     }
     action.voltage = new_voltage;
     trace(channel::environment_voltage, n10Hz_ - 1, new_voltage);
     // actions.push
     auto& new_push = action_push_[eagerx::ring_position<4>(n10Hz_ - 1)];
-    if (!link->get(new_push)) {
+    if (!link_->get(new_push)) {
       return observe();
     }
     action.push = new_push;
@@ -232,7 +234,7 @@ class Program {
         trace.slot(eagerx::Rate<10>{}, n10Hz_ - 1);
       }
     }
-    if (!link->ok()) {
+    if (!link_->ok()) {
       return;
     }
     if ((due & k60Hz) != 0) {
@@ -255,7 +257,7 @@ class Program {
       // fast: ButterworthFilter
       {
         auto& new_filtered = fast_filtered_[eagerx::ring_position<4>(n)];
-        if (!link->get(new_filtered)) {
+        if (!link_->get(new_filtered)) {
           return;
         }
         trace(channel::fast_filtered, n, new_filtered);
@@ -298,7 +300,7 @@ class Program {
         trace(channel::left_theta_observation, n, left_theta_observation_[0]);
         observation_angle_[eagerx::ring_position<2>(n)] =
             ObservationAngleProcessor::convert(left_theta_observation_[0]);
-        link->put(left_theta_observation_[0]);
+        link_->put(left_theta_observation_[0]);
       }
       // right/u: OdeInput
       {
@@ -326,7 +328,7 @@ class Program {
         left_theta_dot_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         new_observation = LeftThetaDotObservationProcessor::convert(raw_observation);
         trace(channel::left_theta_dot_observation, n, new_observation);
-        link->put(new_observation);
+        link_->put(new_observation);
       }
     }
     if ((due & k15Hz) != 0) {
@@ -351,7 +353,7 @@ class Program {
         }
         right_theta_.callback(eagerx::Tick{n}, in, out, right_simulator_);
         trace(channel::right_theta_observation, n, new_observation);
-        link->put(new_observation);
+        link_->put(new_observation);
       }
     }
     if ((due & k10Hz) != 0) {
@@ -367,7 +369,7 @@ class Program {
         }
         left_u_applied_.callback(eagerx::Tick{n}, in, out, left_simulator_);
         trace(channel::left_u_applied_action_applied, n, new_action_applied);
-        link->put(new_action_applied);
+        link_->put(new_action_applied);
       }
     }
   }
@@ -375,7 +377,7 @@ class Program {
   // From the environment on: everything that needs its action.
   template <class Mask>
   void after(const Mask due) {
-    if (!link->ok()) {
+    if (!link_->ok()) {
       return;
     }
     if ((due & k20Hz) != 0) {
@@ -446,6 +448,7 @@ class Program {
   }
   std::uint32_t memory_faults_ = 0;
 
+  Link* link_ = nullptr;
   std::uint32_t steps_before_reset_ = 0;
   // Ticks so far, one counter a rate.
   eagerx::Seq n60Hz_ = 0;
