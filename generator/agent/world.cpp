@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "generator/agent/order.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -268,38 +270,16 @@ class WorldCheck {
           "so their order was not checked: give the observations the names of the training";
       return;
     }
-    wrong_order(both).help = order_of_training(theirs, ours);
+    wrong_order(both).help = help_for_renamed(theirs, ours);
   }
 
   /// What to write so that the order is that of the training, as far as the names say it.
-  std::string order_of_training(const std::vector<NamedPart>& theirs,
-                                const std::vector<NamedPart>& ours) const {
-    std::vector<std::string> order;
-    std::string renamed;
-    for (const NamedPart& part : theirs) {
-      if (std::ranges::find(ours, part.name, &NamedPart::name) != ours.end()) {
-        order.push_back(part.name);
-        continue;
-      }
-      // Another name for it: the only one of its size that the training does not know.
-      const auto may_be = [&](const NamedPart& own) {
-        return own.size == part.size &&
-               std::ranges::find(theirs, own.name, &NamedPart::name) == theirs.end();
-      };
-      const auto same_size = [&](const NamedPart& other) {
-        return other.size == part.size &&
-               std::ranges::find(ours, other.name, &NamedPart::name) == ours.end();
-      };
-      if (std::ranges::count_if(ours, may_be) != 1 || std::ranges::count_if(theirs, same_size) != 1)
-        return help_for_order("…");
-      const std::string& name = std::ranges::find_if(ours, may_be)->name;
-      renamed += fmt::format("{}`{}`, if it is the `{}` of the training",
-                             renamed.empty() ? "" : ", and ", name, part.name);
-      order.push_back(name);
-    }
-    if (order.size() != ours.size() || renamed.empty()) return help_for_order("…");
-    return fmt::format("rename {}; or {}", renamed,
-                       help_for_order(fmt::format("{}", fmt::join(order, ", "))));
+  std::string help_for_renamed(const std::vector<NamedPart>& theirs,
+                               const std::vector<NamedPart>& ours) const {
+    const auto order = order_of_training(theirs, ours);
+    if (!order || order->renamed.empty()) return help_for_order("…");
+    return fmt::format("rename {}; or {}", fmt::join(order->renamed, ", and "),
+                       help_for_order(fmt::format("{}", fmt::join(order->names, ", "))));
   }
 
   std::string help_for_order(const std::string& order) const {
