@@ -1,5 +1,5 @@
-// What happens when a program finds in its own memory what it never wrote there: a bit has flipped, or
-// something wrote over it.
+// What happens when a program finds in its own memory what it never wrote there: a bit has flipped,
+// or something wrote over it.
 #pragma once
 
 /// Whoever defines it is called when a program finds its place in the schedule to be none. It may

@@ -243,8 +243,7 @@ void for_each_fault(const Program& program, F&& f) {
     f("safe: steps before the first reset", program.steps_before_reset());
   if constexpr (requires { program.reset_timeouts(); })
     f("reset timeouts", program.reset_timeouts());
-  if constexpr (requires { program.memory_faults(); })
-    f("memory faults", program.memory_faults());
+  if constexpr (requires { program.memory_faults(); }) f("memory faults", program.memory_faults());
   if constexpr (requires { program.refused_delays(); })
     f("refused delays", program.refused_delays());
   if constexpr (requires { program.for_each_count(f); }) program.for_each_count(f);

@@ -19,7 +19,9 @@ int main() {
 }
 #else
 static int calls = 0;
-extern "C" void eagerx_memory_fault() { ++calls; }
+extern "C" void eagerx_memory_fault() {
+  ++calls;
+}
 
 int main() {
   int expected = 0;

@@ -19,6 +19,16 @@ TEST(Marks, AreTakenOutAgain) {
   EXPECT_EQ(marked.blocks[1].last, 4U);
 }
 
+TEST(Marks, MayBeIndentedAsALoopDoes) {
+  const MarkedText marked =
+      take_marks("for\n  " + begin_mark("a") + "\n  one\n  " + end_mark() + "\n}\n");
+  EXPECT_EQ(marked.text, "for\n  one\n}\n");
+  ASSERT_EQ(marked.blocks.size(), 1U);
+  EXPECT_EQ(marked.blocks[0].node, "a");
+  EXPECT_EQ(marked.blocks[0].first, 2U);
+  EXPECT_EQ(marked.blocks[0].last, 2U);
+}
+
 TEST(Marks, TextWithoutThemStays) {
   for (const char* text : {"", "\n", "a", "a\n\nb\n"}) EXPECT_EQ(take_marks(text).text, text);
 }

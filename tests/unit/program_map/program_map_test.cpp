@@ -14,6 +14,8 @@ ProgramMap example() {
   map.owner_of_member = {{"smooth_", {true, "smooth"}},
                          {"smooth_filtered_", {false, "rings"}},
                          {"trace", {false, "runtime"}}};
+  map.type_of_node["rough"] = "ButterworthFilter";
+  map.shares = {{"rough", "smooth"}};
   map.graph_file = "my graph.yaml";
   map.places = {{12, 3, "actions.voltage"}, {9, 5, "smooth"}};
   return map;
@@ -37,6 +39,7 @@ TEST(ProgramMap, IsReadAsItWasWritten) {
   EXPECT_EQ(to_text(*map), text);
   EXPECT_EQ(map->program_hash, example().program_hash);
   EXPECT_EQ(map->type_of_node.at("pendulum/theta"), "FloatOutput");
+  EXPECT_EQ(map->shares.at("rough"), "smooth");
   EXPECT_EQ(map->graph_file, "my graph.yaml");
   ASSERT_EQ(map->places.size(), 2U);
   EXPECT_EQ(map->places[1].line, 9U);
@@ -89,6 +92,9 @@ TEST(ProgramMap, OthersAreRefusedWithTheirLine) {
                            "program",
                            "member x",
                            "member x node c",
+                           "shares a",
+                           "shares a c",
+                           "shares c a",
                            "graph",
                            "place 1 2",
                            "place 1 x smooth",
