@@ -184,23 +184,11 @@ class Guard {
     bool applicable = true;
     Limits::for_each_applied(action, [&](const auto& message, const auto& space) {
       for (std::size_t i = 0; i < size_of<std::remove_cvref_t<decltype(message)>>; ++i) {
-        applicable = applicable &&
-                     is_within(element(message, i), element(space.low, i), element(space.high, i));
+        applicable = applicable && is_finite_within(element(message, i), element(space.low, i),
+                                                    element(space.high, i));
       }
     });
     return applicable;
-  }
-
-  /// NaN and infinity never are.
-  template <class T>
-  static bool is_within(T x, T low, T high) {
-    if constexpr (std::is_floating_point_v<T>) {
-      constexpr T kMost = std::numeric_limits<T>::max();
-      if (low == -high) return eagerx::abs(x) <= (high < kMost ? high : kMost);
-      return x >= low && x <= high && eagerx::abs(x) <= kMost;
-    } else {
-      return x >= low && x <= high;
-    }
   }
 
   /// Rare, so it is kept out of the way.

@@ -58,19 +58,25 @@ class OutputGuard {
   /// Whether they are reset before it, because a safe output is over.
   bool begins_anew() const { return begins_anew_; }
 
-  /// What leaves after the nodes have run.
-  Observation leave(Observation seen) {
+  /// What leaves after the nodes have run, in the place of what they have sent.
+  void leave(Observation& seen) {
     was_not_finite_ = false;
     remember(seen);
-    if (!are_right(seen)) {
+    bool right = true;
+    Limits::for_each_output(seen, outputs_,
+                            [&](const auto& window, const auto& /*keeper*/, const auto& safe) {
+                              right = right && is_finite_within(window.back(), safe.space);
+                            });
+    if (!right && !may_leave(seen)) {
       verdict_.refuse();
-      return safe(seen);
+      seen = safe(seen);
+      return;
     }
-    Limits::for_each_output(seen, outputs_, [](auto& window, auto& keeper, const auto& safe) {
-      keeper.leave(safe.space.clipped(window.back()), safe);
+    Limits::for_each_output(seen, outputs_, [&](auto& window, auto& keeper, const auto& safe) {
+      const auto& message = window.back();
+      keeper.leave(right ? message : safe.space.clipped(message), safe);
       show(window, keeper);
     });
-    return seen;
   }
 
   /// What leaves of a step in which no node has run. `nothing`: an observation before any message.
@@ -165,7 +171,7 @@ class OutputGuard {
   }
 
   /// Whether every output may leave, if moved into its limits.
-  bool are_right(Observation& seen) {
+  [[gnu::noinline, gnu::cold]] bool may_leave(Observation& seen) {
     bool right = true;
     std::size_t channel = 0;
     Limits::for_each_output(seen, outputs_,

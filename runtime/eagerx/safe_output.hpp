@@ -29,31 +29,40 @@ class OutputKeeper {
 
   void reset(const SafeOutput<Message>& safe) {
     message_ = safe.value;
+    state_ = State::fresh;
     safe_steps_ = 0;
-    returns_ = false;
-    has_good_ = false;
   }
 
   /// A step whose output, finite and within its space, may leave.
   void leave(const Message& good, const SafeOutput<Message>& safe) {
-    returns_ = returns_ && approach(good, safe.most_change);
-    if (!returns_) message_ = good;
-    safe_steps_ = 0;
-    has_good_ = true;
+    if (state_ == State::away && ramps(safe) && approach(good, safe.most_change)) {
+      safe_steps_ = 0;
+      return;
+    }
+    message_ = good;
+    state_ = State::good;
   }
 
   /// A step in which it is safe. `holds`: whether the last good output may stay.
   void be_safe(const SafeOutput<Message>& safe, bool holds) {
-    returns_ = safe.most_change > ScalarOf<Message>{};
-    if (holds && has_good_ && safe_steps_ < safe.hold_steps) {
+    const bool had_good = state_ != State::fresh;
+    if (state_ == State::good) {
+      safe_steps_ = 0;
+      state_ = State::away;
+    }
+    if (holds && had_good && safe_steps_ < safe.hold_steps) {
       ++safe_steps_;
     } else {
       safe_steps_ = safe.hold_steps;  // holding is over for this time
-      if (!returns_ || !approach(safe.value, safe.most_change)) message_ = safe.value;
+      if (!ramps(safe) || !approach(safe.value, safe.most_change)) message_ = safe.value;
     }
   }
 
  private:
+  static bool ramps(const SafeOutput<Message>& safe) {
+    return safe.most_change > ScalarOf<Message>{};
+  }
+
   /// A step towards `target`; false if it is reached, or if there are no steps.
   bool approach(const Message& target, ScalarOf<Message> most_change) {
     if constexpr (!std::is_floating_point_v<ScalarOf<Message>>) return false;
@@ -75,9 +84,11 @@ class OutputKeeper {
   }
 
   Message message_{};
+  /// No good output since the reset; the last good one; safe, or on the way back.
+  enum class State : std::uint8_t { fresh, good, away };
+
   std::uint64_t safe_steps_ = 0;  // in a row in which it was held
-  bool returns_ = false;          // on its way between good and safe
-  bool has_good_ = false;         // since the reset
+  State state_ = State::fresh;
 };
 
 }  // namespace eagerx
