@@ -107,34 +107,48 @@ TEST(TaskExpression, Functions) {
 TEST(TaskExpression, ListsBecomeLoops) {
   EXPECT_EQ(number("sum(v^2)"),
             "Real sum_1{};\n"
-            "for (std::size_t i = 0; i < 3; ++i) sum_1 += eagerx::square(v[i]);\n"
+            "for (std::size_t i = 0; i < 3; ++i) {\n"
+            "  sum_1 += eagerx::square(v[i]);\n"
+            "}\n"
             "sum_1");
   EXPECT_EQ(number("sum((v - before(v))^2 * 2)"),
             "Real sum_1{};\n"
-            "for (std::size_t i = 0; i < 3; ++i) sum_1 += "
+            "for (std::size_t i = 0; i < 3; ++i) {\n"
+            "  sum_1 += "
             "eagerx::square(v[i] - before_v_[i]) * Real(2);\n"
+            "}\n"
             "sum_1");
   EXPECT_EQ(number("norm(m)"),
             "Real squares_1{};\n"
-            "for (std::size_t i = 0; i < 4; ++i) squares_1 += "
+            "for (std::size_t i = 0; i < 4; ++i) {\n"
+            "  squares_1 += "
             "eagerx::square(static_cast<Real>(m[i]));\n"
+            "}\n"
             "eagerx::sqrt(squares_1)");
   EXPECT_EQ(number("max(abs(v))"),
             "Real most_1 = eagerx::abs(v[0]);\n"
-            "for (std::size_t i = 1; i < 3; ++i) most_1 = "
+            "for (std::size_t i = 1; i < 3; ++i) {\n"
+            "  most_1 = "
             "eagerx::max(most_1, eagerx::abs(v[i]));\n"
+            "}\n"
             "most_1");
   EXPECT_EQ(number("sum((v - mean(v))^2)"),
             "Real sum_1{};\n"
-            "for (std::size_t i = 0; i < 3; ++i) sum_1 += v[i];\n"
+            "for (std::size_t i = 0; i < 3; ++i) {\n"
+            "  sum_1 += v[i];\n"
+            "}\n"
             "Real sum_2{};\n"
-            "for (std::size_t i = 0; i < 3; ++i) sum_2 += "
+            "for (std::size_t i = 0; i < 3; ++i) {\n"
+            "  sum_2 += "
             "eagerx::square(v[i] - sum_1 / Real(3));\n"
+            "}\n"
             "sum_2");
   // The same sum is added up once.
   EXPECT_EQ(number("sum(v) * sum(v)"),
             "Real sum_1{};\n"
-            "for (std::size_t i = 0; i < 3; ++i) sum_1 += v[i];\n"
+            "for (std::size_t i = 0; i < 3; ++i) {\n"
+            "  sum_1 += v[i];\n"
+            "}\n"
             "sum_1 * sum_1");
   // Of one number there is nothing to add up.
   EXPECT_EQ(number("sum(u^2)"), "eagerx::square(u[0])");
