@@ -1,6 +1,7 @@
 // program.map: what of program.hpp is whose.
 #include "generator/emit/names.hpp"
 #include "generator/emit/reset_view.hpp"
+#include "generator/quote/quote.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -61,7 +62,7 @@ ProgramMap program_map(const Plan& plan, const ProgramNames& names, const Marked
   }
   for (const auto& block : map.blocks) map.type_of_node[block.node] = types.at(block.node);
 
-  map.graph_file = graph.file_name;
+  map.graph_file = in_comment(graph.file_name);
   map.places = places_of(graph);
   map.owner_of_member["trace"] = {false, "runtime"};
   for (const std::size_t n : nodes_in_order(plan)) {
