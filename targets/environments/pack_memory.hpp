@@ -65,7 +65,11 @@ class PackMemory {
 
   /// The guard looks at the observation of the step.
   void show_guard(const PackColumn& column, Program& program) const {
-    if constexpr (requires { requires decltype(program.guard)::kTakesOver; }) {
+    // The guard of a graph without engine looks at no observation, and such a graph has no packs.
+    if constexpr (requires {
+                    requires decltype(program.guard)::kTakesOver;
+                    program.guard.saw_numbers();
+                  }) {
       if (!kernel_.answers) return;
       if (column.end(kFinite) != 0.0F) {
         program.guard.saw_numbers();

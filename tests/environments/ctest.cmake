@@ -29,6 +29,9 @@ foreach(graph blocks rates)
 endforeach()
 add_test(NAME environments.packs COMMAND ${CMAKE_CURRENT_LIST_DIR}/packs ${environments_packs})
 add_test(NAME environments COMMAND ${CMAKE_CURRENT_LIST_DIR}/run $<TARGET_FILE:eagerx-gen> ${environments_programs})
+# A graph without an engine, whose outputs have a guard.
+eagerx_add_graph(TARGET environments_controller GRAPH ${PROJECT_SOURCE_DIR}/tests/own_loop/arm.yaml BOARD environments)
+add_test(NAME environments.controller COMMAND ${CMAKE_CURRENT_LIST_DIR}/controller $<TARGET_FILE:environments_controller>)
 # Debian's Python, which has the numpy that toolchains/install-packages installs.
 add_test(NAME environments.python COMMAND ${CMAKE_CURRENT_LIST_DIR}/python $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:environments_swing>
                                           $<TARGET_FILE:environments_swing_alone>)
