@@ -34,7 +34,7 @@ Arguments joined(std::initializer_list<Arguments> parts) {
 }
 
 Argument graph(Options& options) {
-  return required(text("graph", options.graph, "the graph file", "GRAPH.yaml"));
+  return required(reads(text("graph", options.graph, "the graph file", "GRAPH.yaml")));
 }
 
 Arguments selection(Options& options) {
@@ -55,8 +55,8 @@ Arguments selection(Options& options) {
 }
 
 Argument agent_policy(Options& options) {
-  return text("--policy", options.agent_policy,
-              "weight file of a policy that decides instead of the graph's `agent`", "FILE");
+  return reads(text("--policy", options.agent_policy,
+                    "weight file of a policy that decides instead of the graph's `agent`", "FILE"));
 }
 
 Arguments rates(Options& options) {
@@ -67,8 +67,8 @@ Arguments rates(Options& options) {
 }
 
 Argument library(Options& options) {
-  return texts("--path", options.paths,
-               "folder with entities or targets of your own, may be repeated", "DIR");
+  return folder(texts("--path", options.paths,
+                      "folder with entities or targets of your own, may be repeated", "DIR"));
 }
 
 Arguments diagnostics(Options& options) {
@@ -92,10 +92,10 @@ Argument handed_on(const std::string& name, std::string about, std::string type,
 }
 
 Arguments on_environments(Options& options) {
-  return joined({{text("--build", options.output,
-                       "folder for the library of environments (default: generated/<graph "
-                       "name>-environments)",
-                       "DIR"),
+  return joined({{folder(text("--build", options.output,
+                              "folder for the library of environments (default: generated/<graph "
+                              "name>-environments)",
+                              "DIR")),
                   text("--engine", options.engine,
                        "run the graph on this engine instead of its own", "NAME")},
                  rates(options),

@@ -9,6 +9,7 @@
 #include "generator/cli/board_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/image_budget.hpp"
+#include "generator/files/files.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -151,7 +152,19 @@ int build_command(const Options& options) {
   return std::max(finish(run, options), code);
 }
 
+/// The program knows which of its options name files, and which are outputs, and refuses those that
+/// are one file. What it cannot know are the graph's own files: none of these is for it to open.
+void spare_own_files(const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    const std::size_t begin = word.starts_with("--") ? word.find('=') + 1 : 0;
+    const std::string path = word.substr(begin);
+    std::error_code ignored;
+    if (fs::is_regular_file(path, ignored)) remember_output(path, path);
+  }
+}
+
 int run_command(const Options& options) {
+  spare_own_files(options.program_options);
   Run run;
   int code = kDone;
   std::vector<std::string> words = options.program_options;

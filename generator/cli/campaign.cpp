@@ -131,11 +131,12 @@ Command campaign_commands(Options& options) {
                    "core)",
                    "N"),
             option("--worst", "name so many of the worst runs (default: 5)", "N"),
-            option("--csv", "write a table with a row for each run", "FILE"),
+            writes(option("--csv", "write a table with a row for each run", "FILE")),
             flag("--json", options.json_output, "print the report as JSON"),
-            option("--checkpoint", "add finished runs to this file, for --resume", "FILE"),
-            option("--resume", "go on from a checkpoint: the report is that of one long run",
-                   "FILE")},
+            writes(option("--checkpoint", "add finished runs to this file, for --resume", "FILE")),
+            reads(option("--resume", "go on from a checkpoint: the report is that of one long run",
+                         "FILE"),
+                  "--checkpoint")},
            on_environments(options)}),
       .run = [&options] { return campaign_command(options); }};
 }

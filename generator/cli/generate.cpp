@@ -283,7 +283,8 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
     code = kProblems;
     return std::nullopt;
   }
-  if (!write_depfile(run, options)) return std::nullopt;
+  if (!are_different(folder, *files, run.diagnostics) || !write_depfile(run, options))
+    return std::nullopt;
   const auto result = write_files(folder, std::move(*files), run.diagnostics);
   if (!result) return std::nullopt;
   generated.targets = emit_options.targets;

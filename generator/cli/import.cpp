@@ -26,11 +26,6 @@ std::vector<Spanned<std::string>> library_of(const Options& options) {
   return result;
 }
 
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  return fs::equivalent(a, b, ignored);
-}
-
 }  // namespace
 
 int import_command(const Options& options) {
@@ -55,10 +50,6 @@ int import_command(const Options& options) {
   const std::string text = write_graph(*imported);
   if (options.output.empty()) {
     say_text(text);
-  } else if (is_same_file(options.graph, options.output)) {
-    run.diagnostics
-        .io_error("E0901", {}, fmt::format("`{}` is the file that is read", options.output))
-        .help = "give another name with `-o`";
   } else if (write_file(options.output, text, run.diagnostics) && !options.quiet) {
     say("{}: {} objects, {} nodes, {} connections\n", options.output, imported->spec.objects.size(),
         imported->spec.nodes.size(), imported->spec.connections.size());

@@ -19,7 +19,8 @@ CommandLine command_line(Options& options);
 
 Arguments output(Options& options) {
   return {
-      text("-o,--output", options.output, "output folder (default: generated/<graph name>)", "DIR"),
+      folder(text("-o,--output", options.output, "output folder (default: generated/<graph name>)",
+                  "DIR")),
       flag("--library", options.library,
            "write a library for a main loop of your own instead of a program"),
       flag("--standalone", options.standalone,
@@ -29,9 +30,10 @@ Arguments output(Options& options) {
             "with --library a controller for hardware, without it an episode of the simulation; "
             "may be repeated",
             "NAME"),
-      text("--depfile", options.depfile,
-           "also write the files that the output depends on; the make target is FILE without .d",
-           "FILE.d")};
+      writes(text("--depfile", options.depfile,
+                  "also write the files that the output depends on; the make target is FILE "
+                  "without .d",
+                  "FILE.d"))};
 }
 
 Command generate(Options& options) {
@@ -55,15 +57,15 @@ Command generate(Options& options) {
 }
 
 Arguments building(Options& options) {
-  return joined(
-      {{graph(options), text("-o,--output", options.output,
-                             "output folder (default: generated/<graph name>, for another target "
-                             "generated/<graph name>-<target>); it is built in its folder `build`",
-                             "DIR")},
-       selection(options),
-       rates(options),
-       {agent_policy(options), library(options), warnings(options)},
-       diagnostics(options)});
+  return joined({{graph(options),
+                  folder(text("-o,--output", options.output,
+                              "output folder (default: generated/<graph name>, for another target "
+                              "generated/<graph name>-<target>); it is built in its folder `build`",
+                              "DIR"))},
+                 selection(options),
+                 rates(options),
+                 {agent_policy(options), library(options), warnings(options)},
+                 diagnostics(options)});
 }
 
 Command build(Options& options) {
@@ -122,27 +124,28 @@ Command check(Options& options) {
 }
 
 Command info(Options& options) {
-  return {
-      .name = "info",
-      .about = "list entities and targets, or explain one or a graph",
-      .examples = {{"list what there is", "eagerx-gen info"},
-                   {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
-                   {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"}},
-      .arguments = joined({{text("entity", options.entity,
-                                 "id of an entity or target, or a graph file", "ENTITY|GRAPH.yaml"),
-                            text("--engine", options.engine,
-                                 "run the graph on this engine instead of its own", "NAME")},
-                           rates(options),
-                           {library(options),
-                            flag("--json", options.json_output, "print JSON (for graphs only)")}}),
-      .run = [&options] { return info_command(options); }};
+  return {.name = "info",
+          .about = "list entities and targets, or explain one or a graph",
+          .examples = {{"list what there is", "eagerx-gen info"},
+                       {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
+                       {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"}},
+          .arguments = joined(
+              {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
+                           "ENTITY|GRAPH.yaml")),
+                text("--engine", options.engine, "run the graph on this engine instead of its own",
+                     "NAME")},
+               rates(options),
+               {library(options),
+                flag("--json", options.json_output, "print JSON (for graphs only)")}}),
+          .run = [&options] { return info_command(options); }};
 }
 
 Command picture(Options& options) {
-  Argument output = text("-o,--output", options.output,
-                         "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
-                         "<graph name>.svg)",
-                         "FILE");
+  Argument output =
+      writes(text("-o,--output", options.output,
+                  "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
+                  "<graph name>.svg)",
+                  "FILE"));
   output.check = [](const std::string& path) {
     return picture_format_of(path) ? std::string() : path + " ends in none of .svg, .dot, .mmd";
   };
@@ -190,11 +193,14 @@ Command report(Options& options) {
                     "eagerx-gen report pendulum.yaml --simulate"}},
       .arguments = joined(
           {{graph(options),
-            text("-o,--output", options.output, "the page (default: <graph name>.html)", "FILE"),
-            texts("--trace", options.logs, "what a run wrote with --trace, may be repeated", "LOG"),
-            texts("--image", options.images, "an image of a board, may be repeated", "IMAGE.elf"),
-            text("--build", options.build,
-                 "build folder of the image (default: the folder that it lies in)", "DIR"),
+            writes(text("-o,--output", options.output, "the page (default: <graph name>.html)",
+                        "FILE")),
+            reads(texts("--trace", options.logs, "what a run wrote with --trace, may be repeated",
+                        "LOG")),
+            reads(texts("--image", options.images, "an image of a board, may be repeated",
+                        "IMAGE.elf")),
+            folder(text("--build", options.build,
+                        "build folder of the image (default: the folder that it lies in)", "DIR")),
             std::move(points),
             flag("--simulate", options.simulate,
                  "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
@@ -227,9 +233,11 @@ Command import(Options& options) {
                {"a folder to fill in for each class that has no counterpart in C++",
                 "eagerx-gen import state.yaml --missing -o models"}},
           .arguments = joined(
-              {{required(text("state", options.graph, "the file that EAGERx saved", "STATE.yaml")),
-                text("-o,--output", options.output,
-                     "the graph to write (default: print it); with --missing the folder", "FILE"),
+              {{required(reads(
+                    text("state", options.graph, "the file that EAGERx saved", "STATE.yaml"))),
+                writes(text("-o,--output", options.output,
+                            "the graph to write (default: print it); with --missing the folder",
+                            "FILE")),
                 flag("--missing", options.missing,
                      "list the classes without counterpart; with -o make a folder for each"),
                 text("--engine", options.engine, "engine to use if the file has none", "NAME")},
@@ -269,11 +277,11 @@ Command make_new(Options& options) {
       .examples = {{"a project with a graph that moves at once", "eagerx-gen new project my_robot"},
                    {"in it, a node of your own with a test", "eagerx-gen new node my_filter"},
                    {"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
-      .arguments =
-          joined({{std::move(kind), required(text("name", options.entity, "its name", "NAME")),
-                   text("-o,--output", options.output,
-                        "where to make its folder (default: here; of a board: targets)", "DIR")},
-                  diagnostics(options)}),
+      .arguments = joined(
+          {{std::move(kind), required(text("name", options.entity, "its name", "NAME")),
+            folder(text("-o,--output", options.output,
+                        "where to make its folder (default: here; of a board: targets)", "DIR"))},
+           diagnostics(options)}),
       .run = [&options] { return new_command(options); }};
 }
 
@@ -285,19 +293,20 @@ Command size(Options& options) {
                    {"check a graph's budget and count instructions in the emulator",
                     "eagerx-gen size build/pendulum.elf --graph pendulum.yaml --run mps2-an386"}},
       .arguments = joined(
-          {{required(text("image", options.image, "the image", "IMAGE.elf")),
-            text("--graph", options.graph, "also check the image against this graph's `budget:`",
-                 "GRAPH.yaml"),
-            text("--build", options.build,
-                 "build folder of the image (default: the folder that it lies in)", "DIR"),
+          {{required(reads(text("image", options.image, "the image", "IMAGE.elf"))),
+            reads(text("--graph", options.graph,
+                       "also check the image against this graph's `budget:`", "GRAPH.yaml")),
+            folder(text("--build", options.build,
+                        "build folder of the image (default: the folder that it lies in)", "DIR")),
             text("--engine", options.engine,
                  "engine that the image was generated with, if not the graph's", "NAME"),
             library(options),
             text("--run", options.run_on, "also count instructions, in the target's emulator",
                  "TARGET"),
-            text("--baseline", options.baseline,
-                 "an earlier output of --json; if a budget is exceeded, name the parts that grew",
-                 "FILE.json"),
+            reads(text("--baseline", options.baseline,
+                       "an earlier output of --json; if a budget is exceeded, name the parts that "
+                       "grew",
+                       "FILE.json")),
             flag("--json", options.json_output, "print JSON")},
            diagnostics(options)}),
       .run = [&options] { return size_command(options); }};
@@ -310,14 +319,16 @@ Command replay(Options& options) {
                      options.second_log = logs[1];
                    }};
   compare.values = 2;
+  compare.use = FileUse::reads;
   return {.name = "replay",
           .about = "repeat the run of a log and find the first difference",
           .examples = {{"repeat a run that was recorded with --trace",
                         "eagerx-gen replay build/pendulum run.log"},
                        {"the first difference of two runs",
                         "eagerx-gen replay --compare run.log other.log"}},
-          .arguments = {text("program", options.program, "the program, built for Linux", "PROGRAM"),
-                        text("log", options.log, "what a run wrote with --trace", "LOG"),
+          .arguments = {reads(text("program", options.program, "the program, built for Linux",
+                                   "PROGRAM")),
+                        reads(text("log", options.log, "what a run wrote with --trace", "LOG")),
                         text("--given", options.given,
                              "messages to take from the log: actions, sensors, none or names of "
                              "channels, separated by commas (default: actions,sensors)",
@@ -333,32 +344,32 @@ Command replay(Options& options) {
 }
 
 Command identify(Options& options) {
-  return {
-      .name = "identify",
-      .about = "find the parameters and delays that a log was made with",
-      .examples = {{"from a robot's log, as ranges for a graph's states",
-                    "eagerx-gen identify build/pendulum robot.log --out found.yaml"}},
-      .arguments = {required(text("program", options.program,
-                                  "the program of a simulation, built for Linux", "PROGRAM")),
-                    required(text("log", options.log, "what a run wrote with --trace", "LOG")),
-                    text("-o,--out", options.output, "file for the YAML (default: print it)",
-                         "FILE"),
-                    text("--sensors", options.sensors,
-                         "channels to fit, separated by commas (default: all sensors)", "LIST"),
-                    text("--horizon", options.horizon_s,
-                         "seconds that the simulation runs from one guess of the state "
-                         "(default: 0.5)",
-                         "S"),
-                    text("--longest-delay", options.longest_delay_s,
-                         "longest delay of an actuator to try, in seconds (default: 0.1)", "S")},
-      .run = [&options] { return identify_command(options); }};
+  return {.name = "identify",
+          .about = "find the parameters and delays that a log was made with",
+          .examples = {{"from a robot's log, as ranges for a graph's states",
+                        "eagerx-gen identify build/pendulum robot.log --out found.yaml"}},
+          .arguments =
+              {required(reads(text("program", options.program,
+                                   "the program of a simulation, built for Linux", "PROGRAM"))),
+               required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
+               writes(text("-o,--out", options.output, "file for the YAML (default: print it)",
+                           "FILE")),
+               text("--sensors", options.sensors,
+                    "channels to fit, separated by commas (default: all sensors)", "LIST"),
+               text("--horizon", options.horizon_s,
+                    "seconds that the simulation runs from one guess of the state "
+                    "(default: 0.5)",
+                    "S"),
+               text("--longest-delay", options.longest_delay_s,
+                    "longest delay of an actuator to try, in seconds (default: 0.1)", "S")},
+          .run = [&options] { return identify_command(options); }};
 }
 
 Command pages(Options& options) {
   return {
       .name = "pages",
       .about = "write the manual pages and completions that are installed",
-      .arguments = {required(text("folder", options.output, "where", "DIR"))},
+      .arguments = {required(folder(text("folder", options.output, "where", "DIR")))},
       .run =
           [&options] { return pages_command(options, command_line_pages(command_line(options))); },
       .hidden = true};

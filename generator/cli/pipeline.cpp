@@ -9,6 +9,7 @@
 
 #include "generator/cli/paths.hpp"
 #include "generator/diagnostics/pages.hpp"
+#include "generator/files/files.hpp"
 #include "generator/tables/tables.hpp"
 
 namespace eagerx::gen {
@@ -172,6 +173,21 @@ void take_policy(Run& run, const Options& options) {
   run.spec->agent = std::move(agent);
 }
 
+/// Files that the graph names and that only the compiler or the program reads.
+void remember_named_files(const Run& run) {
+  const auto header = [](const fs::path& root, const CppClass& type) {
+    if (!type.include.empty()) remember_input((root / type.include).string());
+  };
+  for (const auto& [id, entity] : run.library.entities) {
+    header(entity.include_root, entity.cpp);
+    for (const ObjectEngine& engine : entity.object_engines)
+      header(engine.include_root, engine.model);
+  }
+  const AgentSpec& agent = run.spec->agent;
+  if (agent.kind == AgentSpec::Kind::csv)
+    remember_input((fs::path(run.spec->path).parent_path() / agent.file.value).string());
+}
+
 /// From the tree of the graph's file on.
 bool make_of_tree(Run& run, const Options& options, Reading reading) {
   if (is_saved_graph(run.tree)) {
@@ -182,6 +198,7 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
     return false;
   }
   take_policy(run, options);
+  remember_named_files(run);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
   if (options.purpose == Purpose::simulation) run.spec->placement.clear();
@@ -230,6 +247,7 @@ int finish(Run& run, const Options& options) {
     std::fputs(render_text(run.diagnostics, run.sources, terminal).c_str(), stderr);
     if (terminal) std::fputs(pointer_to_pages(run.diagnostics).c_str(), stderr);
   }
+  if (run.diagnostics.has_usage_errors()) return kWrongUsage;
   if (run.diagnostics.has_io_errors()) return kInputOutput;
   return run.diagnostics.has_errors() ? kProblems : kDone;
 }

@@ -16,10 +16,11 @@ struct Saying {
   const char* about;
   const char* type;
   std::string PolicyFile::*member;
+  FileUse use = FileUse::none;
 };
 constexpr Saying kSayings[] = {
     {"--normalize", "statistics of the observations: VecNormalize.save, npz or JSON", "FILE",
-     &PolicyFile::normalize},
+     &PolicyFile::normalize, FileUse::reads},
     {"--activation", "activation of the hidden layers, if the file does not say it", "NAME",
      &PolicyFile::activation},
     {"--output-activation",
@@ -31,9 +32,10 @@ constexpr Saying kSayings[] = {
 };
 
 Arguments one_policy(Options& options) {
-  Arguments all = {required(text("file", options.policy.file, "the weight file", "FILE"))};
+  Arguments all = {required(reads(text("file", options.policy.file, "the weight file", "FILE")))};
   for (const Saying& saying : kSayings) {
     all.push_back(text(saying.names, options.policy.*saying.member, saying.about, saying.type));
+    all.back().use = saying.use;
   }
   return gen::joined({std::move(all), diagnostics(options)});
 }
@@ -51,13 +53,14 @@ Argument for_both(Options& options, const Saying& saying) {
                       options.said_too_often |= values.size() > 2;
                     }};
   argument.repeated = true;
+  argument.use = saying.use;
   return argument;
 }
 
 Arguments two_policies(Options& options) {
-  Arguments all = {required(text("first", options.policy.file, "the weight file", "FIRST")),
-                   text("second", options.second_policy.file,
-                        "the other one (default, with --int8: the first)", "SECOND"),
+  Arguments all = {required(reads(text("first", options.policy.file, "the weight file", "FIRST"))),
+                   reads(text("second", options.second_policy.file,
+                              "the other one (default, with --int8: the first)", "SECOND")),
                    flag("--int8", options.int8,
                         "round the weights of the second to eight bits, as `weights: int8` does")};
   for (const Saying& saying : kSayings) all.push_back(for_both(options, saying));
@@ -95,10 +98,11 @@ Arguments asked(Options& options) {
           whole_number(
               "--seed", "where random numbers start (default: 1)", 0, kMostSeed,
               [&options](std::uint64_t seed) { options.seed = static_cast<std::uint32_t>(seed); }),
-          text("--observations", options.observations,
-               "take these instead of drawn ones: columns obs0, obs1 …, of a policy with a memory "
-               "also episode_start",
-               "FILE.csv|npz")};
+          reads(text(
+              "--observations", options.observations,
+              "take these instead of drawn ones: columns obs0, obs1 …, of a policy with a memory "
+              "also episode_start",
+              "FILE.csv|npz"))};
 }
 
 std::string check_asked(const Options& options) {
@@ -136,8 +140,8 @@ Argument tolerance(Options& options) {
 }
 
 Command golden(Options& options) {
-  Argument output =
-      required(text("-o,--output-file", options.output, "the table to write", "GOLDEN.csv"));
+  Argument output = required(
+      writes(text("-o,--output-file", options.output, "the table to write", "GOLDEN.csv")));
   return {.name = "golden",
           .about = "write observations with its answers, computed in float64",
           .examples = {{"1000 drawn observations; the same for the same seed",
@@ -188,10 +192,10 @@ Command policy_commands(Options& options) {
           {.name = "test",
            .about = "compare its answers with known answers",
            .examples = {{"rows of a CSV file", "eagerx-gen policy test swing_up.onnx answers.csv"}},
-           .arguments = gen::joined(
-               {one_policy(options),
-                {required(text("golden", options.golden, "rows of observations and known answers",
-                               "GOLDEN.csv|npz"))}}),
+           .arguments = gen::joined({one_policy(options),
+                                     {required(reads(text("golden", options.golden,
+                                                          "rows of observations and known answers",
+                                                          "GOLDEN.csv|npz")))}}),
            .run = run},
           golden(options),
           compare(options)}};

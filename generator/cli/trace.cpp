@@ -64,10 +64,11 @@ int plot_command(const Options& options) {
 }
 
 Command trace_commands(Options& options) {
-  Argument output = required(text("-o,--output", options.output,
-                                  "the file to write: .csv, .json (Perfetto, chrome://tracing), "
-                                  ".mcap (Foxglove) or .npz (NumPy)",
-                                  "FILE"));
+  Argument output =
+      required(writes(text("-o,--output", options.output,
+                           "the file to write: .csv, .json (Perfetto, chrome://tracing), "
+                           ".mcap (Foxglove) or .npz (NumPy)",
+                           "FILE")));
   output.check = [](const std::string& path) {
     return trace_format_of(path) ? std::string()
                                  : path + " ends in none of .csv, .json, .mcap, .npz";
@@ -76,21 +77,21 @@ Command trace_commands(Options& options) {
       .name = "trace",
       .about = "what a run wrote with --trace, for other tools",
       .examples = {{"for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
-      .commands = {
-          {.name = "convert",
-           .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
-           .examples = {{"a table, a row for each instant",
-                         "eagerx-gen trace convert run.log -o run.csv"},
-                        {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
-           .arguments = {required(text("log", options.log, "what a run wrote with --trace", "LOG")),
-                         std::move(output),
-                         flag("-q,--quiet", options.quiet, "print problems only")},
-           .run = [&options] { return trace_command(options); }}}};
+      .commands = {{.name = "convert",
+                    .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
+                    .examples = {{"a table, a row for each instant",
+                                  "eagerx-gen trace convert run.log -o run.csv"},
+                                 {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
+                    .arguments = {required(reads(text("log", options.log,
+                                                      "what a run wrote with --trace", "LOG"))),
+                                  std::move(output),
+                                  flag("-q,--quiet", options.quiet, "print problems only")},
+                    .run = [&options] { return trace_command(options); }}}};
 }
 
 Command plot_commands(Options& options) {
-  Argument output = required(text("-o,--output", options.output,
-                                  "the picture to write, .svg, or - for the terminal", "FILE"));
+  Argument output = required(writes(text(
+      "-o,--output", options.output, "the picture to write, .svg, or - for the terminal", "FILE")));
   output.check = [](const std::string& path) {
     return path == "-" || path.ends_with(".svg") ? std::string() : path + " is neither .svg nor -";
   };
@@ -105,7 +106,8 @@ Command plot_commands(Options& options) {
       .about = "draw channels of a log over time",
       .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
                    {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
-      .arguments = {required(text("log", options.log, "what a run wrote with --trace", "LOG")),
+      .arguments = {required(
+                        reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
                     required(texts("channel", options.channels,
                                    "channels: their names, or a part such as theta", "CHANNEL")),
                     std::move(output), std::move(episode),

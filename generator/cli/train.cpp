@@ -32,7 +32,8 @@ Command train_commands(Options& options) {
             "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"}},
       .arguments = joined(
           {{graph(options),
-            option("-o,--output", "the policy (default: policy.safetensors)", "FILE"),
+            writes(option("-o,--output", "the policy (default: policy.safetensors)", "FILE"),
+                   "policy.safetensors"),
             option("--algorithm", "ppo (default); there is no other", "NAME"),
             option("--steps", "steps of all environments, at most (default: 5000000)", "N"),
             option("--until-return", "do not end before the mean return of 100 episodes is X", "X"),
@@ -45,16 +46,17 @@ Command train_commands(Options& options) {
                    "N"),
             option("--hidden", "widths of the hidden layers (default: 64,64)", "N,N"),
             option("--discount", "weight of a reward one step later (default: 0.99)", "X"),
-            option("--checkpoint", "write here, every few seconds, what --resume and --from need",
-                   "FILE"),
-            option("--resume", "go on from a checkpoint: the policy is that of one long run",
-                   "FILE"),
-            option("--from",
-                   "begin with what a checkpoint has learnt, also on another graph with the same "
-                   "observations and actions",
-                   "FILE"),
-            option("--csv", "write the learning curve as a table", "FILE"),
-            option("--curve", "write the learning curve as a picture (SVG)", "FILE")},
+            writes(option("--checkpoint",
+                          "write here, every few seconds, what --resume and --from need", "FILE")),
+            reads(option("--resume", "go on from a checkpoint: the policy is that of one long run",
+                         "FILE"),
+                  "--checkpoint"),
+            reads(option("--from",
+                         "begin with what a checkpoint has learnt, also on another graph with the "
+                         "same observations and actions",
+                         "FILE")),
+            writes(option("--csv", "write the learning curve as a table", "FILE")),
+            writes(option("--curve", "write the learning curve as a picture (SVG)", "FILE"))},
            on_environments(options)}),
       .run = [&options] { return train_command(options); }};
 }

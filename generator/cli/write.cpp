@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "generator/cli/folder.hpp"
+#include "generator/files/files.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -36,6 +37,14 @@ GeneratedFile list_of(const std::vector<GeneratedFile>& files) {
     if (!file.yours) text += file.path + "\n";
   }
   return {kList, text};
+}
+
+/// Never true: the file that would be written is one that was read.
+bool refuse_input(const std::string& path, const std::string& input, Diagnostics& diagnostics) {
+  const std::string also = path == input ? "" : fmt::format(", as `{}`", input);
+  diagnostics.usage_error("E0906", fmt::format("`{}` is a file that is read{}", path, also)).help =
+      "give another name for what is written";
+  return false;
 }
 
 /// One file of the output: written from its place in the stage, or removed.
@@ -113,6 +122,8 @@ class Writer {
         ++result_.unchanged;
         continue;
       }
+      if (const auto input = input_at(place(file.path)))
+        return refuse_input(place(file.path), *input, diagnostics_);
       if (!folder_.takes(file.path)) return refuse(file.path, reason(file.path));
       if (folder_.kind(file.path) == Folder::Kind::folder)
         return refuse(file.path, "it is a folder");
@@ -233,15 +244,31 @@ std::optional<Folder> open_folder(const std::string& name, const std::string& wh
 
 }  // namespace
 
+bool are_different(const std::string& folder, const std::vector<GeneratedFile>& files,
+                   Diagnostics& diagnostics) {
+  std::vector<std::string> paths;
+  paths.reserve(files.size());
+  for (const auto& file : files) paths.push_back((fs::path(folder) / file.path).string());
+  const auto found = find_one_file(paths);
+  if (!found) return true;
+  diagnostics
+      .usage_error("E0906", fmt::format("`{}` and `{}` are one file", found->output, found->other))
+      .help = "give each its own";
+  return false;
+}
+
 std::optional<WriteResult> write_files(const std::string& folder, std::vector<GeneratedFile> files,
                                        Diagnostics& diagnostics) {
   std::ranges::sort(files, {}, &GeneratedFile::path);
+  if (!are_different(folder, files, diagnostics)) return std::nullopt;
   auto open = open_folder(folder, folder, diagnostics);
   if (!open) return std::nullopt;
   return Writer(folder, std::move(*open), diagnostics).run(std::move(files));
 }
 
 bool write_file(const std::string& path, const std::string& text, Diagnostics& diagnostics) {
+  if (!are_different({}, {}, diagnostics)) return false;
+  if (const auto input = input_at(path)) return refuse_input(path, *input, diagnostics);
   const std::string parent = fs::path(path).parent_path().string();
   const auto folder = open_folder(parent.empty() ? "." : parent, path, diagnostics);
   if (!folder) return false;

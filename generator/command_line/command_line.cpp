@@ -3,11 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <sstream>
 #include <utility>
 
 #include "generator/command_line/output.hpp"
 #include "generator/command_line/usage.hpp"
+#include "generator/files/files.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -23,7 +26,10 @@ CLI::Validator validator_of(const Argument& argument) {
           ""};
 }
 
-void add(CLI::App& app, const Argument& argument) {
+/// The values of the arguments that name files.
+using GivenFiles = std::map<const Argument*, std::vector<std::string>>;
+
+void add(CLI::App& app, const Argument& argument, GivenFiles& files) {
   if (argument.type.empty()) {
     app.add_flag_callback(
         argument.names, [&argument] { argument.take({}); }, argument.about);
@@ -31,7 +37,8 @@ void add(CLI::App& app, const Argument& argument) {
   }
   CLI::Option& option = *app.add_option(
       argument.names,
-      [&argument](const CLI::results_t& values) {
+      [&argument, &files](const CLI::results_t& values) {
+        if (argument.use != FileUse::none) files[&argument] = values;
         argument.take(values);
         return true;
       },
@@ -55,14 +62,15 @@ void add_examples(CLI::App& app, const Command& command) {
   if (!text.empty()) app.footer(text);
 }
 
-void add(CLI::App& app, const Command& command) {
-  for (const Argument& argument : command.arguments) add(app, argument);
-  if (command.rest) add(app, *command.rest);  // for the help: take_rest() has taken all of it
+void add(CLI::App& app, const Command& command, GivenFiles& files) {
+  for (const Argument& argument : command.arguments) add(app, argument, files);
+  if (command.rest)
+    add(app, *command.rest, files);  // for the help: take_rest() has taken all of it
   for (const Command& inner : command.commands) {
     CLI::App& sub = *app.add_subcommand(inner.name, inner.about);
     sub.footer("");
     if (inner.hidden) sub.group("");
-    add(sub, inner);
+    add(sub, inner, files);
   }
   add_examples(app, command);
   if (!command.commands.empty()) app.require_subcommand(1);
@@ -72,6 +80,42 @@ void add(CLI::App& app, const Command& command) {
         throw CLI::RequiredError(problem, CLI::ExitCodes::RequiredError);
     });
   }
+}
+
+/// The name that messages use: `--output`, `graph`.
+std::string long_name(const Argument& argument) {
+  return argument.names.substr(argument.names.rfind(',') + 1);
+}
+
+/// Tells which files are read and written. What is wrong with them, or "".
+std::string remember_files(const Command& command, const GivenFiles& given) {
+  const auto values_of = [&](const Argument& argument) -> std::vector<std::string> {
+    const auto found = given.find(&argument);
+    if (found != given.end()) return found->second;
+    return argument.otherwise.empty() ? std::vector<std::string>()
+                                      : std::vector{argument.otherwise};
+  };
+  const auto is_gone_on_with = [&](const Argument& input, const std::string& value) {
+    return std::ranges::any_of(command.arguments, [&](const Argument& output) {
+      if (long_name(output) != input.goes_on) return false;
+      std::error_code ignored;
+      return std::ranges::any_of(values_of(output), [&](const std::string& path) {
+        return path == value || std::filesystem::equivalent(path, value, ignored);
+      });
+    });
+  };
+  for (const Argument& argument : command.arguments) {
+    for (const std::string& value : values_of(argument)) {
+      const std::string name = long_name(argument) + " " + value;
+      if (argument.use == FileUse::reads && !is_gone_on_with(argument, value))
+        remember_input(value, name);
+      if (argument.use == FileUse::writes) remember_output(value, name);
+    }
+  }
+  const auto found = find_one_file();
+  return found ? fmt::format("error: `{}` and `{}` are one file\nhelp: give each its own\n",
+                             found->output, found->other)
+               : "";
 }
 
 /// The innermost command that was given.
@@ -253,6 +297,23 @@ Argument required(Argument argument) {
   return argument;
 }
 
+Argument reads(Argument argument, std::string goes_on) {
+  argument.use = FileUse::reads;
+  argument.goes_on = std::move(goes_on);
+  return argument;
+}
+
+Argument writes(Argument argument, std::string otherwise) {
+  argument.use = FileUse::writes;
+  argument.otherwise = std::move(otherwise);
+  return argument;
+}
+
+Argument folder(Argument argument) {
+  argument.use = FileUse::folder;
+  return argument;
+}
+
 int run_command_line(const CommandLine& line, std::vector<std::string> arguments) {
   open_standard_descriptors();
   CLI::App app(line.top.about, line.top.name);
@@ -260,10 +321,11 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
   app.failure_message([](const CLI::App* failed, const CLI::Error& problem) {
     return usage_message(*failed, problem);
   });
-  add(app, line.top);
+  GivenFiles files;
+  add(app, line.top, files);
   app.footer(line.footer);
   const Command help = help_command();
-  if (!line.top.commands.empty()) add(*app.add_subcommand(help.name, help.about), help);
+  if (!line.top.commands.empty()) add(*app.add_subcommand(help.name, help.about), help, files);
   if (!line.top.commands.empty() && !arguments.empty() && arguments.front() == help.name &&
       std::ranges::find(arguments, "--help") == arguments.end())
     return told(print_help(line, app, {arguments.begin() + 1, arguments.end()}));
@@ -290,7 +352,12 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
     complain_text(problem.str());
     return told(code == 0 ? kDone : kWrongUsage);
   }
-  return told(given(app, line.top).run());
+  const Command& command = given(app, line.top);
+  if (const std::string problem = remember_files(command, files); !problem.empty()) {
+    complain_text(problem);
+    return told(kWrongUsage);
+  }
+  return told(command.run());
 }
 
 }  // namespace eagerx::gen

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -12,6 +13,15 @@ namespace eagerx::gen {
 
 /// Exit codes, the same for all commands of all programs.
 enum ExitCode : int { kDone = 0, kProblems = 1, kWrongUsage = 2, kInputOutput = 3, kInternal = 4 };
+
+/// What a command does with the files that an argument names. It decides which files may be one:
+/// an output is no input and no other output, by any name or link.
+enum class FileUse : std::uint8_t {
+  none,
+  reads,
+  writes,
+  folder,  // what is read or written there is told by whoever does it
+};
 
 /// An option or a positional argument.
 struct Argument {
@@ -26,6 +36,9 @@ struct Argument {
   std::size_t values = 1;                 // that follow the option
   bool repeated = false;
   bool required = false;
+  FileUse use = FileUse::none;
+  std::string otherwise = {};  // of an output: the file that is written if none is given
+  std::string goes_on = {};    // of an input: the option whose output may be the same file
 };
 
 /// A command line that works, and what it is for.
@@ -74,6 +87,11 @@ Argument texts(std::string names, std::vector<std::string>& values, std::string 
 Argument choice(std::string names, std::vector<std::string> choices, std::string about,
                 std::function<void(const std::string&)> take);
 Argument required(Argument argument);
+/// The argument names files that are read, or with `goes_on` one that this output goes on with.
+Argument reads(Argument argument, std::string goes_on = {});
+/// The argument names the file that is written; `otherwise`: its name if it is not given.
+Argument writes(Argument argument, std::string otherwise = {});
+Argument folder(Argument argument);
 
 /// Reads the arguments (without the program's name) and runs the command; returns the exit code. A
 /// command line that is wrong gets an `error:` line, where there is one a `help:` line, and
@@ -89,7 +107,7 @@ struct CommandLinePage {
   std::string text;
 };
 /// `man/…` has a manual page of the program and of each command, `bash/…`, `zsh/…` and
-/// `fish/…` what completes its command line there.
+/// `fish/…` what completes its command line there, and `arguments.tsv` the table itself.
 std::vector<CommandLinePage> command_line_pages(const CommandLine& line);
 
 }  // namespace eagerx::gen

@@ -366,6 +366,25 @@ std::string fish_completion(const CommandLine& line, const std::vector<Command>&
   return text;
 }
 
+/// A line for each argument of a command and of those inside it.
+void add_rows(const std::string& name, const Command& command, std::string& rows) {
+  constexpr const char* kUses[] = {"none", "reads", "writes", "folder"};
+  for (const Argument& each : command.arguments) {
+    const std::string choice = each.choices.empty() ? "" : each.choices.front();
+    rows += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", name, each.names, each.type,
+                        kUses[static_cast<std::size_t>(each.use)], each.required, each.values,
+                        each.goes_on, choice);
+  }
+  for (const Command& inner : command.commands) add_rows(name + " " + inner.name, inner, rows);
+}
+
+/// The table of arguments, for tests that try all of them.
+std::string arguments_page(const std::vector<Command>& commands) {
+  std::string rows = "command\tnames\ttype\tuse\trequired\tvalues\tgoes_on\tchoice\n";
+  for (const Command& command : commands) add_rows(command.name, command, rows);
+  return rows;
+}
+
 }  // namespace
 
 std::vector<CommandLinePage> command_line_pages(const CommandLine& line) {
@@ -374,7 +393,8 @@ std::vector<CommandLinePage> command_line_pages(const CommandLine& line) {
       {fmt::format("man/{}.1", line.top.name), page_of_program(line, commands)},
       {"bash/" + line.top.name, bash_completion(line, commands)},
       {"zsh/_" + line.top.name, zsh_completion(line, commands)},
-      {fmt::format("fish/{}.fish", line.top.name), fish_completion(line, commands)}};
+      {fmt::format("fish/{}.fish", line.top.name), fish_completion(line, commands)},
+      {"arguments.tsv", arguments_page(commands)}};
   for (const Command& command : commands) {
     ManualPage page(line, line.top.name + "-" + command.name);
     page.name(command.about);

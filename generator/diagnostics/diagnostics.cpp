@@ -56,6 +56,13 @@ Diagnostic& Diagnostics::io_error(std::string code, Span span, std::string messa
   return diagnostic;
 }
 
+Diagnostic& Diagnostics::usage_error(std::string code, std::string message) {
+  ++usage_errors_;
+  Diagnostic& diagnostic = error(std::move(code), {}, std::move(message));
+  diagnostic.usage = true;
+  return diagnostic;
+}
+
 void Diagnostics::sort_by_place() {
   const auto place = [](const Diagnostic& diagnostic) {
     const Span& span = diagnostic.span;

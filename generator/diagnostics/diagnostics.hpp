@@ -57,7 +57,8 @@ struct Diagnostic {
   std::string label;
   std::vector<Note> notes;
   std::string help;
-  bool io = false;  // true: could not read or write (exit code 3)
+  bool io = false;     // true: could not read or write (exit code 3)
+  bool usage = false;  // true: the command line is wrong (exit code 2)
 };
 
 /// All problems of a run, in the order found.
@@ -70,6 +71,8 @@ class Diagnostics {
   Diagnostic& note(Span span, std::string message);
   /// An error of reading or writing.
   Diagnostic& io_error(std::string code, Span span, std::string message);
+  /// An error of the command line that only shows once files are read.
+  Diagnostic& usage_error(std::string code, std::string message);
 
   /// Problems in the order of the file they are in, those without a place first.
   void sort_by_place();
@@ -86,12 +89,14 @@ class Diagnostics {
   [[nodiscard]] bool has_errors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t error_count() const { return errors_; }
   [[nodiscard]] bool has_io_errors() const { return io_errors_ > 0; }
+  [[nodiscard]] bool has_usage_errors() const { return usage_errors_ > 0; }
   [[nodiscard]] const std::vector<Diagnostic>& all() const { return all_; }
 
  private:
   std::vector<Diagnostic> all_;
   std::size_t errors_ = 0;
   std::size_t io_errors_ = 0;
+  std::size_t usage_errors_ = 0;
 };
 
 /// As rustc prints them; `color` adds terminal colours. Ends with a line that counts the errors. Of

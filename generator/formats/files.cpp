@@ -8,6 +8,7 @@
 #include <fstream>
 #include <system_error>
 
+#include "generator/files/files.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
@@ -50,6 +51,7 @@ std::optional<std::string> read_bytes(const std::string& path, const std::string
                                   kMaxPolicyBytes));
     return std::nullopt;
   }
+  remember_input(path);
   std::ifstream file(path, std::ios::binary);
   if (!file) return unreadable(std::error_code(errno, std::generic_category()).message());
   std::string bytes(static_cast<std::size_t>(size), '\0');

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "generator/diagnostics/utf8.hpp"
+#include "generator/files/files.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -58,6 +59,7 @@ LoadedFile load_file(const std::string& path, std::size_t max_bytes) {
   const bool passed_on =
       path.starts_with("/dev/fd/") || path.starts_with("/proc/self/fd/") || path == "/dev/stdin";
   if (!std::filesystem::is_regular_file(status) && !passed_on) return unreadable("it is no file");
+  if (!passed_on) remember_input(path);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return unreadable(in_words({errno, std::generic_category()}));

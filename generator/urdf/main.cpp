@@ -62,6 +62,7 @@ int convert(const Options& options) {
     static_cast<void>(std::fputs(render_text(diagnostics, sources, terminal).c_str(), stderr));
     if (terminal) static_cast<void>(std::fputs(pointer_to_pages(diagnostics).c_str(), stderr));
   }
+  if (diagnostics.has_usage_errors()) return eagerx::gen::kWrongUsage;
   if (diagnostics.has_io_errors()) return eagerx::gen::kInputOutput;
   return diagnostics.has_errors() ? eagerx::gen::kProblems : eagerx::gen::kDone;
 }
@@ -82,10 +83,10 @@ eagerx::gen::CommandLine command_line(Options& options) {
   return {
       .top = {.name = "eagerx-urdf",
               .about = "Makes an object for OpenDynamicsEngine from a robot's URDF file.",
-              .arguments = {required(text("robot", options.file, "the description of the robot",
-                                          "ROBOT.urdf")),
-                            text("-o,--output", options.output,
-                                 "folder to write (default: entities/<robot>)", "DIR"),
+              .arguments = {required(reads(text("robot", options.file,
+                                                "the description of the robot", "ROBOT.urdf"))),
+                            folder(text("-o,--output", options.output,
+                                        "folder to write (default: entities/<robot>)", "DIR")),
                             std::move(id),
                             choice(
                                 "--base", {"fixed", "free"},

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "generator/files/files.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -276,6 +278,35 @@ TEST_F(WriteFiles, AFileWhereAFolderShouldBeIsAnErrorThatChangesNothing) {
   EXPECT_FALSE(write({{"a.txt", "new"}, {"sub/b.txt", "x"}}));
   EXPECT_TRUE(diagnostics_.has_io_errors());
   EXPECT_EQ(text("a.txt"), "old");
+}
+
+TEST_F(WriteFiles, AnInputStaysByAnyName) {
+  put("out/a.txt", "read");
+  fs::create_symlink("a.txt", folder_ / "out/link.txt");
+  fs::create_hard_link(folder_ / "out/a.txt", folder_ / "out/hard.txt");
+  remember_input((folder_ / "out/a.txt").string());
+  for (const char* name : {"out/a.txt", "out/link.txt", "out/hard.txt", "out/../out/a.txt"}) {
+    diagnostics_ = {};
+    EXPECT_FALSE(write_file((folder_ / name).string(), "written", diagnostics_)) << name;
+    ASSERT_EQ(diagnostics_.error_count(), 1U);
+    EXPECT_EQ(diagnostics_.all().front().code, "E0906");
+    EXPECT_TRUE(diagnostics_.has_usage_errors());
+    EXPECT_EQ(text("a.txt"), "read");
+  }
+  forget_files();
+  EXPECT_TRUE(write_file((folder_ / "out/a.txt").string(), "written", diagnostics_));
+}
+
+TEST_F(WriteFiles, OutputsOfACommandAreDifferent) {
+  remember_output((folder_ / "out/b.txt").string(), "--csv");
+  remember_output((folder_ / "out/../out/b.txt").string(), "--curve");
+  EXPECT_FALSE(write({{"a.txt", "a"}}));  // for a folder as well, and nothing is there yet
+  EXPECT_FALSE(fs::exists(folder_ / "out/a.txt"));
+  forget_files();
+  remember_output((folder_ / "out/a.txt").string(), "--csv");
+  EXPECT_FALSE(write({{"a.txt", "a"}}));
+  EXPECT_TRUE(write({{"c.txt", "c"}}));
+  forget_files();
 }
 
 TEST_F(WriteFiles, AFileWithoutAFolderGoesWhereThePersonIs) {

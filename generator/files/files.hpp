@@ -1,0 +1,36 @@
+// Which files a run reads and which it is to write, so that no output ever takes the place of an
+// input or of another output. What reads a file says so here, the table of commands says what is
+// written, and cli/write, the only place where outputs are opened, asks before it opens one.
+//
+// One list for the process: a command line is one run, and a reader far from the commands cannot
+// be forgotten by a new one.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eagerx::gen {
+
+/// Remembers that `path` is read. `name`: what messages call it (default: the path).
+void remember_input(const std::string& path, const std::string& name = {});
+
+/// Remembers that `path` is going to be written, whether by this program or by one that it becomes.
+void remember_output(const std::string& path, const std::string& name);
+
+/// Two names of one file: an output, and an input or another output.
+struct OneFile {
+  std::string output, other;
+};
+
+/// The first remembered output that is an input or another output, by any name or link, or one of
+/// `written`: files that are about to be written. Nothing: all are different.
+std::optional<OneFile> find_one_file(const std::vector<std::string>& written = {});
+
+/// What messages call the input that lies at `path`, by any name or link; nothing: there is none.
+std::optional<std::string> input_at(const std::string& path);
+
+/// Forgets all of it: a test is many runs.
+void forget_files();
+
+}  // namespace eagerx::gen
