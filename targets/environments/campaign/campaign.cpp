@@ -59,7 +59,9 @@ class Campaign {
       if (options.resume.empty()) {
         journal_->begin();
       } else {
-        std::ranges::copy(journal_->resume(plan_, results_), done_.begin());
+        const Journal::Found found = journal_->resume(plan_, results_);
+        std::ranges::copy(found.done, done_.begin());
+        tell_of_damage(found);
       }
     }
     done_ = ranks_.share(std::move(done_));
@@ -70,6 +72,20 @@ class Campaign {
   }
 
  private:
+  /// Also if it is quiet: hours of work may be lost.
+  void tell_of_damage(const Journal::Found& found) const {
+    if (found.damaged_bytes == 0) return;
+    std::uint32_t runs = 0;
+    for (std::uint32_t chunk = 0; chunk < plan_.chunks(); ++chunk)
+      runs += found.done[chunk] ? 0U : plan_.size_of(chunk);
+    fmt::print(
+        stderr,
+        "warning: `{}` {} at byte {} ({} bytes are left out): {} of {} runs are not in it and "
+        "are done now\n",
+        journal_path(), found.is_cut_off ? "is cut off" : "is damaged", found.first_damaged,
+        found.damaged_bytes, runs, plan_.runs);
+  }
+
   /// This rank's share of the chunks. `add(chunk, results)` by one thread at a time.
   template <class Add>
   void compute(const volatile int& interrupted, const Add& add) {
@@ -196,6 +212,7 @@ void check_files(const Options& options) {
   for (const std::string& path : {options.csv, options.checkpoint}) {
     if (!path.empty()) client::check_writable(path);
   }
+  if (!options.checkpoint.empty()) refuse_full(options.checkpoint);
   if (!options.resume.empty()) client::read_file(options.resume);
 }
 

@@ -1,6 +1,7 @@
 #include "targets/environments/campaign/journal.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +22,13 @@ using client::Problem;
 constexpr std::string_view kTitle = "eagerx-gen campaign 1 ";
 
 }  // namespace
+
+void refuse_full(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_size == 0) return;
+  throw Problem(client::kUsage, "there is already something in `" + path + "`",
+                "go on with it: `--resume " + path + "`, or name another file");
+}
 
 void put(const Plan& plan, std::uint32_t chunk, const Results& part, Results& all) {
   const std::size_t first = plan.first_of(chunk);
@@ -49,11 +57,12 @@ void Journal::open(int flags) {
 }
 
 void Journal::begin() {
+  refuse_full(path_);
   open(O_CREAT | O_TRUNC);
   write(header_);
 }
 
-std::vector<bool> Journal::resume(const Plan& plan, Results& results) {
+Journal::Found Journal::resume(const Plan& plan, Results& results) {
   const std::string bytes = client::read_file(path_);
   if (!bytes.starts_with(kTitle)) {
     throw Problem(kInputOutput, "`" + path_ + "` is no checkpoint of a campaign",
@@ -66,20 +75,31 @@ std::vector<bool> Journal::resume(const Plan& plan, Results& results) {
                       "its graph was another",
                   "say the same options as then, or begin anew with `--checkpoint`");
   }
-  std::vector<bool> done(plan.chunks());
-  std::string_view left = std::string_view(bytes).substr(header_.size());
-  std::size_t good = header_.size();
-  while (const auto record = take_record(left, plan)) {
-    if (done[record->chunk]) break;
-    put(plan, record->chunk, record->results, results);
-    done[record->chunk] = true;
-    good = bytes.size() - left.size();
+  Found found;
+  found.done.resize(plan.chunks());
+  std::string good = header_;
+  for (std::size_t at = header_.size(); at < bytes.size();) {
+    std::string_view left = std::string_view(bytes).substr(at);
+    const auto record = take_record(left, plan);
+    const std::size_t next = record ? bytes.size() - left.size() : find_record(bytes, at + 1, plan);
+    const std::size_t end = std::min(next, bytes.size());
+    if (record && !found.done[record->chunk]) {
+      put(plan, record->chunk, record->results, results);
+      found.done[record->chunk] = true;
+      good.append(bytes, at, end - at);
+    } else {
+      if (found.damaged_bytes == 0) found.first_damaged = at;
+      found.damaged_bytes += end - at;
+      found.is_cut_off = !record && found.damaged_bytes == bytes.size() - found.first_damaged;
+    }
+    at = end;
   }
+  // As a whole or not at all: a kill must not cost what is good.
+  if (found.damaged_bytes != 0 && !found.is_cut_off) client::write_file(path_, good);
   open(0);
-  // What a kill has cut off.
-  if (ftruncate(file_, static_cast<off_t>(good)) != 0 || lseek(file_, 0, SEEK_END) < 0)
+  if (ftruncate(file_, static_cast<off_t>(good.size())) != 0 || lseek(file_, 0, SEEK_END) < 0)
     throw Problem(kInputOutput, "cannot write `" + path_ + "`: " + std::strerror(errno));
-  return done;
+  return found;
 }
 
 void Journal::add(const std::string& record) {

@@ -11,7 +11,8 @@
 namespace eagerx::campaign {
 
 /// A line that says what the campaign is, then a record (record.hpp) for each chunk, in any order.
-/// Records are only added. One that a kill has cut off ends the file.
+/// Records are only added. One that a kill has cut off ends the file. A damaged one is left out,
+/// and what follows it is read.
 class Journal {
  public:
   /// `identity`: a line; results of another one are none of ours. No file is touched yet.
@@ -20,11 +21,19 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// A new file. Throws Problem if it cannot be written.
+  /// A new file. Throws Problem if it cannot be written, or if there is something in it.
   void begin();
-  /// Reads what is there into `results` and goes on behind it. True for chunks that are done.
-  /// Throws Problem if it is no journal, or of another campaign.
-  std::vector<bool> resume(const Plan& plan, Results& results);
+
+  /// What was read of a file.
+  struct Found {
+    std::vector<bool> done;         // of each chunk
+    std::size_t damaged_bytes = 0;  // that were left out
+    std::size_t first_damaged = 0;  // where they begin
+    bool is_cut_off = false;        // they are the end of the file, as after a kill
+  };
+  /// Reads what is there into `results` and goes on behind it. A damaged file is written anew, with
+  /// what is good of it. Throws Problem if it is no journal, or of another campaign.
+  Found resume(const Plan& plan, Results& results);
   /// By one thread at a time. Throws Problem if it cannot be written.
   void add(const std::string& record);
 
@@ -35,6 +44,10 @@ class Journal {
   std::string path_, header_;
   int file_ = -1;
 };
+
+/// Throws Problem if a new journal would cost what is in this file: finished runs, or anything
+/// else.
+void refuse_full(const std::string& path);
 
 /// Puts the results of a chunk in their place.
 void put(const Plan& plan, std::uint32_t chunk, const Results& part, Results& all);

@@ -1,5 +1,6 @@
 #include "targets/environments/campaign/record.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <type_traits>
@@ -71,6 +72,25 @@ std::string record_of(std::uint32_t chunk, const Results& results) {
   return record + body;
 }
 
+std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan) {
+  constexpr std::size_t kHead = sizeof(std::uint32_t) + sizeof(std::uint64_t);
+  // Of bytes that were made to look like many records each check sum would cost its length.
+  int close_looks = 4096;
+  for (std::size_t at = from; at + kHead + sizeof(std::uint32_t) <= bytes.size(); ++at) {
+    Reader reader(bytes.substr(at));
+    const auto size = reader.take<std::uint32_t>();
+    const auto sum = reader.take<std::uint64_t>();
+    if (size > reader.left() || size < sizeof(std::uint32_t)) continue;
+    const std::string_view body = reader.take_bytes(size);
+    std::uint32_t chunk = 0;
+    std::memcpy(&chunk, body.data(), sizeof chunk);
+    if (chunk >= plan.chunks() || !body.ends_with('}')) continue;
+    if (check_sum(body) == sum) return at;
+    if (--close_looks == 0) break;
+  }
+  return std::string_view::npos;
+}
+
 std::optional<Record> take_record(std::string_view& bytes, const Plan& plan) {
   Reader reader(bytes);
   const auto size = reader.take<std::uint32_t>();
@@ -87,7 +107,9 @@ std::optional<Record> take_record(std::string_view& bytes, const Plan& plan) {
   in.take(part.flags.data(), part.size());
   in.take(part.states.data(), part.states.size());
   const auto counts = nlohmann::json::parse(in.take_bytes(in.left()), nullptr, false);
-  if (!in.is_complete() || !counts.is_object()) return std::nullopt;
+  const auto is_count = [](const auto& value) { return value.is_number_unsigned(); };
+  if (!in.is_complete() || !counts.is_object() || !std::ranges::all_of(counts, is_count))
+    return std::nullopt;
   part.counts = counts.get<Counts>();
   bytes.remove_prefix(bytes.size() - reader.left());
   return record;

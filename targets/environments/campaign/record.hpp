@@ -1,6 +1,7 @@
 // The results of a chunk as bytes: in a checkpoint, and between the ranks of a campaign.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -23,5 +24,9 @@ std::string record_of(std::uint32_t chunk, const Results& results);
 /// Takes one from the front of `bytes`. Without a value if it is cut off, damaged or of no chunk of
 /// `plan`.
 std::optional<Record> take_record(std::string_view& bytes, const Plan& plan);
+
+/// Where the next whole record of `bytes` begins, behind `from`: what follows a damaged one is
+/// good. npos: there is none. Looks closely at no more than some thousand places.
+std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan);
 
 }  // namespace eagerx::campaign
