@@ -76,6 +76,24 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
+/// Where libraries that are the same for every graph are kept (runtime/host/compiled_library.cmake);
+/// empty where no folder can be made.
+std::string library_cache() {
+  fs::path folder;
+  if (is_set("XDG_CACHE_HOME")) {
+    folder = std::getenv("XDG_CACHE_HOME");
+  } else if (is_set("HOME")) {
+    folder = fs::path(std::getenv("HOME")) / ".cache";
+  } else {
+    return {};
+  }
+  folder = folder / "eagerx-gen" / "libraries";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return access(folder.c_str(), W_OK) == 0 ? fs::absolute(folder).lexically_normal().string()
+                                           : std::string();
+}
+
 void missing(const std::string& program, const std::string& packages, Diagnostics& diagnostics) {
   diagnostics.error("E0513", {}, fmt::format("there is no `{}`", program)).help =
       fmt::format("install it with `apt install {}`", packages);
@@ -174,6 +192,8 @@ class Builder {
       words.insert(words.end(), {"-D", fmt::format("{}={}", name, value)});
     if (const std::string package = package_folder(); !package.empty())
       words.insert(words.end(), {"-D", "eagerx_gen_DIR=" + package});
+    if (const std::string kept = library_cache(); !kept.empty())
+      words.insert(words.end(), {"-D", "EAGERX_LIBRARY_CACHE=" + kept});
     const char* home = std::getenv("HOME");
     // ccache fails where it cannot make its folder.
     const bool cache = is_set("CCACHE_DIR") || (home != nullptr && access(home, W_OK) == 0);

@@ -231,6 +231,7 @@ class Emitter {
          options_.part == Part::board ? target.partner : target.templates) {
       View view(View::type::object);
       view.set("target", target.id.value);
+      view.set("is_split", options_.part != Part::whole);
       view.set("packs", has_packs_);
       view.set("why_no_packs", why_no_packs_);
       add_rendered(target.id.value + "/" + output, file, std::move(view));

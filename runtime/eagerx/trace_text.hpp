@@ -14,17 +14,30 @@ namespace eagerx {
 
 inline constexpr std::string_view kTraceFirstLine = "# eagerx trace 1";
 
+/// What the first lines say of the graph.
+struct TracedGraph {
+  std::string_view name, engine;
+  std::uint64_t rate_num, rate_den;  // of the environment [Hz]
+  const Channel* channels;
+  std::size_t channel_count;
+};
+template <class Graph>
+constexpr TracedGraph traced_graph() {
+  return {Graph::kName,     Graph::kEngine,    Graph::Rate::num,
+          Graph::Rate::den, Graph::kChannels, sizeof(Graph::kChannels) / sizeof(Channel)};
+}
+
 /// `Writer` has text(std::string_view) and number(value).
-template <class Graph, class Writer>
+template <class Writer>
 class TraceText {
  public:
-  static void head(Writer& out, std::uint64_t seed, std::uint32_t environment,
-                   std::string_view agent, bool timed) {
+  static void head(Writer& out, const TracedGraph& graph, std::uint64_t seed,
+                   std::uint32_t environment, std::string_view agent, bool timed) {
     out.text(kTraceFirstLine);
-    line(out, "graph", Graph::kName);
-    line(out, "engine", Graph::kEngine);
+    line(out, "graph", graph.name);
+    line(out, "engine", graph.engine);
     begin(out, "rate");
-    fraction(out, Graph::Rate::num, Graph::Rate::den);
+    fraction(out, graph.rate_num, graph.rate_den);
     begin(out, "seed");
     out.number(seed);
     begin(out, "environment");
@@ -34,7 +47,8 @@ class TraceText {
     out.number(kVersionMajor);
     out.text(".");
     out.number(kVersionMinor);
-    for (const Channel& channel : Graph::kChannels) {
+    for (std::size_t i = 0; i < graph.channel_count; ++i) {
+      const Channel& channel = graph.channels[i];
       line(out, "channel", channel.name);
       out.text(" ");
       out.text(channel.dtype);
@@ -47,10 +61,10 @@ class TraceText {
   }
 
   /// What comes before the values of a message.
-  static void begin_message(Writer& out, std::uint32_t episode, std::uint32_t channel, Seq seq) {
+  static void begin_message(Writer& out, std::uint32_t episode, const Channel& channel, Seq seq) {
     out.number(episode);
     out.text(",");
-    out.text(Graph::kChannels[channel].name);
+    out.text(channel.name);
     out.text(",");
     out.number(seq);
   }
@@ -60,9 +74,13 @@ class TraceText {
   }
   template <class Message>
   static void values(Writer& out, const Message& message) {
-    for (std::size_t i = 0; i < size_of<Message>; ++i) {
+    values(out, &element(message, 0), size_of<Message>);
+  }
+  template <class Scalar>
+  static void values(Writer& out, const Scalar* elements, std::size_t size) {
+    for (std::size_t i = 0; i < size; ++i) {
       out.text(",");
-      out.number(element(message, i));
+      out.number(elements[i]);
     }
     out.text("\n");
   }

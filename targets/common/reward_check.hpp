@@ -8,6 +8,19 @@
 
 namespace eagerx::target {
 
+/// Counts a reward that is not finite, with its terms [n], in counts [1 + n]. What is to blame: 1 +
+/// the first such term, or 0, the reward itself, where only the sum is too large.
+inline std::size_t count_not_finite(const float* terms, std::size_t n, std::uint32_t* counts) {
+  std::size_t first = 0;
+  for (std::size_t i = n; i > 0; --i) {
+    if (eagerx::isfinite(terms[i - 1])) continue;
+    first = i;
+    ++counts[i];
+  }
+  if (first == 0) ++counts[0];
+  return first;
+}
+
 /// A graph without a task has no reward.
 template <class Outcome>
 class RewardCheck {
@@ -30,17 +43,9 @@ class RewardCheck<Outcome> {
   }
   static bool is_finite(const Outcome& outcome) { return eagerx::isfinite(outcome.reward); }
 
-  /// Counts a reward that is not finite. What is to blame: 1 + the first such term, or 0, the
-  /// reward itself, where only the sum is too large.
+  /// What is to blame, as count_not_finite() says.
   [[gnu::noinline]] std::size_t add(const Outcome& outcome) {
-    std::size_t first = 0;
-    for (std::size_t i = Outcome::kTerms; i > 0; --i) {
-      if (eagerx::isfinite(outcome.terms[i - 1])) continue;
-      first = i;
-      ++counts_[i];
-    }
-    if (first == 0) ++counts_[0];
-    return first;
+    return count_not_finite(&outcome.terms[0], Outcome::kTerms, counts_);
   }
 
   /// f(name, steps) for each that was not finite: "not finite: task.angle". A name is valid during

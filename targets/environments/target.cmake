@@ -1,20 +1,10 @@
 # Makes `library` a shared library for the machine that builds it. Only eagerx_* can be seen in it, so that one process
 # can load the libraries of several graphs.
 set(EAGERX_TARGET_MAKES SHARED_LIBRARY)
+include(${CMAKE_CURRENT_LIST_DIR}/libraries.cmake)
 
 function(eagerx_configure_target library)
-  set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  if(NOT TARGET eagerx_environments)
-    find_package(Threads REQUIRED)
-    # Files of traces are written as by ${EAGERX_TARGETS_DIR}/linux-sim/: without its signals, interrupted() is false.
-    set(sim ${here}/../linux-sim)
-    add_library(eagerx_environments STATIC EXCLUDE_FROM_ALL ${here}/json.cpp ${here}/team.cpp ${sim}/text_file.cpp
-                                                            ${sim}/files.cpp ${sim}/interrupt.cpp)
-    set_target_properties(eagerx_environments PROPERTIES POSITION_INDEPENDENT_CODE ON)
-    target_link_libraries(eagerx_environments PUBLIC eagerx::runtime Threads::Threads)
-    # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
-    target_compile_options(eagerx_environments PRIVATE -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
-  endif()
+  eagerx_environments_library()
   target_link_libraries(${library} PRIVATE eagerx_environments)
   _eagerx_add_packs(${library})
   # Nobody puts another function in place of one of these.

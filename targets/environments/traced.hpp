@@ -20,7 +20,7 @@ namespace eagerx::environments {
 template <class Graph>
 class Recorder : public LastShown<Graph> {
  public:
-  using Text = TraceText<Graph, linux_sim::TextFile>;
+  using Text = TraceText<linux_sim::TextFile>;
 
   void write_to(linux_sim::TextFile* file) { file_ = file; }
   std::uint64_t hash() const { return hash_.hash(); }
@@ -35,7 +35,7 @@ class Recorder : public LastShown<Graph> {
     hash_(channel, seq, message);
     if (file_ == nullptr) return;
     ++messages_;
-    Text::begin_message(*file_, episode_, channel, seq);
+    Text::begin_message(*file_, episode_, Graph::kChannels[channel], seq);
     Text::values(*file_, message);
   }
   void write_end() const {
@@ -67,7 +67,7 @@ class Traced {
   typename Graph::Observation reset(EpisodeKey key, const typename Graph::States& states) {
     using Text = typename Recorder<Graph>::Text;
     if (file_.is_open() && episode_ == 0)
-      Text::head(file_, key.seed, key.environment, "library", false);
+      Text::head(file_, traced_graph<Graph>(), key.seed, key.environment, "library", false);
     if (file_.is_open()) write(states);
     program.trace.episode(episode_++);
     program.trace.forget();

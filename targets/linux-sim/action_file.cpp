@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <type_traits>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -25,6 +29,21 @@ bool is_header(const std::vector<Cell>& row, const std::vector<std::string>& col
   return std::equal(
       row.begin(), row.end(), columns.begin(),
       [](const Cell& cell, const std::string& column) { return cell.text == column; });
+}
+
+/// Reads one number exactly: no spaces inside, nothing after it, in range, finite.
+template <class T>
+bool parse_cell(std::string_view text, T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    if (text != "0" && text != "1") return false;
+    value = text == "1";
+    return true;
+  } else {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return false;
+    if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
+    return true;
+  }
 }
 
 }  // namespace
@@ -76,18 +95,39 @@ void CsvFile::add_row(std::string_view line, std::size_t number) {
   }
 }
 
-void ActionSink::add_columns(const char* name, std::size_t size, bool scalar) {
-  for (std::size_t i = 0; i < size; ++i) {
-    columns_.emplace_back(name);
-    if (!scalar) columns_.back() += "[" + std::to_string(i) + "]";
+ActionTable::ActionTable(const std::vector<Field>& actions, const void* zero, std::size_t bytes)
+    : actions_(actions),
+      zero_(static_cast<const std::byte*>(zero), static_cast<const std::byte*>(zero) + bytes),
+      bytes_(bytes) {
+  for (const Field& action : actions) {
+    for (std::size_t i = 0; i < action.type.size; ++i) {
+      columns_.emplace_back(action.name);
+      if (!action.type.is_scalar()) columns_.back() += "[" + std::to_string(i) + "]";
+    }
   }
 }
 
-ActionProblem ActionSink::load(const std::string& path, std::uint64_t steps) {
+const Cell* ActionTable::add(const std::vector<Cell>& row) {
+  const Cell* cell = row.data();
+  const Cell* bad = nullptr;
+  rows_.insert(rows_.end(), zero_.begin(), zero_.end());
+  std::byte* const action = rows_.data() + count_ * bytes_;
+  for (const Field& field : actions_) {
+    with_elements(field.type.scalar, static_cast<void*>(action + field.offset),
+                  [&](auto* elements) {
+                    for (std::size_t i = 0; i < field.type.size; ++i, ++cell) {
+                      if (!parse_cell(cell->text, elements[i]) && bad == nullptr) bad = cell;
+                    }
+                  });
+  }
+  ++count_;
+  return bad;
+}
+
+ActionProblem ActionTable::load(const std::string& path, std::uint64_t steps) {
   CsvFile file;
   ActionProblem problem;
   if (!file.read(path, problem)) return problem;
-  std::uint64_t actions = 0;
   for (const std::vector<Cell>& row : file.rows()) {
     if (row.size() != columns_.size()) {
       const Cell& place = row[std::min(columns_.size(), row.size() - 1)];
@@ -102,11 +142,10 @@ ActionProblem ActionSink::load(const std::string& path, std::uint64_t steps) {
                      "`" + std::string(bad->text) + "` is not a number that `" +
                          columns_[static_cast<std::size_t>(bad - row.data())] + "` can hold");
     }
-    ++actions;
   }
-  if (actions < steps) {
+  if (count_ < steps) {
     return file.at(file.lines() + 1, 1,
-                   "the file ends after " + std::to_string(actions) +
+                   "the file ends after " + std::to_string(count_) +
                        " actions, but an episode has " + std::to_string(steps) + " steps");
   }
   return {};

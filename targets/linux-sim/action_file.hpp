@@ -1,14 +1,11 @@
 // Reads a CSV of actions. Everything is read and checked before the run.
 #pragma once
 
-#include <charconv>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <eagerx/message.hpp>
 #include <string>
 #include <string_view>
-#include <type_traits>
+#include <targets/linux-sim/graph_program.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {
@@ -48,77 +45,29 @@ class CsvFile {
   std::size_t lines_ = 0;
 };
 
-/// Reads one number of type `T` exactly: no spaces inside, nothing after it, in range, finite.
-template <class T>
-bool parse_cell(std::string_view text, T& value) {
-  if constexpr (std::is_same_v<T, bool>) {
-    if (text != "0" && text != "1") return false;
-    value = text == "1";
-    return true;
-  } else {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return false;
-    if constexpr (std::is_floating_point_v<T>) return std::isfinite(value);
-    return true;
-  }
-}
-
-/// Where the rows of a file of actions go; made by ActionTable, which knows the graph.
-class ActionSink {
+/// The actions of an episode, one for each step.
+class ActionTable {
  public:
-  ActionSink() = default;
-  ActionSink(const ActionSink&) = delete;
-  ActionSink& operator=(const ActionSink&) = delete;
-  virtual ~ActionSink() = default;
-
-  /// Takes a row with as many cells as there are columns. Returns the first cell that is not a
-  /// number its action can hold, or null.
-  virtual const Cell* add(const std::vector<Cell>& row) = 0;
+  /// `zero`: an action of `bytes` that does nothing.
+  ActionTable(const std::vector<Field>& actions, const void* zero, std::size_t bytes);
 
   /// Reads and checks `path`; an episode needs `steps` rows, more are fine.
   ActionProblem load(const std::string& path, std::uint64_t steps);
 
- protected:
-  /// Columns of an action: `name`, or `name[0]`, `name[1]` …
-  void add_columns(const char* name, std::size_t size, bool scalar);
+  std::uint64_t size() const { return count_; }
+  const void* operator[](std::uint64_t step) const { return rows_.data() + step * bytes_; }
 
  private:
-  std::vector<std::string> columns_;
-};
+  /// Takes a row with as many cells as there are columns. Returns the first cell that is not a
+  /// number its action can hold, or null.
+  const Cell* add(const std::vector<Cell>& row);
 
-/// The actions of an episode, one for each step.
-template <class Graph>
-class ActionTable final : public ActionSink {
- public:
-  using Action = typename Graph::Action;
-
-  ActionTable() {
-    Action action = Graph::zero();
-    Graph::for_each_action(action, [&](const char* name, const auto& message, const auto&...) {
-      using Message = std::remove_cvref_t<decltype(message)>;
-      add_columns(name, size_of<Message>, std::is_arithmetic_v<Message>);
-    });
-  }
-
-  const Cell* add(const std::vector<Cell>& row) override {
-    const Cell* cell = row.data();
-    const Cell* bad = nullptr;
-    Action action = Graph::zero();
-    Graph::for_each_action(action, [&](const char*, auto& message, const auto&...) {
-      using Message = std::remove_cvref_t<decltype(message)>;
-      for (std::size_t i = 0; i < size_of<Message>; ++i, ++cell) {
-        if (!parse_cell(cell->text, element(message, i)) && bad == nullptr) bad = cell;
-      }
-    });
-    actions_.push_back(action);
-    return bad;
-  }
-
-  std::uint64_t size() const { return actions_.size(); }
-  const Action& operator[](std::uint64_t step) const { return actions_[step]; }
-
- private:
-  std::vector<Action> actions_;
+  const std::vector<Field>& actions_;
+  std::vector<std::string> columns_;  // `name`, or `name[0]`, `name[1]` …
+  std::vector<std::byte> zero_;
+  std::size_t bytes_;
+  std::vector<std::byte> rows_;  // [count][bytes]
+  std::uint64_t count_ = 0;
 };
 
 }  // namespace eagerx::linux_sim

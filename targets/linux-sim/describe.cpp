@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/elements.hpp>
+#include <type_traits>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -25,46 +28,68 @@ std::string number_text(std::int64_t value) {
   return shortest(value);
 }
 
-void Description::heading(std::string_view text) {
-  text_.append(text).append("\n");
+namespace {
+
+const char* name_of(Scalar scalar) {
+  return with_scalar(scalar, [](auto zero) {
+    using T = decltype(zero);
+    constexpr bool kWide = sizeof(T) > 4;
+    if constexpr (std::is_same_v<T, bool>) return "bool";
+    if constexpr (std::is_floating_point_v<T>) return kWide ? "float64" : "float32";
+    constexpr std::array kSigned{"int8", "int16", "int32", "int64"};
+    constexpr std::array kUnsigned{"uint8", "uint16", "uint32", "uint64"};
+    constexpr std::size_t kWhich = std::bit_width(sizeof(T)) - 1;
+    return std::is_signed_v<T> ? kSigned[kWhich] : kUnsigned[kWhich];
+  });
 }
 
-void Description::field(std::string_view name, std::string_view kind, std::size_t bytes,
-                        std::initializer_list<std::size_t> shape) {
-  constexpr std::size_t kColumn = 24;
-  constexpr std::size_t kBitsPerByte = 8;
-  std::string line = "  " + std::string(name);
-  line.resize(std::max(line.size() + 1, kColumn), ' ');
-  line.append(kind);
-  if (kind != "bool") line += std::to_string(bytes * kBitsPerByte);
-  line += ", shape [";
-  for (const std::size_t size : shape) {
-    if (line.back() != '[') line += ", ";
-    line += std::to_string(size);
+template <class T>
+std::string bound_text(T bound) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return number_text(bound);
+  } else {
+    return number_text(static_cast<std::int64_t>(bound));
   }
-  text_ += line + "]";
 }
 
-void Description::window(std::uint32_t size) {
-  if (size > 1) text_ += ", the last " + std::to_string(size);
+/// One text if all elements have the same.
+std::string bounds_text(const Field& field, const void* bounds) {
+  return with_elements(field.type.scalar, bounds, [&](const auto* elements) {
+    const std::string first = bound_text(elements[0]);
+    std::string all = first;
+    bool equal = true;
+    for (std::size_t i = 1; i < field.type.size; ++i) {
+      const std::string bound = bound_text(elements[i]);
+      equal = equal && bound == first;
+      all += ", " + bound;
+    }
+    return equal ? first : "[" + all + "]";
+  });
 }
 
-void Description::Side::add(const std::string& bound) {
-  if (all.empty()) first = bound;
-  equal = equal && bound == first;
-  if (!all.empty()) all += ", ";
-  all += bound;
+std::string line_of(const Field& field) {
+  constexpr std::size_t kColumn = 24;
+  std::string line = "  " + std::string(field.name);
+  line.resize(std::max(line.size() + 1, kColumn), ' ');
+  line.append(name_of(field.type.scalar)).append(", shape [");
+  for (std::size_t i = 0; i < field.type.dimensions; ++i)
+    line += (i > 0 ? ", " : "") + std::to_string(field.type.shape[i]);
+  line += "]";
+  if (field.most > 1)
+    line += (field.varies ? ", at most the last " : ", the last ") + std::to_string(field.most);
+  if (field.low != nullptr)
+    line += ", from " + bounds_text(field, field.low) + " to " + bounds_text(field, field.high);
+  return line + "\n";
 }
 
-void Description::bound_text(const std::string& low, const std::string& high) {
-  low_.add(low);
-  high_.add(high);
-}
+}  // namespace
 
-void Description::bounds_end() {
-  text_ += ", from " + low_.text() + " to " + high_.text();
-  low_ = {};
-  high_ = {};
+std::string describe(const Fields& fields) {
+  std::string text = "Actions:\n";
+  for (const Field& field : fields.actions) text += line_of(field);
+  text += "Observations:\n";
+  for (const Field& field : fields.observations) text += line_of(field);
+  return text;
 }
 
 }  // namespace eagerx::linux_sim

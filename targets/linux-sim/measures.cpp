@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/nearest.hpp>
 
@@ -114,6 +115,14 @@ std::string Measures::prepare(const std::string& until, const std::vector<std::s
   return {};
 }
 
+void Measures::set_message(Variable::Kind kind, std::uint32_t number, MessageView message) {
+  for (std::size_t i = 0; i < variables_used_; ++i) {
+    const Variable& variable = variables_[i];
+    if (variable.kind != kind || variable.number != number) continue;
+    values_[i] = number_of(message.scalar, message.data, variable.element);
+  }
+}
+
 void Measures::begin_episode() {
   ++episodes_;
   is_over_ = false;
@@ -171,6 +180,16 @@ void Measures::describe(Summary& summary) const {
             std::to_string(quantity.worst.most_episode()) + ")");
   }
   if (summary_ && lengths_.count() > 0) add("steps of an episode:", lengths_.text(""));
+}
+
+std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states) {
+  std::vector<Readable> result;
+  for (std::uint32_t i = 0; i < facts.channel_count; ++i)
+    result.push_back(
+        {facts.channels[i].port, Variable::Kind::message, i, facts.channels[i].size});
+  for (std::uint32_t i = 0; i < states.size(); ++i)
+    result.push_back({states[i].name, Variable::Kind::state, i, states[i].type.size});
+  return result;
 }
 
 }  // namespace eagerx::linux_sim

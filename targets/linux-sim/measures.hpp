@@ -4,14 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <eagerx/channel.hpp>
-#include <eagerx/message.hpp>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <targets/linux-sim/expression.hpp>
+#include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/summary.hpp>
-#include <type_traits>
 #include <vector>
 
 namespace eagerx::linux_sim {
@@ -70,14 +67,7 @@ class Measures {
       if (variables_[i] == Variable{kind, number, element}) values_[i] = value;
     }
   }
-  template <class Message>
-  void set_message(Variable::Kind kind, std::uint32_t number, const Message& message) {
-    for (std::size_t i = 0; i < variables_used_; ++i) {
-      const Variable& variable = variables_[i];
-      if (variable.kind != kind || variable.number != number) continue;
-      values_[i] = static_cast<double>(element(message, variable.element));
-    }
-  }
+  void set_message(Variable::Kind kind, std::uint32_t number, MessageView message);
 
   void begin_episode();
   /// After a step, or a reset (step 0): evaluates. Time in seconds.
@@ -113,19 +103,7 @@ class Measures {
 };
 
 /// What the expressions of a graph's program may read.
-template <class Graph>
-std::vector<Readable> readables_of() {
-  std::vector<Readable> result;
-  for (std::uint32_t i = 0; i < std::size(Graph::kChannels); ++i)
-    result.push_back(
-        {Graph::kChannels[i].port, Variable::Kind::message, i, Graph::kChannels[i].size});
-  std::uint32_t state = 0;
-  Graph::for_each_state([&](const char* name, const char*, auto member, const auto&) {
-    using State = std::remove_cvref_t<decltype(typename Graph::States{}.*member)>;
-    result.push_back({name, Variable::Kind::state, state++, size_of<typename State::value_type>});
-  });
-  return result;
-}
+std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states);
 
 /// Of this process, which runs one program: the trace and the watch fill it.
 inline Measures measures_of_run;

@@ -7,7 +7,6 @@
 #include <targets/common/partner.hpp>
 #include <targets/linux-sim/link_port.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/split.hpp>
 
 namespace eagerx::linux_sim {
 

@@ -1,47 +1,47 @@
 // The scenes of `render:` in a trace: what `--trace-scenes` adds for whoever plays it back.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/rate.hpp>
 #include <eagerx/scene.hpp>
 #include <runtime/host/trace/scene_line.hpp>
-#include <targets/common/image_message.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {
 
-/// Whether the graph shows a scene, not an image that is pixels already.
-template <class Graph>
-inline constexpr bool shows_scene = requires {
-  requires !target::ImageShape<typename Graph::Rendered>::is_image;
-};
-
 /// Writes lines `# scene EPISODE TICK ROWS CHANGES`. They are no messages: the hash does not see
 /// them. Of most scenes few numbers change, so only those are written. Nothing but the constructor
 /// allocates.
-template <class Message>
 class SceneRecord {
  public:
-  SceneRecord() { before_.resize(kSceneRows<Message> * kSceneColumns); }
+  /// A scene of [rows][kSceneColumns].
+  explicit SceneRecord(std::size_t rows)
+      : most_rows_(std::min(rows, std::size_t{trace_log::kMostSceneRows})), before_(rows * kSceneColumns) {}
 
-  template <class Writer, class Rate>
-  void write(Writer& out, std::uint32_t episode, Rate /*rate*/, Seq tick, const Message& scene) {
+  struct When {
+    std::uint32_t episode;
+    std::uint64_t rate_num, rate_den;  // pictures a second
+    Seq tick;
+  };
+  template <class Writer>
+  void write(Writer& out, const When& when, const float* scene) {
     if (!has_begun_) {
       out.text("# scenes ");
-      out.number(Rate::num);
+      out.number(when.rate_num);
       out.text("/");
-      out.number(Rate::den);
+      out.number(when.rate_den);
       out.text("\n");
       has_begun_ = true;
     }
     std::size_t rows = 0;
-    while (rows < kMostRows && scene[rows * kSceneColumns] != 0.0F) ++rows;
+    while (rows < most_rows_ && scene[rows * kSceneColumns] != 0.0F) ++rows;
     out.text("# scene ");
-    out.number(episode);
+    out.number(when.episode);
     out.text(" ");
-    out.number(tick);
+    out.number(when.tick);
     out.text(" ");
     out.number(rows);
     changes(out, scene, rows * kSceneColumns);
@@ -49,12 +49,8 @@ class SceneRecord {
   }
 
  private:
-  static constexpr std::size_t kMostRows = kSceneRows<Message> < trace_log::kMostSceneRows
-                                               ? kSceneRows<Message>
-                                               : trace_log::kMostSceneRows;
-
   template <class Writer>
-  void changes(Writer& out, const Message& scene, std::size_t size) {
+  void changes(Writer& out, const float* scene, std::size_t size) {
     bool first = true;
     for (std::size_t i = 0; i < size; ++i) {
       // Bits, since NaN differs from itself.
@@ -69,6 +65,7 @@ class SceneRecord {
     }
   }
 
+  std::size_t most_rows_;
   std::vector<float> before_;  // [rows * 16], as the lines so far have it
   bool has_begun_ = false;
 };

@@ -6,21 +6,21 @@
 #include <eagerx/channel.hpp>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
-#include <iterator>
-#include <string>
+#include <iosfwd>
 
 namespace eagerx::linux_sim {
 
-/// The text of SpaceCounts::first().
-std::string space_problem(const char* channel, const Bounds& bounds, std::size_t element, Seq seq,
-                          double value);
+class CountListener;
+struct GraphFacts;
 
 /// Counts them for each channel, and remembers the first. A message counts once, and NaN is out of
 /// every space with bounds.
-template <class Graph>
 class SpaceCounts {
  public:
-  template <class Message>
+  /// Before the run. Allocates.
+  void prepare(const GraphFacts& facts);
+
+  template <class Graph, class Message>
   [[gnu::always_inline]] void see(std::uint32_t channel, Seq seq, const Message& message) {
     if constexpr (requires { Graph::kBounds; }) {
       const Channel& what = Graph::kChannels[channel];
@@ -35,38 +35,17 @@ class SpaceCounts {
   }
 
   bool is_any() const { return total_ > 0; }
-
-  /// f(name of the channel, count) for each.
-  template <class F>
-  void for_each_count(F&& f) const {
-    for (std::size_t i = 0; i < std::size(counts_); ++i)
-      f(std::string("out of its space: ") + Graph::kChannels[i].name, counts_[i]);
-  }
-
+  /// "out of its space: CHANNEL" for each channel.
+  void list(CountListener& listener) const;
   /// "`smooth/filtered` left its space, from -2 to 2: element 0 of message 12 is 2.1"
-  std::string first() const {
-    if constexpr (requires { Graph::kBounds; }) {
-      const Channel& what = Graph::kChannels[channel_];
-      const Bounds& bounds = Graph::kBounds[what.first + (what.bounds == 1 ? 0 : element_)];
-      return space_problem(what.name, bounds, element_, seq_, value_);
-    } else {
-      return {};
-    }
-  }
+  std::string first() const;
 
  private:
   [[gnu::noinline, gnu::cold]] void note(std::uint32_t channel, Seq seq, std::size_t element,
-                                         double value) {
-    if (total_++ == 0) {
-      channel_ = channel;
-      seq_ = seq;
-      element_ = element;
-      value_ = value;
-    }
-    ++counts_[channel];
-  }
+                                         double value);
 
-  std::uint64_t counts_[std::size(Graph::kChannels)]{};
+  const GraphFacts* facts_ = nullptr;
+  std::uint64_t* counts_ = nullptr;  // [channels]
   std::uint64_t total_ = 0;
   std::uint32_t channel_ = 0;  // of the first
   Seq seq_ = 0;
@@ -75,7 +54,6 @@ class SpaceCounts {
 };
 
 /// Of this process, which runs one program.
-template <class Graph>
-inline constinit SpaceCounts<Graph> spaces_of_run{};
+extern SpaceCounts spaces_of_run;
 
 }  // namespace eagerx::linux_sim

@@ -23,14 +23,20 @@ constexpr std::string_view kLoadAnew =
 
 }  // namespace
 
-std::string problem_text(link::Problem problem, const link::Greeting& board,
-                         link::Identity identity, const LinkPort& port,
-                         const link::Statistics& statistics) {
+bool board_knows(const GraphFacts& facts, target::Agent agent) {
+  if (!facts.board_decides) return true;
+  if (agent == target::Agent::random) return facts.board_knows_random;
+  return agent != target::Agent::csv;
+}
+
+std::string problem_of(SplitLink& link) {
   using link::Problem;
+  const link::Greeting& board = link.board();
+  const link::Statistics& statistics = link.statistics();
   const std::string repeated = "after " + std::to_string(statistics.exchanges) + " exchanges, " +
                                std::to_string(statistics.repeated) + " frames sent again and " +
                                std::to_string(statistics.ignored) + " ignored";
-  switch (problem) {
+  switch (link.problem()) {
     case Problem::none:
       break;
     case Problem::no_answer:
@@ -39,17 +45,17 @@ std::string problem_text(link::Problem problem, const link::Greeting& board,
              "how "
              "long to wait";
     case Problem::closed:
-      return "error: the line to the board is closed, " + repeated + ": " + port.error();
+      return "error: the line to the board is closed, " + repeated + ": " + link.port().error();
     case Problem::other_protocol:
       return "error: the board speaks version " + std::to_string(board.protocol) +
              " of the link, this program version " + std::to_string(link::kProtocol) +
              std::string(kLoadAnew);
     case Problem::other_runtime:
       return "error: the board has runtime " + version(board.runtime) + ", this program " +
-             version(identity.runtime) + std::string(kLoadAnew);
+             version(link.identity().runtime) + std::string(kLoadAnew);
     case Problem::other_graph:
       return "error: the board runs another graph, or another version of it: " + hex(board.graph) +
-             ", this program " + hex(identity.graph) + std::string(kLoadAnew);
+             ", this program " + hex(link.identity().graph) + std::string(kLoadAnew);
     case Problem::refused:
       return "error: the board's answers of the policy differ from the generator's\n"
              "help: build with the flags of the runtime: no fast-math, no contraction";
@@ -81,6 +87,9 @@ void describe_link(Summary& summary, const char* board, const link::Statistics& 
     add("stack of the board", std::to_string(report.stack_bytes) + " bytes");
 }
 
+namespace {
+
+/// A number that no earlier session had.
 std::uint32_t new_session() {
   // A Weyl step spreads the low bits of two runs that begin in the same millisecond.
   constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15U;
@@ -88,6 +97,16 @@ std::uint32_t new_session() {
   const std::uint64_t mixed =
       (LinkPort::now_ns() ^ static_cast<std::uint64_t>(getpid()) << kHigh) * kGolden;
   return static_cast<std::uint32_t>(mixed >> kHigh);
+}
+
+}  // namespace
+
+std::string connect(SplitLink& link, const Options& options) {
+  constexpr double kNsPerSecond = 1e9;
+  if (!link.port().open(options.link, options.baud))
+    return "error: cannot open `" + options.link + "`: " + link.port().error();
+  link.set_time_limit(static_cast<std::uint64_t>(options.link_timeout_s * kNsPerSecond));
+  return link.open(new_session()) ? std::string() : problem_of(link);
 }
 
 }  // namespace eagerx::linux_sim

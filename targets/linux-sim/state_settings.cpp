@@ -2,9 +2,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <eagerx/space.hpp>
 #include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/state_settings.hpp>
+#include <type_traits>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -110,6 +113,79 @@ std::string problem_of(const StateSetting& setting, const std::vector<double>& l
     }
   }
   return {};
+}
+
+namespace {
+
+std::vector<double> numbers_of(const Field& field, const void* message) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < field.type.size; ++i)
+    result.push_back(number_of(field.type.scalar, message, i));
+  return result;
+}
+
+/// Element after element, as Space::sample() and draw.hpp draw messages.
+template <class T>
+void draw(const StateSetting& setting, EpisodeKey key, const Field& field, T* elements) {
+  Random random(key, entity_id(field.id));
+  const std::size_t size = field.type.size;
+  const auto number = [&](std::size_t group, std::size_t i) {
+    return static_cast<T>(setting.number(group, i));
+  };
+  if (setting.kind == Kind::choice) {
+    const auto chosen = random.below(static_cast<std::uint32_t>(setting.numbers.size()));
+    std::fill_n(elements, size, static_cast<T>(setting.numbers[chosen]));
+    return;
+  }
+  for (std::size_t i = 0; i < size; ++i) {
+    T& x = elements[i];
+    x = number(0, i);
+    if (setting.kind == Kind::uniform) x = random.uniform(number(0, i), number(1, i));
+    if constexpr (std::is_floating_point_v<T>) {
+      if (setting.kind == Kind::log_uniform) x = random.log_uniform(number(0, i), number(1, i));
+      if (setting.kind == Kind::normal) {
+        const T low = static_cast<const T*>(field.low)[i];
+        const T high = static_cast<const T*>(field.high)[i];
+        x = Space<T>{low, high}.clipped(random.normal(number(0, i), number(1, i)));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::string StateSettings::read(const std::vector<std::string>& texts) {
+  std::vector<std::string> known;
+  for (const Field& state : states_) known.emplace_back(state.name);
+  if (!texts.empty()) settings_.resize(known.size());
+  for (const std::string& text : texts) {
+    std::optional<StateSetting> setting = parse_setting(text);
+    if (!setting) {
+      return "error: `" + text +
+             "` is no setting\nhelp: write NAME=NUMBER, NAME=NUMBER,NUMBER,… (one for each "
+             "element), or NAME=uniform:LOW,HIGH, log_uniform:LOW,HIGH, normal:MEAN,STD, "
+             "choice:NUMBER,NUMBER,…";
+    }
+    const auto found = std::find(known.begin(), known.end(), setting->name);
+    if (found == known.end()) return unknown_state(setting->name, known);
+    const auto index = static_cast<std::size_t>(found - known.begin());
+    const Field& state = states_[index];
+    std::string problem =
+        problem_of(*setting, numbers_of(state, state.low), numbers_of(state, state.high));
+    if (!problem.empty()) return problem;
+    settings_[index] = std::move(setting);
+  }
+  return {};
+}
+
+bool StateSettings::apply(EpisodeKey key, StateRow states) const {
+  for (std::size_t i = 0; i < settings_.size(); ++i) {
+    if (!settings_[i]) continue;
+    with_elements(states_[i].type.scalar, states.messages[i],
+                  [&](auto* elements) { draw(*settings_[i], key, states_[i], elements); });
+    states.has_value[i] = true;
+  }
+  return !settings_.empty();
 }
 
 }  // namespace eagerx::linux_sim

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <runtime/host/identify/experiment.hpp>
 
@@ -100,6 +102,29 @@ void Experiment::begin(const Trial* trial) {
 
 void Experiment::episode(std::uint32_t index) {
   episode_ = index;
+}
+
+void Experiment::simulator(std::string_view name, Seq tick, const SimulatorView& simulator) {
+  const std::size_t i = object(name, simulator.state.size, simulator.input.size);
+  inputs_[i] = simulator.input;
+  if (i == 0) next_tick(tick);
+  if (tick == 0) note_input(i);
+  if (trial_ == nullptr) return note_state(i, simulator.state);
+  if (begins_segment_) {
+    const double* const state =
+        trial_->states.data() + segment_ * states() + objects_[i].first_state;
+    for (std::size_t k = 0; k < simulator.state.size; ++k) simulator.state.set(k, state[k]);
+    if (simulator.step_bytes > 0) std::memset(simulator.step, 0, simulator.step_bytes);
+  }
+  apply_input(i);
+}
+
+void Experiment::note_state(std::size_t i, const Numbers& state) {
+  for (std::size_t k = 0; k < state.size; ++k) {
+    const double value = state.get(k);
+    double& scale = state_scale_[objects_[i].first_state + k];
+    if (value - value == 0.0) scale = std::max(scale, value < 0.0 ? -value : value);
+  }
 }
 
 std::size_t Experiment::object(std::string_view name, std::size_t states, std::size_t inputs) {

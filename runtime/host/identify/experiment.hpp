@@ -2,18 +2,16 @@
 // its sensors say is compared with the log.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/channel.hpp>
-#include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <optional>
+#include <runtime/host/identify/simulator_view.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace eagerx::identification {
@@ -30,16 +28,6 @@ struct Sample {
   std::uint32_t segment = 0;
   std::uint32_t group = 0;     // samples of one element of one sensor
   std::uint32_t position = 0;  // in its group and segment, from 0
-};
-
-/// A simulator whose state and input can be set: OdeSimulator, and others of its form.
-template <class Simulator>
-concept HasDynamics = requires(Simulator& simulator) {
-  requires std::is_floating_point_v<std::remove_cvref_t<decltype(simulator.state[0])>>;
-  requires std::is_floating_point_v<std::remove_cvref_t<decltype(simulator.input[0])>>;
-  simulator.state.size();
-  simulator.input.size();
-  simulator.input.begin();
 };
 
 /// Every segment of `horizon_s` begins in a state of its own, so that an error does not grow for
@@ -68,39 +56,20 @@ class Experiment {
   void episode(std::uint32_t index);
 
   /// Called for every object at every tick of the engine, before anything reads it.
-  template <class Simulator>
-  void simulator(std::string_view name, Seq tick, Simulator& simulator) {
-    if constexpr (HasDynamics<Simulator>) {
-      const std::size_t i = object(name, simulator.state.size(), simulator.input.size());
-      inputs_[i] = input_of(simulator.input);
-      if (i == 0) next_tick(tick);
-      if (tick == 0) note_input(i);
-      if (trial_ == nullptr) return note_state(i, simulator.state);
-      if (begins_segment_) {
-        const double* const state =
-            trial_->states.data() + segment_ * states() + objects_[i].first_state;
-        for (std::size_t k = 0; k < simulator.state.size(); ++k)
-          simulator.state[k] =
-              static_cast<std::remove_cvref_t<decltype(simulator.state[k])>>(state[k]);
-        if constexpr (requires { simulator.step_s; }) simulator.step_s = {};
-      }
-      apply_input(i);
-    }
-  }
+  void simulator(std::string_view name, Seq tick, const SimulatorView& simulator);
 
-  /// A published message: of an engine node it is compared, any other is taken from the log.
-  template <class Message>
-  void message(std::uint32_t channel, Seq seq, Message& message) {
-    using Scalar = ScalarOf<Message>;
+  /// A published message of `size` elements: of an engine node it is compared, any other is taken
+  /// from the log.
+  template <class Scalar>
+  void message(std::uint32_t channel, Seq seq, Scalar* elements, std::size_t size) {
     const std::uint64_t* const recorded = find(channel, seq);
     if (facts_[channel].publisher == Publisher::engine_node) {
-      numbers_.resize(size_of<Message>);
-      for (std::size_t i = 0; i < size_of<Message>; ++i)
-        numbers_[i] = static_cast<double>(element(message, i));
+      numbers_.resize(size);
+      for (std::size_t i = 0; i < size; ++i) numbers_[i] = static_cast<double>(elements[i]);
       measured(channel, recorded);
     } else if (recorded != nullptr) {
-      for (std::size_t i = 0; i < size_of<Message>; ++i)
-        element(message, i) = trace_log::value_of<Scalar>(recorded[i]);
+      for (std::size_t i = 0; i < size; ++i)
+        elements[i] = trace_log::value_of<Scalar>(recorded[i]);
     }
   }
 
@@ -121,44 +90,13 @@ class Experiment {
   void find_actuators();
 
  private:
-  /// Where a simulator keeps its input.
-  struct Input {
-    float* floats = nullptr;
-    double* doubles = nullptr;
-    std::size_t size = 0;
-
-    double get(std::size_t i) const { return floats != nullptr ? double{floats[i]} : doubles[i]; }
-    void set(std::size_t i, double value) const {
-      if (floats != nullptr) {
-        floats[i] = static_cast<float>(value);
-      } else {
-        doubles[i] = value;
-      }
-    }
-  };
-  template <class Array>
-  static Input input_of(Array& array) {
-    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(array[0])>, float>) {
-      return {.floats = array.begin(), .doubles = nullptr, .size = array.size()};
-    } else {
-      return {.floats = nullptr, .doubles = array.begin(), .size = array.size()};
-    }
-  }
   /// Whether a channel is the input of an object, as far as was seen.
   struct Likeness {
     bool differs = false;
     bool seen = false;
   };
 
-  template <class State>
-  void note_state(std::size_t i, const State& state) {
-    for (std::size_t k = 0; k < state.size(); ++k) {
-      const auto value = static_cast<double>(state[k]);
-      double& scale = state_scale_[objects_[i].first_state + k];
-      if (value - value == 0.0) scale = std::max(scale, value < 0.0 ? -value : value);
-    }
-  }
-
+  void note_state(std::size_t i, const Numbers& state);
   std::size_t object(std::string_view name, std::size_t states, std::size_t inputs);
   void next_tick(Seq tick);
   void note_input(std::size_t object);
@@ -178,7 +116,7 @@ class Experiment {
   Seq ticks_in_segment_ = 1;
 
   std::vector<Object> objects_;
-  std::vector<Input> inputs_;
+  std::vector<Numbers> inputs_;
   std::vector<std::vector<double>> first_inputs_;  // of each object, after a reset
   std::vector<std::uint32_t> actuators_;
   std::vector<std::size_t> actuator_of_;  // of each object; beyond actuators_: none

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/channel.hpp>
-#include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <optional>
@@ -12,7 +11,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace eagerx::trace_log {
@@ -46,20 +44,23 @@ class Replay {
   /// The same after the last episode, for messages of all later ones.
   void end_all();
 
-  /// The next message of `channel`, if the log gives it, without going on.
-  template <class Message>
-  void copy(std::uint32_t channel, std::uint32_t episode, Message& message) const {
+  /// The next message of `channel`, of `size` elements, if the log gives it, without going on.
+  template <class Scalar>
+  void copy(std::uint32_t channel, std::uint32_t episode, Scalar* elements,
+            std::size_t size) const {
     const std::uint64_t* const recorded = peek(channel, episode);
-    if (recorded != nullptr) assign(message, recorded);
+    if (recorded != nullptr) assign(elements, size, recorded);
   }
 
-  template <class Message>
-  void message(std::uint32_t channel, std::uint32_t episode, Seq seq, Message& message) {
+  /// A message of the program, of `size` elements: it is compared, or becomes what the log gives.
+  template <class Scalar>
+  void message(std::uint32_t channel, std::uint32_t episode, Seq seq, Scalar* elements,
+               std::size_t size) {
     const std::uint64_t* const recorded = expect(channel, episode, seq);
     if (recorded == nullptr) return;
-    if (channels_[channel].given) return assign(message, recorded);
-    for (std::size_t i = 0; i < size_of<Message>; ++i) {
-      const std::uint64_t bits = canonical_bits(element(message, i));
+    if (channels_[channel].given) return assign(elements, size, recorded);
+    for (std::size_t i = 0; i < size; ++i) {
+      const std::uint64_t bits = canonical_bits(elements[i]);
       if (bits != recorded[i]) return differ(channel, i, bits, recorded[i]);
     }
     ++equal_;
@@ -84,10 +85,9 @@ class Replay {
     std::size_t next = 0;
   };
 
-  template <class Message>
-  static void assign(Message& message, const std::uint64_t* recorded) {
-    for (std::size_t i = 0; i < size_of<Message>; ++i)
-      element(message, i) = value_of<ScalarOf<Message>>(recorded[i]);
+  template <class Scalar>
+  static void assign(Scalar* elements, std::size_t size, const std::uint64_t* recorded) {
+    for (std::size_t i = 0; i < size; ++i) elements[i] = value_of<Scalar>(recorded[i]);
   }
 
   const std::uint64_t* peek(std::uint32_t channel, std::uint32_t episode) const;

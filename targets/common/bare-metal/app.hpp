@@ -50,7 +50,7 @@ inline constexpr bool kTraces = EAGERX_TRACE != 0;
 template <class Graph>
 class PrintingTrace : public PacedTrace {
  public:
-  using Text = TraceText<Graph, Console>;
+  using Text = TraceText<Console>;
 
   void print(bool prints) { prints_ = prints; }
   void episode(std::uint32_t index) {
@@ -70,7 +70,7 @@ class PrintingTrace : public PacedTrace {
   template <class Message>
   [[gnu::noinline]] void print_message(std::uint32_t channel, Seq seq, const Message& message) {
     ++messages_;
-    Text::begin_message(console, episode_, channel, seq);
+    Text::begin_message(console, episode_, Graph::kChannels[channel], seq);
     Text::values(console, message);
   }
 
@@ -286,7 +286,7 @@ int run(const char* board) {
   if constexpr (kTraces) {
     program.trace.print(options.trace);
     if (options.trace)
-      BoardTrace::Text::head(console, options.plan.seed, options.plan.environment,
+      BoardTrace::Text::head(console, traced_graph<Graph>(), options.plan.seed, options.plan.environment,
                              target::name_of(options.agent), false);
   }
   program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);

@@ -11,6 +11,7 @@
 #include <targets/linux-sim/pictures/film.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/pictures/png.hpp>
+#include <targets/linux-sim/pictures/show.hpp>
 #include <targets/linux-sim/pictures/window.hpp>
 #include <vector>
 
@@ -90,9 +91,25 @@ std::string open_files(const std::string& path) {
   return error ? "error: cannot make `" + folder.string() + "`: " + error.message() : std::string();
 }
 
-}  // namespace
+class PicturesOfRun final : public Pictures {
+ public:
+  std::string open(const Rendering& wanted, const std::string& title,
+                   const std::string& rate) override;
+  bool has_window() const override;
+  std::int64_t take_paused_ns() override;
+  std::string close() override;
 
-std::string Pictures::open(const Rendering& wanted, const std::string& title,
+  void hand_on();
+
+ private:
+  void look_at_window();
+
+  bool paused_ = false;
+  std::int64_t paused_ns_ = 0;
+};
+PicturesOfRun pictures;
+
+std::string PicturesOfRun::open(const Rendering& wanted, const std::string& title,
                            const std::string& rate) {
   if (wanted.to.empty()) return {};
   studio = std::make_unique<Studio>();
@@ -118,22 +135,11 @@ std::string Pictures::open(const Rendering& wanted, const std::string& title,
   return problem;
 }
 
-bool Pictures::has_window() const {
+bool PicturesOfRun::has_window() const {
   return studio && studio->to_window;
 }
 
-void Pictures::show_scene(const float* scene, std::size_t rows) {
-  studio->painter.paint(scene, rows, {studio->pixels.data(), studio->width, studio->height, 3});
-  hand_on();
-}
-
-void Pictures::show_image(const std::uint8_t* image, int width, int height, int channels) {
-  target::scale_image(image, width, height, channels,
-                      {studio->pixels.data(), studio->width, studio->height, 3});
-  hand_on();
-}
-
-void Pictures::hand_on() {
+void PicturesOfRun::hand_on() {
   const std::vector<std::uint8_t>& pixels = studio->pixels;
   for (std::size_t i = 0; i < pixels.size(); i += 8) {
     std::uint64_t word = 0;
@@ -150,7 +156,7 @@ void Pictures::hand_on() {
   if (studio->to_window) look_at_window();
 }
 
-void Pictures::look_at_window() {
+void PicturesOfRun::look_at_window() {
   constexpr int kWaitMs = 20;
   constexpr int kFastest = 6;
   studio->window.show(studio->pixels.data());
@@ -168,13 +174,13 @@ void Pictures::look_at_window() {
   if (waited) paused_ns_ += now_ns() - begin_ns;
 }
 
-std::int64_t Pictures::take_paused_ns() {
+std::int64_t PicturesOfRun::take_paused_ns() {
   const std::int64_t paused_ns = paused_ns_;
   paused_ns_ = 0;
   return paused_ns;
 }
 
-std::string Pictures::close() {
+std::string PicturesOfRun::close() {
   if (!studio) return {};
   if (studio->to_files && !studio->names.numbered && count_ > 0 && studio->problem.empty())
     write_png(studio->names.of(0));
@@ -186,6 +192,26 @@ std::string Pictures::close() {
   studio.reset();
   is_on_ = false;
   return problem;
+}
+
+}  // namespace
+
+Pictures* pictures_of_run() {
+  return &pictures;
+}
+bool pictures_are_on() {
+  return pictures.is_on();
+}
+
+void show_scene(const float* scene, std::size_t rows) {
+  studio->painter.paint(scene, rows, {studio->pixels.data(), studio->width, studio->height, 3});
+  pictures.hand_on();
+}
+
+void show_image(const std::uint8_t* image, int width, int height, int channels) {
+  target::scale_image(image, width, height, channels,
+                      {studio->pixels.data(), studio->width, studio->height, 3});
+  pictures.hand_on();
 }
 
 }  // namespace eagerx::linux_sim

@@ -1,0 +1,71 @@
+# Libraries that are the same for every graph: compiled once and kept.
+#
+# eagerx_compiled_library(<name> SOURCES <file>... [FOLDERS <folder>...] [LINK <library>...] [OPTIONS <flag>...] [UNITY])
+#
+# <name> is a static library of the sources. Where EAGERX_LIBRARY_CACHE names a folder, or EAGERX_LIBRARIES one that came
+# with the package, and one of them has the library already, it is taken from there; otherwise it is compiled, and the
+# cache then has it. What is kept has a folder of its own for each compiler, set of flags, and text of the sources and of
+# all headers in FOLDERS, so it is never too old. Nothing is kept without either variable.
+include_guard(GLOBAL)
+
+function(eagerx_compiled_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY" "" "SOURCES;FOLDERS;LINK;OPTIONS")
+  if(EAGERX_LIBRARY_CACHE OR EAGERX_LIBRARIES)
+    _eagerx_library_key(key ${name} "${arg_SOURCES}" "${arg_FOLDERS}" "${arg_OPTIONS}")
+    foreach(folder IN LISTS EAGERX_LIBRARIES EAGERX_LIBRARY_CACHE)
+      set(kept ${folder}/${key}/lib${name}.a)
+      if(EXISTS ${kept})
+        add_library(${name} STATIC IMPORTED GLOBAL)
+        set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${kept})
+        target_link_libraries(${name} INTERFACE ${arg_LINK})
+        return()
+      endif()
+    endforeach()
+  endif()
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC ${arg_LINK})
+  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+  if(arg_UNITY)
+    # The headers of the standard library take most of the time: once for all files. tests/lint compiles each by itself.
+    set(unity ON)
+    if(DEFINED EAGERX_UNITY)
+      set(unity ${EAGERX_UNITY})
+    endif()
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ${unity} UNITY_BUILD_BATCH_SIZE 0)
+  endif()
+  if(EAGERX_LIBRARY_CACHE)
+    # A cache that cannot be written costs time and nothing else.
+    add_custom_command(
+      TARGET ${name} POST_BUILD
+      COMMAND ${CMAKE_COMMAND} -D FROM=$<TARGET_FILE:${name}> -D TO=${EAGERX_LIBRARY_CACHE}/${key}/lib${name}.a
+              -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/keep_library.cmake
+      VERBATIM)
+  endif()
+endfunction()
+
+# What must be equal for a library to be the same. A change of a file configures anew.
+function(_eagerx_library_key variable name sources folders options)
+  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  set(text "${name} ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_CXX_COMPILER_ARCHITECTURE_ID} \
+${CMAKE_LIBRARY_ARCHITECTURE} ${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} \
+${CMAKE_BUILD_TYPE} ${CMAKE_POSITION_INDEPENDENT_CODE} ${CMAKE_INTERPROCEDURAL_OPTIMIZATION} ${options}")
+  get_target_property(flags eagerx::runtime INTERFACE_COMPILE_OPTIONS)
+  string(APPEND text " ${flags}")
+  set(files ${sources})
+  foreach(folder IN LISTS folders)
+    file(GLOB_RECURSE headers ${folder}/*.hpp ${folder}/*.h)
+    list(APPEND files ${headers})
+  endforeach()
+  get_property(known DIRECTORY PROPERTY CMAKE_CONFIGURE_DEPENDS)
+  foreach(file IN LISTS files)
+    cmake_path(NORMAL_PATH file)
+    list(APPEND known ${file})
+    file(SHA256 ${file} hash)
+    string(APPEND text " ${hash}")
+  endforeach()
+  list(REMOVE_DUPLICATES known)
+  set_property(DIRECTORY PROPERTY CMAKE_CONFIGURE_DEPENDS ${known})
+  string(SHA256 key "${text}")
+  string(SUBSTRING ${key} 0 16 key)
+  set(${variable} ${key} PARENT_SCOPE)
+endfunction()

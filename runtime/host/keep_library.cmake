@@ -1,0 +1,12 @@
+# Puts a library that was built into the cache: as a whole or not at all, whoever else does so at the same time.
+get_filename_component(folder ${TO} DIRECTORY)
+string(RANDOM LENGTH 12 random)
+set(part ${TO}.${random})
+file(MAKE_DIRECTORY ${folder})
+file(COPY_FILE ${FROM} ${part} RESULT problem)
+if(problem EQUAL 0)
+  file(RENAME ${part} ${TO} RESULT problem)
+endif()
+if(NOT problem EQUAL 0)
+  file(REMOVE ${part})
+endif()

@@ -1,0 +1,170 @@
+#include <cstdio>
+#include <eagerx/version.hpp>
+#include <string>
+#include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/faults.hpp>
+#include <targets/linux-sim/fields.hpp>
+#include <targets/linux-sim/files.hpp>
+#include <targets/linux-sim/float_environment.hpp>
+#include <targets/linux-sim/graph_program.hpp>
+#include <targets/linux-sim/identify.hpp>
+#include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/recorder.hpp>
+#include <targets/linux-sim/replay_log.hpp>
+#include <targets/linux-sim/say.hpp>
+#include <targets/linux-sim/session.hpp>
+#include <targets/linux-sim/spaces.hpp>
+#include <targets/linux-sim/split.hpp>
+#include <targets/linux-sim/state_settings.hpp>
+#include <variant>
+#include <vector>
+
+namespace eagerx::linux_sim {
+
+int fail(const std::string& text, int exit_code) {
+  std::fputs((text + "\n").c_str(), stderr);
+  return exit_code;
+}
+
+namespace {
+
+int show_help(const char* program_name, const Options& defaults, const Fields& fields,
+              const GraphProgram& program) {
+  const GraphFacts& facts = program.facts();
+  const double rate_hz = static_cast<double>(facts.rate_num) / static_cast<double>(facts.rate_den);
+  std::string text = "Usage: " + std::string(program_name) + " [OPTION…]\n" +
+                     (program.is_real() ? "Runs" : "Simulates") + " the graph `" + facts.name +
+                     "` on " + facts.engine + " at " + number_text(rate_hz) + " Hz.\n\n";
+  text += describe(fields);
+  text += "Options (defaults in brackets):\n" + options_help(defaults);
+  return print(stdout, text) ? kDone : kBadFile;
+}
+
+/// Compares the policy's answers with those that the generator computed.
+int self_test(const GraphProgram& program) {
+  const GraphFacts& facts = program.facts();
+  if (!program.self_test()) {
+    return fail(
+        "error: this machine's answers of the policy differ from the generator's\n"
+        "help: build with the flags of the runtime: no fast-math, no contraction",
+        kSelfTestFailed);
+  }
+  const std::string text =
+      facts.self_test_rows == 0
+          ? "this program has no policy"
+          : std::to_string(facts.self_test_rows) + " answers of the policy are as generated";
+  const char* const rounding = facts.has_fast_policy ? ", but for rounding (profile fast)" : "";
+  return print(stdout, "self-test: " + text + rounding + "; denormal numbers are kept\n")
+             ? kDone
+             : kBadFile;
+}
+
+/// What is wrong with options that the graph decides about, or nothing.
+std::string problem_of(const Options& options, const Fields& fields, const GraphFacts& facts,
+                       StateSettings& settings, AgentFaults& faults) {
+  if (options.agent == target::Agent::policy && !facts.has_policy)
+    return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
+           "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions";
+  if (facts.board != nullptr && !options.settings.empty())
+    return "error: the board draws its states itself\nhelp: leave out `--set`";
+  std::string problem = settings.read(options.settings);
+  if (!problem.empty()) return problem;
+  if (facts.board_decides && !options.faults.empty())
+    return "error: the board sees and decides itself\nhelp: leave out `--fault`";
+  problem = faults.read(options.faults);
+  if (!problem.empty()) return problem;
+  problem = measures_of_run.prepare(options.until, options.measures, options.summary,
+                                    readables_of(facts, fields.states));
+  return problem.empty() ? problem_with_files(options) : problem;
+}
+
+/// Everything behind the command line.
+int run_with(const Options& options, GraphProgram& program) {
+  const GraphFacts& facts = program.facts();
+  const bool is_split = facts.board != nullptr;
+  const Fields fields(program);
+  StateSettings settings(fields.states);
+  AgentFaults faults(fields);
+  const std::string problem = problem_of(options, fields, facts, settings, faults);
+  if (!problem.empty()) return fail(problem, kBadUsage);
+
+  std::vector<std::max_align_t> zero(program.action_bytes() / sizeof(std::max_align_t) + 1);
+  program.zero(zero.data());
+  ActionTable table(fields.actions, zero.data(), program.action_bytes());
+  if (options.agent == target::Agent::csv) {
+    const ActionProblem bad = table.load(options.action_file, options.plan.steps);
+    if (bad.exit_code != 0) return fail(bad.text, bad.exit_code);
+  }
+  if (!options.replay.empty() || !options.identify.empty()) {
+    if (is_split)
+      return fail("error: a part of this graph runs on " + std::string(facts.board) +
+                      "\nhelp: repeat a log with the program that is not split, which has the same "
+                      "messages",
+                  kBadUsage);
+    return options.replay.empty() ? identify(options, fields, program)
+                                  : replay_log(options, fields, table, program);
+  }
+  if (is_split && !board_knows(facts, options.agent)) {
+    return fail("error: the agent is on the board, which knows `zero` and `" +
+                    std::string(facts.has_policy ? "policy" : "random") + "`",
+                kBadUsage);
+  }
+  catch_interrupts();
+  if (is_split) {
+    if (options.link.empty()) {
+      return fail("error: a part of this graph runs on " + std::string(facts.board) +
+                      "\nhelp: say where that is, `--link` with a serial line, HOST:PORT or "
+                      "unix:PATH",
+                  kBadUsage);
+    }
+    const std::string unconnected = connect(*program.link(), options);
+    if (!unconnected.empty()) return fail(unconnected, kBadFile);
+  }
+  return run_told({options, fields, table, settings, faults}, program);
+}
+
+}  // namespace
+
+int run(int argc, char** argv, GraphProgram& program) {
+  open_standard_files();
+  bool was_wrong = false;
+  if (!put_floats_right(was_wrong))
+    return fail("error: this processor does not keep denormal numbers", kSelfTestFailed);
+  if (was_wrong)
+    fail(
+        "note: denormal numbers were taken for zero, or numbers rounded otherwise, before this "
+        "program began; it has put that right. Usually it is linked with `-ffast-math`",
+        kDone);
+  const GraphFacts& facts = program.facts();
+  spaces_of_run.prepare(facts);
+  recorder_of_run.graph_is(facts);
+  Options defaults;
+  defaults.plan = facts.plan;
+  defaults.agent = facts.agent;
+  defaults.action_file = facts.agent_csv;
+  defaults.split = facts.board != nullptr;
+  const auto parsed = parse_options(argc - 1, argv + 1, defaults);
+  if (const auto* wrong = std::get_if<UsageError>(&parsed))
+    return fail("error: " + wrong->problem + "\nhelp: " + wrong->help, kBadUsage);
+  Options options = *std::get_if<Options>(&parsed);
+  // Somebody looks on, so time goes as it does.
+  if (options.rendering.to == "window" && !options.real_time_given) options.real_time_factor = 1.0;
+  if (options.help) return show_help(argv[0], defaults, Fields(program), program);
+  if (options.version) {
+    const std::string text = std::string(facts.name) + " on " + facts.engine + ", eagerx-gen " +
+                             std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor);
+    return print(stdout, text + "\n") ? kDone : kBadFile;
+  }
+  if (!program.rounds_each_operation()) {
+    return fail(
+        "error: this program was compiled with flags that change the bits of its numbers\n"
+        "help: leave out -ffast-math and its parts, and set -ffp-contract=off behind all others",
+        kSelfTestFailed);
+  }
+  return options.self_test ? self_test(program) : run_with(options, program);
+}
+
+}  // namespace eagerx::linux_sim

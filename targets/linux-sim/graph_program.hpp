@@ -1,0 +1,146 @@
+// The seam between a graph's program and the library that is compiled once for all graphs: what the
+// library is told of a graph, and what it calls. The program's own text (app.hpp) has the loop over
+// steps and all that knows the graph's types; whatever is done with files, options, clocks,
+// terminals and texts is the library's.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/channel.hpp>
+#include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
+#include <eagerx/safety.hpp>
+#include <targets/common/run.hpp>
+#include <targets/linux-sim/message_view.hpp>
+
+namespace eagerx::linux_sim {
+
+class Pictures;
+class SplitLink;
+class Watch;
+
+/// What does not change of a graph. Texts and tables live as long as the program.
+struct GraphFacts {
+  const char* name;
+  const char* engine;
+  target::RunPlan plan;
+  target::Agent agent;    // where nobody names another
+  const char* agent_csv;  // its file, if it is `csv`
+  bool has_policy;
+  bool has_fast_policy;
+  std::size_t self_test_rows;
+  std::uint64_t rate_num, rate_den;  // of the environment [Hz]
+  Safety safety;
+  const Channel* channels;
+  std::size_t channel_count;
+  const Bounds* bounds;  // null: no channel has some
+  bool waits_in_resets;  // reset nodes
+  bool is_shown;         // `render:`
+  bool is_scene;         // … which is no image
+  std::size_t scene_rows;
+  std::uint64_t render_num, render_den;  // pictures a second
+  const char* board;                     // of a split graph; else null
+  bool board_decides, board_knows_random;
+
+  double period_s() const { return static_cast<double>(rate_den) / static_cast<double>(rate_num); }
+  /// Time of step `n`, with the bits of Rate::seconds<double>().
+  double seconds(Seq n) const {
+    return static_cast<double>(n * rate_den) / static_cast<double>(rate_num);
+  }
+};
+
+/// One action, observation or state. Texts live as long as the program.
+struct Field {
+  const char* name = "";
+  MessageType type;
+  const void* low = nullptr;  // messages of the type, if there is a space; the listener copies them
+  const void* high = nullptr;
+  const char* id = "";         // of a state: what its draws are called
+  std::size_t offset = 0;      // of an action, in Action
+  std::uint32_t most = 1;      // messages of an observation that there can be
+  bool varies = false;         // there can be fewer
+};
+
+/// Hears what a graph has, each kind in the graph's own order.
+class FieldListener {
+ public:
+  virtual void action(const Field& field) = 0;
+  virtual void observation(const Field& field) = 0;
+  virtual void state(const Field& field) = 0;
+  /// A state that is drawn from the range of its space.
+  virtual void range(const Field& field) = 0;
+  /// A number of what a step was worth: the reward, flags, then the terms of the reward.
+  virtual void outcome(const char* name, bool is_flag) = 0;
+
+ protected:
+  ~FieldListener() = default;
+};
+
+/// All states, each in a place of its own; those without a value stay as they are.
+struct StateRow {
+  void* const* messages;  // [states]
+  bool* has_value;        // [states]
+};
+/// All messages of all observations, each observation in a place of its own.
+struct ObservationRow {
+  void* const* messages;  // [observations] oldest first, room for Field::most
+  std::uint32_t* sizes;   // [observations] how many there are
+};
+/// What a step was worth.
+struct OutcomeView {
+  float reward = 0.0F;
+  bool terminated = false, truncated = false, success = false;
+  const float* terms = nullptr;  // weighted
+};
+
+/// Hears counts that are not 0, or all. A name is valid during the call.
+class CountListener {
+ public:
+  virtual void count(const char* name, std::uint64_t count) = 0;
+
+ protected:
+  ~CountListener() = default;
+};
+
+/// The program of a graph. There are two of it: one that says nothing, which run() takes unless
+/// `traced`, and one whose trace is recorder_of_run (recorder.hpp), which all other functions mean.
+/// Actions are Action objects of the program, as bytes.
+class GraphProgram {
+ public:
+  virtual const GraphFacts& facts() const = 0;
+  virtual void list_fields(FieldListener& listener) const = 0;
+  /// Whether the policy answers as it did where it was generated.
+  virtual bool self_test() const = 0;
+  /// Whether the program's text was compiled with flags that keep its bits.
+  virtual bool rounds_each_operation() const = 0;
+  virtual bool is_real() const = 0;
+  /// Null: nothing is shown.
+  virtual Pictures* pictures() const = 0;
+  /// Null: the graph is not split.
+  virtual SplitLink* link() const = 0;
+
+  /// The episodes of `watch.plan()`; ends early when `watch` says so. Safe when it returns.
+  virtual void run(Watch& watch, bool traced) = 0;
+  virtual void list_counts(bool traced, CountListener& listener) const = 0;
+  virtual std::uint64_t hash() const = 0;
+
+  virtual std::size_t action_bytes() const = 0;
+  virtual void zero(void* action) const = 0;
+  virtual void draw(EpisodeKey key, StateRow states) const = 0;
+  virtual void warm_up() = 0;
+  /// Begins episode `episode` with what is in `states`.
+  virtual void reset(std::uint32_t episode, StateRow states) = 0;
+  /// What an agent that is no file wants, after the observation that the last call led to.
+  virtual void act(target::Agent agent, EpisodeKey key, Seq step, void* action) = 0;
+  virtual void guard(void* action) = 0;
+  /// One step with an action that the guard has seen, or that is repeated from a log.
+  virtual void apply(void* action) = 0;
+
+ protected:
+  ~GraphProgram() = default;
+};
+
+/// The main function: reads the command line, runs, returns the exit code (see --help).
+int run(int argc, char** argv, GraphProgram& program);
+
+}  // namespace eagerx::linux_sim

@@ -1,0 +1,35 @@
+# The parts of linux-sim that do not depend on a graph: libraries, built once for all programs of a build tree, or of the
+# machine (runtime/host/compiled_library.cmake).
+function(eagerx_linux_sim_libraries)
+  set(here ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  include(${here}/../../runtime/host/host.cmake)
+  set(folders ${here} ${here}/../common ${here}/../../runtime)
+  # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
+  set(options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
+  if(NOT TARGET eagerx_linux_sim)
+    set(names
+        action_file app describe expression faults files float_environment identify interrupt link_port measures nearest
+        options pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary
+        table_writer task_record text_file)
+    list(TRANSFORM names PREPEND ${here}/)
+    list(TRANSFORM names APPEND .cpp)
+    eagerx_compiled_library(
+      eagerx_linux_sim UNITY
+      SOURCES ${names} ${here}/../common/fault.cpp
+      FOLDERS ${folders}
+      LINK eagerx::runtime eagerx_trace eagerx_identify
+      OPTIONS ${options})
+  endif()
+  # A library of its own: nothing of it is in the program of a graph that shows nothing.
+  if(NOT TARGET eagerx_pictures)
+    set(names film pictures png window)
+    list(TRANSFORM names PREPEND ${here}/pictures/)
+    list(TRANSFORM names APPEND .cpp)
+    eagerx_compiled_library(
+      eagerx_pictures UNITY
+      SOURCES ${names}
+      FOLDERS ${folders}
+      LINK eagerx_linux_sim ${CMAKE_DL_LIBS}
+      OPTIONS ${options})
+  endif()
+endfunction()

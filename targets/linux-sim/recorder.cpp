@@ -1,0 +1,79 @@
+#include <eagerx/trace_text.hpp>
+#include <optional>
+#include <runtime/host/identify/experiment.hpp>
+#include <runtime/host/trace/replay.hpp>
+#include <targets/linux-sim/elements.hpp>
+#include <targets/linux-sim/graph_program.hpp>
+#include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/recorder.hpp>
+#include <targets/linux-sim/scene_record.hpp>
+#include <targets/linux-sim/text_file.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+using Text = TraceText<TextFile>;
+
+std::optional<SceneRecord> scenes_of_run;
+
+}  // namespace
+
+constinit Recorder recorder_of_run;
+
+bool Recorder::before(std::uint32_t channel, Seq seq, MessageView message) {
+  return with_elements(message.scalar, message.data, [&](auto* elements) {
+    if (experiment_ != nullptr) {
+      experiment_->message(channel, seq, elements, message.size);
+      return false;
+    }
+    replay_->message(channel, episode_, seq, elements, message.size);
+    return true;
+  });
+}
+
+void Recorder::keep(std::uint32_t channel, Seq seq, MessageView message) {
+  if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
+  if (file_ == nullptr) return;
+  ++messages_;
+  Text::begin_message(*file_, episode_, facts_->channels[channel], seq);
+  if (timed_) Text::time(*file_, now_ns() - start_ns_);
+  with_elements(message.scalar, message.data,
+                [&](const auto* elements) { Text::values(*file_, elements, message.size); });
+}
+
+void Recorder::simulator(const char* object, Seq tick,
+                         const identification::SimulatorView& simulator) {
+  experiment_->simulator(object, tick, simulator);
+}
+
+bool Recorder::runs_engine() const {
+  return replay_ == nullptr || replay_->runs_engine();
+}
+
+void Recorder::scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene) {
+  scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
+}
+
+void Recorder::write_to(TextFile* file, bool timed) {
+  file_ = file;
+  start_ns_ = now_ns();
+  timed_ = timed;
+  keeps_ = measures_ || file_ != nullptr;
+}
+
+void Recorder::keep_scenes(TextFile* file) {
+  scenes_of_run.emplace(facts_->scene_rows);
+  scene_file_ = file;
+}
+
+void Recorder::measure() {
+  measures_ = measures_of_run.reads_messages();
+  keeps_ = measures_ || file_ != nullptr;
+}
+
+void Recorder::write_end(std::uint64_t hash) const {
+  if (file_ != nullptr) Text::end(*file_, messages_, hash);
+}
+
+}  // namespace eagerx::linux_sim

@@ -1,0 +1,68 @@
+// What is done with the messages of a run besides their hash: written, measured, compared with a
+// log or taken from it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/rate.hpp>
+#include <runtime/host/identify/simulator_view.hpp>
+#include <targets/linux-sim/message_view.hpp>
+
+namespace eagerx::trace_log {
+class Replay;
+}
+namespace eagerx::identification {
+class Experiment;
+}
+
+namespace eagerx::linux_sim {
+
+struct GraphFacts;
+class TextFile;
+
+/// There is one, so that a program's trace stays small. Programs call what is in the first part.
+class Recorder {
+ public:
+  void episode(std::uint32_t index) { episode_ = index; }
+  /// Whether before() has something to do.
+  bool takes_part() const { return replay_ != nullptr || experiment_ != nullptr; }
+  /// Whether keep() has something to do.
+  bool keeps() const { return keeps_; }
+  /// A message may become another one. False: nobody else wants to see it.
+  bool before(std::uint32_t channel, Seq seq, MessageView message);
+  void keep(std::uint32_t channel, Seq seq, MessageView message);
+  bool experiments() const { return experiment_ != nullptr; }
+  void simulator(const char* object, Seq tick, const identification::SimulatorView& simulator);
+  bool runs_engine() const;
+  bool keeps_scenes() const { return scene_file_ != nullptr; }
+  void scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene);
+
+  void graph_is(const GraphFacts& facts) { facts_ = &facts; }
+  /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
+  void write_to(TextFile* file, bool timed);
+  void keep_scenes(TextFile* file);
+  /// Expressions see the messages.
+  void measure();
+  void follow(trace_log::Replay* replay) { replay_ = replay; }
+  /// Every run is one of the experiment's from now on.
+  void measure(identification::Experiment* experiment) { experiment_ = experiment; }
+  /// The file's last line.
+  void write_end(std::uint64_t hash) const;
+
+ private:
+  const GraphFacts* facts_ = nullptr;
+  TextFile* file_ = nullptr;
+  TextFile* scene_file_ = nullptr;
+  trace_log::Replay* replay_ = nullptr;
+  identification::Experiment* experiment_ = nullptr;
+  std::uint64_t messages_ = 0;  // in the file
+  std::int64_t start_ns_ = 0;
+  std::uint32_t episode_ = 0;
+  bool timed_ = false;
+  bool keeps_ = false;
+  bool measures_ = false;
+};
+
+extern Recorder recorder_of_run;
+
+}  // namespace eagerx::linux_sim

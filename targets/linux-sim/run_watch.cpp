@@ -1,0 +1,135 @@
+#include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/run_watch.hpp>
+#include <targets/linux-sim/spaces.hpp>
+
+namespace eagerx::linux_sim {
+
+RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace)
+    : Watch(told.options.plan, told.options.agent, csv),
+      facts_(program.facts()),
+      told_(told),
+      pictures_(program.pictures()),
+      states_(told.fields.states),
+      observations_(told.fields.observations),
+      sizes_(told.fields.observations.size()),
+      record_(told.fields.states),
+      task_record_(told.fields.outcomes),
+      csv_(csv),
+      trace_(trace),
+      pacer_(facts_.period_s(), told.options.real_time_factor, facts_.safety.max_lateness_ns),
+      progress_(plan_.episodes * plan_.steps, !told.options.quiet) {
+  writes_ = csv.is_open();
+  paces_ = pacer_.paces();
+  has_faults_ = !told.faults.empty();
+}
+
+bool RunWatch::go_on() {
+  stop_if_told();
+  if (pictures_ != nullptr && pictures_->ends_run()) return false;
+  return !interrupted() && !csv_.failed() && !trace_.failed() && !left_space();
+}
+
+bool RunWatch::ends_early() const {
+  return has_begun() && (interrupted() || left_space());
+}
+
+bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
+  const bool changed = told_.settings.apply(key, states);
+  record_.begin(states);
+  task_record_.end_episode();
+  if (measures_of_run.is_used()) {
+    measures_of_run.end_episode();
+    measures_of_run.begin_episode();
+    const StateRow now = record_.current();
+    for (std::uint32_t i = 0; i < told_.fields.states.size(); ++i) {
+      const MessageType& type = told_.fields.states[i].type;
+      if (now.has_value[i])
+        measures_of_run.set_message(Variable::Kind::state, i,
+                                    {now.messages[i], type.scalar, type.size});
+    }
+    is_over_ = measures_of_run.is_over();
+  }
+  if (trace_.is_open()) record_.trace(trace_, key.episode);
+  return changed;
+}
+
+void RunWatch::reset(std::uint32_t episode) {
+  pacer_.start();
+  if (episode == 0) {
+    began_ns_ = pacer_.start_ns();
+    progress_.start(began_ns_);
+  }
+  ++episodes_;
+  if (measures_of_run.is_used()) {
+    measures_of_run.step(0, 0.0);
+    is_over_ = measures_of_run.is_over();
+  }
+  hand_on(pacer_.is_slow());
+}
+
+void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
+  ++steps_;
+  task_record_.step(outcome);
+  if (measures_of_run.is_used()) {
+    measures_of_run.step(step, facts_.seconds(step));
+    is_over_ = measures_of_run.is_over();
+  }
+  hand_on(step == plan_.steps || is_over_ || has_ended || pacer_.is_slow());
+  progress_.step(steps_);
+  if (pictures_ != nullptr) {
+    pacer_.pause(pictures_->take_paused_ns());
+    pacer_.set_speed(step, pictures_->speed());
+  }
+  if (pacer_.paces()) pacer_.wait_for(step);
+}
+
+void RunWatch::state_column_names() {
+  if (told_.options.csv_states) record_.column_names(csv_);
+}
+void RunWatch::state_columns() {
+  if (told_.options.csv_states) record_.columns(csv_);
+}
+
+const void* RunWatch::action_of_file(Seq step) const {
+  return step < told_.table.size() ? told_.table[step] : nullptr;
+}
+
+bool RunWatch::left_space() const {
+  return told_.options.strict_spaces && spaces_of_run.is_any();
+}
+
+std::string RunWatch::not_finite() const {
+  const std::string first = task_record_.not_finite();
+  return first.empty() ? first : not_finite_problem(first, plan_.seed, plan_.environment);
+}
+
+void RunWatch::finish(Summary& summary) {
+  constexpr double kSecondsPerNs = 1e-9;
+  progress_.finish();
+  summary.episodes = episodes_;
+  summary.steps = steps_;
+  summary.simulated_s = static_cast<double>(steps_) * facts_.period_s();
+  if (episodes_ > 0) {
+    summary.elapsed_s = static_cast<double>(now_ns() - began_ns_) * kSecondsPerNs;
+    record_.describe(summary);
+  }
+  if (measures_of_run.is_used()) {
+    measures_of_run.end_episode();
+    measures_of_run.describe(summary);
+  }
+  task_record_.end_episode();
+  task_record_.count(summary);
+  if (told_.options.summary) task_record_.describe(summary);
+  summary.paced = pacer_.paces();
+  summary.overruns = pacer_.overruns();
+  summary.worst_overrun_s = pacer_.worst_s();
+  summary.interrupted = interrupted();
+}
+
+void RunWatch::hand_on(bool now) {
+  csv_.hand_on(now);
+  trace_.hand_on(now);
+}
+
+}  // namespace eagerx::linux_sim

@@ -1,0 +1,77 @@
+// What watches a run, step by step: the side that the main function sees.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <targets/linux-sim/action_file.hpp>
+#include <targets/linux-sim/faults.hpp>
+#include <targets/linux-sim/fields.hpp>
+#include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/pictures/pictures.hpp>
+#include <targets/linux-sim/progress.hpp>
+#include <targets/linux-sim/state_record.hpp>
+#include <targets/linux-sim/state_settings.hpp>
+#include <targets/linux-sim/summary.hpp>
+#include <targets/linux-sim/task_record.hpp>
+#include <targets/linux-sim/text_file.hpp>
+#include <targets/linux-sim/watch.hpp>
+
+namespace eagerx::linux_sim {
+
+/// What a run is told, checked and read.
+struct Told {
+  const Options& options;
+  const Fields& fields;
+  const ActionTable& table;
+  const StateSettings& settings;
+  AgentFaults& faults;
+};
+
+class RunWatch final : public Watch {
+ public:
+  RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
+
+  bool go_on() override;
+  bool ends_early() const override;
+  bool begin_episode(EpisodeKey key, StateRow states) override;
+  StateRow states() override { return states_.row(); }
+  void reset(std::uint32_t episode) override;
+  void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
+  void state_column_names() override;
+  void state_columns() override;
+  const void* action_of_file(Seq step) const override;
+  ObservationRow observations() override { return {observations_.data(), sizes_.data()}; }
+  ObservationRow seen(Seq step) override { return told_.faults.seen(step, observations()); }
+  void given(Seq step, void* action) override { told_.faults.given(step, action); }
+
+  /// Whether a message has ended the run: --strict-spaces.
+  bool left_space() const;
+  /// What is wrong with the first reward that was not finite, or nothing.
+  std::string not_finite() const;
+  /// Whether there is something that a safe action could stop.
+  bool has_begun() const { return episodes_ > 0; }
+  void finish(Summary& summary);
+
+ private:
+  std::uint64_t lateness() const override { return pacer_.late_in_a_row(); }
+  void hand_on(bool now);
+
+  const GraphFacts& facts_;
+  const Told& told_;
+  Pictures* pictures_;
+  StateMemory states_;
+  MessageRows observations_;
+  std::vector<std::uint32_t> sizes_;  // [observations]
+  StateRecord record_;
+  TaskRecord task_record_;
+  TextFile& csv_;
+  TextFile& trace_;
+  Pacer pacer_;
+  Progress progress_;
+  std::int64_t began_ns_ = 0;
+  std::uint64_t episodes_ = 0;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace eagerx::linux_sim

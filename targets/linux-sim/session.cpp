@@ -1,0 +1,210 @@
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <eagerx/float_environment.hpp>
+#include <eagerx/trace_text.hpp>
+#include <string>
+#include <string_view>
+#include <targets/linux-sim/files.hpp>
+#include <targets/linux-sim/float_environment.hpp>
+#include <targets/linux-sim/interrupt.hpp>
+#include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/recorder.hpp>
+#include <targets/linux-sim/say.hpp>
+#include <targets/linux-sim/session.hpp>
+#include <targets/linux-sim/spaces.hpp>
+#include <targets/linux-sim/split.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+/// Says that `path` cannot be written and why; returns false.
+bool cannot_write(const TextFile& file, const std::string& path) {
+  const std::string name = path == "-" ? "the standard output" : "`" + path + "`";
+  const char* const why = file.error() == ETIMEDOUT ? "nobody reads it, or too slowly"
+                          : file.error() == EINVAL  ? "it is no file"
+                                                    : std::strerror(file.error());
+  fail("error: cannot write " + name + ": " + why, kBadFile);
+  return false;
+}
+/// Written by a thread of its own: a disk that is slow for once must not make a step late.
+bool open_output(TextFile& file, const std::string& path, Writing writing) {
+  return path.empty() || file.open(path, writing) || cannot_write(file, path);
+}
+bool close_output(TextFile& file, const std::string& path) {
+  return path.empty() || file.close() || cannot_write(file, path);
+}
+
+/// How many steps are done when something ends a run.
+std::string place_of(const Summary& summary) {
+  return "note: the run ended after step " + std::to_string(summary.steps) + " of episode " +
+         std::to_string(summary.episodes) + ", counted from 1; files are complete up to there";
+}
+
+constexpr const char* kNothingToShow =
+    "error: this program has nothing to show\nhelp: write it into the graph, such as "
+    "`render: {source: OBJECT.scene}`, and generate the program again";
+
+/// What `--render` wants; empty, or what is wrong.
+std::string open_pictures(const Options& options, GraphProgram& program) {
+  const GraphFacts& facts = program.facts();
+  if (Pictures* const pictures = program.pictures())
+    return pictures->open(options.rendering, facts.name,
+                          std::to_string(facts.render_num) + "/" +
+                              std::to_string(facts.render_den));
+  return options.rendering.to.empty() ? "" : kNothingToShow;
+}
+/// What is wrong with `--trace-scenes`, or empty.
+std::string problem_of_scenes(const Options& options, const GraphFacts& facts) {
+  if (!options.trace_scenes || facts.is_scene) return {};
+  if (facts.is_shown)
+    return "error: what this program shows is pixels, not a scene\nhelp: leave out "
+           "`--trace-scenes`; `--render` has the pictures";
+  return kNothingToShow;
+}
+/// Finishes them, and tells what they were.
+std::string close_pictures(Pictures* pictures, Summary& summary) {
+  if (pictures == nullptr) return {};
+  if (pictures->is_on()) {
+    summary.more.emplace_back("pictures", std::to_string(pictures->count()));
+    std::string hash = hash_line(pictures->hash());
+    hash = hash.substr(hash.find("0x"), 18);
+    summary.more.emplace_back("hash of the pictures", hash);
+  }
+  return pictures->close();
+}
+
+class Session {
+ public:
+  Session(const Told& told, GraphProgram& program)
+      : options_(told.options), told_(told), program_(program), facts_(program.facts()) {}
+
+  int run() {
+    const int problem = open();
+    if (problem != kDone) {
+      // What an earlier run has left stays there until this one has begun well.
+      csv_.discard();
+      trace_.discard();
+      return problem;
+    }
+    RunWatch watch(program_, told_, csv_, trace_);
+    begin();
+    step_all(watch);
+    return end(watch);
+  }
+
+ private:
+  int open() {
+    const bool in_real_time = options_.real_time_factor > 0.0 || program_.is_real();
+    const Writing writing = in_real_time ? Writing::real_time : Writing::background;
+    if (!open_output(csv_, options_.csv, writing) || !open_output(trace_, options_.trace, writing))
+      return kBadFile;
+    if (csv_.is_same_file(trace_))
+      return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
+    std::string unseen = problem_of_scenes(options_, facts_);
+    if (unseen.empty()) unseen = open_pictures(options_, program_);
+    return unseen.empty() ? kDone : fail(unseen, kBadUsage);
+  }
+
+  void begin() {
+    summary_.graph = facts_.name;
+    summary_.engine = facts_.engine;
+    summary_.agent = std::string(target::name_of(options_.agent));
+    summary_.seed = options_.plan.seed;
+    if (facts_.has_fast_policy)
+      summary_.more.emplace_back("profile", "fast: the hash holds for this build only");
+  }
+
+  void step_all(RunWatch& watch) {
+    const bool is_traced =
+        options_.hash || trace_.is_open() || measures_of_run.reads_messages();
+    if (is_traced && trace_.is_open()) {
+      const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
+                              facts_.rate_den, facts_.channels, facts_.channel_count};
+      TraceText<TextFile>::head(trace_, graph, options_.plan.seed, options_.plan.environment,
+                                target::name_of(options_.agent), options_.trace_time);
+      recorder_of_run.write_to(&trace_, options_.trace_time);
+      if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
+    }
+    if (is_traced) recorder_of_run.measure();
+    program_.run(watch, is_traced);
+    SplitLink* const link = program_.link();
+    if (is_traced) {
+      if ((link == nullptr || link->ok()) && calculates_as_everywhere())
+        recorder_of_run.write_end(program_.hash());
+      hash_ = program_.hash();
+    }
+    program_.list_counts(is_traced, faults_);
+  }
+
+  int end(RunWatch& watch) {
+    spaces_of_run.list(faults_);
+    watch.finish(summary_);
+    const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
+    const std::string broken = end_link();
+    if (!watch.has_begun()) {
+      csv_.discard();
+      trace_.discard();
+    }
+    const bool csv_closed = close_output(csv_, options_.csv);
+    const bool trace_closed = close_output(trace_, options_.trace);
+    const bool is_right = calculates_as_everywhere();
+    std::FILE* const out = options_.csv == "-" || options_.trace == "-" ? stderr : stdout;
+    std::string text = options_.quiet ? "" : summary_text(summary_);
+    if (options_.hash && broken.empty() && is_right) text += hash_line(hash_);
+    const bool printed = text.empty() || print(out, text);
+    if (!broken.empty()) fail(broken + "\n" + place_of(summary_), kBadFile);
+    if (!problem_of_pictures.empty()) fail(problem_of_pictures, kBadFile);
+    if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
+    if (watch.left_space())
+      fail("error: " + spaces_of_run.first() + "\n" + place_of(summary_), kLeftSpace);
+    const std::string not_finite = watch.not_finite();
+    if (!not_finite.empty()) fail(not_finite, kNotFinite);
+    end_as_told();
+    if (!broken.empty()) return kBadFile;
+    if (!is_right) return kSelfTestFailed;
+    if (!not_finite.empty()) return kNotFinite;
+    if (watch.left_space()) return kLeftSpace;
+    if (!problem_of_pictures.empty()) return kBadFile;
+    return csv_closed && trace_closed && printed ? kDone : kBadFile;
+  }
+
+  /// What is wrong with the link, or empty.
+  std::string end_link() {
+    SplitLink* const link = program_.link();
+    if (link == nullptr) return {};
+    link::Report report;
+    link->forget_silence();  // the engine has stopped, and its hardware is given back
+    faults_.behind = " on the board";
+    if (link->ok()) link->finish(report, faults_);
+    const std::string broken = link->ok() ? "" : problem_of(*link);
+    describe_link(summary_, facts_.board, link->statistics(), report);
+    return broken;
+  }
+
+  struct Faults final : CountListener {
+    explicit Faults(Summary& summary) : summary(summary) {}
+    void count(const char* name, std::uint64_t count) override {
+      summary.faults.emplace_back(std::string(name) + behind, count);
+    }
+    Summary& summary;
+    const char* behind = "";
+  };
+
+  const Options& options_;
+  const Told& told_;
+  GraphProgram& program_;
+  const GraphFacts& facts_;
+  TextFile csv_, trace_;
+  Summary summary_;
+  Faults faults_{summary_};
+  std::uint64_t hash_ = 0;
+};
+
+}  // namespace
+
+int run_told(const Told& told, GraphProgram& program) {
+  return Session(told, program).run();
+}
+
+}  // namespace eagerx::linux_sim
