@@ -76,8 +76,8 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
-/// Where libraries that are the same for every graph are kept (runtime/host/compiled_library.cmake);
-/// empty where no folder can be made.
+/// Where libraries that are the same for every graph are kept
+/// (runtime/host/compiled_library.cmake); empty where no folder can be made.
 std::string library_cache() {
   fs::path folder;
   if (is_set("XDG_CACHE_HOME")) {

@@ -23,7 +23,7 @@ struct TracedGraph {
 };
 template <class Graph>
 constexpr TracedGraph traced_graph() {
-  return {Graph::kName,     Graph::kEngine,    Graph::Rate::num,
+  return {Graph::kName,     Graph::kEngine,   Graph::Rate::num,
           Graph::Rate::den, Graph::kChannels, sizeof(Graph::kChannels) / sizeof(Channel)};
 }
 

@@ -187,8 +187,7 @@ class ProgramOf final : public GraphProgram {
   }
   void act(target::Agent agent, EpisodeKey key, Seq step, void* action) override {
     if constexpr (!LinkOf<Graph>::kIsSplit)
-      *static_cast<Action*>(action) =
-          target::act<Graph>(agent, key, step, *observation_, traced());
+      *static_cast<Action*>(action) = target::act<Graph>(agent, key, step, *observation_, traced());
   }
   void guard(void* action) override {
     auto& checked = *static_cast<Action*>(action);
@@ -215,7 +214,9 @@ class ProgramOf final : public GraphProgram {
     facts.agent = target::default_agent<Graph>();
     facts.agent_csv = Graph::kAgentCsv;
     facts.has_policy = Graph::kHasPolicy;
-    facts.has_fast_policy = requires { Graph::kHasFastPolicy; };
+    facts.has_fast_policy = requires {
+      Graph::kHasFastPolicy;
+    };
     facts.self_test_rows = Graph::kSelfTestRows;
     facts.rate_num = Graph::Rate::num;
     facts.rate_den = Graph::Rate::den;
@@ -223,7 +224,9 @@ class ProgramOf final : public GraphProgram {
     facts.channels = Graph::kChannels;
     facts.channel_count = sizeof(Graph::kChannels) / sizeof(Channel);
     if constexpr (requires { Graph::kBounds; }) facts.bounds = Graph::kBounds;
-    facts.waits_in_resets = requires { untraced().reset_timeouts(); };
+    facts.waits_in_resets = requires {
+      untraced().reset_timeouts();
+    };
     if constexpr (requires { Graph::kRenders; }) {
       facts.is_shown = true;
       facts.render_num = Graph::RenderRate::num;

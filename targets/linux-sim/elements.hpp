@@ -40,9 +40,8 @@ decltype(auto) with_scalar(Scalar scalar, F&& f) {
 /// f(T* elements) for the scalar type T of `data`.
 template <class F>
 decltype(auto) with_elements(Scalar scalar, void* data, F&& f) {
-  return with_scalar(scalar, [&](auto zero) -> decltype(auto) {
-    return f(static_cast<decltype(zero)*>(data));
-  });
+  return with_scalar(
+      scalar, [&](auto zero) -> decltype(auto) { return f(static_cast<decltype(zero)*>(data)); });
 }
 template <class F>
 decltype(auto) with_elements(Scalar scalar, const void* data, F&& f) {

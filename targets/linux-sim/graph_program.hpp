@@ -55,10 +55,10 @@ struct Field {
   MessageType type;
   const void* low = nullptr;  // messages of the type, if there is a space; the listener copies them
   const void* high = nullptr;
-  const char* id = "";         // of a state: what its draws are called
-  std::size_t offset = 0;      // of an action, in Action
-  std::uint32_t most = 1;      // messages of an observation that there can be
-  bool varies = false;         // there can be fewer
+  const char* id = "";     // of a state: what its draws are called
+  std::size_t offset = 0;  // of an action, in Action
+  std::uint32_t most = 1;  // messages of an observation that there can be
+  bool varies = false;     // there can be fewer
 };
 
 /// Hears what a graph has, each kind in the graph's own order.

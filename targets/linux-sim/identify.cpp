@@ -37,7 +37,7 @@ std::vector<identification::Parameter> parameters_of(const std::vector<Field>& r
 class Trials {
  public:
   Trials(const trace_log::Log& log, const Fields& fields, GraphProgram& program,
-             Experiment& experiment)
+         Experiment& experiment)
       : log_(log),
         fields_(fields),
         program_(program),
@@ -117,8 +117,8 @@ int identify_with(const Options& options, const trace_log::Log& log, const Field
   experiment.find_actuators();
   trials.run(middle, true);
   identification::Identification found(
-      experiment, parameters,
-      [&](const Trial& trial) -> const auto& { return trials.run(trial, false); });
+      experiment,
+      parameters, [&](const Trial& trial) -> const auto& { return trials.run(trial, false); });
   const auto engine = std::ranges::find(channels, Publisher::engine, &Channel::publisher);
   const double tick_s =
       static_cast<double>(engine->rate_den) / static_cast<double>(engine->rate_num);

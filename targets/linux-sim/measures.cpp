@@ -185,8 +185,7 @@ void Measures::describe(Summary& summary) const {
 std::vector<Readable> readables_of(const GraphFacts& facts, const std::vector<Field>& states) {
   std::vector<Readable> result;
   for (std::uint32_t i = 0; i < facts.channel_count; ++i)
-    result.push_back(
-        {facts.channels[i].port, Variable::Kind::message, i, facts.channels[i].size});
+    result.push_back({facts.channels[i].port, Variable::Kind::message, i, facts.channels[i].size});
   for (std::uint32_t i = 0; i < states.size(); ++i)
     result.push_back({states[i].name, Variable::Kind::state, i, states[i].type.size});
   return result;

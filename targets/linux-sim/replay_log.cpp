@@ -62,9 +62,8 @@ class Repetition {
       const std::string channel = std::string("environment/") + field.name;
       for (std::uint32_t i = 0; i < facts_.channel_count; ++i) {
         if (channel != facts_.channels[i].name) continue;
-        with_elements(
-            field.type.scalar, static_cast<void*>(action + field.offset),
-            [&](auto* elements) { replay_.copy(i, episode, elements, field.type.size); });
+        with_elements(field.type.scalar, static_cast<void*>(action + field.offset),
+                      [&](auto* elements) { replay_.copy(i, episode, elements, field.type.size); });
       }
     }
   }

@@ -18,7 +18,8 @@ void copy_states(const typename Graph::States& states, StateRow row) {
   std::size_t i = 0;
   Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
     row.has_value[i] = (states.*member).has_value();
-    if (row.has_value[i]) std::memcpy(row.messages[i], &*(states.*member), sizeof *(states.*member));
+    if (row.has_value[i])
+      std::memcpy(row.messages[i], &*(states.*member), sizeof *(states.*member));
     ++i;
   });
 }
@@ -83,8 +84,7 @@ void list_actions(FieldListener& listener) {
   const auto* const begin = reinterpret_cast<const std::byte*>(&action);
   Graph::for_each_action(action, [&](const char* name, auto& message, const auto&... space) {
     Field field = field_of<std::remove_cvref_t<decltype(message)>>(name, space...);
-    field.offset =
-        static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&message) - begin);
+    field.offset = static_cast<std::size_t>(reinterpret_cast<const std::byte*>(&message) - begin);
     listener.action(field);
   });
 }

@@ -19,7 +19,8 @@ class SceneRecord {
  public:
   /// A scene of [rows][kSceneColumns].
   explicit SceneRecord(std::size_t rows)
-      : most_rows_(std::min(rows, std::size_t{trace_log::kMostSceneRows})), before_(rows * kSceneColumns) {}
+      : most_rows_(std::min(rows, std::size_t{trace_log::kMostSceneRows})),
+        before_(rows * kSceneColumns) {}
 
   struct When {
     std::uint32_t episode;

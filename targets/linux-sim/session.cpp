@@ -49,9 +49,9 @@ constexpr const char* kNothingToShow =
 std::string open_pictures(const Options& options, GraphProgram& program) {
   const GraphFacts& facts = program.facts();
   if (Pictures* const pictures = program.pictures())
-    return pictures->open(options.rendering, facts.name,
-                          std::to_string(facts.render_num) + "/" +
-                              std::to_string(facts.render_den));
+    return pictures->open(
+        options.rendering, facts.name,
+        std::to_string(facts.render_num) + "/" + std::to_string(facts.render_den));
   return options.rendering.to.empty() ? "" : kNothingToShow;
 }
 /// What is wrong with `--trace-scenes`, or empty.
@@ -116,8 +116,7 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    const bool is_traced =
-        options_.hash || trace_.is_open() || measures_of_run.reads_messages();
+    const bool is_traced = options_.hash || trace_.is_open() || measures_of_run.reads_messages();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
@@ -183,7 +182,7 @@ class Session {
   }
 
   struct Faults final : CountListener {
-    explicit Faults(Summary& summary) : summary(summary) {}
+    explicit Faults(Summary& of_run) : summary(of_run) {}
     void count(const char* name, std::uint64_t count) override {
       summary.faults.emplace_back(std::string(name) + behind, count);
     }

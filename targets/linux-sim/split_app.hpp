@@ -28,8 +28,8 @@ class LinkOfRun final : public SplitLink {
   const link::Statistics& statistics() const override { return link().statistics(); }
   void forget_silence() override { link().on_silence(0, nullptr, nullptr); }
   bool finish(link::Report& report, CountListener& counts) override {
-    return link().finish(
-        report, [&](const char* name, std::uint64_t count) { counts.count(name, count); });
+    return link().finish(report,
+                         [&](const char* name, std::uint64_t count) { counts.count(name, count); });
   }
 
  private:

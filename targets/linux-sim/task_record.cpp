@@ -25,16 +25,15 @@ void TaskRecord::step(const OutcomeView& outcome) {
   if (!std::isfinite(outcome.reward)) [[unlikely]]
     note_not_finite(outcome);
   return_ += static_cast<double>(outcome.reward);
-  for (std::size_t i = 0; i < sums_.size(); ++i)
-    sums_[i] += static_cast<double>(outcome.terms[i]);
+  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += static_cast<double>(outcome.terms[i]);
 }
 
 void TaskRecord::note_not_finite(const OutcomeView& outcome) {
-  const std::size_t place =
-      target::count_not_finite(outcome.terms, terms(), not_finite_.data());
+  const std::size_t place = target::count_not_finite(outcome.terms, terms(), not_finite_.data());
   if (!first_.empty()) return;
   const float value = place == 0 ? outcome.reward : outcome.terms[place - 1];
-  first_ = target::not_finite_text(numbers_[place], static_cast<double>(value), episodes_, step_);
+  first_ =
+      target::number_not_finite_text(numbers_[place], static_cast<double>(value), episodes_, step_);
 }
 
 void TaskRecord::end_episode() {

@@ -34,11 +34,11 @@ class TaskRecord {
   bool has_begun_ = false;
   std::uint64_t step_ = 0;
   double return_ = 0.0;
-  std::vector<double> sums_;  // [terms]
+  std::vector<double> sums_;                                       // [terms]
   bool success_ = false, terminated_ = false, truncated_ = false;  // of the last step
   std::uint64_t episodes_ = 0, successes_ = 0, terminations_ = 0, truncations_ = 0;
   Statistic returns_;
-  std::vector<Statistic> term_sums_;      // [terms]
+  std::vector<Statistic> term_sums_;       // [terms]
   std::vector<std::uint32_t> not_finite_;  // [1 + terms] steps
   std::string first_;
 };

@@ -68,8 +68,7 @@ class Experiment {
       for (std::size_t i = 0; i < size; ++i) numbers_[i] = static_cast<double>(elements[i]);
       measured(channel, recorded);
     } else if (recorded != nullptr) {
-      for (std::size_t i = 0; i < size; ++i)
-        elements[i] = trace_log::value_of<Scalar>(recorded[i]);
+      for (std::size_t i = 0; i < size; ++i) elements[i] = trace_log::value_of<Scalar>(recorded[i]);
     }
   }
 

@@ -286,8 +286,8 @@ int run(const char* board) {
   if constexpr (kTraces) {
     program.trace.print(options.trace);
     if (options.trace)
-      BoardTrace::Text::head(console, traced_graph<Graph>(), options.plan.seed, options.plan.environment,
-                             target::name_of(options.agent), false);
+      BoardTrace::Text::head(console, traced_graph<Graph>(), options.plan.seed,
+                             options.plan.environment, target::name_of(options.agent), false);
   }
   program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();

@@ -110,7 +110,7 @@ class PicturesOfRun final : public Pictures {
 PicturesOfRun pictures;
 
 std::string PicturesOfRun::open(const Rendering& wanted, const std::string& title,
-                           const std::string& rate) {
+                                const std::string& rate) {
   if (wanted.to.empty()) return {};
   studio = std::make_unique<Studio>();
   studio->width = wanted.width;

@@ -4,29 +4,31 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <eagerx/message.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "targets/linux-sim/options.hpp"
 
 namespace eagerx::linux_sim {
 namespace {
 
-struct TestGraph {
-  struct Action {
-    Array<float, 2> voltage;
-    std::int64_t gear;
-  };
-  static Action zero() { return {}; }
-  template <class F>
-  static void for_each_action(Action& action, F&& f) {
-    f("voltage", action.voltage);
-    f("gear", action.gear);
-  }
+struct Action {
+  Array<float, 2> voltage;
+  std::int64_t gear;
 };
+
+std::vector<Field> fields() {
+  Field voltage{"voltage", TypeOf<Array<float, 2>>::value};
+  Field gear{"gear", TypeOf<std::int64_t>::value};
+  gear.offset = offsetof(Action, gear);
+  return {voltage, gear};
+}
 
 class ActionFileTest : public testing::Test {
  protected:
@@ -45,25 +47,33 @@ class ActionFileTest : public testing::Test {
 
   std::string path_ =
       testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv";
-  ActionTable<TestGraph> table_;
+  Action row(std::uint64_t step) const {
+    Action action;
+    std::memcpy(&action, table_[step], sizeof action);
+    return action;
+  }
+
+  Action zero_{};
+  std::vector<Field> fields_ = fields();
+  ActionTable table_{fields_, &zero_, sizeof zero_};
 };
 
 TEST_F(ActionFileTest, ReadsRows) {
   ASSERT_EQ(load("1,-2.5,3\n0.1, 1e-3 ,-4\r\n", 2).exit_code, kDone);
-  EXPECT_EQ(table_[0].voltage, (Array<float, 2>{1.0F, -2.5F}));
-  EXPECT_EQ(table_[0].gear, 3);
-  EXPECT_EQ(table_[1].voltage, (Array<float, 2>{0.1F, 1e-3F}));
-  EXPECT_EQ(table_[1].gear, -4);
+  EXPECT_EQ(row(0).voltage, (Array<float, 2>{1.0F, -2.5F}));
+  EXPECT_EQ(row(0).gear, 3);
+  EXPECT_EQ(row(1).voltage, (Array<float, 2>{0.1F, 1e-3F}));
+  EXPECT_EQ(row(1).gear, -4);
 }
 
 TEST_F(ActionFileTest, SkipsTheByteOrderMarkOfSpreadsheets) {
   ASSERT_EQ(load("\xef\xbb\xbfvoltage[0],voltage[1],gear\r\n1,2,3\r\n", 1).exit_code, kDone);
-  EXPECT_EQ(table_[0].gear, 3);
+  EXPECT_EQ(row(0).gear, 3);
 }
 
 TEST_F(ActionFileTest, SkipsHeaderCommentsAndEmptyLines) {
   ASSERT_EQ(load("# made by hand\nvoltage[0],voltage[1],gear\n\n1,2,3", 1).exit_code, kDone);
-  EXPECT_EQ(table_[0].gear, 3);
+  EXPECT_EQ(row(0).gear, 3);
 }
 
 TEST_F(ActionFileTest, AHeaderMustBeRight) {
