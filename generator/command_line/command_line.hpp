@@ -107,7 +107,7 @@ struct CommandLinePage {
   std::string text;
 };
 /// `man/…` has a manual page of the program and of each command, `bash/…`, `zsh/…` and
-/// `fish/…` what completes its command line there, and `arguments.tsv` the table itself.
+/// `fish/…` what completes its command line there, and `PROGRAM.tsv` the table itself.
 std::vector<CommandLinePage> command_line_pages(const CommandLine& line);
 
 }  // namespace eagerx::gen

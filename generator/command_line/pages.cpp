@@ -394,7 +394,7 @@ std::vector<CommandLinePage> command_line_pages(const CommandLine& line) {
       {"bash/" + line.top.name, bash_completion(line, commands)},
       {"zsh/_" + line.top.name, zsh_completion(line, commands)},
       {fmt::format("fish/{}.fish", line.top.name), fish_completion(line, commands)},
-      {"arguments.tsv", arguments_page(commands)}};
+      {line.top.name + ".tsv", arguments_page(commands)}};
   for (const Command& command : commands) {
     ManualPage page(line, line.top.name + "-" + command.name);
     page.name(command.about);

@@ -128,6 +128,8 @@ ActionProblem ActionTable::load(const std::string& path, std::uint64_t steps) {
   CsvFile file;
   ActionProblem problem;
   if (!file.read(path, problem)) return problem;
+  rows_.clear();
+  count_ = 0;
   for (const std::vector<Cell>& row : file.rows()) {
     if (row.size() != columns_.size()) {
       const Cell& place = row[std::min(columns_.size(), row.size() - 1)];

@@ -1,6 +1,6 @@
 // The program of graph `multi_rate` on linux-sim. `--help` lists its options; the loop is in
 // targets/linux-sim/app.hpp.
-#include <targets/linux-sim/app.hpp>
+#include <targets/linux-sim/split_app.hpp>
 
 #include "multi_rate/graph.hpp"
 
