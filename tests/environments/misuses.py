@@ -381,7 +381,7 @@ class Stable(Wrapper):
         return [("closed VecEnv", call) for call in draws.sample(calls, 3)] + [copied(draws, used)]
 
 
-SUBJECTS = (Plain, Plain, One, Many, Stable)
+SUBJECTS = (Plain, Plain, Plain, One, Many, Stable)
 
 
 def threads(library, draws, tally):
