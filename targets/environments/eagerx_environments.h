@@ -113,8 +113,8 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
 int eagerx_act(eagerx_environments* environments, const float* observation, float* action);
 
 /* The states and delays of the next episode, for environments where `mask` is not 0 (null: all).
-   states  [environments][numbers of the states]; NaN: drawn as the graph says. One that is outside of its space, or
-           infinite, is an error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the shortest decimal that reads back to it */
+   states  [environments][numbers of the states]; NaN: drawn as the graph says. One that is outside of its space is an
+           error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the shortest decimal that reads back to it */
 int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states);
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */

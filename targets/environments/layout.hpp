@@ -183,7 +183,7 @@ class Layout {
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         const float x = from[i];
         missing += std::isnan(x) ? 1 : 0;
-        if (std::isinf(x) || x < static_cast<float>(element(space.low, i)) ||
+        if (x < static_cast<float>(element(space.low, i)) ||
             x > static_cast<float>(element(space.high, i))) {
           problem = "`" + std::string(name) + "` is out of its space: element " +
                     std::to_string(i) + " is " + number_text(x);

@@ -101,8 +101,8 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
 
     def step(self, actions):
         rows, mode = self.environments, self.environments.autoreset
-        rows.check_open()
         if mode == "disabled" and is_any(self._ended):
+            rows.check_open()
             raise Error(f"the episode of environment {int(self._ended.argmax())} has ended: reset() with a reset_mask comes before "
                         "the next step")
         self._actions.to_row(actions, rows.action)

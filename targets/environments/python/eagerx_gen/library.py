@@ -23,6 +23,8 @@ MOST = 1_000_000
 MOST_PIXELS = 4096
 """Of a side of a picture."""
 
+BUSY = "another thread is in a call with these environments"
+
 AUTORESET = {"next_step": 0, "same_step": 1, "disabled": 2}
 
 
@@ -234,8 +236,8 @@ class Environments(checks.Single):
         raise Error(self._library.c.eagerx_error().decode(errors="replace"))
 
     def _begin_call(self):
-        if not self._turn.acquire(blocking=False):
-            raise Error("another thread is in a call with these environments")
+        if not self._turn.acquire(False):
+            raise Error(BUSY)
 
     def _call(self, function, *arguments):
         """What a function of the library answers, to one thread at a time."""
@@ -274,11 +276,13 @@ class Environments(checks.Single):
 
         That step is made and its rows are there: who wants to go on catches it. counts() has how often.
         """
-        self._begin_call()
+        turn = self._turn
+        if not turn.acquire(False):  # as _begin_call(), which would cost more than the rest of this
+            raise Error(BUSY)
         try:
             result = self._step(self._handle, *self._arguments)
         finally:
-            self._turn.release()
+            turn.release()
         if result != 0:
             self._open()
             self._fail()
