@@ -4,7 +4,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import checks, conversion
-from .errors import Error, need
+from .errors import Error, RewardNotFinite, need
 from .library import Environments
 
 gymnasium = need("gymnasium", "pip install gymnasium")
@@ -67,7 +67,11 @@ class Env(checks.Single, gymnasium.Env):
             raise Error("the episode has ended: reset() comes before the next step")
         rows = self.environments
         self._actions.to_row(as_many(action), rows.action)
-        rows.step()
+        try:
+            rows.step()
+        except RewardNotFinite:
+            self._ended = bool(rows.terminated[0] or rows.truncated[0])
+            raise
         terminated, truncated = bool(rows.terminated[0]), bool(rows.truncated[0])
         self._ended = terminated or truncated
         info = {}

@@ -6,7 +6,7 @@ import reprlib
 import numpy as np
 
 from . import checks, conversion
-from .errors import Error, need
+from .errors import Error, RewardNotFinite, need
 from .library import MOST, Environments
 
 _vector = need("gymnasium.vector", "pip install gymnasium")
@@ -106,7 +106,11 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             raise Error(f"the episode of environment {int(self._ended.argmax())} has ended: reset() with a reset_mask comes before "
                         "the next step")
         self._actions.to_row(actions, rows.action)
-        rows.step()
+        try:
+            rows.step()
+        except RewardNotFinite:
+            self._ended = rows.terminated | rows.truncated
+            raise
         before, self._ended = self._ended, rows.terminated | rows.truncated
         info = self._info_of_step(before) if self.library.has_task else {}
         if mode == "same_step" and is_any(self._ended):

@@ -12,7 +12,7 @@ from ctypes import c_char_p, c_int, c_uint32, c_uint64, c_void_p
 import numpy as np
 
 from . import checks
-from .errors import Error
+from .errors import Error, RewardNotFinite
 
 VERSION = 3
 """Of the C interface."""
@@ -232,8 +232,8 @@ class Environments(checks.Single):
     def action(self):
         raise AttributeError("these environments always have an action")
 
-    def _fail(self):
-        raise Error(self._library.c.eagerx_error().decode(errors="replace"))
+    def _fail(self, kind=Error):
+        raise kind(self._library.c.eagerx_error().decode(errors="replace"))
 
     def _begin_call(self):
         if not self._turn.acquire(False):
@@ -272,7 +272,7 @@ class Environments(checks.Single):
             self._fail()
 
     def step(self):
-        """One step with `action`. Error if a reward is not finite: which term, where and when.
+        """One step with `action`. RewardNotFinite, an Error: which term, where and when.
 
         That step is made and its rows are there: who wants to go on catches it. counts() has how often.
         """
@@ -285,7 +285,7 @@ class Environments(checks.Single):
             turn.release()
         if result != 0:
             self._open()
-            self._fail()
+            self._fail(RewardNotFinite if result > 0 else Error)
 
     def set_states(self, states, mask=None):
         """The states of the next episode: {name: value or [count, ...]}; what is not named is drawn."""

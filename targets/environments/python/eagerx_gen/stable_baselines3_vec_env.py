@@ -6,7 +6,7 @@ import time
 import numpy as np
 
 from . import checks, conversion
-from .errors import need
+from .errors import RewardNotFinite, need
 from .library import MOST, Environments
 
 _base = need("stable_baselines3.common.vec_env.base_vec_env", "pip install stable-baselines3")
@@ -71,10 +71,17 @@ class VecEnv(checks.Single, _base.VecEnv):
 
     def step_wait(self):
         rows = self.environments
-        rows.step()
+        problem = None
+        try:
+            rows.step()
+        except RewardNotFinite as made:
+            problem = made
         self._returns += rows.reward
         self._lengths += 1
         ended = rows.terminated | rows.truncated
+        if problem is not None:
+            self._returns[ended], self._lengths[ended] = 0.0, 0
+            raise problem
         infos = [{} for _ in range(self.num_envs)]
         if ended.any():
             final = self._observation(rows.final_observation)

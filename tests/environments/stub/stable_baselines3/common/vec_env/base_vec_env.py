@@ -26,3 +26,6 @@ class VecEnv:
     def step(self, actions):
         self.step_async(actions)
         return self.step_wait()
+
+    def _get_indices(self, indices):
+        return range(self.num_envs) if indices is None else [indices] if isinstance(indices, int) else indices
