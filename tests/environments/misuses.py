@@ -389,16 +389,33 @@ def threads(library, draws, tally):
     n, seeds = 300, [draws.randrange(2**64) for _ in range(300)]
     used, fresh = (eagerx_gen.Environments(library, n, threads=2) for _ in range(2))
     used.reset(seeds=seeds)
-    closes = draws.random() < 0.5
+    closes, c = draws.random() < 0.5, library.c
+    in_c = not closes and draws.random() < 0.5  # where nothing but the library itself sees that there are two
+
+    def checked(result):
+        if result != 0:
+            raise eagerx_gen.Error(c.eagerx_error().decode())
+
+    def step():
+        if in_c:
+            checked(c.eagerx_step(used._handle, *used._arguments))
+        else:
+            used.step()
+
+    def reset():
+        if in_c:
+            checked(c.eagerx_reset(used._handle, None, None, used.observation.ctypes.data))
+        else:
+            used.reset()
 
     def steps():
         for _ in range(10):
-            tally.may_fail("step with threads", used.step, (eagerx_gen.Error,))
+            tally.may_fail("step with threads", step, (eagerx_gen.Error,))
 
     other = threading.Thread(target=steps)
     other.start()
     while other.is_alive():
-        call = draws.choice((used.step, used.reset, used.counts, used.states, lambda: used.hash(0), *([used.close] if closes else [])))
+        call = draws.choice((step, reset, used.counts, used.states, lambda: used.hash(0), *([used.close] if closes else [])))
         tally.may_fail("call with threads", call, (eagerx_gen.Error,))
     other.join()
     if used._handle is None:
