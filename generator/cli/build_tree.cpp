@@ -156,6 +156,18 @@ std::string how_far(const std::string& output) {
   return {};
 }
 
+/// Whether there is a ccache that can write into its folder; else it fails, and the build with it.
+bool has_compiler_cache() {
+  if (find_program("ccache").empty()) return false;
+  const auto told = run_process({"ccache", "--get-config", "cache_dir"}, {});
+  if (!told || told->exit_code != 0) return false;
+  std::error_code error;
+  fs::path folder = told->output.substr(0, told->output.find('\n'));
+  // What is not there is made in the nearest that is.
+  while (folder.has_relative_path() && !fs::exists(folder, error)) folder = folder.parent_path();
+  return fs::is_directory(folder, error) && access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
 class Builder {
  public:
   Builder(const Tree& tree, std::string name, bool quiet, Diagnostics& diagnostics)
@@ -194,10 +206,7 @@ class Builder {
       words.insert(words.end(), {"-D", "eagerx_gen_DIR=" + package});
     if (const std::string kept = library_cache(); !kept.empty())
       words.insert(words.end(), {"-D", "EAGERX_LIBRARY_CACHE=" + kept});
-    const char* home = std::getenv("HOME");
-    // ccache fails where it cannot make its folder.
-    const bool cache = is_set("CCACHE_DIR") || (home != nullptr && access(home, W_OK) == 0);
-    if (cache && !is_set("CMAKE_CXX_COMPILER_LAUNCHER") && !find_program("ccache").empty())
+    if (!is_set("CMAKE_CXX_COMPILER_LAUNCHER") && has_compiler_cache())
       words.insert(words.end(), {"-D", "CMAKE_CXX_COMPILER_LAUNCHER=ccache"});
     return words;
   }

@@ -155,7 +155,7 @@ class Batch {
       layout_.write(states_of(k), states + k * layout_.states.numbers());
   }
 
-  /// Null: ends the file. Empty: only the hash.
+  /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
   void trace(std::uint32_t k, const char* path) {
     Traces& traces = traces_[k];
     if (path == nullptr) {
@@ -167,8 +167,11 @@ class Batch {
       if (episodes_[k].begun)
         throw Problem("a trace of a graph with reset nodes begins before the first reset");
     }
+    if (traces.next && traces.next->writes_to(path)) return;
+    if (traces.now && traces.now->writes_to(path)) traces.now->end_file();
+    auto next = std::make_unique<Traced<Graph>>(path, drawn_.any());
     if (traces.now) traces.now->end_file();
-    traces.next = std::make_unique<Traced<Graph>>(path, drawn_.any());
+    traces.next = std::move(next);
   }
 
   std::uint64_t hash(std::uint32_t k) const {

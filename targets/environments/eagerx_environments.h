@@ -8,7 +8,13 @@
      graph's file; eagerx_describe() lists them. Numbers of another type are converted.
    - An environment's draws depend on (seed, number, episode) and on nothing else: it has the same bits alone, in any
      batch and on any number of threads. Number k of seed S is `PROGRAM --seed S --environment k` of target linux-sim.
-   - Of one `eagerx_environments` one thread calls a function at a time; several of them are independent.
+   - Of one `eagerx_environments` one thread calls a function at a time, else the later call is an error; several of them
+     are independent.
+   - What a call refuses changes nothing: environments are as they were before it.
+   - Not noticed, and undefined: a buffer or an array that is shorter than said here; a pointer that points to nothing,
+     other than null; strings without an end; environments that eagerx_create() did not make, or that were destroyed;
+     eagerx_destroy() while another thread is in a call with the same environments, or begins one; a buffer that another
+     thread uses during the call; a struct whose `size` is right and whose fields are not set.
    - Memory is taken by eagerx_create(). After it, only the first eagerx_set_states(), eagerx_trace(),
      eagerx_counts() and a reward that is not finite take some. */
 #ifndef EAGERX_ENVIRONMENTS_H
@@ -37,7 +43,8 @@ enum { EAGERX_NEXT_STEP = 0, EAGERX_SAME_STEP = 1, EAGERX_DISABLED = 2 };
 typedef struct {
   uint32_t size;           /* sizeof(eagerx_options) */
   uint32_t environments;   /* 1 to EAGERX_ENVIRONMENTS_MOST */
-  const uint32_t* numbers; /* [environments] number of each; null: 0, 1, 2, ... Copied */
+  const uint32_t* numbers; /* [environments] number of each; null: 0, 1, 2, ... Copied. Several may be equal: they draw
+                              the same unless their seeds differ */
   uint64_t seed;           /* of all, until eagerx_reset() gives others */
   uint32_t longest;        /* steps until `truncated`, besides what the graph's `task:` says; 0: only that */
   uint32_t autoreset;      /* EAGERX_NEXT_STEP, EAGERX_SAME_STEP or EAGERX_DISABLED */
@@ -73,13 +80,14 @@ uint32_t eagerx_version(void);
    `hash`: of what a policy must agree with; `episode_steps`: 0 where the task says none. */
 const char* eagerx_describe(void);
 
-/* Why this thread's last call did not return 0; valid until the next one that does not. */
+/* Why this thread's last call did not return 0; valid until the next one that does not. "" if all did. Whose call was right
+   does not ask, because the text of an earlier one stays. */
 const char* eagerx_error(void);
 
 /* Null: eagerx_error() says why. */
 eagerx_environments* eagerx_create(const eagerx_options* options);
 
-/* Null is ignored. */
+/* Null is ignored. Traces that go on end without their last line. */
 void eagerx_destroy(eagerx_environments* environments);
 
 /* Begins an episode in all environments, or where `mask` is not 0.
@@ -93,7 +101,9 @@ int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const u
            numbers that are not finite become the safe action, others are moved into their spaces; eagerx_counts() counts
    rows    what of the step is wanted, or null
    1: the step was made and the rows are written, but a reward is not finite. eagerx_error() then says which term, of which
-   environment, in which step; eagerx_counts() has the steps of each term */
+   environment, in which step; eagerx_counts() has the steps of each term.
+   -1 with "cannot write ...", the file of a trace: here, too, the step was made and the rows are written; that trace is
+   over, the next steps go on without it */
 int eagerx_step(eagerx_environments* environments, const float* action, const eagerx_rows* rows);
 
 /* What the graph's `agent:` does (policy, zero or random): the action of the next eagerx_step(). To be called once a step,
@@ -111,10 +121,13 @@ int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, co
 int eagerx_get_states(eagerx_environments* environments, float* states);
 
 /* From its next reset on, writes every message of an environment (0 to environments - 1) to a file, which `eagerx-gen
-   replay` reads. A reset with seeds begins the file anew. Path null: ends the file; "": no file, only the hash. */
+   replay` reads. Path null: ends the file; "": no file, only the hash. A file has one trace: another one's is refused, of
+   whatever environments and programs. If no reset comes, what was in the file stays. A replay knows the seed of the first
+   reset: before one with another seed, call this again. */
 int eagerx_trace(eagerx_environments* environments, uint32_t environment, const char* path);
 
-/* Hash of all messages of an environment since its trace began; 0 without eagerx_trace(). The same as with `--hash` in the
+/* Hash of all messages of an environment since its trace began; 0 without eagerx_trace(), or with eagerx_error() for an
+   environment that there is not, and during another thread's call. The same as with `--hash` in the
    program of target linux-sim for the same episodes. */
 uint64_t eagerx_hash(eagerx_environments* environments, uint32_t environment);
 

@@ -12,6 +12,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <targets/environments/batch.hpp>
 #include <targets/environments/describe.hpp>
 #include <targets/environments/json.hpp>
@@ -192,6 +193,8 @@ class Library {
       return 0;
     } catch (const std::bad_alloc&) {
       return fail("not enough memory");
+    } catch (const std::system_error& problem) {
+      return fail(problem.code());
     } catch (const std::exception& problem) {
       return fail(problem.what());
     } catch (...) {
@@ -201,6 +204,16 @@ class Library {
   static int fail(const char* text) noexcept {
     try {
       last_error() = text;
+    } catch (...) {
+      last_error().clear();
+    }
+    return -1;
+  }
+
+  /// Only threads throw these.
+  static int fail(const std::error_code& why) noexcept {
+    try {
+      last_error() = "the system gives no more threads: " + why.message();
     } catch (...) {
       last_error().clear();
     }

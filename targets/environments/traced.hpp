@@ -55,14 +55,29 @@ class Traced {
  public:
   typename Graph::template Program<Recorder<Graph>> program{};
 
-  /// Throws Problem if `path` cannot be written. Empty: only the hash.
+  /// Throws Problem if `path` cannot be written, or is written as another trace. Empty: only the
+  /// hash.
   Traced(const std::string& path, bool draws) : path_(path) {
     if (draws) program.trace.draw_from_now_on();
     target::warm_up(program);
     if (path.empty()) return;
-    if (!file_.open(path)) throw Problem(cannot_write());
+    // Nothing is printed, not by `-` either.
+    if (!file_.open(path == "-" ? "./-" : path)) throw Problem(cannot_write());
+    if (!file_.reserve()) {
+      file_.discard();
+      throw Problem("cannot write `" + path + "`: another environment's trace goes into it");
+    }
     program.trace.write_to(&file_);
   }
+  Traced(const Traced&) = delete;
+  Traced& operator=(const Traced&) = delete;
+  /// What was in a file stays there if no episode came.
+  ~Traced() {
+    if (!has_begun()) file_.discard();
+  }
+
+  /// Whether its messages go to the file `path`, by whatever name.
+  bool writes_to(const std::string& path) const { return file_.is_same_file(path); }
 
   typename Graph::Observation reset(EpisodeKey key, const typename Graph::States& states) {
     using Text = typename Recorder<Graph>::Text;

@@ -1,5 +1,6 @@
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -94,12 +95,32 @@ bool TextFile::is_same_file(const TextFile& other) const {
          mine.st_dev == its.st_dev && mine.st_ino == its.st_ino;
 }
 
+bool TextFile::is_same_file(const std::string& path) const {
+  struct stat mine {
+  }, its{};
+  return is_open() && fstat(descriptor_, &mine) == 0 && stat(path.c_str(), &its) == 0 &&
+         S_ISREG(mine.st_mode) && mine.st_dev == its.st_dev && mine.st_ino == its.st_ino;
+}
+
+bool TextFile::reserve() {
+  struct stat mine {};
+  if (fstat(descriptor_, &mine) != 0 || !S_ISREG(mine.st_mode)) return true;
+  reserved_ = flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  return reserved_ || errno != EWOULDBLOCK;  // some file systems have no locks
+}
+
+/// Said, because a process that fork() made may still have the descriptor.
+void TextFile::let_go() {
+  if (std::exchange(reserved_, false)) flock(descriptor_, LOCK_UN);
+}
+
 bool TextFile::close() {
   if (!is_open()) return error() == 0;
   writing_ = Writing::background;  // nothing is left that could be late
   flush();
   stop();
   if (replaces_ && !failed() && ftruncate(descriptor_, 0) != 0) error_ = errno;
+  let_go();
   if (owns_ && ::close(descriptor_) != 0 && error() == 0) error_ = errno;
   descriptor_ = -1;
   return error() == 0;
@@ -115,6 +136,7 @@ void TextFile::discard() {
                        lstat(made_.c_str(), &its) == 0 && mine.st_dev == its.st_dev &&
                        mine.st_ino == its.st_ino;
   if (is_ours) unlink(made_.c_str());
+  let_go();
   if (owns_) ::close(descriptor_);
   descriptor_ = -1;
 }

@@ -57,6 +57,11 @@ class TextFile {
   bool is_open() const { return descriptor_ >= 0; }
   /// Whether both write into one file of a disk, each over the other.
   bool is_same_file(const TextFile& other) const;
+  /// Whether `path` is the file of a disk that this writes into, by whatever name.
+  bool is_same_file(const std::string& path) const;
+  /// Keeps everybody else who asks so from this file of a disk, in this process and in others,
+  /// until close() or discard(). False if somebody was first.
+  bool reserve();
   /// Writes what is left. False if anything was lost; see error().
   bool close();
   /// As if it had never been opened, as long as no buffer was full: what was in the file is still
@@ -103,6 +108,7 @@ class TextFile {
 
   void start(Writing writing);
   void stop();
+  void let_go();
   char* buffer() { return buffers_[current_].text.get(); }
   void flush();
   bool wait_for_room();
@@ -115,6 +121,7 @@ class TextFile {
   std::size_t used_ = 0;  // of the current one
   int descriptor_ = -1;
   bool owns_ = false;      // closes the descriptor
+  bool reserved_ = false;  // for this one alone
   bool replaces_ = false;  // something that is still in the file
   std::string made_;       // the path of a file that was not there before
   Writing writing_ = Writing::direct;

@@ -6,3 +6,5 @@ add_test(NAME commands_full_disk COMMAND ${CMAKE_CURRENT_LIST_DIR}/full_disk ${P
 add_test(NAME commands_kill COMMAND ${CMAKE_CURRENT_LIST_DIR}/kill ${PROJECT_BINARY_DIR} 60)
 # No output on an input or on another output, in any command.
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})
+# No ccache that cannot write.
+add_test(NAME commands_compiler_cache COMMAND ${CMAKE_CURRENT_LIST_DIR}/compiler_cache ${PROJECT_BINARY_DIR})

@@ -301,6 +301,19 @@ static void check_calls(void) {
                "trace of environment 4");
   expect_error(eagerx_trace(batch, 0, "/no/such/file") != 0, "cannot write `/no/such/file`",
                "trace to nowhere");
+  eagerx_environments* other = eagerx_create(&options);
+  remove("check.trace");
+  expect(eagerx_trace(batch, 0, "check.trace") == 0, "a trace");
+  expect_error(eagerx_trace(batch, 1, "check.trace") != 0, "another environment's trace goes into",
+               "two traces of a batch into one file");
+  expect_error(eagerx_trace(other, 0, "./check.trace") != 0, "another environment's trace goes into",
+               "two traces of two batches into one file");
+  expect(eagerx_trace(batch, 0, NULL) == 0 && eagerx_trace(other, 0, "check.trace") == 0,
+         "the file is free again");
+  eagerx_destroy(other);
+  expect(remove("check.trace") != 0, "a trace without an episode leaves no file");
+  expect_error(eagerx_hash(batch, 4) == 0, "there is no environment 4, but 0 to 3",
+               "hash of environment 4");
   for (size_t i = 0; i < 4 * states_size; ++i) states[i] = 1e30f;
   expect_error(eagerx_set_states(batch, NULL, states) != 0, "out of its space",
                "states out of their space");

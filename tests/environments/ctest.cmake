@@ -35,3 +35,7 @@ add_test(NAME environments.controller COMMAND ${CMAKE_CURRENT_LIST_DIR}/controll
 # Debian's Python, which has the numpy that toolchains/install-packages installs.
 add_test(NAME environments.python COMMAND ${CMAKE_CURRENT_LIST_DIR}/python $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:environments_swing>
                                           $<TARGET_FILE:environments_swing_alone>)
+# 3,000 wrong calls; more of them, and with the address sanitizer: tests/environments/misuse EAGERX_GEN 100000
+add_test(NAME environments.misuse COMMAND ${CMAKE_CURRENT_LIST_DIR}/misuse $<TARGET_FILE:environments_swing>)
+# Processes that build the same library, and are killed.
+add_test(NAME environments.cache COMMAND ${CMAKE_CURRENT_LIST_DIR}/cache $<TARGET_FILE:environments_swing>)

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -124,6 +125,51 @@ TEST(TextFile, KnowsItsOwnFileByAnotherName) {
   EXPECT_TRUE(file.is_same_file(same));
   EXPECT_FALSE(file.is_same_file(other));
   EXPECT_FALSE(file.is_same_file(nowhere));
+  EXPECT_TRUE(file.is_same_file(folder + "./text_file_test.a"));
+  EXPECT_FALSE(file.is_same_file(folder + "text_file_test.b"));
+  EXPECT_FALSE(file.is_same_file(folder + "text_file_test.none"));
+  EXPECT_FALSE(nowhere.is_same_file(folder + "text_file_test.a"));
+}
+
+TEST(TextFile, IsReservedForOne) {
+  const std::string path = ::testing::TempDir() + "text_file_test.reserved";
+  for (const bool discards : {false, true}) {
+    TextFile first, second, third, null, another_null;
+    ASSERT_TRUE(first.open(path) && second.open(path) && third.open(path));
+    EXPECT_TRUE(first.reserve());
+    EXPECT_FALSE(second.reserve());
+    if (discards) {
+      first.discard();
+    } else {
+      first.close();
+    }
+    EXPECT_TRUE(second.reserve());
+    EXPECT_FALSE(third.reserve());
+    ASSERT_TRUE(null.open("/dev/null") && another_null.open("/dev/null"));
+    EXPECT_TRUE(null.reserve() && another_null.reserve()) << "all may write where nothing stays";
+  }
+  std::remove(path.c_str());
+}
+
+TEST(TextFile, IsFreeBehindItsEndThoughAForkedProcessHasItStill) {
+  const std::string path = ::testing::TempDir() + "text_file_test.forked";
+  TextFile first, second;
+  ASSERT_TRUE(first.open(path) && second.open(path));
+  ASSERT_TRUE(first.reserve());
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    ::close(ends[1]);
+    char byte = 0;
+    _exit(static_cast<int>(read(ends[0], &byte, 1)));  // until the test closes its end
+  }
+  first.close();
+  EXPECT_TRUE(second.reserve());
+  ::close(ends[1]);
+  waitpid(child, nullptr, 0);
+  ::close(ends[0]);
+  std::remove(path.c_str());
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ Gymnasium and Stable-Baselines3 are imported when they are needed. `Environments
 import sys
 
 from .build import load
-from .errors import Error
+from .errors import Error, RewardNotFinite
 from .library import VERSION, Environments, Library
 
-__all__ = ["VERSION", "Environments", "Error", "Library", "load", "make", "make_vec_env"]
+__all__ = ["VERSION", "Environments", "Error", "Library", "RewardNotFinite", "load", "make", "make_vec_env"]
 
 _BUILDING = ("engine", "paths", "progress")
 

@@ -6,11 +6,13 @@ import fcntl
 import hashlib
 import os
 import pathlib
+import reprlib
 import shutil
 import subprocess
 import sys
 import tempfile
 
+from . import checks
 from .errors import Error
 from .library import Library
 
@@ -18,7 +20,7 @@ from .library import Library
 def eagerx_gen():
     """The program: that of the environment variable EAGERX_GEN, or the one on PATH."""
     program = os.environ.get("EAGERX_GEN") or shutil.which("eagerx-gen")
-    if program is None or not os.access(program, os.X_OK):
+    if program is None or not (os.path.isfile(program) and os.access(program, os.X_OK)):
         raise Error("there is no program eagerx-gen on PATH: install it, or name it in the environment variable EAGERX_GEN")
     return program
 
@@ -27,14 +29,27 @@ def cache():
     """Where libraries are built: EAGERX_GEN_CACHE, or eagerx-gen in the user's folder of caches."""
     own = os.environ.get("EAGERX_GEN_CACHE")
     if own:
-        return pathlib.Path(own)
-    return pathlib.Path(os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache") / "eagerx-gen"
+        return pathlib.Path(own).absolute()
+    caches = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
+    if caches.startswith("~"):
+        raise Error("this user has no home folder: name a folder for libraries in the environment variable EAGERX_GEN_CACHE")
+    return pathlib.Path(caches).absolute() / "eagerx-gen"
 
 
-def run(command, progress):
-    """The last line of its output. Progress goes to the standard error as it comes, problems into the exception."""
+def started(command, **how):
+    try:
+        return subprocess.Popen(command, **how)
+    except OSError as problem:
+        raise Error(f"cannot run `{command[0]}`: {problem.strerror}") from problem
+
+
+def run(command, progress, kept=()):
+    """The last line of its output. Progress goes to the standard error as it comes, problems into the exception.
+
+    kept: descriptors that it and what it starts keep open.
+    """
     with tempfile.TemporaryFile("w+") as output:
-        with subprocess.Popen(command, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace") as process:
+        with started(command, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace", pass_fds=kept) as process:
             said = ""
             for piece in iter(lambda: process.stderr.read(1), ""):
                 said += piece
@@ -49,15 +64,55 @@ def run(command, progress):
 
 @contextlib.contextmanager
 def alone_in(folder):
-    """Several processes may want the same library at once."""
+    """Several processes may want the same library at once. Gives the descriptor of the lock, which lasts until it is closed by
+    all who have it: a compiler lives on when the process that started it is killed."""
     folder.mkdir(parents=True, exist_ok=True)
-    with open(folder / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        yield
+    with open(folder / "lock", "a") as lock:
+        with contextlib.suppress(OSError):  # some file systems have no locks; there processes at the same time are the user's to avoid
+            fcntl.flock(lock, fcntl.LOCK_EX)
+        try:
+            yield lock.fileno()
+        except Exception:
+            release(lock)
+            raise
+        release(lock)  # for all: a process that another thread forked may have it, too
+
+
+def release(lock):
+    with contextlib.suppress(OSError):
+        fcntl.flock(lock, fcntl.LOCK_UN)
+
+
+def made_in(folder, lock, command, progress):
+    """Path of the library that `command` makes in the folder `source`, under a name of its content."""
+    unfinished = folder / "unfinished"
+    if unfinished.exists():  # its process was killed, and files may be half written
+        shutil.rmtree(folder / "source", ignore_errors=True)
+    unfinished.touch()
+    try:
+        made = pathlib.Path(run(command, progress, (lock,)))
+    except Error:
+        unfinished.unlink()
+        raise
+    # A process that has opened a library gets the same one for the same path, whatever is in the file.
+    content = hashlib.sha256(made.read_bytes()).hexdigest()[:16]
+    library = folder / f"{made.stem}-{content}.so"
+    if not library.exists():
+        part = library.with_suffix(".part")
+        with open(part, "wb") as file:
+            file.write(made.read_bytes())
+            file.flush()
+            os.fsync(file.fileno())  # before its name: the machine may stop
+        part.rename(library)
+        for earlier in folder.glob("*.so"):
+            if earlier != library:
+                earlier.unlink()
+    unfinished.unlink()
+    return library
 
 
 def build(graph, engine=None, paths=(), progress=True):
-    """Path of the library of a graph. Only what has changed since the last time is made: of graph, entities, eagerx-gen."""
+    """The Library of a graph's file. Only what has changed since the last time is made: of graph, entities, eagerx-gen."""
     graph = pathlib.Path(graph).resolve()
     if not graph.is_file():
         raise Error(f"there is no file {graph}")
@@ -65,22 +120,17 @@ def build(graph, engine=None, paths=(), progress=True):
     options = ["--target", "environments", *(["--engine", engine] if engine else [])]
     for path in paths:
         options += ["--path", str(pathlib.Path(path).resolve())]
-    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=False).stdout
-    key = hashlib.sha256("\0".join([str(graph), version, os.path.realpath(program), *options]).encode()).hexdigest()[:16]
+    with started([program, "--version"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace") as process:
+        version = process.communicate()[0]
+    key = hashlib.sha256("\0".join([str(graph), version, os.path.realpath(program), *options]).encode(errors="surrogateescape")).hexdigest()[:16]
     folder = cache() / f"{graph.parent.name}-{graph.stem}-{key}"
-    with alone_in(folder):
-        made = pathlib.Path(run([program, "build", str(graph), "-o", str(folder / "source"), *options], progress))
-        # A process that has opened a library gets the same one for the same path, whatever is in the file.
-        content = hashlib.sha256(made.read_bytes()).hexdigest()[:16]
-        library = folder / f"{made.stem}-{content}.so"
-        if not library.exists():
-            part = library.with_suffix(".part")
-            shutil.copyfile(made, part)
-            part.rename(library)
-            for earlier in folder.glob("*.so"):
-                if earlier != library:
-                    earlier.unlink()
-    return library
+    try:
+        with alone_in(folder) as lock:
+            path = made_in(folder, lock, [program, "build", str(graph), "-o", str(folder / "source"), *options], progress)
+            return Library(path)  # before another process makes a newer one in its place
+    except OSError as problem:
+        raise Error(f"cannot write into `{folder}`: {problem.strerror}: name a folder that can be written in the environment "
+                    "variable EAGERX_GEN_CACHE") from problem
 
 
 def load(graph, engine=None, paths=(), progress=True):
@@ -92,4 +142,10 @@ def load(graph, engine=None, paths=(), progress=True):
     """
     if isinstance(graph, Library):
         return graph
-    return Library(graph if str(graph).endswith(".so") else build(graph, engine, paths, progress))
+    graph = os.fsdecode(checks.path("the graph", graph))
+    if engine is not None and not (isinstance(engine, str) and "\0" not in engine):
+        raise ValueError(f"engine is {reprlib.repr(engine)}, no name of an engine")
+    if isinstance(paths, (str, bytes, os.PathLike)) or not hasattr(paths, "__iter__"):
+        raise ValueError(f"paths is {reprlib.repr(paths)}, no list of folders")
+    paths = [os.fsdecode(checks.path("a folder of `paths`", path)) for path in paths]
+    return Library(graph) if graph.endswith(".so") else build(graph, engine, paths, progress)

@@ -1,6 +1,8 @@
 """Between rows of a library, and what Gymnasium's spaces hold."""
 from __future__ import annotations
 
+import reprlib
+
 import numpy as np
 
 from .errors import need
@@ -65,9 +67,11 @@ class Named:
 
     def to_row(self, values, rows):
         if not hasattr(values, "keys") or set(values.keys()) != {part.field.name for part in self.parts}:
-            raise ValueError(f"{self.what} is {values!r}, not a dict with {', '.join(part.field.name for part in self.parts)}")
-        for part in self.parts:
-            part.to_row(shaped(values[part.field.name], part.space, len(rows), f"{self.what} {part.field.name!r}"), rows)
+            raise ValueError(f"{self.what} is {reprlib.repr(values)}, not a dict with {', '.join(part.field.name for part in self.parts)}")
+        # All before the first is written.
+        checked = [shaped(values[part.field.name], part.space, len(rows), f"{self.what} {part.field.name!r}") for part in self.parts]
+        for part, numbers in zip(self.parts, checked):
+            part.to_row(numbers, rows)
 
     def from_row(self, rows):
         return {part.field.name: part.from_row(rows) for part in self.parts}
@@ -115,7 +119,7 @@ def shaped(values, space, count, what):
     """As an array [count, ...] of the space's shape, or a ValueError."""
     array = values if type(values) is np.ndarray else np.asarray(values)
     if array.dtype.kind not in "fiub":
-        raise ValueError(f"{what} is {values!r}, no numbers")
+        raise ValueError(f"{what} is {reprlib.repr(values)}, no numbers")
     if array.shape != (count, *space.shape):
         one = (array.shape[1:], space.shape) if count == 1 and array.ndim > 0 else (array.shape, (count, *space.shape))
         raise ValueError(f"{what} has shape {one[0]}, not {one[1]}")

@@ -5,6 +5,10 @@ class Error(RuntimeError):
     """What a library, or eagerx-gen, says is wrong."""
 
 
+class RewardNotFinite(Error):
+    """Of a step, which was made."""
+
+
 def need(package, install):
     """Imports a package that only some of this one needs."""
     import importlib

@@ -3,8 +3,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import conversion
-from .errors import Error, need
+from . import checks, conversion
+from .errors import Error, RewardNotFinite, need
 from .library import Environments
 
 gymnasium = need("gymnasium", "pip install gymnasium")
@@ -15,7 +15,7 @@ def as_many(action):
     return {name: np.asarray(part)[None] for name, part in action.items()} if isinstance(action, dict) else np.asarray(action)[None]
 
 
-class Env(gymnasium.Env):
+class Env(checks.Single, gymnasium.Env):
     """One environment of a graph.
 
     library            as load() gives it
@@ -40,6 +40,7 @@ class Env(gymnasium.Env):
         self._actions = conversion.of_actions(library, flatten, normalize_actions)
         self._observations = conversion.of_observations(library, flatten)
         self.action_space, self.observation_space = self._actions.space, self._observations.space
+        number = checks.whole("number", number, 0, 2**32 - 1)
         self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1,
                                          pictures=render_mode is not None)
         self._begun = self._ended = False
@@ -48,21 +49,29 @@ class Env(gymnasium.Env):
         return conversion.one_of(self._observations.from_row(self.environments.observation.copy()), 0)
 
     def reset(self, *, seed=None, options=None):
+        self.environments.check_open()
+        seed = None if seed is None else checks.whole("seed", seed, 0, 2**64 - 1)
+        options = checks.options(options)
+        if "states" in options:
+            self.environments.set_states(options["states"])
         super().reset(seed=seed)
         if seed is None and not self._begun:
             seed = int(self.np_random.integers(2**63))
-        if options and "states" in options:
-            self.environments.set_states(options["states"])
-        self.environments.reset(seeds=None if seed is None else np.array([seed % 2**64], np.uint64))
+        self.environments.reset(seeds=None if seed is None else [seed])
         self._begun, self._ended = True, False
         return self._observation(), {}
 
     def step(self, action):
+        self.environments.check_open()
         if self._ended:
             raise Error("the episode has ended: reset() comes before the next step")
         rows = self.environments
         self._actions.to_row(as_many(action), rows.action)
-        rows.step()
+        try:
+            rows.step()
+        except RewardNotFinite:
+            self._ended = bool(rows.terminated[0] or rows.truncated[0])
+            raise
         terminated, truncated = bool(rows.terminated[0]), bool(rows.truncated[0])
         self._ended = terminated or truncated
         info = {}
@@ -73,6 +82,7 @@ class Env(gymnasium.Env):
 
     def render(self):
         """What the graph's `render:` showed last; None without a render mode."""
+        self.environments.check_open()
         if self.render_mode is None:
             return None
         if not self._begun:

@@ -1,11 +1,13 @@
 """Gymnasium's interface of many environments."""
 from __future__ import annotations
 
+import reprlib
+
 import numpy as np
 
-from . import conversion
-from .errors import Error, need
-from .library import Environments
+from . import checks, conversion
+from .errors import Error, RewardNotFinite, need
+from .library import MOST, Environments
 
 _vector = need("gymnasium.vector", "pip install gymnasium")
 if not hasattr(_vector, "AutoresetMode"):
@@ -17,7 +19,7 @@ def is_any(flags):
     return b"\1" in flags.tobytes()
 
 
-class VectorEnv(_vector.VectorEnv):
+class VectorEnv(checks.Single, _vector.VectorEnv):
     """Many environments of a graph. Environment i after reset(seed=s) is Env after reset(seed=s + i), bit for bit, whatever
     num_envs and threads are.
 
@@ -35,7 +37,8 @@ class VectorEnv(_vector.VectorEnv):
         modes = _vector.AutoresetMode
         self.autoreset_mode = modes.NEXT_STEP if autoreset_mode is None else modes(autoreset_mode)
         names = {modes.NEXT_STEP: "next_step", modes.SAME_STEP: "same_step", modes.DISABLED: "disabled"}
-        numbers = np.zeros(num_envs, np.uint32) if numbers is None and num_envs > 0 else numbers
+        num_envs = checks.whole("num_envs", num_envs, 1, MOST)
+        numbers = np.zeros(num_envs, np.uint32) if numbers is None else numbers
         self.environments = Environments(library, num_envs, numbers=numbers, longest=longest,
                                          autoreset=names[self.autoreset_mode], threads=threads,
                                          pictures=render_mode is not None)
@@ -55,26 +58,31 @@ class VectorEnv(_vector.VectorEnv):
         rows = self.environments.observation
         return self._observations.from_row(rows.copy() if self.copy else rows)
 
-    def _seeds(self, seed, mask):
+    def _given(self, seed):
+        """[num_envs] the seed of each, or None."""
+        if seed is None:
+            return [None] * self.num_envs
+        if np.ndim(seed) == 0:
+            first = checks.whole("seed", seed, 0, 2**64 - self.num_envs)
+            return [first + i for i in range(self.num_envs)]
+        if len(seed) != self.num_envs:
+            raise ValueError(f"there are {len(seed)} seeds for {self.num_envs} environments")
+        return [None if s is None else checks.whole(f"seed[{i}]", s, 0, 2**64 - 1) for i, s in enumerate(seed)]
+
+    def _seeds(self, given, mask):
         """[num_envs] and whose seeds are new; where nothing was said, of those that begin for the first time."""
-        if seed is None or isinstance(seed, (int, np.integer)):
-            seeds = [None if seed is None else int(seed) + i for i in range(self.num_envs)]
-        else:
-            seeds = list(seed)
-            if len(seeds) != self.num_envs:
-                raise ValueError(f"there are {len(seeds)} seeds for {self.num_envs} environments")
-        drawn = self.np_random.integers(2**63, size=self.num_envs) if None in seeds and not self._begun.all() else seeds
-        new = np.array([s is not None for s in seeds]) | ~self._begun
-        numbers = np.array([0 if d is None else int(d if s is None else s) % 2**64 for s, d in zip(seeds, drawn)], np.uint64)
-        return numbers, new & mask
+        drawn = self.np_random.integers(2**63, size=self.num_envs) if None in given and not self._begun.all() else given
+        new = np.array([s is not None for s in given]) | ~self._begun
+        return [0 if d is None else int(d) if s is None else s for s, d in zip(given, drawn)], new & mask
 
     def reset(self, *, seed=None, options=None):
-        super().reset(seed=int(seed) if isinstance(seed, (int, np.integer)) else None)
-        options = options or {}
+        self.environments.check_open()
+        given, options = self._given(seed), checks.options(options)
         mask = self._mask(options)
         if "states" in options:
             self.environments.set_states(options["states"], mask)
-        seeds, new = self._seeds(seed, mask)
+        super().reset(seed=int(seed) if seed is not None and np.ndim(seed) == 0 else None)
+        seeds, new = self._seeds(given, mask)
         if new.any():
             self.environments.reset(new, seeds)
         if (mask & ~new).any():
@@ -88,16 +96,21 @@ class VectorEnv(_vector.VectorEnv):
             return np.ones(self.num_envs, np.bool_)
         mask = options["reset_mask"]
         if not isinstance(mask, np.ndarray) or mask.shape != (self.num_envs,) or mask.dtype != np.bool_ or not mask.any():
-            raise ValueError(f"reset_mask is {mask!r}, not an array of {self.num_envs} bool with one that is True")
+            raise ValueError(f"reset_mask is {reprlib.repr(mask)}, not an array of {self.num_envs} bool with one that is True")
         return mask
 
     def step(self, actions):
         rows, mode = self.environments, self.environments.autoreset
         if mode == "disabled" and is_any(self._ended):
+            rows.check_open()
             raise Error(f"the episode of environment {int(self._ended.argmax())} has ended: reset() with a reset_mask comes before "
                         "the next step")
         self._actions.to_row(actions, rows.action)
-        rows.step()
+        try:
+            rows.step()
+        except RewardNotFinite:
+            self._ended = rows.terminated | rows.truncated
+            raise
         before, self._ended = self._ended, rows.terminated | rows.truncated
         info = self._info_of_step(before) if self.library.has_task else {}
         if mode == "same_step" and is_any(self._ended):
@@ -131,6 +144,7 @@ class VectorEnv(_vector.VectorEnv):
 
     def render(self):
         """A tuple of the pictures of all environments; None without a render mode."""
+        self.environments.check_open()
         if self.render_mode is None:
             return None
         if not self._begun.all():

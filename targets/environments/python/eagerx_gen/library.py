@@ -3,17 +3,27 @@ from __future__ import annotations
 
 import ctypes
 import json
+import operator
+import os
+import reprlib
+import threading
 from ctypes import c_char_p, c_int, c_uint32, c_uint64, c_void_p
 
 import numpy as np
 
-from .errors import Error
+from . import checks
+from .errors import Error, RewardNotFinite
 
 VERSION = 3
 """Of the C interface."""
 
+MOST = 1_000_000
+"""Environments in a batch: EAGERX_ENVIRONMENTS_MOST."""
+
 MOST_PIXELS = 4096
 """Of a side of a picture."""
+
+BUSY = "another thread is in a call with these environments"
 
 AUTORESET = {"next_step": 0, "same_step": 1, "disabled": 2}
 
@@ -75,7 +85,8 @@ class Library:
     """The library of a graph, as eagerx-gen's target `environments` makes it."""
 
     def __init__(self, path):
-        self.path = str(path)
+        # Absolute, because a name without a folder would be looked for in the system's folders.
+        self.path = os.path.abspath(os.fsdecode(checks.path("the library", path)))
         try:
             self.c = ctypes.CDLL(self.path)
             version = self.c.eagerx_version()  # first: others have other functions
@@ -88,10 +99,17 @@ class Library:
         for name, (result, arguments) in _FUNCTIONS.items():
             functions[name].restype, functions[name].argtypes = result, arguments
         self.description = json.loads(self.c.eagerx_describe())
-        self.observations = [Field(told) for told in self.description["observations"]]
-        self.actions = [Field(told) for told in self.description["actions"]]
-        self.states = [Field(told) for told in self.description["states"]]
-        self.terms = self.description["task"]["terms"] if self.description["task"] else []
+        self._fields = {what: tuple(Field(told) for told in self.description[what]) for what in ("observations", "actions", "states")}
+        self.terms = tuple(self.description["task"]["terms"]) if self.description["task"] else ()
+        # Of the memory that the library reads and writes, whatever happens to the fields.
+        self._sizes = {what: numbers_of(fields) for what, fields in self._fields.items()} | {"terms": len(self.terms)}
+
+    observations = property(lambda self: self._fields["observations"])
+    actions = property(lambda self: self._fields["actions"])
+    states = property(lambda self: self._fields["states"])
+
+    def __reduce__(self):
+        return Library, (self.path,)
 
     @property
     def has_task(self):
@@ -104,7 +122,7 @@ class Library:
         return {"render_modes": ["rgb_array"], "render_fps": render["rate_hz"]} if render else {"render_modes": []}
 
     def check_render_mode(self, render_mode):
-        if render_mode not in (None, *self.metadata["render_modes"]):
+        if render_mode is not None and not (isinstance(render_mode, str) and render_mode in self.metadata["render_modes"]):
             known = "None or 'rgb_array'" if self.description["render"] else (
                 "None, because its graph has no `render:`; add `render: {source: OBJECT.scene}` to it for 'rgb_array'")
             raise ValueError(f"render_mode is {render_mode!r}; for {self.description['graph']} it is {known}")
@@ -113,14 +131,35 @@ class Library:
         return f"<eagerx_gen.Library {self.description['graph']} on {self.description['engine']}>"
 
 
+def picture_size(size):
+    """(width, height) of a picture."""
+    try:
+        return tuple(checks.whole("side", side, 1, MOST_PIXELS) for _, side in zip((0, 1), size, strict=True))
+    except (TypeError, ValueError):
+        raise ValueError(f"size is {reprlib.repr(size)}: width and height are 1 to {MOST_PIXELS} pixels") from None
+
+
 def numbers_of(fields):
     return sum(field.size for field in fields)
 
 
-class Environments:
+def _fixed(name, help="its elements can be changed, as by `{}[:] = …`"):
+    """An attribute that stays: the library writes where it lies, or has the same number."""
+    def refuse(_self, *_value):
+        raise AttributeError(f"{name} of these environments is always the same: " + help.format(name))
+
+    return property(operator.attrgetter("_" + name), refuse, refuse)
+
+
+def _zeros(shape, dtype):
+    """Not resizable, because the library has its address."""
+    return np.ndarray(shape, dtype, bytearray(int(np.prod(shape, dtype=int)) * np.dtype(dtype).itemsize))
+
+
+class Environments(checks.Single):
     """`count` environments and their rows, which every step writes over.
 
-    action             [count, numbers of an action] float32, read by step()
+    action             [count, numbers of an action] float32, read by step(); `action = …` copies
     observation        [count, numbers of an observation] float32
     final_observation  the same: rows whose episode ended, with autoreset "same_step"
     reward             [count] float32
@@ -129,142 +168,198 @@ class Environments:
 
     seed, longest, threads: as in eagerx_environments.h. numbers: [count] of each in its seed, or None: 0, 1, 2, ...
     pictures: whether picture() will be called; environments then run one by one.
+
+    ValueError for arguments that are none, Error with the library's text, from a second thread in a call, and behind close().
     """
 
+    _handle = None  # until eagerx_create()
+    library, count, autoreset = (_fixed(name, "make others") for name in ("library", "count", "autoreset"))
+    observation, final_observation, reward = (_fixed(name) for name in ("observation", "final_observation", "reward"))
+    terminated, truncated, success, terms = (_fixed(name) for name in ("terminated", "truncated", "success", "terms"))
+
     def __init__(self, library, count, *, seed=0, numbers=None, longest=0, autoreset="next_step", threads=0, pictures=False):
-        self._handle = None
-        if autoreset not in AUTORESET:
-            raise ValueError(f"autoreset is {autoreset!r}; it is one of {', '.join(AUTORESET)}")
-        for name, value, least in (("count", count, 1), ("longest", longest, 0), ("threads", threads, 0)):
-            if not least <= value < 2**32:
-                raise ValueError(f"{name} is {value}")
-        self.library, self.count, self.autoreset = library, int(count), autoreset
+        if self._handle is not None:
+            raise Error("these environments are made already")
+        if not isinstance(library, Library):
+            raise ValueError(f"library is {reprlib.repr(library)}, not what load() gives")
+        if not isinstance(autoreset, str) or autoreset not in AUTORESET:
+            raise ValueError(f"autoreset is {reprlib.repr(autoreset)}; it is one of {', '.join(AUTORESET)}")
+        count = checks.whole("count", count, 1, MOST)
         if numbers is not None:
-            numbers = np.ascontiguousarray(numbers, np.uint32)
-            if numbers.shape != (count,):
-                raise ValueError(f"numbers has shape {numbers.shape}, not {(count,)}")
-        options = _Options(ctypes.sizeof(_Options), count, None if numbers is None else numbers.ctypes.data, seed % 2**64,
-                           longest, AUTORESET[autoreset], threads, int(bool(pictures)))
-        # First, because it says which counts there cannot be.
+            numbers = checks.whole_numbers("numbers", numbers, count, np.uint32)
+        options = _Options(ctypes.sizeof(_Options), count, None if numbers is None else numbers.ctypes.data,
+                           checks.whole("seed", seed, 0, 2**64 - 1), checks.whole("longest", longest, 0, 2**32 - 1), AUTORESET[autoreset],
+                           checks.whole("threads", threads, 0, 2**32 - 1), int(bool(pictures)))
+        self._library, self._count, self._autoreset = library, count, autoreset
+        # Of the thread that is in a call; the same one may come again, as after an interrupt.
+        self._turn = threading.RLock()
         self._handle = library.c.eagerx_create(ctypes.byref(options))
         if not self._handle:
+            self._handle = None
             self._fail()
+        observed = (count, library._sizes["observations"])
         rows = {
-            "observation": np.zeros((count, numbers_of(library.observations)), np.float32),
-            "reward": np.zeros(count, np.float32),
-            "terminated": np.zeros(count, np.bool_),
-            "truncated": np.zeros(count, np.bool_),
-            "success": np.zeros(count, np.bool_),
-            "terms": np.zeros((count, len(library.terms)), np.float32),
-            "final_observation": np.zeros((count, numbers_of(library.observations)), np.float32),
+            "observation": _zeros(observed, np.float32),
+            "reward": _zeros(count, np.float32),
+            "terminated": _zeros(count, np.bool_),
+            "truncated": _zeros(count, np.bool_),
+            "success": _zeros(count, np.bool_),
+            "terms": _zeros((count, library._sizes["terms"]), np.float32),
+            "final_observation": _zeros(observed, np.float32),
         }
-        vars(self).update(rows)
-        self.action = np.zeros((count, numbers_of(library.actions)), np.float32)
+        vars(self).update({"_" + name: row for name, row in rows.items()})
+        self._action = _zeros((count, library._sizes["actions"]), np.float32)
         # Addresses are taken once, so that a step is one call.
         self._rows = _Rows(ctypes.sizeof(_Rows), *(row.ctypes.data for row in rows.values()))
         self._step = library.c.eagerx_step
-        self._arguments = (self._handle, self.action.ctypes.data, ctypes.addressof(self._rows))
+        self._arguments = (self._action.ctypes.data, ctypes.addressof(self._rows))
+        self._memory = (*rows.values(), self._action)
 
-    def _fail(self):
-        raise Error(self.library.c.eagerx_error().decode())
+    @property
+    def action(self):
+        return self._action
+
+    @action.setter
+    def action(self, values):
+        if values is self._action:  # env.action += 1
+            return
+        array = checks.numbers("the action", values)
+        if array.shape != self._action.shape:
+            raise ValueError(f"the action has shape {array.shape}, not {self._action.shape}")
+        self._action[...] = array
+
+    @action.deleter
+    def action(self):
+        raise AttributeError("these environments always have an action")
+
+    def _fail(self, kind=Error):
+        raise kind(self._library.c.eagerx_error().decode(errors="replace"))
+
+    def _begin_call(self):
+        if not self._turn.acquire(False):
+            raise Error(BUSY)
+
+    def _call(self, function, *arguments):
+        """What a function of the library answers, to one thread at a time."""
+        self._begin_call()
+        try:
+            return function(self._open(), *arguments)
+        finally:
+            self._turn.release()
 
     def _open(self):
         if self._handle is None:
             raise Error("these environments are closed")
         return self._handle
 
-    def _mask(self, mask):
-        if mask is None:
-            return None
-        mask = np.ascontiguousarray(mask, np.uint8)
-        if mask.shape != (self.count,):
-            raise ValueError(f"the mask has shape {mask.shape}, not {(self.count,)}")
-        return mask
+    def check_open(self):
+        """Error behind close()."""
+        self._open()
+
+    def _index(self, environment):
+        try:
+            return checks.whole("environment", environment, 0, self._count - 1)
+        except ValueError:
+            raise ValueError(f"there is no environment {reprlib.repr(environment)}, but 0 to {self._count - 1}") from None
 
     def reset(self, mask=None, seeds=None):
-        """Begins episodes, where `mask` is true. seeds: [count], from whose episode 0 they begin; None: the next episode."""
-        mask = self._mask(mask)
+        """Begins episodes, where `mask` [count] bool is true. seeds: [count], from whose episode 0 they begin; None: the next episode."""
+        mask = checks.mask(mask, self._count)
         if seeds is not None:
-            seeds = np.ascontiguousarray(seeds, np.uint64)
-            if seeds.shape != (self.count,):
-                raise ValueError(f"seeds has shape {seeds.shape}, not {(self.count,)}")
-        if self.library.c.eagerx_reset(self._open(), None if mask is None else mask.ctypes.data,
-                                       None if seeds is None else seeds.ctypes.data, self.observation.ctypes.data) != 0:
+            seeds = checks.whole_numbers("seeds", seeds, self._count, np.uint64)
+        if self._call(self._library.c.eagerx_reset, None if mask is None else mask.ctypes.data,
+                      None if seeds is None else seeds.ctypes.data, self._observation.ctypes.data) != 0:
             self._fail()
 
     def step(self):
-        """One step with `action`. Error if a reward is not finite: which term, where and when.
+        """One step with `action`. RewardNotFinite, an Error: which term, where and when.
 
         That step is made and its rows are there: who wants to go on catches it. counts() has how often.
         """
-        if self._handle is None or self._step(*self._arguments) != 0:
+        turn = self._turn
+        if not turn.acquire(False):  # as _begin_call(), which would cost more than the rest of this
+            raise Error(BUSY)
+        try:
+            result = self._step(self._handle, *self._arguments)
+        finally:
+            turn.release()
+        if result != 0:
             self._open()
-            self._fail()
+            self._fail(RewardNotFinite if result > 0 else Error)
 
     def set_states(self, states, mask=None):
         """The states of the next episode: {name: value or [count, ...]}; what is not named is drawn."""
-        known = {field.name: field for field in self.library.states}
-        row = np.full((self.count, numbers_of(self.library.states)), np.nan, np.float32)
+        if not hasattr(states, "items"):
+            raise ValueError(f"states is {reprlib.repr(states)}, not a dict")
+        known = {field.name: field for field in self._library.states}
+        row = np.full((self._count, self._library._sizes["states"]), np.nan, np.float32)
         for name, value in states.items():
             if name not in known:
-                raise ValueError(f"there is no state {name!r}, but {', '.join(known) or 'none'}")
+                raise ValueError(f"there is no state {reprlib.repr(name)}, but {', '.join(known) or 'none'}")
             field = known[name]
+            with np.errstate(over="ignore"):  # to what is in no space
+                array = checks.numbers(repr(name), value).astype(np.float32)
             try:
-                row[:, field.columns] = np.broadcast_to(np.asarray(value, np.float32), (self.count, *field.shape)).reshape(self.count, -1)
+                row[:, field.columns] = np.broadcast_to(array, (self._count, *field.shape)).reshape(self._count, -1)
             except ValueError:
-                raise ValueError(f"{name!r} has shape {np.shape(value)}, not {field.shape} or {(self.count, *field.shape)}") from None
-        mask = self._mask(mask)
-        if self.library.c.eagerx_set_states(self._open(), None if mask is None else mask.ctypes.data, row.ctypes.data) != 0:
+                raise ValueError(f"{name!r} has shape {array.shape}, not {field.shape} or {(self._count, *field.shape)}") from None
+        mask = checks.mask(mask, self._count)
+        if self._call(self._library.c.eagerx_set_states, None if mask is None else mask.ctypes.data, row.ctypes.data) != 0:
             self._fail()
 
     def states(self):
         """{name: [count, ...]} that the episodes began with; NaN where nothing was set or drawn."""
-        row = np.zeros((self.count, numbers_of(self.library.states)), np.float32)
-        if self.library.c.eagerx_get_states(self._open(), row.ctypes.data) != 0:
+        row = np.zeros((self._count, self._library._sizes["states"]), np.float32)
+        if self._call(self._library.c.eagerx_get_states, row.ctypes.data) != 0:
             self._fail()
-        return {field.name: row[:, field.columns].reshape(self.count, *field.shape) for field in self.library.states}
+        return {field.name: row[:, field.columns].reshape(self._count, *field.shape) for field in self._library.states}
 
     def trace(self, environment, path):
-        """From its next reset on, messages of an environment go to a file for `eagerx-gen replay`; None ends it."""
-        if not 0 <= environment < self.count:
-            raise ValueError(f"there is no environment {environment}, but 0 to {self.count - 1}")
-        if self.library.c.eagerx_trace(self._open(), environment, None if path is None else str(path).encode()) != 0:
+        """From its next reset on, messages of an environment go to a file for `eagerx-gen replay`; None ends it.
+
+        "": no file, only the hash. A file has one trace: one that others write into is an Error.
+        """
+        if self._call(self._library.c.eagerx_trace, self._index(environment), None if path is None else checks.path("path", path)) != 0:
             self._fail()
 
     def hash(self, environment):
         """Of all messages of an environment since its trace began; 0 without one."""
-        return self.library.c.eagerx_hash(self._open(), environment)
+        return self._call(self._library.c.eagerx_hash, self._index(environment))
 
     def picture(self, environment, size=(480, 480)):
         """uint8 [height, width, 3] of size (width, height): what the graph's `render:` showed last; white before that."""
-        if not 0 <= environment < self.count:
-            raise ValueError(f"there is no environment {environment}, but 0 to {self.count - 1}")
-        width, height = (int(side) for side in size)
-        if not (0 < width <= MOST_PIXELS and 0 < height <= MOST_PIXELS):
-            raise ValueError(f"size is {size}: width and height are 1 to {MOST_PIXELS} pixels")
+        environment, (width, height) = self._index(environment), picture_size(size)
         pixels = np.empty((height, width, 3), np.uint8)
-        if self.library.c.eagerx_picture(self._open(), environment, width, height, pixels.ctypes.data) != 0:
+        if self._call(self._library.c.eagerx_picture, environment, width, height, pixels.ctypes.data) != 0:
             self._fail()
         return pixels
 
     def stepping(self):
         """How they are stepped, and what made that slower: "in packs of 64 (avx512)", "one by one: …"."""
-        text = self.library.c.eagerx_stepping(self._open())
+        text = self._call(self._library.c.eagerx_stepping)
         if text is None:
             self._fail()
         return text.decode()
 
     def counts(self):
         """What guards and nodes have counted: {"safe: action not finite: voltage": 3}; and {"not finite: task.angle": 12} steps."""
-        text = self.library.c.eagerx_counts(self._open())
+        text = self._call(self._library.c.eagerx_counts)
         if text is None:
             self._fail()
         return json.loads(text)
 
     def close(self):
-        if self._handle:
-            self.library.c.eagerx_destroy(self._handle)
-        self._handle = None
+        """Frees what the library has; the rows stay. Not while another thread is in a call."""
+        if self._handle is None:
+            return
+        self._begin_call()
+        try:
+            handle, self._handle = self._handle, None
+            if handle is not None:
+                self._library.c.eagerx_destroy(handle)
+        finally:
+            self._turn.release()
 
     def __del__(self):
-        self.close()
+        if self._handle is not None and self._turn.acquire(blocking=False):  # else a thread is still in a call when Python ends
+            self.close()

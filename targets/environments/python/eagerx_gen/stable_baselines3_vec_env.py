@@ -5,14 +5,14 @@ import time
 
 import numpy as np
 
-from . import conversion
-from .errors import need
-from .library import Environments
+from . import checks, conversion
+from .errors import RewardNotFinite, need
+from .library import MOST, Environments
 
 _base = need("stable_baselines3.common.vec_env.base_vec_env", "pip install stable-baselines3")
 
 
-class VecEnv(_base.VecEnv):
+class VecEnv(checks.Single, _base.VecEnv):
     """Many environments of a graph. Its infos have what Monitor gives: return and length of an episode that ended.
 
     library, longest, threads, normalize_actions, render_mode, render_size: as for Env and VectorEnv. flatten: Stable-Baselines3 knows Dict
@@ -22,7 +22,8 @@ class VecEnv(_base.VecEnv):
     def __init__(self, library, n_envs=1, *, flatten=True, longest=0, threads=0, normalize_actions=False, numbers=None,
                  render_mode=None, render_size=(480, 480)):
         library.check_render_mode(render_mode)
-        numbers = np.zeros(n_envs, np.uint32) if numbers is None and n_envs > 0 else numbers
+        n_envs = checks.whole("n_envs", n_envs, 1, MOST)
+        numbers = np.zeros(n_envs, np.uint32) if numbers is None else numbers
         self.environments = Environments(library, n_envs, numbers=numbers, longest=longest, autoreset="same_step", threads=threads,
                                          pictures=render_mode is not None)
         self.library, self.render_size = library, render_size
@@ -37,14 +38,23 @@ class VecEnv(_base.VecEnv):
     def _observation(self, rows):
         return self._rows_of_observations.from_row(rows.copy())
 
+    def seed(self, seed=None):
+        self.environments.check_open()
+        return super().seed(None if seed is None else checks.whole("seed", seed, 0, 2**64 - self.num_envs))
+
+    def set_options(self, options=None):
+        self.environments.check_open()
+        super().set_options(options)
+
     def reset(self):
+        self.environments.check_open()
         given = list(self._seeds)
         if not self._begun:
             drawn = np.random.default_rng().integers(2**63, size=self.num_envs)
             given = [int(d) if seed is None else seed for seed, d in zip(given, drawn)]
         new = np.array([seed is not None for seed in given])
         if new.any():
-            self.environments.reset(new, np.array([0 if seed is None else seed % 2**64 for seed in given], np.uint64))
+            self.environments.reset(new, [0 if seed is None else seed for seed in given])
         if not new.all():
             self.environments.reset(~new)
         self._begun = True
@@ -56,14 +66,22 @@ class VecEnv(_base.VecEnv):
         return self._observation(self.environments.observation)
 
     def step_async(self, actions):
+        self.environments.check_open()
         self._rows_of_actions.to_row(actions, self.environments.action)
 
     def step_wait(self):
         rows = self.environments
-        rows.step()
+        problem = None
+        try:
+            rows.step()
+        except RewardNotFinite as made:
+            problem = made
         self._returns += rows.reward
         self._lengths += 1
         ended = rows.terminated | rows.truncated
+        if problem is not None:
+            self._returns[ended], self._lengths[ended] = 0.0, 0
+            raise problem
         infos = [{} for _ in range(self.num_envs)]
         if ended.any():
             final = self._observation(rows.final_observation)
@@ -88,18 +106,30 @@ class VecEnv(_base.VecEnv):
 
     def get_images(self):
         """The pictures of all environments, of which Stable-Baselines3's render() makes one."""
+        self.environments.check_open()
         return [None if self.render_mode is None else self.environments.picture(i, self.render_size) for i in range(self.num_envs)]
 
     def get_attr(self, attr_name, indices=None):
+        self.environments.check_open()
         values = {"spec": None}
         value = values[attr_name] if attr_name in values else getattr(self, attr_name)
-        return [value for _ in self._get_indices(indices)]
+        return [value for _ in self._indices(indices)]
+
+    def _indices(self, indices):
+        self.environments.check_open()
+        if indices is None:
+            return range(self.num_envs)
+        many = [indices] if np.ndim(indices) == 0 else indices
+        return [checks.whole("index", i, -self.num_envs, self.num_envs - 1) for i in many]
 
     def set_attr(self, attr_name, value, indices=None):
+        self.environments.check_open()
         raise AttributeError(f"environments of a batch have no attributes of their own, so no {attr_name!r} is set")
 
     def env_method(self, method_name, *method_args, indices=None, **method_kwargs):
+        self.environments.check_open()
         raise AttributeError(f"environments of a batch have no methods of their own, so there is no {method_name!r}")
 
     def env_is_wrapped(self, wrapper_class, indices=None):
-        return [wrapper_class.__name__ == "Monitor" for _ in self._get_indices(indices)]
+        name = getattr(wrapper_class, "__name__", None)
+        return [name == "Monitor" for _ in self._indices(indices)]
