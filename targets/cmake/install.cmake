@@ -26,11 +26,40 @@ install(TARGETS ${package_targets} EXPORT eagerx_gen RUNTIME DESTINATION ${CMAKE
 install(EXPORT eagerx_gen NAMESPACE eagerx:: FILE eagerx_gen-targets.cmake DESTINATION ${package_dir})
 export(EXPORT eagerx_gen NAMESPACE eagerx:: FILE ${PROJECT_BINARY_DIR}/eagerx_gen-targets.cmake)
 
+# Libraries that are the same for every graph (runtime/host/compiled_library.cmake), for the compiler that builds this.
+option(EAGERX_BUILD_LIBRARIES "Compile what the programs of all graphs have in common, for the package" ${PROJECT_IS_TOP_LEVEL})
+set(libraries_dir ${CMAKE_INSTALL_LIBDIR}/eagerx-gen/libraries)
+if(EAGERX_BUILD_LIBRARIES AND NOT CMAKE_CROSSCOMPILING)
+  set(libraries ${PROJECT_BINARY_DIR}/libraries)
+  file(GLOB_RECURSE texts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/runtime/*.[ch]pp ${PROJECT_SOURCE_DIR}/runtime/*.cmake
+       ${PROJECT_SOURCE_DIR}/targets/common/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/linux-sim/*.[ch]pp
+       ${PROJECT_SOURCE_DIR}/targets/environments/*.[ch]pp ${PROJECT_SOURCE_DIR}/targets/*/libraries.cmake)
+  add_custom_command(
+    OUTPUT ${libraries}.stamp
+    DEPENDS ${texts} ${cmake_files}/libraries/CMakeLists.txt
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${libraries}
+    COMMAND ${CMAKE_COMMAND} -S ${cmake_files}/libraries -B ${libraries}-build -G ${CMAKE_GENERATOR}
+            -D CMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER} -D CMAKE_BUILD_TYPE= -D eagerx_gen_DIR=${PROJECT_BINARY_DIR}
+            -D EAGERX_LIBRARY_CACHE=${libraries}
+    COMMAND ${CMAKE_COMMAND} --build ${libraries}-build --clean-first
+    COMMAND ${CMAKE_COMMAND} -E touch ${libraries}.stamp
+    COMMENT "Compiling what the programs of all graphs have in common"
+    VERBATIM)
+  add_custom_target(libraries ALL DEPENDS ${libraries}.stamp)
+  if(TARGET eagerx-gen) # the package names it
+    add_dependencies(libraries eagerx-gen)
+  endif()
+  install(DIRECTORY ${libraries}/ DESTINATION ${libraries_dir})
+endif()
+
 # The same file twice: the installed one finds its data beside itself, the build tree's in the sources.
 set(EAGERX_CONFIG_SHARE_DIR "\${CMAKE_CURRENT_LIST_DIR}/../../eagerx-gen")
+file(RELATIVE_PATH to_libraries /${package_dir} /${libraries_dir})
+set(EAGERX_CONFIG_LIBRARIES "\${CMAKE_CURRENT_LIST_DIR}/${to_libraries}")
 configure_file(${cmake_files}/eagerx_gen-config.cmake.in ${PROJECT_BINARY_DIR}/installed/eagerx_gen-config.cmake
                @ONLY)
 set(EAGERX_CONFIG_SHARE_DIR ${PROJECT_SOURCE_DIR})
+set(EAGERX_CONFIG_LIBRARIES ${PROJECT_BINARY_DIR}/libraries)
 configure_file(${cmake_files}/eagerx_gen-config.cmake.in ${PROJECT_BINARY_DIR}/eagerx_gen-config.cmake @ONLY)
 
 # Independent of the architecture, so that a build for a 32-bit board accepts the package of a 64-bit host.
