@@ -323,7 +323,7 @@ int identify(const Options& options) {
 /// Compares the policy's answers with those that the generator computed.
 template <class Graph>
 int self_test() {
-  if (!Graph::self_test()) {
+  if (!Graph::policies_answer()) {
     return fail(
         "error: this machine's answers of the policy differ from the generator's\n"
         "help: build with the flags of the runtime: no fast-math, no contraction",
