@@ -9,7 +9,8 @@ endif()
 if(TARGET eagerx_trace)
   return()
 endif()
-add_library(eagerx_trace STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/trace/log_file.cpp
+add_library(eagerx_trace STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/trace/channel_name.cpp
+                                                 ${CMAKE_CURRENT_LIST_DIR}/trace/log_file.cpp
                                                  ${CMAKE_CURRENT_LIST_DIR}/trace/replay.cpp
                                                  ${CMAKE_CURRENT_LIST_DIR}/trace/scene_line.cpp)
 target_link_libraries(eagerx_trace PUBLIC eagerx::runtime)
