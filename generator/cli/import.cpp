@@ -35,8 +35,8 @@ int check_written(const Options& options, const std::string& text) {
   Run run;
   if (check_text(run, of_check, text)) return kDone;
   const std::size_t errors = run.diagnostics.error_count();
-  complain("`{}` was written, and `eagerx-gen check` finds {} error{}:\n", of_check.graph,
-           errors, errors == 1 ? "" : "s");
+  complain("`{}` was written, and `eagerx-gen check` finds {} error{}:\n", of_check.graph, errors,
+           errors == 1 ? "" : "s");
   return finish(run, of_check);
 }
 

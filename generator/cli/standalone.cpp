@@ -34,7 +34,8 @@ std::optional<Included> included(std::string_view line) {
   return Included{at + 1, to, line[at] == '"'};
 }
 
-/// Whether it may lead elsewhere in another tree: `"../x.hpp"`, `"a/../../x.hpp"`, `"/home/me/x.hpp"`.
+/// Whether it may lead elsewhere in another tree: `"../x.hpp"`, `"a/../../x.hpp"`,
+/// `"/home/me/x.hpp"`.
 bool leads_away(const fs::path& name) {
   return name.is_absolute() || std::ranges::find(name, fs::path("..")) != name.end();
 }
@@ -293,7 +294,7 @@ class Carrier {
   Run& run_;
   std::string output_;
   std::vector<GeneratedFile>& files_;
-  std::vector<fs::path> roots_;  // of headers
+  std::vector<fs::path> roots_;      // of headers
   std::set<std::string> generated_;  // paths in the tree
   std::set<std::string> added_;
   std::set<fs::path> refused_;
