@@ -8,6 +8,11 @@ using eagerx::board::console;
 static constinit Controller program{};  // in .bss
 
 int main() {
+  if (!controller::Graph::self_test()) {
+    console.text("bits differ on this board: does its start-up code set FPSCR.FZ?\n");
+    console.flush();
+    return 1;
+  }
   Motor motor;
   run(program, motor, 2000);
   program.guard.for_each_count([](const char* name, unsigned long long count) {

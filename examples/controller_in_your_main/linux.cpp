@@ -4,6 +4,10 @@
 #include "loop.hpp"
 
 int main() {
+  if (!controller::Graph::self_test()) {
+    std::fputs("bits differ on this machine: is something linked with -ffast-math?\n", stderr);
+    return 1;
+  }
   Controller program;
   Motor motor;
   run(program, motor, 2000);

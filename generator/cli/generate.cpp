@@ -333,6 +333,12 @@ void compile_entities(Run& run, const std::vector<const Target*>& targets,
                  run.sources, diagnostics);
 }
 
+bool check_text(Run& run, const Options& options, const std::string& text) {
+  if (!make_of_text(run, options, text)) return false;
+  const auto targets = find_targets_and_others(run, options);
+  return targets && judge(run, *targets, options);
+}
+
 int check_command(const Options& options) {
   Run run;
   const auto targets = make(run, options) ? find_targets_and_others(run, options) : std::nullopt;

@@ -1,6 +1,7 @@
 // eagerx-gen import: a file of EAGERx, rewritten as a graph.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -24,6 +25,19 @@ std::vector<Spanned<std::string>> library_of(const Options& options) {
     result.push_back({folder.string(), {}});
   }
   return result;
+}
+
+/// What `check` says of the graph that was written: somebody may go on with it by hand.
+int check_written(const Options& options, const std::string& text) {
+  Options of_check;
+  of_check.graph = options.output.empty() ? "<standard output>" : options.output;
+  of_check.quiet = options.quiet;
+  Run run;
+  if (check_text(run, of_check, text)) return kDone;
+  const std::size_t errors = run.diagnostics.error_count();
+  complain("`{}` was written, and `eagerx-gen check` finds {} error{}:\n", of_check.graph, errors,
+           errors == 1 ? "" : "s");
+  return finish(run, of_check);
 }
 
 }  // namespace
@@ -54,7 +68,9 @@ int import_command(const Options& options) {
     say("{}: {} objects, {} nodes, {} connections\n", options.output, imported->spec.objects.size(),
         imported->spec.nodes.size(), imported->spec.connections.size());
   }
-  return finish(run, options);
+  const bool written = !run.diagnostics.has_errors();
+  const int code = finish(run, options);
+  return written ? std::max(code, check_written(options, text)) : code;
 }
 
 }  // namespace eagerx::gen

@@ -221,11 +221,24 @@ std::vector<std::string> wanted_targets(const Options& options) {
   return options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
 }
 
-bool make(Run& run, const Options& options) {
-  run.tree = read_graph_file(run, options.graph);
+namespace {
+
+bool make_of_tree(Run& run, const Options& options) {
   if (run.diagnostics.has_errors()) return false;
   const bool made = make_of_tree(run, options, Reading::mentioned);
   return run.library.was_too_small() ? make_again(run, options) : made;
+}
+
+}  // namespace
+
+bool make(Run& run, const Options& options) {
+  run.tree = read_graph_file(run, options.graph);
+  return make_of_tree(run, options);
+}
+
+bool make_of_text(Run& run, const Options& options, const std::string& text) {
+  run.tree = read_yaml_text(options.graph, text, run.sources, run.diagnostics);
+  return make_of_tree(run, options);
 }
 
 bool make_again(Run& run, const Options& options) {

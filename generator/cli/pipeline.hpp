@@ -35,6 +35,10 @@ std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const 
 /// read → spec (or import) → resolve → plan, and the policies, with what the graph mentions of the
 /// library, or all of it if that was too little. True if there was no problem.
 bool make(Run& run, const Options& options);
+/// The same of a graph that is the text of `options.graph`, which need not be there.
+bool make_of_text(Run& run, const Options& options, const std::string& text);
+/// All that `check` looks for in such a graph; true if there was no problem.
+bool check_text(Run& run, const Options& options, const std::string& text);
 /// Again from the graph's file, with the whole library.
 bool make_again(Run& run, const Options& options);
 /// The targets that are generated for, as the command line says.

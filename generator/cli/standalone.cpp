@@ -34,6 +34,25 @@ std::optional<Included> included(std::string_view line) {
   return Included{at + 1, to, line[at] == '"'};
 }
 
+/// Whether it may lead elsewhere in another tree: `"../x.hpp"`, `"a/../../x.hpp"`,
+/// `"/home/me/x.hpp"`.
+bool leads_away(const fs::path& name) {
+  return name.is_absolute() || std::ranges::find(name, fs::path("..")) != name.end();
+}
+
+/// The file that a compiler finds at `place`: `..` behind a symbolic link is where that points to.
+/// (The folder of the output need not be there yet.)
+std::optional<fs::path> found_at(const fs::path& place) {
+  std::error_code error;
+  const fs::path path = fs::absolute(place, error);
+  const fs::path short_path = path.lexically_normal();
+  if (fs::is_regular_file(path, error) && !fs::equivalent(path, short_path, error)) {
+    const fs::path real = fs::canonical(path, error);
+    return error ? std::nullopt : std::optional(real);
+  }
+  return fs::is_regular_file(short_path, error) ? std::optional(short_path) : std::nullopt;
+}
+
 constexpr const char* kShareFolder = "eagerx-gen/";
 
 class Carrier {
@@ -48,6 +67,7 @@ class Carrier {
   }
 
   bool run(const std::vector<const Target*>& targets, bool only_headers) {
+    for (const auto& file : files_) generated_.insert(file.path);
     if (!only_headers) add_package_files(targets);
     add_file(fs::path(run_.root) / "LICENSE",
              only_headers ? std::string("LICENSE") : std::string(kShareFolder) + "LICENSE");
@@ -124,7 +144,13 @@ class Carrier {
   }
 
   void add_file(const fs::path& from, const std::string& to) {
-    if (!added_.insert(to).second) return;
+    if (generated_.contains(to)) return refuse_second(to, "what is generated", from);
+    if (!added_.insert(to).second) {
+      const fs::path& first = from_[to];
+      if (first != from && read(first) != read(from))
+        refuse_second(to, fmt::format("`{}`", first.string()), from);
+      return;
+    }
     auto text = read(from);
     if (!text) {
       run_.diagnostics.io_error("E0901", {}, fmt::format("cannot read `{}`", from.string()));
@@ -135,17 +161,44 @@ class Carrier {
     from_[to] = from;
   }
 
+  void refuse_second(const std::string& to, const std::string& first, const fs::path& second) {
+    if (!refused_.insert(second).second) return;
+    failed_ = true;
+    run_.diagnostics
+        .error("E0907", place_in_manifest(second),
+               fmt::format("`{}` would be both {} and `{}`", to, first, second.string()))
+        .help = "rename one of them, or its folder";
+  }
+
+  /// Where a manifest names this header.
+  Span place_in_manifest(const fs::path& header) const {
+    Span place;
+    const auto look = [&](const std::string& root, const CppClass& cpp) {
+      if (!cpp.include.empty() && (fs::path(root) / cpp.include).lexically_normal() == header)
+        place = cpp.header;
+    };
+    for (const auto& [id, entity] : run_.library.entities) {
+      look(entity.include_root, entity.cpp);
+      look(entity.include_root, entity.simulator);
+      for (const auto& engine : entity.object_engines) look(engine.include_root, engine.model);
+    }
+    return place;
+  }
+
   /// Adds what a file includes. `"../library/x.hpp"` becomes `"library/x.hpp"`, which is where it
   /// is then.
   void scan(std::size_t index) {
     std::stringstream lines(files_[index].text);
     std::string text;
     const std::string path = files_[index].path;
+    std::uint32_t number = 0;
     for (std::string line; std::getline(lines, line);) {
+      ++number;
       if (const auto include = included(line)) {
         const std::string name = line.substr(include->from, include->to - include->from);
-        const auto place = carried(path, name, include->quoted);
-        if (place && name.starts_with(".."))
+        const Line here{path, number, *include};
+        const auto place = carried(here, name);
+        if (place && leads_away(name))
           line.replace(include->from - 1, name.size() + 2, '"' + *place + '"');
       }
       text += line + "\n";
@@ -153,43 +206,72 @@ class Carrier {
     if (!files_[index].text.empty() && files_[index].text.back() == '\n') files_[index].text = text;
   }
 
+  /// An `#include` in a file of the tree.
+  struct Line {
+    const std::string& file;
+    std::uint32_t number;
+    Included name;
+  };
+
   /// Where an included header is below src/; nullopt if it is none of ours (`<array>`), or is there
   /// already.
-  std::optional<std::string> carried(const std::string& includer, const std::string& name,
-                                     bool quoted) {
+  std::optional<std::string> carried(const Line& line, const std::string& name) {
     std::vector<fs::path> places;
-    if (quoted) {
-      const auto origin = from_.find(includer);
+    const auto origin = from_.find(line.file);
+    if (line.name.quoted) {
       const fs::path beside = origin == from_.end()
-                                  ? fs::path(output_) / fs::path(includer).parent_path()
+                                  ? fs::path(output_) / fs::path(line.file).parent_path()
                                   : origin->second.parent_path();
       places.push_back(beside / name);
     }
+    const std::size_t beside_it = places.size();
     places.push_back(fs::path(run_.root) / "runtime" / name);
     for (const auto& root : roots_) places.push_back(root / name);
-    for (const auto& place : places) {
-      const fs::path path = fs::absolute(place).lexically_normal();
-      std::error_code ignored;
-      if (!fs::is_regular_file(path, ignored)) continue;
-      auto relative = relative_to_root(path);
-      if (!relative && !from_.contains(includer)) return std::nullopt;  // of an earlier run
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i == beside_it && generated_.contains(kHeaderFolder + name)) return std::nullopt;
+      const auto path = found_at(places[i]);
+      if (!path) continue;
+      auto relative = relative_to_root(*path);
+      if (!relative && origin == from_.end() && is_in_output(*path))
+        return std::nullopt;  // of an earlier run
       if (!relative) {
-        run_.diagnostics
-            .error("E0904", {},
-                   fmt::format("`{}` includes `{}`, which is in no folder of entities", includer,
-                               path.string()))
-            .help = "move it below the folder that `library:` or `--path` names";
-        failed_ = true;
+        refuse_outside(line, *path);
         return std::nullopt;
       }
       // What programs of targets include is there already.
-      if (!includer.starts_with(kHeaderFolder) &&
-          (relative->starts_with("targets/") || is_in_package(path)))
+      if (!line.file.starts_with(kHeaderFolder) &&
+          (relative->starts_with("targets/") || is_in_package(*path)))
         return std::nullopt;
-      add_file(path, kHeaderFolder + *relative);
+      add_file(*path, kHeaderFolder + *relative);
       return relative;
     }
     return std::nullopt;
+  }
+
+  /// A header that a manifest names, or one that another header includes.
+  void refuse_outside(const Line& line, const fs::path& path) {
+    if (!refused_.insert(path).second) return;
+    failed_ = true;
+    Span place = place_in_manifest(path);
+    const auto origin = from_.find(line.file);
+    if (origin != from_.end()) {
+      const FileId file =
+          run_.sources.add(origin->second.string(), read(origin->second).value_or(""));
+      place = {file, line.number, static_cast<std::uint32_t>(line.name.from + 1),
+               static_cast<std::uint32_t>(line.name.to - line.name.from)};
+    }
+    run_.diagnostics
+        .error("E0904", place,
+               fmt::format("`{}` includes `{}`, which is in no folder of entities", line.file,
+                           path.string()))
+        .help =
+        "move it below the folder that `library:` or `--path` names, or beside that folder: a tree "
+        "has what lies there, too";
+  }
+
+  bool is_in_output(const fs::path& path) const {
+    const fs::path relative = path.lexically_relative(fs::absolute(output_).lexically_normal());
+    return !relative.empty() && *relative.begin() != "..";
   }
 
   /// Whether it has its place in what stands for the installed package.
@@ -212,8 +294,10 @@ class Carrier {
   Run& run_;
   std::string output_;
   std::vector<GeneratedFile>& files_;
-  std::vector<fs::path> roots_;  // of headers
+  std::vector<fs::path> roots_;      // of headers
+  std::set<std::string> generated_;  // paths in the tree
   std::set<std::string> added_;
+  std::set<fs::path> refused_;
   std::map<std::string, fs::path> from_;  // where a file of the tree was copied from
   bool failed_ = false;
 };

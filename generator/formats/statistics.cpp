@@ -31,6 +31,9 @@ std::optional<Normalization> checked(Normalization statistics, PolicyProblem& pr
 
 /// Appends the arrays of one RunningMeanStd. False if they are none.
 bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
+  constexpr std::size_t kMostFacts = 64;  // one dictionary may be there often
+  const PickleValue* facts = pickle.dictionary_of(rms);
+  if (facts == nullptr || facts->items.size() > 2 * kMostFacts) return false;
   const PickleValue* mean = pickle.find(rms, "mean");
   const PickleValue* variance = pickle.find(rms, "var");
   const auto means = mean != nullptr ? pickle.array(*mean) : std::nullopt;
@@ -48,7 +51,9 @@ bool append_rms(const Pickle& pickle, const PickleValue& rms, Normalization& sta
 /// Of a Box, or of a Dict of them in the order of the pickle, which is that of the space's names:
 /// gymnasium sorts those of a plain dict only.
 bool append_all(const Pickle& pickle, const PickleValue& rms, Normalization& statistics) {
+  constexpr std::size_t kMostParts = 10'000;
   if (rms.kind != PickleValue::Kind::dictionary) return append_rms(pickle, rms, statistics);
+  if (rms.items.size() > 2 * kMostParts) return false;
   for (std::size_t i = 0; i + 1 < rms.items.size(); i += 2) {
     constexpr std::size_t kLongestName = 4096;  // one may be there often
     const std::string_view name = pickle.at(rms.items[i]).text;

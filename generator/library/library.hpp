@@ -68,6 +68,7 @@ struct CppClass {
   std::string name;
   std::string include;  // empty: none besides the entity's own
   Span span = {};       // of the name
+  Span header = {};     // of the header, in the manifest
 };
 
 /// `mine::Gain` as generated code names it: from the global namespace, since a graph may have the

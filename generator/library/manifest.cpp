@@ -244,6 +244,7 @@ CppClass read_cpp(const YamlValue& yaml, const fs::path& folder, Diagnostics& di
   result.name = text_at(yaml, "class");
   const std::string header = text_at(yaml, "header");
   if (!header.empty()) {
+    result.header = yaml.find("header")->span;
     result.include = (folder / header).lexically_normal().string();
   }
   return result;

@@ -77,7 +77,22 @@ std::string for_markup(const std::string& json) {
 }  // namespace
 
 std::optional<std::string> load_module(const std::string& path, Diagnostics& diagnostics) {
-  return read_part(path, diagnostics);
+  constexpr std::string_view kMagic("\0asm\1\0\0\0", 8);
+  constexpr std::uintmax_t kMostBytes = 64'000'000;
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  if (!error && bytes <= kMostBytes) {
+    auto module = read_part(path, diagnostics);
+    if (!module || module->starts_with(kMagic)) return module;
+  }
+  diagnostics
+      .io_error("E0301", {},
+                error ? fmt::format("cannot read `{}`: {}", path, error.message())
+                : bytes > kMostBytes
+                    ? fmt::format("`{}` is too large for a page: {} MB", path, bytes / 1'000'000)
+                    : fmt::format("`{}` is no module of WebAssembly", path))
+      .help = "remove the folder that it lies in, and build it again";
+  return std::nullopt;
 }
 
 std::optional<std::string> page_text(const std::string& folder, const Json& data, bool simulates,

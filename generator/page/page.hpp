@@ -44,7 +44,8 @@ Json page_json(const PageContents& contents);
 std::optional<std::string> page_text(const std::string& folder, const Json& data, bool simulates,
                                      Diagnostics& diagnostics);
 
-/// The bytes of a module of WebAssembly. Problems: E0301 it cannot be read.
+/// The bytes of a module of WebAssembly. Problems: E0301 it cannot be read, is none, or is too
+/// large for a page.
 std::optional<std::string> load_module(const std::string& path, Diagnostics& diagnostics);
 
 /// Traces, thinned to the least and the greatest value of each part of the time, so that no plot

@@ -14,6 +14,8 @@ std::string why_not(const trace_log::Log& log, TraceFormat format);
 /// The bytes of the file; the same on every machine.
 std::string converted(const trace_log::Log& log, TraceFormat format);
 
+/// Of a table: "a/b", or "a/b[1]" of a message with several numbers.
+std::string column_name(const trace_log::RecordedChannel& channel, std::uint64_t element);
 /// Text of others as a string of JSON.
 std::string quoted_json(const std::string& text);
 /// "[0.5,-1]" or, of a message with one number, "0.5". Numbers have the fewest digits that give the

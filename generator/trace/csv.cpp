@@ -29,8 +29,7 @@ std::string header(const Log& log, std::vector<std::size_t>& first) {
     first.push_back(columns);
     columns += channel.size;
     for (std::uint64_t i = 0; i < channel.size; ++i) {
-      text +=
-          "," + csv_cell(channel.size == 1 ? channel.name : fmt::format("{}[{}]", channel.name, i));
+      text += "," + csv_cell(column_name(channel, i));
     }
   }
   first.push_back(columns);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <eagerx/float_environment.hpp>
 #include <eagerx/link/board.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/version.hpp>
@@ -12,6 +13,14 @@ namespace eagerx::target {
 
 /// What the board tells the host instead of working.
 inline constexpr std::uint8_t kPolicyDiffers = 1;
+inline constexpr std::uint8_t kFloatsDiffer = 2;
+
+/// 0 if the board calculates as everywhere.
+template <class Graph>
+std::uint8_t what_differs() {
+  if (!calculates_as_everywhere()) return kFloatsDiffer;
+  return Graph::policies_answer() ? 0 : kPolicyDiffers;
+}
 
 inline constexpr std::uint16_t kRuntimeVersion =
     static_cast<std::uint16_t>(kVersionMajor * 256 + kVersionMinor);
@@ -78,7 +87,7 @@ template <class Graph, class Port, class StackBytes>
 void serve(BoardProgramOf<Graph, Port>& program, BoardLinkOf<Graph, Port>& link,
            StackBytes&& stack_bytes) {
   using Program = BoardProgramOf<Graph, Port>;
-  link.identify({Graph::Link::kGraph, kRuntimeVersion}, Graph::self_test() ? 0 : kPolicyDiffers);
+  link.identify({Graph::Link::kGraph, kRuntimeVersion}, what_differs<Graph>());
   while (link.wait_for_host()) {
     program.~Program();
     ::new (static_cast<void*>(&program)) Program{};

@@ -46,7 +46,7 @@ int show_help(const char* program_name, const Options& defaults, const Fields& f
 /// Compares the policy's answers with those that the generator computed.
 int self_test(const GraphProgram& program) {
   const GraphFacts& facts = program.facts();
-  if (!program.self_test()) {
+  if (!program.policies_answer()) {
     return fail(
         "error: this machine's answers of the policy differ from the generator's\n"
         "help: build with the flags of the runtime: no fast-math, no contraction",

@@ -153,7 +153,7 @@ class ProgramOf final : public GraphProgram {
     list_states<Graph>(listener);
     list_outcomes<Graph>(listener);
   }
-  bool self_test() const override { return Graph::self_test(); }
+  bool policies_answer() const override { return Graph::policies_answer(); }
   bool rounds_each_operation() const override { return eagerx::rounds_each_operation(); }
   bool is_real() const override { return target::is_real(untraced()); }
   Pictures* pictures() const override {

@@ -110,7 +110,7 @@ class GraphProgram {
   virtual const GraphFacts& facts() const = 0;
   virtual void list_fields(FieldListener& listener) const = 0;
   /// Whether the policy answers as it did where it was generated.
-  virtual bool self_test() const = 0;
+  virtual bool policies_answer() const = 0;
   /// Whether the program's text was compiled with flags that keep its bits.
   virtual bool rounds_each_operation() const = 0;
   virtual bool is_real() const = 0;

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <string_view>
+#include <targets/common/partner.hpp>
 #include <targets/linux-sim/split.hpp>
 
 namespace eagerx::linux_sim {
@@ -57,6 +58,10 @@ std::string problem_of(SplitLink& link) {
       return "error: the board runs another graph, or another version of it: " + hex(board.graph) +
              ", this program " + hex(link.identity().graph) + std::string(kLoadAnew);
     case Problem::refused:
+      if (board.status == target::kFloatsDiffer)
+        return "error: the board takes denormal numbers for zero, or rounds otherwise\n"
+               "help: leave its floating-point unit as it is after a reset, and link without "
+               "`-ffast-math`";
       return "error: the board's answers of the policy differ from the generator's\n"
              "help: build with the flags of the runtime: no fast-math, no contraction";
     case Problem::out_of_step:

@@ -7,14 +7,72 @@ const kDrivers = ["policy", "zero", "random", "hand"];
 /** Of one call of a module. */
 const kMostSteps = 2n ** 32n - 1n;
 
+/** Rows of numbers, and the list in what a module says of itself that they follow. */
+const kRows = {
+  actions: "actions",
+  actions_low: "actions",
+  actions_high: "actions",
+  settings: "states",
+  states: "states",
+  states_low: "states",
+  states_high: "states",
+  messages: "messages",
+  outcome: "outcome"
+};
+const kCalls =
+    ["check", "describe", "begin", "reset", "step", "ended", "hash", "picture", "counts", ...Object.keys(kRows)];
+/** Bytes of a text, and of what a module imports by name. */
+const kLongestText = 1 << 24, kMostImports = 1000;
+
+/** Throws Error unless `exports` has all that a module of eagerx-gen has. */
+function checkExports(exports) {
+  const missing = kCalls.find((name) => typeof exports[`eagerx_${name}`] !== "function");
+  if (missing) throw new Error(`this is no module that eagerx-gen has made: it has no function eagerx_${missing}`);
+  if (!(exports.memory instanceof WebAssembly.Memory))
+    throw new Error("this is no module that eagerx-gen has made: it has no memory");
+}
+
+/** What a module says of itself. Throws Error unless it is that, and has room in its memory. */
+function readAbout(text, memoryBytes) {
+  const wrong = (what) => new Error(`this is no module that eagerx-gen has made: ${what}`);
+  let about;
+  try {
+    about = JSON.parse(text);
+  } catch (problem) {
+    throw wrong(`what it says of itself is no JSON: ${problem.message}`);
+  }
+  const positive = (number) => Number.isSafeInteger(number) && number > 0;
+  if (about === null || typeof about !== "object") throw wrong("it says nothing of itself");
+  for (const name of ["graph", "engine", "agent"])
+    if (typeof about[name] !== "string") throw wrong(`\`${name}\` is no text`);
+  if (!Array.isArray(about.rate) || about.rate.length !== 2 || !about.rate.every(positive))
+    throw wrong("`rate` is not two whole numbers");
+  if (!Number.isInteger(about.steps) || about.steps < 0) throw wrong("`steps` is no whole number");
+  for (const name of new Set(Object.values(kRows))) {
+    const fields = about[name];
+    if (!Array.isArray(fields)) throw wrong(`\`${name}\` is no list`);
+    let first = 0;
+    for (const field of fields) {
+      if (field === null || typeof field !== "object" || typeof field.name !== "string" ||
+          typeof field.dtype !== "string" || field.first !== first || !positive(field.numbers))
+        throw wrong(`\`${name}\` is no list of names and numbers`);
+      first += field.numbers;
+    }
+    if (first * Float64Array.BYTES_PER_ELEMENT > memoryBytes) throw wrong(`\`${name}\` does not fit into its memory`);
+  }
+  return about;
+}
+
 class Simulation {
   /** Of the bytes of a module. Throws Error if this machine's results would differ. */
   static async of(bytes) {
     const module = await WebAssembly.compile(bytes);
-    const imports = {};
+    // Without a prototype: a module may import from `__proto__`.
+    const imports = Object.create(null), names = WebAssembly.Module.imports(module);
+    if (names.length > kMostImports) throw new Error(`a module that imports ${names.length} functions is none of ours`);
     // The few that there may be are called where a program would abort.
-    for (const {module: from, name} of WebAssembly.Module.imports(module)) {
-      imports[from] = imports[from] || {};
+    for (const {module: from, name} of names) {
+      imports[from] = imports[from] || Object.create(null);
       imports[from][name] = () => {
         throw new Error(`the simulation has stopped in ${name}`);
       };
@@ -24,6 +82,7 @@ class Simulation {
 
   constructor(instance) {
     this.calls = instance.exports;
+    checkExports(this.calls);
     if (this.calls._initialize) this.calls._initialize();
     const problem = [
       null, "this machine does not keep denormal numbers, or rounds otherwise",
@@ -35,29 +94,29 @@ class Simulation {
        {graph, engine, rate: [num, den], agent, policy, steps, render, actions, states, messages, outcome}, the last
         four lists of {name, dtype, first, numbers, messages}: places in the rows of these names.
      */
-    this.about = JSON.parse(this.text(this.calls.eagerx_describe()));
-    const row = (name, fields) => {
-      const numbers = fields.reduce((sum, field) => sum + field.numbers, 0);
+    this.about = readAbout(this.text(this.calls.eagerx_describe()), this.calls.memory.buffer.byteLength);
+    const row = (name) => {
+      const numbers = this.about[kRows[name]].reduce((sum, field) => sum + field.numbers, 0);
       return new Float64Array(this.calls.memory.buffer, this.calls[`eagerx_${name}`](), numbers);
     };
-    const {actions, states, messages, outcome} = this.about;
-    this.actions = row("actions", actions);
-    this.actionsLow = row("actions_low", actions);
-    this.actionsHigh = row("actions_high", actions);
+    this.actions = row("actions");
+    this.actionsLow = row("actions_low");
+    this.actionsHigh = row("actions_high");
     /** Of the next episodes; NaN: drawn as the graph says. */
-    this.settings = row("settings", states);
+    this.settings = row("settings");
     /** What the episode began with. */
-    this.states = row("states", states);
-    this.statesLow = row("states_low", states);
-    this.statesHigh = row("states_high", states);
+    this.states = row("states");
+    this.statesLow = row("states_low");
+    this.statesHigh = row("states_high");
     /** The newest message of each channel. */
-    this.messages = row("messages", messages);
-    this.outcome = row("outcome", outcome);
+    this.messages = row("messages");
+    this.outcome = row("outcome");
   }
 
   text(pointer) {
-    const bytes = new Uint8Array(this.calls.memory.buffer, pointer);
-    return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+    const bytes = new Uint8Array(this.calls.memory.buffer, pointer), end = bytes.indexOf(0);
+    if (end < 0 || end > kLongestText) throw new Error("a text of the module does not end");
+    return new TextDecoder().decode(bytes.subarray(0, end));
   }
 
   /** A run begins, as a program that has just been started. `watched`: `messages` and pictures are wanted. */

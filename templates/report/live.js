@@ -199,13 +199,19 @@ function showSimulation(panel, simulation) {
 }
 
 function makeSimulationView(panel) {
-  const said = el("p.note", {}, "The simulation starts …");
+  const said =
+      el("p.note", {},
+         "The simulation starts … If this stays here, its module does not come back from a call: close this page.");
   panel.append(said);
-  const bytes = Uint8Array.from(atob(data.module), (c) => c.charCodeAt(0));
-  Simulation.of(bytes).then((simulation) => showSimulation(panel, simulation)).catch((problem) => {
-    said.textContent = `The simulation cannot run here: ${problem.message}`;
-    panel.replaceChildren(said);
-  });
+  const start = () => {
+    const bytes = Uint8Array.from(atob(data.module), (c) => c.charCodeAt(0));
+    Simulation.of(bytes).then((simulation) => showSimulation(panel, simulation)).catch((problem) => {
+      said.textContent = `The simulation cannot run here: ${problem.message}`;
+      panel.replaceChildren(said);
+    });
+  };
+  // A call of the module cannot be interrupted, so what is said must have been painted before.
+  requestAnimationFrame(() => setTimeout(start));
   const again = () => {
     if (live.plots) showLive();
   };

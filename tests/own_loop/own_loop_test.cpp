@@ -1,6 +1,7 @@
 // What reaches an actuator from main loops that know nothing of safety.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 #include <cstdint>
 #include <eagerx/random.hpp>
@@ -159,6 +160,15 @@ TEST(OwnLoopTest, TheGuardIsOffForWhoSaysSo) {
   program.step_unguarded({.voltage = {3.0F}});
   EXPECT_EQ(program.trace.last, 3.0F);
   for (const auto& [name, count] : counts_of(program)) EXPECT_EQ(count, 0U) << name;
+}
+
+TEST(OwnLoopTest, ALoopThatRoundsOtherwiseIsTold) {
+  EXPECT_TRUE(graphs::wide::Graph::self_test());
+  std::fesetround(FE_UPWARD);
+  const bool upward = graphs::wide::Graph::self_test();
+  std::fesetround(FE_TONEAREST);
+  EXPECT_FALSE(upward);
+  EXPECT_TRUE(graphs::wide::Graph::self_test());
 }
 
 }  // namespace

@@ -1,3 +1,8 @@
+# Modules that eagerx-gen has not made, written by hand: this needs Node alone.
+find_program(eagerx_node NAMES node nodejs)
+if(eagerx_node)
+  add_test(NAME wasm_hostile COMMAND ${eagerx_node} ${CMAKE_CURRENT_LIST_DIR}/hostile.js)
+endif()
 # A module of WebAssembly in Node, where Emscripten is. All graphs: tests/wasm/run by hand.
 if(NOT TARGET no_alloc_swing_up)
   return() # with sanitizers

@@ -13,6 +13,8 @@
 namespace eagerx::gen {
 namespace {
 
+constexpr std::uint64_t kMostNumbers = std::uint64_t{1} << 23U;  // of a space
+
 std::optional<Pickle> unpickled(const Json& value, std::string& bytes, PolicyProblem& problem) {
   auto decoded = from_base64(text_of(member(&value, ":serialized:")));
   if (!decoded || decoded->empty()) return std::nullopt;
@@ -205,7 +207,6 @@ class DataReader {
       }
       return all;
     }
-    constexpr std::uint64_t kMostNumbers = std::uint64_t{1} << 23U;
     const bool is_plain =
         is_space(pickle, space, ".Box") || is_space(pickle, space, ".MultiBinary");
     auto size = is_plain ? size_of_box(pickle, space) : std::nullopt;
@@ -229,6 +230,9 @@ class DataReader {
   bool read_dictionary(const Pickle& pickle, const PickleValue& top) {
     const PickleValue* spaces = pickle.find(top, "spaces");
     if (spaces == nullptr) return fail("whose `observation_space` cannot be read");
+    constexpr std::size_t kMostParts = 10'000;  // one may be there often
+    if (spaces->items.size() > 2 * kMostParts)
+      return fail("whose `observation_space` has too many parts");
     std::vector<std::uint32_t>& choices = facts_.contract.choices;
     for (std::size_t i = 0; i + 1 < spaces->items.size(); i += 2) {
       const PickleValue& name = pickle.at(spaces->items[i]);
@@ -243,10 +247,9 @@ class DataReader {
             "MultiDiscrete or MultiBinary");
       }
       facts_.contract.observations.push_back({std::string(name.text), part->size()});
-      choices.insert(choices.end(), part->begin(), part->end());
-      if (choices.size() >= static_cast<std::size_t>(kMaxElements)) {
+      if (choices.size() + part->size() > kMostNumbers)
         return fail("whose `observation_space` is too large");
-      }
+      choices.insert(choices.end(), part->begin(), part->end());
     }
     return true;
   }

@@ -47,6 +47,8 @@ struct Pickle {
 
   [[nodiscard]] const PickleValue& at(std::uint32_t index) const { return values[index]; }
   [[nodiscard]] const PickleValue& top() const { return values[root]; }
+  /// A dictionary, or that of the state of an object, or nullptr.
+  [[nodiscard]] const PickleValue* dictionary_of(const PickleValue& in) const;
   /// The value of key `key` in a dictionary or in the state of an object, or nullptr.
   [[nodiscard]] const PickleValue* find(const PickleValue& in, std::string_view key) const;
   /// True for an object that `name` ("module.name") made.

@@ -91,12 +91,17 @@ bool is_known_in_pickles(std::string_view name, PickleNames known) {
   return among(kTensorNames) || torch_storage_type(name).has_value();
 }
 
-const PickleValue* Pickle::find(const PickleValue& in, std::string_view key) const {
+const PickleValue* Pickle::dictionary_of(const PickleValue& in) const {
   const PickleValue* where = &in;
   // The state of an object may be (dictionary, slots).
   if (in.kind == Kind::object && in.items.empty()) where = &at(in.state);
   if (where->kind == Kind::sequence && !where->items.empty()) where = &at(where->items.front());
-  if (where->kind != Kind::dictionary && where->kind != Kind::object) return nullptr;
+  return where->kind == Kind::dictionary || where->kind == Kind::object ? where : nullptr;
+}
+
+const PickleValue* Pickle::find(const PickleValue& in, std::string_view key) const {
+  const PickleValue* where = dictionary_of(in);
+  if (where == nullptr) return nullptr;
   for (std::size_t i = 0; i + 1 < where->items.size(); i += 2) {
     const PickleValue& name = at(where->items[i]);
     if (name.kind == Kind::text && name.text == key) return &at(where->items[i + 1]);
@@ -118,7 +123,8 @@ std::optional<double> Pickle::number(const PickleValue* value) const {
 }
 
 std::optional<std::vector<std::int64_t>> Pickle::integers(const PickleValue& value) const {
-  if (value.kind != Kind::sequence) return std::nullopt;
+  constexpr std::size_t kMostDimensions = 64;  // NumPy's; one shape may be named often
+  if (value.kind != Kind::sequence || value.items.size() > kMostDimensions) return std::nullopt;
   std::vector<std::int64_t> result;
   for (const Index item : value.items) {
     if (at(item).kind != Kind::integer) return std::nullopt;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <runtime/host/trace/channel_name.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <runtime/host/trace/scene_line.hpp>
 
@@ -169,6 +170,8 @@ class Reader {
         return fail(value, "a channel is `name dtype size rate`, not " + shown(value));
     }
     if (!rest.empty()) return fail(rest, shown(rest) + " behind the rate of a channel");
+    if (const std::string why = problem_with_channel_name(words[0]); !why.empty())
+      return fail(words[0], shown(words[0]) + " is not the name of a channel: " + why);
     RecordedChannel channel;
     channel.name = words[0];
     const std::optional<Dtype> dtype = dtype_of(words[1]);

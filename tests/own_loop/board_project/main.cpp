@@ -1,5 +1,6 @@
 // Ten thousand faults for each of two controllers; prints what came of them.
 #include "../faults.hpp"
+#include "../floats.hpp"
 #include "arm.hpp"
 #include "servo.hpp"
 
@@ -33,11 +34,27 @@ static bool try_faults(Program& program, std::uint32_t frozen_after) {
   return report.violations == 0;
 }
 
+/// What a loop that asks before it begins gets to know.
+template <class Graph>
+static bool try_floats() {
+  const bool as_it_is = Graph::self_test();
+  own_loop::flush_denormals(true);
+  const bool flushing = Graph::self_test();
+  const bool answers = Graph::policies_answer();
+  own_loop::flush_denormals(false);
+  const bool again = Graph::self_test();
+  say("self-test", as_it_is);
+  say("self-test flushing", flushing);
+  say("self-test again", again);
+  return as_it_is && !flushing && answers && again;
+}
+
 int main() {
+  const bool floats = try_floats<graphs::servo::Graph>();
   const bool right = try_faults<graphs::servo::Limits>(servo, 6);
   const bool both = try_faults<graphs::arm::Limits>(arm, 5) && right;
 #ifdef ON_BOARD
   eagerx::board::console.flush();
 #endif
-  return both ? 0 : 1;
+  return both && floats ? 0 : 1;
 }

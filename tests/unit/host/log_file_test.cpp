@@ -122,6 +122,26 @@ TEST(LogFile, SaysWhatIsWrongAndWhere) {
             "x:3:11: error: `a` is there twice");
 }
 
+TEST(LogFile, ChannelsHaveNamesThatOtherToolsCanRead) {
+  const auto said = [](const std::string& name) {
+    const std::string error = error_of("# eagerx trace 1\n# channel " + name + " int8 1 1/1\n");
+    return error.substr(error.rfind(": ") + 2);
+  };
+  for (const char* const name :
+       {"\xff", "a\xc3", "\xc3(", "\x80", "\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xe2\x82",
+        "\xf0\x8f\xbf\xbf", "\xf4\x90\x80\x80", "\xf8\x88\x80\x80\x80"})
+    EXPECT_EQ(said(name), "a name is UTF-8") << name;
+  for (const std::string& name : {std::string("a\0b", 3), std::string("a\tb"), std::string("\x7f"),
+                                  std::string("a\rb"), std::string("\x1b[2J")})
+    EXPECT_EQ(said(name), "a name has no control characters") << name;
+  EXPECT_EQ(said("a,b"), "no line could begin a message of it");
+  EXPECT_EQ(said(std::string(1001, 'a')), "a name has at most 1000 bytes");
+  for (const std::string& name :
+       {std::string(1000, 'a'), std::string("é/\xe2\x82\xac"), std::string("\xf0\x9f\xa4\x96"),
+        std::string("\xf4\x8f\xbf\xbf"), std::string("\xed\x9f\xbf"), std::string("<i>&\"'/..")})
+    EXPECT_EQ(said(name), "the log ends before its first message, in line 3") << name;
+}
+
 TEST(LogFile, SaysWhatIsWrongWithAMessage) {
   EXPECT_EQ(error_of(kHead + "x,a/b,0,1\n"), "x:8:1: error: `x` is not the number of an episode");
   EXPECT_EQ(error_of(kHead + "\n"), "x:8:1: error: `` is not the number of an episode");

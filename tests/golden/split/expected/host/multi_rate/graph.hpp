@@ -8,6 +8,7 @@
 #include <eagerx/agent.hpp>
 #include <eagerx/channel.hpp>
 #include <eagerx/draw.hpp>
+#include <eagerx/float_environment.hpp>
 #include <eagerx/random.hpp>
 #include <eagerx/space.hpp>
 
@@ -160,7 +161,11 @@ struct Graph : Limits {
 
   /// True if this machine's answers of policies are those of the generator, to the bit.
   static constexpr std::size_t kSelfTestRows = 0;
-  [[nodiscard]] static bool self_test() { return true; }
+  [[nodiscard]] static bool policies_answer() { return true; }
+  /// True if also the calling thread's processor keeps denormal numbers and rounds to the nearest.
+  [[nodiscard]] static bool self_test() {
+    return eagerx::calculates_as_everywhere() && policies_answer();
+  }
 };
 
 }  // namespace graphs::multi_rate
