@@ -47,7 +47,7 @@ Command train_commands(Options& options) {
             option("--hidden", "widths of the hidden layers (default: 64,64)", "N,N"),
             option("--discount", "weight of a reward one step later (default: 0.99)", "X"),
             writes(option("--checkpoint",
-                          "write here, every few seconds, what --resume and --from need", "FILE")),
+                          "write here, each minute and at the end, what --resume and --from need", "FILE")),
             reads(option("--resume", "go on from a checkpoint: the policy is that of one long run",
                          "FILE"),
                   "--checkpoint"),

@@ -3,6 +3,7 @@
 
 #include "targets/environments/client/description.hpp"
 #include "targets/environments/client/files.hpp"
+#include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/client/library.hpp"
 #include "targets/environments/client/problem.hpp"
 #include "targets/environments/client/team.hpp"
@@ -14,6 +15,7 @@ using client::check_writable;
 using client::Description;
 using client::Environments;
 using client::ExitCode;
+using client::Interrupt;
 using client::Library;
 using client::LibraryFunctions;
 using client::minutes;

@@ -50,7 +50,7 @@ std::vector<client::Option> table(Options& o) {
        [&](Text v) { settings.hidden = widths(v); }},
       {"--discount", "X", "weight of a reward one step later (default: 0.99)",
        [&](Text v) { settings.discount = number<float>(v, 0.0F, 0.99999F); }},
-      {"--checkpoint", "FILE", "write here, every few seconds, what --resume and --from need",
+      {"--checkpoint", "FILE", "write here, each minute and at the end, what --resume and --from need",
        [&](Text v) { o.checkpoint = v; }},
       {"--resume", "FILE", "go on from a checkpoint: the policy is that of one long run",
        [&](Text v) { o.resume = v; }},
