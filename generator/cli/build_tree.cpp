@@ -1,10 +1,14 @@
 #include "generator/cli/build_tree.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -63,6 +67,8 @@ namespace {
 constexpr const char* kConfigured = "eagerx-gen.configured";
 /// What CMake and the compiler said the last time.
 constexpr const char* kLog = "eagerx-gen.log";
+/// A folder, as only generator/cli/write may open files for writing.
+constexpr const char* kLock = "eagerx-gen.lock";
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -138,13 +144,40 @@ std::string how_far(const std::string& output) {
   return {};
 }
 
+/// While it lives, no other build works in the folder. What a build starts inherits the lock: one
+/// that was killed leaves compilers behind, and the next one must wait for them, since they write
+/// the same files. Not for ever: also a server that somebody's compiler starts inherits it.
+class BuildLock {
+ public:
+  explicit BuildLock(const fs::path& folder) {
+    using namespace std::chrono_literals;
+    std::error_code ignored;
+    fs::create_directories(folder / kLock, ignored);
+    lock_ = open((folder / kLock).c_str(), O_RDONLY | O_DIRECTORY);
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 &&
+           (errno == EWOULDBLOCK || errno == EINTR) && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(10ms);
+  }
+  ~BuildLock() {
+    if (lock_ >= 0) close(lock_);
+  }
+  BuildLock(const BuildLock&) = delete;
+  BuildLock& operator=(const BuildLock&) = delete;
+
+ private:
+  int lock_ = -1;
+};
+
 class Builder {
  public:
   Builder(const Tree& tree, std::string name, bool quiet, Diagnostics& diagnostics)
       : tree_(tree), name_(std::move(name)), quiet_(quiet), diagnostics_(diagnostics) {}
 
   bool run(const std::string& cmake_target) {
-    if (!has_programs() || !configure()) return false;
+    if (!has_programs()) return false;
+    const BuildLock lock(tree_.build);
+    if (!configure()) return false;
     std::vector<std::string> command = {"cmake", "--build", tree_.build, "--parallel",
                                         std::to_string(std::thread::hardware_concurrency())};
     if (!cmake_target.empty()) command.insert(command.end(), {"--target", cmake_target});
