@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -160,10 +162,22 @@ class BuildLock {
       std::this_thread::sleep_for(10ms);
   }
   ~BuildLock() {
-    if (lock_ >= 0) close(lock_);
+    if (lock_ < 0) return;
+    futimens(lock_, nullptr);  // when the last build was
+    close(lock_);
   }
   BuildLock(const BuildLock&) = delete;
   BuildLock& operator=(const BuildLock&) = delete;
+
+  /// Whether the clock has been set back since the last build.
+  [[nodiscard]] bool last_build_is_to_come() const {
+    struct stat found {};
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    constexpr time_t kPrecisionS = 2;  // of some file systems
+    return lock_ >= 0 && fstat(lock_, &found) == 0 &&
+           found.st_mtim.tv_sec > now.tv_sec + kPrecisionS;
+  }
 
  private:
   int lock_ = -1;
@@ -180,6 +194,8 @@ class Builder {
     if (!configure()) return false;
     std::vector<std::string> command = {"cmake", "--build", tree_.build, "--parallel",
                                         std::to_string(std::thread::hardware_concurrency())};
+    // What changed since then may seem to be older than what was built from what it was.
+    if (lock.last_build_is_to_come()) command.emplace_back("--clean-first");
     if (!cmake_target.empty()) command.insert(command.end(), {"--target", cmake_target});
     return step("building", command);
   }

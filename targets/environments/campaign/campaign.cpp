@@ -182,9 +182,7 @@ class Campaign {
                         options_.replay,        options_.worst, options_.steps != 0};
     if (!options_.csv.empty()) client::write_file(options_.csv, report.csv());
     if (options_.is_quiet) return client::kDone;
-    const std::string text = options_.json ? report.json() : report.text();
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-      throw client::Problem(client::kInputOutput, "cannot write to the standard output");
+    client::print(options_.json ? report.json() : report.text());
     return client::kDone;
   }
 

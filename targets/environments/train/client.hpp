@@ -19,6 +19,7 @@ using client::Interrupt;
 using client::Library;
 using client::LibraryFunctions;
 using client::minutes;
+using client::print;
 using client::Problem;
 using client::read_description;
 using client::read_file;
@@ -26,6 +27,7 @@ using client::rounded;
 using client::Space;
 using client::Team;
 using client::write_file;
+using client::write_files;
 using enum client::ExitCode;
 
 /// A step that can be learnt from. Throws Problem if a reward is not finite.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <eagerx/math.hpp>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -305,32 +306,37 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
   const char* why = ending == Ending::success       ? "the policy succeeds"
                     : ending == Ending::interrupted ? "interrupted"
                                                     : "the steps are used up";
-  fmt::print("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
-             rounded(static_cast<double>(steps())), progress_.seconds(),
-             fmt::format("{} iterations", ppo_.iteration), kernels_.name);
-  fmt::print("on 100 seeds that it was not trained on: ");
+  std::string text;
+  const auto say = [&text]<class... Values>(fmt::format_string<Values...> form, Values&&... values) {
+    fmt::format_to(std::back_inserter(text), form, std::forward<Values>(values)...);
+  };
+  say("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
+      rounded(static_cast<double>(steps())), progress_.seconds(),
+      fmt::format("{} iterations", ppo_.iteration), kernels_.name);
+  say("on 100 seeds that it was not trained on: ");
   if (description.has_success)
-    fmt::print("success {} of {}, ", evaluation.successes, evaluation.episodes);
-  fmt::print("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
+    say("success {} of {}, ", evaluation.successes, evaluation.episodes);
+  say("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
              evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
   for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
-    fmt::print("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
+    say("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
   }
   const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
-  fmt::print("written: {}, {}\n", options_.output, golden_path(options_.output));
-  fmt::print("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
+  say("written: {}, {}\n", options_.output, golden_path(options_.output));
+  say("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
              name_of(golden_path(options_.output)));
   if (!has_aim_) {
-    fmt::print("note: the task has no `success:`, so nobody knows whether this policy is good\n");
+    say("note: the task has no `success:`, so nobody knows whether this policy is good\n");
   } else if (ending != Ending::success && evaluation.mean_return < options_.settings.until_return) {
-    fmt::print(
+    say(
         "note: the return is below --until-return {:g}; more --steps or another --seed may\n",
         options_.settings.until_return);
   } else if (ending != Ending::success) {
-    fmt::print(
+    say(
         "note: the policy does not succeed; a task whose reward leads to its `success:` "
         "step by step, more --steps or another --seed may\n");
   }
+  print(text);
 }
 
 void Training::write_policy() const {
@@ -345,8 +351,9 @@ void Training::write_policy() const {
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
-  write_file(options_.output, safetensors_of(best, library_.description(), options_.settings.seed));
-  write_file(golden_path(options_.output), golden_rows(best, kernels_, rows));
+  write_files(
+      {{options_.output, safetensors_of(best, library_.description(), options_.settings.seed)},
+       {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
 }
 
 void Training::write_curve() const {
