@@ -31,7 +31,8 @@ bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
     option->set({});
     return !option->ends;
   }
-  // What begins with two dashes is the next option; a value that does is written `--option=--value`.
+  // What begins with two dashes is the next option; a value that does is written
+  // `--option=--value`.
   if (!has_value && (i + 1 == argc || std::string_view(argv[i + 1]).starts_with("--")))
     refuse("`" + word + "` needs a value");
   try {

@@ -81,7 +81,8 @@ void write_file(const std::string& path, std::string_view bytes) {
 
 void write_files(const std::vector<NewFile>& files) {
   std::vector<std::unique_ptr<Draft>> drafts;
-  for (const NewFile& file : files) drafts.push_back(std::make_unique<Draft>(file.path, file.bytes));
+  for (const NewFile& file : files)
+    drafts.push_back(std::make_unique<Draft>(file.path, file.bytes));
   for (const auto& draft : drafts) draft->put();
 }
 

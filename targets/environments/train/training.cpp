@@ -307,33 +307,31 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
                     : ending == Ending::interrupted ? "interrupted"
                                                     : "the steps are used up";
   std::string text;
-  const auto say = [&text]<class... Values>(fmt::format_string<Values...> form, Values&&... values) {
+  const auto say = [&text]<class... Values>(fmt::format_string<Values...> form,
+                                            Values&&... values) {
     fmt::format_to(std::back_inserter(text), form, std::forward<Values>(values)...);
   };
   say("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
       rounded(static_cast<double>(steps())), progress_.seconds(),
       fmt::format("{} iterations", ppo_.iteration), kernels_.name);
   say("on 100 seeds that it was not trained on: ");
-  if (description.has_success)
-    say("success {} of {}, ", evaluation.successes, evaluation.episodes);
+  if (description.has_success) say("success {} of {}, ", evaluation.successes, evaluation.episodes);
   say("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
-             evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
+      evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
   for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
     say("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
   }
   const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
   say("written: {}, {}\n", options_.output, golden_path(options_.output));
   say("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
-             name_of(golden_path(options_.output)));
+      name_of(golden_path(options_.output)));
   if (!has_aim_) {
     say("note: the task has no `success:`, so nobody knows whether this policy is good\n");
   } else if (ending != Ending::success && evaluation.mean_return < options_.settings.until_return) {
-    say(
-        "note: the return is below --until-return {:g}; more --steps or another --seed may\n",
+    say("note: the return is below --until-return {:g}; more --steps or another --seed may\n",
         options_.settings.until_return);
   } else if (ending != Ending::success) {
-    say(
-        "note: the policy does not succeed; a task whose reward leads to its `success:` "
+    say("note: the policy does not succeed; a task whose reward leads to its `success:` "
         "step by step, more --steps or another --seed may\n");
   }
   print(text);

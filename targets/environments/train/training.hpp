@@ -22,8 +22,8 @@ class Training {
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
   Training(const Options& options, const Library& library);
 
-  /// Trains until the policy succeeds, the steps are used up, or `is_interrupted`. Writes the files.
-  /// Returns an exit code. Throws Problem, after the checkpoint is written.
+  /// Trains until the policy succeeds, the steps are used up, or `is_interrupted`. Writes the
+  /// files. Returns an exit code. Throws Problem, after the checkpoint is written.
   int run(const Interrupt& is_interrupted);
 
  private:

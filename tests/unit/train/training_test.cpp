@@ -173,8 +173,7 @@ TEST_F(TrainTraining, AnErrorLeavesWhatWasLearntBefore) {
                         std::string(steps) + " steps"),
               std::string::npos)
         << what;
-    EXPECT_NE(what.find("; what it had learnt is in `" + first.checkpoint + "`"),
-              std::string::npos)
+    EXPECT_NE(what.find("; what it had learnt is in `" + first.checkpoint + "`"), std::string::npos)
         << what;
     Options second = whole;
     second.resume = first.checkpoint;
