@@ -1,11 +1,17 @@
 #include "generator/cli/build_tree.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -63,6 +69,8 @@ namespace {
 constexpr const char* kConfigured = "eagerx-gen.configured";
 /// What CMake and the compiler said the last time.
 constexpr const char* kLog = "eagerx-gen.log";
+/// A folder, as only generator/cli/write may open files for writing.
+constexpr const char* kLock = "eagerx-gen.lock";
 
 bool is_set(const char* variable) {
   const char* value = std::getenv(variable);
@@ -167,6 +175,42 @@ bool has_compiler_cache() {
   while (folder.has_relative_path() && !fs::exists(folder, error)) folder = folder.parent_path();
   return fs::is_directory(folder, error) && access(folder.c_str(), W_OK | X_OK) == 0;
 }
+/// While it lives, no other build works in the folder. What a build starts inherits the lock: one
+/// that was killed leaves compilers behind, and the next one must wait for them, since they write
+/// the same files. Not for ever: also a server that somebody's compiler starts inherits it.
+class BuildLock {
+ public:
+  explicit BuildLock(const fs::path& folder) {
+    using namespace std::chrono_literals;
+    std::error_code ignored;
+    fs::create_directories(folder / kLock, ignored);
+    lock_ = open((folder / kLock).c_str(), O_RDONLY | O_DIRECTORY);
+    const auto end = std::chrono::steady_clock::now() + 60s;
+    while (lock_ >= 0 && flock(lock_, LOCK_EX | LOCK_NB) != 0 &&
+           (errno == EWOULDBLOCK || errno == EINTR) && std::chrono::steady_clock::now() < end)
+      std::this_thread::sleep_for(10ms);
+  }
+  ~BuildLock() {
+    if (lock_ < 0) return;
+    futimens(lock_, nullptr);  // when the last build was
+    close(lock_);
+  }
+  BuildLock(const BuildLock&) = delete;
+  BuildLock& operator=(const BuildLock&) = delete;
+
+  /// Whether the clock has been set back since the last build.
+  [[nodiscard]] bool last_build_is_to_come() const {
+    struct stat found {};
+    timespec now{};
+    clock_gettime(CLOCK_REALTIME, &now);
+    constexpr time_t kPrecisionS = 2;  // of some file systems
+    return lock_ >= 0 && fstat(lock_, &found) == 0 &&
+           found.st_mtim.tv_sec > now.tv_sec + kPrecisionS;
+  }
+
+ private:
+  int lock_ = -1;
+};
 
 class Builder {
  public:
@@ -174,9 +218,13 @@ class Builder {
       : tree_(tree), name_(std::move(name)), quiet_(quiet), diagnostics_(diagnostics) {}
 
   bool run(const std::string& cmake_target) {
-    if (!has_programs() || !configure()) return false;
+    if (!has_programs()) return false;
+    const BuildLock lock(tree_.build);
+    if (!configure()) return false;
     std::vector<std::string> command = {"cmake", "--build", tree_.build, "--parallel",
                                         std::to_string(std::thread::hardware_concurrency())};
+    // What changed since then may seem to be older than what was built from what it was.
+    if (lock.last_build_is_to_come()) command.emplace_back("--clean-first");
     if (!cmake_target.empty()) command.insert(command.end(), {"--target", cmake_target});
     return step("building", command);
   }

@@ -284,10 +284,10 @@ bool write_file(const std::string& path, const std::string& text, Diagnostics& d
   if (stat(path.c_str(), &found) == 0 && !S_ISREG(found.st_mode))
     return fail(S_ISDIR(found.st_mode) ? "it is a folder" : "it is no file");
   if (!folder->lock()) return fail("another run of eagerx-gen writes there");
-  if (folder->read(name) == text) return true;
   // Of this name there is at most one, left by a run that was killed: nobody else has the lock.
   const std::string temporary = fmt::format(".{}.eagerx-gen.new", name);
   static_cast<void>(folder->remove(temporary));
+  if (folder->read(name) == text) return true;
   if (folder->write_new(temporary, text) && folder->rename(temporary, name)) return true;
   const std::string why = std::strerror(errno);
   static_cast<void>(folder->remove(temporary));

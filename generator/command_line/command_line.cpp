@@ -213,6 +213,30 @@ void take_rest(const Command& command, std::vector<std::string>& arguments) {
   if (!rest.empty()) command.rest->take(rest);
 }
 
+/// An option whose value was forgotten takes the next option for it. What is wrong, or "".
+std::string forgotten_value(const Command& top, const std::vector<std::string>& arguments) {
+  const Command* command = &top;
+  std::string typed = top.name;
+  std::size_t i = 0;
+  for (; i < arguments.size(); ++i) {
+    const Command* const inner = find_command(*command, arguments[i]);
+    if (inner == nullptr) break;
+    command = inner;
+    typed += " " + inner->name;
+  }
+  for (; i + 1 < arguments.size() && arguments[i] != "--"; ++i) {
+    const std::string& word = arguments[i];
+    const Argument* const option = word.starts_with('-') ? find_option(*command, word) : nullptr;
+    if (option == nullptr || option->type.empty() || word.find('=') != std::string::npos) continue;
+    const std::string& next = arguments[i + 1];
+    if (next.starts_with("--") && find_option(*command, next) != nullptr)
+      return fmt::format("error: `{}` needs a value\nhelp: `{} --help` says what there is\n", word,
+                         typed);
+    i += option->values;
+  }
+  return {};
+}
+
 /// What follows `help`: nothing, a command with the one inside it, or a topic.
 int print_help(const CommandLine& line, const CLI::App& app,
                const std::vector<std::string>& words) {
@@ -341,6 +365,10 @@ int run_command_line(const CommandLine& line, std::vector<std::string> arguments
       arguments.resize(1);
       arguments.insert(arguments.end(), words.begin(), words.end());
     }
+  }
+  if (const std::string problem = forgotten_value(line.top, arguments); !problem.empty()) {
+    complain_text(problem);
+    return kWrongUsage;
   }
   std::ranges::reverse(arguments);  // as CLI11 takes them
   try {

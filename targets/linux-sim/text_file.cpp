@@ -2,6 +2,7 @@
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -27,11 +28,11 @@ bool Signal::acquire_within(long wait_ms) {
   constexpr long kNsPerMs = 1'000'000;
   constexpr long kNsPerSecond = 1'000'000'000;
   timespec until{};
-  clock_gettime(CLOCK_REALTIME, &until);
+  syscall(SYS_clock_gettime, CLOCK_MONOTONIC, &until);  // none that a program puts in its place
   until.tv_nsec += wait_ms * kNsPerMs;
   until.tv_sec += until.tv_nsec / kNsPerSecond;
   until.tv_nsec %= kNsPerSecond;
-  return sem_timedwait(&semaphore_, &until) == 0;
+  return sem_clockwait(&semaphore_, CLOCK_MONOTONIC, &until) == 0;
 }
 
 TextFile::~TextFile() {

@@ -22,8 +22,9 @@ namespace eagerx::linux_sim {
 /// In real time nobody waits for long: a reader that is too slow is an error.
 enum class Writing : std::uint8_t { direct, background, real_time };
 
-/// A count that a thread waits for. Its waits look at the clock of the day, so they do not touch
-/// the one that a run is paced by, which may be emulated.
+/// A count that a thread waits for. Its waits ask the kernel for the time, so they do not touch the
+/// clock that a run is paced by, which may be emulated; the clock of the day would make them as
+/// long as it is set back.
 class Signal {
  public:
   Signal() { sem_init(&semaphore_, 0, 0); }

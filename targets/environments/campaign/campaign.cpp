@@ -67,7 +67,7 @@ class Campaign {
     done_ = ranks_.share(std::move(done_));
   }
 
-  int run(const volatile int& interrupted) {
+  int run(const client::Interrupt& interrupted) {
     return ranks_.is_first() ? collect(interrupted) : contribute(interrupted);
   }
 
@@ -88,11 +88,11 @@ class Campaign {
 
   /// This rank's share of the chunks. `add(chunk, results)` by one thread at a time.
   template <class Add>
-  void compute(const volatile int& interrupted, const Add& add) {
+  void compute(const client::Interrupt& interrupted, const Add& add) {
     client::Team team(threads());
     team.run(plan_.chunks(), [&](std::size_t part) {
       const auto chunk = static_cast<std::uint32_t>(part);
-      if (done_[chunk] != 0 || interrupted != 0 || chunk % ranks_.size() != ranks_.rank()) return;
+      if (done_[chunk] != 0 || interrupted || chunk % ranks_.size() != ranks_.rank()) return;
       const Results some = runner_.run(chunk);
       const std::lock_guard lock(mutex_);
       add(chunk, some);
@@ -100,14 +100,14 @@ class Campaign {
   }
 
   /// Nothing is the last that a rank sends.
-  int contribute(const volatile int& interrupted) {
+  int contribute(const client::Interrupt& interrupted) {
     compute(interrupted,
             [&](std::uint32_t chunk, const Results& some) { ranks_.send(record_of(chunk, some)); });
     ranks_.send({});
     return client::kDone;
   }
 
-  int collect(const volatile int& interrupted) {
+  int collect(const client::Interrupt& interrupted) {
     for (std::uint32_t chunk = 0; chunk < plan_.chunks(); ++chunk) {
       if (done_[chunk] != 0) note(chunk);
     }
@@ -182,9 +182,7 @@ class Campaign {
                         options_.replay,        options_.worst, options_.steps != 0};
     if (!options_.csv.empty()) client::write_file(options_.csv, report.csv());
     if (options_.is_quiet) return client::kDone;
-    const std::string text = options_.json ? report.json() : report.text();
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-      throw client::Problem(client::kInputOutput, "cannot write to the standard output");
+    client::print(options_.json ? report.json() : report.text());
     return client::kDone;
   }
 
@@ -204,7 +202,7 @@ class Campaign {
 }  // namespace
 
 int run_campaign(const Options& options, const client::Library& library, Ranks& ranks,
-                 const volatile int& interrupted) {
+                 const client::Interrupt& interrupted) {
   return Campaign(options, library, ranks).run(interrupted);
 }
 

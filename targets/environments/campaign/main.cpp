@@ -1,5 +1,4 @@
 // eagerx-campaign LIBRARY: many episodes of a graph with its agent in the loop.
-#include <fmt/format.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -32,7 +31,7 @@ int run_ranks(int argc, char** argv, Ranks& ranks) {
   if (!ranks.is_first() && bytes.empty()) return client::kDone;
   Options options = parse_options(argc, argv);
   if (ranks.is_first()) {
-    if (options.wants_help) fmt::print("{}", help_text());
+    if (options.wants_help) client::print(help_text());
     if (!options.wants_help) check_files(options);
     const bool is_all = options.wants_help || options.only_checks;
     ranks.share(is_all || ranks.size() == 1 ? std::string() : client::read_file(options.library));

@@ -31,7 +31,10 @@ bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
     option->set({});
     return !option->ends;
   }
-  if (!has_value && i + 1 == argc) refuse("`" + word + "` needs a value");
+  // What begins with two dashes is the next option; a value that does is written
+  // `--option=--value`.
+  if (!has_value && (i + 1 == argc || std::string_view(argv[i + 1]).starts_with("--")))
+    refuse("`" + word + "` needs a value");
   try {
     option->set(has_value ? word.substr(equals + 1) : std::string(argv[++i]));
   } catch (const Problem& problem) {

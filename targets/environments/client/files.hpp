@@ -1,13 +1,23 @@
-// Files that are there as a whole or not at all.
+// Files that are there as a whole or not at all, and the standard output.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace eagerx::client {
 
 /// Writes `bytes` to another name, then renames it. Throws Problem, and leaves what was there.
 void write_file(const std::string& path, std::string_view bytes);
+
+/// The same for files that belong together: nothing is renamed before all are written.
+struct NewFile {
+  std::string path, bytes;
+};
+void write_files(const std::vector<NewFile>& files);
+
+/// To the standard output, all of it, now. Throws Problem if that is not possible.
+void print(std::string_view text);
 
 /// Throws Problem if write_file() could not write here. Changes nothing.
 void check_writable(const std::string& path);

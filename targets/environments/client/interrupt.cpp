@@ -5,16 +5,16 @@
 namespace eagerx::client {
 namespace {
 
-volatile int interrupted = 0;
+Interrupt interrupted = false;
 
 extern "C" void interrupt(int signal) {
-  interrupted = 1;
+  interrupted = true;
   std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
-const volatile int& watch_interrupts() {
+const Interrupt& watch_interrupts() {
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   return interrupted;

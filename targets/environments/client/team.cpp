@@ -1,11 +1,17 @@
 #include "targets/environments/client/team.hpp"
 
+#include <system_error>
 #include <utility>
 
 namespace eagerx::client {
 
 Team::Team(unsigned threads) {
-  for (unsigned i = 1; i < threads; ++i) helpers_.emplace_back([this] { serve(); });
+  helpers_.reserve(threads - 1);
+  try {
+    while (helpers_.size() + 1 < threads) helpers_.emplace_back([this] { serve(); });
+  } catch (const std::system_error&) {
+    // What is worked on does not depend on how many they are.
+  }
 }
 
 Team::~Team() {

@@ -13,7 +13,7 @@ namespace eagerx::client {
 
 class Team {
  public:
-  /// The caller is one of `threads`.
+  /// The caller is one of `threads`; fewer, if the system has no more.
   explicit Team(unsigned threads);
   ~Team();
   Team(const Team&) = delete;

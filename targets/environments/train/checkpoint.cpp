@@ -13,7 +13,7 @@ namespace eagerx::train {
 namespace {
 
 constexpr std::string_view kKind = "eagerx-train checkpoint ";
-constexpr std::string_view kFirstLine = "eagerx-train checkpoint 3\n";
+constexpr std::string_view kFirstLine = "eagerx-train checkpoint 4\n";
 constexpr const char* kOwnFile = "give the file that `--checkpoint` wrote";
 
 std::uint64_t hash_of(std::string_view bytes) {
@@ -78,6 +78,7 @@ void visit(Visitor& visitor, SomeModel& model, SomeProgress& progressed) {
   visitor(progressed.best.parameters);
   visitor(progressed.best.successes);
   visitor(progressed.best.mean_return);
+  visitor(progressed.actions);
   visitor(model.actor_parameters);
   visitor(model.critic_parameters);
   visitor(model.log_deviation);
@@ -143,7 +144,8 @@ void read_values(std::string_view values, const std::string& name, Model& model,
   const auto expected = sizes_of(model);
   Reader reader(values);
   visit(reader, model, progressed);
-  if (!reader.complete || sizes_of(model) != expected)
+  if (!reader.complete || sizes_of(model) != expected ||
+      progressed.curve.size() != progressed.iteration)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
 }
 

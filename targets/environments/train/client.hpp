@@ -3,6 +3,7 @@
 
 #include "targets/environments/client/description.hpp"
 #include "targets/environments/client/files.hpp"
+#include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/client/library.hpp"
 #include "targets/environments/client/problem.hpp"
 #include "targets/environments/client/team.hpp"
@@ -14,9 +15,11 @@ using client::check_writable;
 using client::Description;
 using client::Environments;
 using client::ExitCode;
+using client::Interrupt;
 using client::Library;
 using client::LibraryFunctions;
 using client::minutes;
+using client::print;
 using client::Problem;
 using client::read_description;
 using client::read_file;
@@ -24,6 +27,7 @@ using client::rounded;
 using client::Space;
 using client::Team;
 using client::write_file;
+using client::write_files;
 using enum client::ExitCode;
 
 /// A step that can be learnt from. Throws Problem if a reward is not finite.

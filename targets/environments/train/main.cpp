@@ -1,6 +1,4 @@
 // eagerx-train LIBRARY: trains a policy on the environments of a graph.
-#include <fmt/format.h>
-
 #include "targets/environments/client/interrupt.hpp"
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/options.hpp"
@@ -13,7 +11,7 @@ int run(int argc, char** argv) {
   try {
     const Options options = parse_options(argc, argv);
     if (options.wants_help) {
-      fmt::print("{}", help_text());
+      print(help_text());
       return kDone;
     }
     check_files(options);

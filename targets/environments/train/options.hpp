@@ -14,6 +14,7 @@ struct Options {
   std::string kernels;                               // empty: the fastest
   std::uint64_t steps = 5'000'000;                   // of all environments, at most
   unsigned threads = 0;                              // 0: one for each core
+  double checkpoint_every_s = 60.0;                  // at least
   bool is_quiet = false;
   bool wants_help = false;
   bool only_checks = false;  // options and the places of files; there is no library yet

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <eagerx/math.hpp>
+#include <utility>
 
 #include "targets/environments/train/choice.hpp"
 
@@ -178,15 +179,53 @@ void Ppo::begin_era(std::uint32_t era) {
   for (auto& rollout : rollouts_) model_.observations.add(rollout->observation_sums);
 }
 
+void Ppo::in_parts(const std::function<void(std::size_t part)>& work) {
+  if (has_threads_) return team_.run(kParts, work);
+  for (std::size_t part = 0; part < kParts; ++part) work(part);
+}
+
+void Ppo::remember_actions() {
+  remembers_ = true;
+  for (auto& rollout : rollouts_) rollout->remembers = true;
+}
+
+std::vector<float> Ppo::actions(std::uint32_t iterations) const {
+  const std::size_t wanted = iterations * steps() * head_.numbers / kParts;
+  std::vector<float> actions;
+  for (const auto& rollout : rollouts_) {
+    const std::size_t count = std::min(wanted, rollout->taken.size());
+    actions.insert(actions.end(), rollout->taken.begin(),
+                   rollout->taken.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return actions;
+}
+
+void Ppo::take_up(const std::vector<float>& actions, std::uint32_t iterations) {
+  const std::size_t count = iterations * steps() * head_.numbers / kParts;
+  if (actions.size() != count * kParts) return;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const auto first = actions.begin() + static_cast<std::ptrdiff_t>(part * count);
+    rollouts_[part]->taken.assign(first, first + static_cast<std::ptrdiff_t>(count));
+  }
+}
+
+void Ppo::go_on(std::uint32_t era) {
+  std::vector<std::vector<float>> taken;
+  for (auto& rollout : rollouts_) taken.push_back(std::exchange(rollout->taken, {}));
+  begin_era(era);
+  in_parts([&](std::size_t part) {
+    Rollout& rollout = *rollouts_[part];
+    rollout.taken = std::move(taken[part]);
+    rollout.replay(settings_.discount);
+    if (!remembers_) rollout.taken = {};
+  });
+}
+
 std::vector<Episode> Ppo::collect() {
   Frozen frozen{kernels_, settings_, model_, Normaliser(model_.observations), {}, 1.0F, iteration};
   for (const float x : model_.log_deviation) frozen.deviation.push_back(exp(x));
   frozen.reward_scale = static_cast<float>(model_.returns.scale(0));
-  if (has_threads_) {
-    team_.run(kParts, [&](std::size_t part) { rollouts_[part]->collect(frozen); });
-  } else {
-    for (auto& rollout : rollouts_) rollout->collect(frozen);
-  }
+  in_parts([&](std::size_t part) { rollouts_[part]->collect(frozen); });
   std::vector<Episode> episodes;
   Sums advantages(1);
   for (auto& rollout : rollouts_) {

@@ -1,6 +1,7 @@
 // Proximal policy optimisation on many environments.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,15 @@ class Ppo {
   /// All environments begin anew, with episodes that nothing but `era` and the seed decides. A
   /// training that goes on from here needs the model and the iteration only.
   void begin_era(std::uint32_t era);
+  /// From now on actions are remembered, which go_on() needs in the middle of an era.
+  void remember_actions();
+  /// All that were taken in the first `iterations` of this era, or fewer if they are not
+  /// remembered.
+  std::vector<float> actions(std::uint32_t iterations) const;
+  /// actions() gives these from now on, if they are those of so many iterations.
+  void take_up(const std::vector<float>& actions, std::uint32_t iterations);
+  /// All environments are brought to where they were after the actions that take_up() got.
+  void go_on(std::uint32_t era);
   /// A rollout and the updates from it.
   Result iterate();
   /// How environments are stepped, and what made that slower.
@@ -52,6 +62,8 @@ class Ppo {
  private:
   class Learner;  // a part of a minibatch
 
+  /// work(part) for each of the rollouts, at once if the library can.
+  void in_parts(const std::function<void(std::size_t part)>& work);
   std::vector<Episode> collect();
   void update(std::size_t minibatch);
 
@@ -61,6 +73,7 @@ class Ppo {
   const Kernels& kernels_;
   Team& team_;
   const bool has_threads_;
+  bool remembers_ = false;
   std::vector<std::unique_ptr<Rollout>> rollouts_;
   std::vector<std::unique_ptr<Learner>> learners_;
   std::vector<float> precision_;  // [outputs] 1 / deviation of the actions

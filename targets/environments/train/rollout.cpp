@@ -51,8 +51,21 @@ void Rollout::reset(std::uint64_t seed) {
   environments_.reset(seed, observation_.data());
   return_.assign(count_, 0.0);
   discounted_.assign(count_, 0.0F);
+  taken.clear();
   observation_sums.clear();
   sum_observations();
+}
+
+void Rollout::replay(float discount) {
+  for (auto row = taken.begin(); row != taken.end();) {
+    const auto end = row + static_cast<std::ptrdiff_t>(action_.size());
+    std::copy(row, end, action_.begin());
+    step_environments();
+    for (std::size_t e = 0; e < count_; ++e) {
+      if (count_reward(discount, e)) begin_episode(e);
+    }
+    row = end;
+  }
 }
 
 void Rollout::collect(const Frozen& frozen) {
@@ -133,7 +146,7 @@ void Rollout::draw_actions(const Frozen& frozen, std::size_t step, std::size_t t
   }
 }
 
-void Rollout::step(const Frozen& frozen, std::size_t step) {
+void Rollout::step_environments() {
   step_all(environments_, action_.data(),
            {.size = sizeof(eagerx_rows),
             .observation = observation_.data(),
@@ -143,24 +156,39 @@ void Rollout::step(const Frozen& frozen, std::size_t step) {
             .success = success_.data(),
             .terms = nullptr,
             .final_observation = final_observation_.data()});
+}
+
+void Rollout::step(const Frozen& frozen, std::size_t step) {
+  step_environments();
+  if (remembers) taken.insert(taken.end(), action_.begin(), action_.end());
   for (std::size_t e = 0; e < count_; ++e) settle(frozen, step, e);
   bootstrap(frozen, step);
   sum_observations();
 }
 
+/// Whether it was the last of the episode.
+bool Rollout::count_reward(float discount, std::size_t environment) {
+  const std::size_t e = environment;
+  return_[e] += reward_[e];
+  discounted_[e] = discounted_[e] * discount + reward_[e];
+  return terminated_[e] != 0 || truncated_[e] != 0;
+}
+
+void Rollout::begin_episode(std::size_t environment) {
+  return_[environment] = 0.0;
+  discounted_[environment] = 0.0F;
+}
+
 /// Counts the reward and the end of an episode.
 void Rollout::settle(const Frozen& frozen, std::size_t step, std::size_t environment) {
   const std::size_t e = environment;
-  return_[e] += reward_[e];
-  discounted_[e] = discounted_[e] * frozen.settings.discount + reward_[e];
+  const bool ended = count_reward(frozen.settings.discount, e);
   return_sums.add(0, discounted_[e]);
   lane(rewards_, step * tiles(), e) = reward_[e] * frozen.reward_scale;
-  const bool ended = terminated_[e] != 0 || truncated_[e] != 0;
   ended_[step * count_ + e] = ended ? 1 : 0;
   if (!ended) return;
   episodes.push_back({return_[e], static_cast<std::uint32_t>(step), success_[e] != 0 ? 1U : 0U});
-  return_[e] = 0.0;
-  discounted_[e] = 0.0F;
+  begin_episode(e);
 }
 
 /// An episode that only ran out of time would have gone on: the critic says how.

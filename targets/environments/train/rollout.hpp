@@ -41,6 +41,9 @@ class Rollout {
   void reset(std::uint64_t seed);
   /// Steps all environments `horizon` times and estimates advantages.
   void collect(const Frozen& frozen);
+  /// Steps all environments, which have just been reset, with `taken` again. They are then where
+  /// they were when the last of these actions had been taken.
+  void replay(float discount);
 
   /// How environments are stepped, and what made that slower.
   std::string stepping() const { return environments_.stepping(); }
@@ -53,6 +56,8 @@ class Rollout {
   Sums observation_sums, return_sums;
   Sums advantage_sums;
   std::vector<Episode> episodes;  // in order of time
+  bool remembers = false;         // in `taken`
+  std::vector<float> taken;       // [steps since reset()][count][numbers] actions
 
  private:
   void act(const Frozen& frozen, std::size_t step);
@@ -60,7 +65,10 @@ class Rollout {
   void draw_choices(const Frozen& frozen, std::size_t step, std::size_t tile, const Pack* scores);
   Random noise(const Frozen& frozen, std::size_t step, std::size_t environment) const;
   void step(const Frozen& frozen, std::size_t step);
+  void step_environments();
   void settle(const Frozen& frozen, std::size_t step, std::size_t environment);
+  bool count_reward(float discount, std::size_t environment);
+  void begin_episode(std::size_t environment);
   void bootstrap(const Frozen& frozen, std::size_t step);
   void sum_observations();
   void estimate_advantages(const Settings& settings);

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <cstdio>
 #include <eagerx/math.hpp>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "targets/environments/train/client.hpp"
 #include "targets/environments/train/export.hpp"
@@ -112,10 +114,14 @@ Training::Training(const Options& options, const Library& library)
       progress_(0, 0, false, true) {
   if (!options.resume.empty()) {
     restore(read_file(options.resume), options.resume, conditions_, ppo_.model(), progressed_);
-    ppo_.iteration = progressed_.iteration;
+    ppo_.iteration = first_iteration_ = progressed_.iteration;
+    // After a change of the task eras may be longer: then the rest of this one has new episodes.
+    ppo_.take_up(std::exchange(progressed_.actions, {}), ppo_.iteration % era_);
+    goes_on_ = true;
   }
   if (!options.from.empty())
     begin_from(read_file(options.from), options.from, interface_, ppo_.model());
+  if (!options.checkpoint.empty()) ppo_.remember_actions();
   progress_ = Progress(steps(), options.steps, library.description().has_success, options.is_quiet);
 }
 
@@ -123,13 +129,14 @@ std::uint64_t Training::steps() const {
   return std::uint64_t{ppo_.iteration} * ppo_.steps();
 }
 
-int Training::run(const volatile int& is_interrupted) {
+int Training::run(const Interrupt& is_interrupted) {
   if (!options_.is_quiet) {
     fmt::print(stderr, "{} environments step {}\n", options_.settings.environments,
                ppo_.stepping());
   }
   const Ending ending = learn(is_interrupted);
   progress_.finish();
+  const std::optional<Problem> unsaved = save();  // before what may take long, or fail
   if (progressed_.best.parameters.empty()) {
     CurvePoint unused{};
     evaluate(unused);
@@ -138,6 +145,7 @@ int Training::run(const volatile int& is_interrupted) {
   write_policy();
   write_curve();
   if (!options_.is_quiet) report(last, ending);
+  if (unsaved) throw *unsaved;
   if (ending == Ending::interrupted) return 130;  // as shells say it
   return ending == Ending::success || !has_aim_ ? kDone : kProblems;
 }
@@ -145,14 +153,20 @@ int Training::run(const volatile int& is_interrupted) {
 /// With what a problem of the graph is hard to find without.
 void Training::tell_where(const Problem& problem) {
   progress_.finish();
+  std::string saved;
+  if (ppo_.iteration > first_iteration_ && !options_.checkpoint.empty()) {
+    const std::optional<Problem> unsaved = save();
+    saved = unsaved ? fmt::format("\nnote: {}", unsaved->what())
+                    : fmt::format("; what it had learnt is in `{}`", options_.checkpoint);
+  }
   if (problem.code != kProblems) throw problem;
   throw Problem(problem.code,
                 fmt::format("{}\nnote: the training had made {} steps with `--seed {}`{}",
-                            problem.what(), steps(), options_.settings.seed, checkpoint_),
+                            problem.what(), steps(), options_.settings.seed, saved),
                 problem.help);
 }
 
-Ending Training::learn(const volatile int& is_interrupted) {
+Ending Training::learn(const Interrupt& is_interrupted) {
   try {
     return iterate(is_interrupted);
   } catch (const Problem& problem) {
@@ -160,34 +174,70 @@ Ending Training::learn(const volatile int& is_interrupted) {
   }
 }
 
-Ending Training::iterate(const volatile int& is_interrupted) {
-  if (progressed_.succeeded) return Ending::success;
-  while (steps() < options_.steps) {
-    if (is_interrupted != 0) return Ending::interrupted;
-    if (ppo_.iteration % era_ == 0) start_era();
-    CurvePoint point = note(ppo_.iterate());
-    const bool is_done = ppo_.iteration % kEvaluationEvery == 0 && evaluate(point);
-    progressed_.curve.push_back(point);
-    progress_.show(point);
-    if (!is_done) continue;
-    progressed_.succeeded = true;
-    write_checkpoint();
-    return Ending::success;
+/// Whenever it returns or throws, a checkpoint can be written, and resumed with the next iteration
+/// or the evaluation that is due.
+Ending Training::iterate(const Interrupt& is_interrupted) {
+  while (!progressed_.succeeded) {
+    if (is_evaluation_due() && evaluate(progressed_.curve.back())) {
+      progressed_.succeeded = true;
+      break;
+    }
+    if (ppo_.iteration > first_iteration_) progress_.show(progressed_.curve.back());
+    if (steps() >= options_.steps) return Ending::steps;
+    if (is_interrupted) return Ending::interrupted;
+    start_iteration();
+    progressed_.curve.push_back(note(ppo_.iterate()));
   }
-  return Ending::steps;
+  return Ending::success;
 }
 
-void Training::start_era() {
-  ppo_.begin_era(ppo_.iteration / era_);
-  if (ppo_.iteration > 0) write_checkpoint();
+bool Training::is_evaluation_due() const {
+  return ppo_.iteration > 0 && ppo_.iteration % kEvaluationEvery == 0 &&
+         std::isnan(progressed_.curve.back().evaluation_return);
+}
+
+void Training::start_iteration() {
+  const bool begins_era = ppo_.iteration % era_ == 0;
+  if (ppo_.iteration > first_iteration_) save_if_due(begins_era);
+  if (begins_era) {
+    ppo_.begin_era(ppo_.iteration / era_);
+  } else if (goes_on_) {
+    ppo_.go_on(ppo_.iteration / era_);
+  }
+  goes_on_ = false;
 }
 
 void Training::write_checkpoint() {
-  if (options_.checkpoint.empty()) return;
   progressed_.iteration = ppo_.iteration;
-  write_file(options_.checkpoint,
-             checkpoint_of(conditions_, interface_, ppo_.model(), progressed_));
-  checkpoint_ = fmt::format("; `{}` is as it was after {}", options_.checkpoint, steps());
+  if (!progressed_.succeeded) progressed_.actions = ppo_.actions(ppo_.iteration % era_);
+  const std::string bytes = checkpoint_of(conditions_, interface_, ppo_.model(), progressed_);
+  progressed_.actions = {};
+  write_file(options_.checkpoint, bytes);
+}
+
+/// Why it could not be written, if so.
+std::optional<Problem> Training::save() {
+  std::optional<Problem> problem;
+  if (options_.checkpoint.empty()) return problem;
+  try {
+    write_checkpoint();
+  } catch (const Problem& what) {
+    problem = what;
+  }
+  is_saved_ = !problem;
+  tried_ = Clock::now();
+  return problem;
+}
+
+/// A disk that is full now may have room in a minute.
+void Training::save_if_due(bool begins_era) {
+  const std::chrono::duration<double> since = Clock::now() - tried_;
+  if (!begins_era && since.count() < options_.checkpoint_every_s) return;
+  const bool was_saved = is_saved_;
+  const std::optional<Problem> problem = save();
+  if (!problem || !was_saved) return;
+  progress_.finish();
+  fmt::print(stderr, "warning: {}; the training goes on and tries again\n", problem->what());
 }
 
 CurvePoint Training::note(const Ppo::Result& result) {
@@ -227,11 +277,6 @@ bool Training::evaluate(CurvePoint& point) {
       policy(folded(ppo_.model().actor, ppo_.model().actor_parameters, ppo_.model().observations));
   const std::uint64_t seed = kEvaluationSeed + kEvaluations * std::uint64_t{ppo_.iteration};
   const Evaluation evaluation = evaluator_.run(now, seed);
-  point.evaluation_return = evaluation.mean_return;
-  if (has_success) {
-    point.evaluation_success =
-        static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
-  }
   Best& best = progressed_.best;
   const bool is_better = evaluation.successes != best.successes
                              ? evaluation.successes > best.successes
@@ -239,6 +284,12 @@ bool Training::evaluate(CurvePoint& point) {
   bool succeeds = is_good(evaluation);
   for (std::uint64_t again = 1; again < kEvaluations && succeeds; ++again) {
     succeeds = is_good(evaluator_.run(now, seed + again));
+  }
+  // All at once, for who goes on after an exception.
+  point.evaluation_return = evaluation.mean_return;
+  if (has_success) {
+    point.evaluation_success =
+        static_cast<double>(evaluation.successes) / static_cast<double>(evaluation.episodes);
   }
   if (best.parameters.empty() || is_better || succeeds) {
     best = {std::move(now.parameters), evaluation.successes, evaluation.mean_return};
@@ -255,32 +306,35 @@ void Training::report(const Evaluation& evaluation, Ending ending) const {
   const char* why = ending == Ending::success       ? "the policy succeeds"
                     : ending == Ending::interrupted ? "interrupted"
                                                     : "the steps are used up";
-  fmt::print("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
-             rounded(static_cast<double>(steps())), progress_.seconds(),
-             fmt::format("{} iterations", ppo_.iteration), kernels_.name);
-  fmt::print("on 100 seeds that it was not trained on: ");
-  if (description.has_success)
-    fmt::print("success {} of {}, ", evaluation.successes, evaluation.episodes);
-  fmt::print("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
-             evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
+  std::string text;
+  const auto say = [&text]<class... Values>(fmt::format_string<Values...> form,
+                                            Values&&... values) {
+    fmt::format_to(std::back_inserter(text), form, std::forward<Values>(values)...);
+  };
+  say("{} after {} steps, {:.1f} s, {} with {} kernels\n", why,
+      rounded(static_cast<double>(steps())), progress_.seconds(),
+      fmt::format("{} iterations", ppo_.iteration), kernels_.name);
+  say("on 100 seeds that it was not trained on: ");
+  if (description.has_success) say("success {} of {}, ", evaluation.successes, evaluation.episodes);
+  say("return {:.4g} ({:.4g} to {:.4g}) in {:.4g} steps\n", evaluation.mean_return,
+      evaluation.lowest_return, evaluation.highest_return, evaluation.mean_steps);
   for (std::size_t i = 0; i < evaluation.terms.size(); ++i) {
-    fmt::print("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
+    say("  {:<20} {:.4g}\n", description.terms[i], evaluation.terms[i]);
   }
   const auto name_of = [](const std::string& path) { return path.substr(path.rfind('/') + 1); };
-  fmt::print("written: {}, {}\n", options_.output, golden_path(options_.output));
-  fmt::print("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
-             name_of(golden_path(options_.output)));
+  say("written: {}, {}\n", options_.output, golden_path(options_.output));
+  say("in the graph: agent: {{policy: {}, golden: {}}}\n", name_of(options_.output),
+      name_of(golden_path(options_.output)));
   if (!has_aim_) {
-    fmt::print("note: the task has no `success:`, so nobody knows whether this policy is good\n");
+    say("note: the task has no `success:`, so nobody knows whether this policy is good\n");
   } else if (ending != Ending::success && evaluation.mean_return < options_.settings.until_return) {
-    fmt::print(
-        "note: the return is below --until-return {:g}; more --steps or another --seed may\n",
+    say("note: the return is below --until-return {:g}; more --steps or another --seed may\n",
         options_.settings.until_return);
   } else if (ending != Ending::success) {
-    fmt::print(
-        "note: the policy does not succeed; a task whose reward leads to its `success:` "
+    say("note: the policy does not succeed; a task whose reward leads to its `success:` "
         "step by step, more --steps or another --seed may\n");
   }
+  print(text);
 }
 
 void Training::write_policy() const {
@@ -295,8 +349,9 @@ void Training::write_policy() const {
     rows.push_back(random.normal(static_cast<float>(seen.mean[i % width]),
                                  static_cast<float>(1.0 / seen.scale(i % width))));
   }
-  write_file(options_.output, safetensors_of(best, library_.description(), options_.settings.seed));
-  write_file(golden_path(options_.output), golden_rows(best, kernels_, rows));
+  write_files(
+      {{options_.output, safetensors_of(best, library_.description(), options_.settings.seed)},
+       {golden_path(options_.output), golden_rows(best, kernels_, rows)}});
 }
 
 void Training::write_curve() const {

@@ -1,6 +1,9 @@
 // A training from its first step to the file of the policy.
 #pragma once
 
+#include <chrono>
+#include <optional>
+
 #include "targets/environments/train/checkpoint.hpp"
 #include "targets/environments/train/evaluation.hpp"
 #include "targets/environments/train/options.hpp"
@@ -19,15 +22,20 @@ class Training {
   /// Throws Problem for a library that cannot be trained on, and a checkpoint of another training.
   Training(const Options& options, const Library& library);
 
-  /// Trains until the policy succeeds, the steps are used up, or `is_interrupted` is not 0. Writes
-  /// the files. Returns an exit code.
-  int run(const volatile int& is_interrupted);
+  /// Trains until the policy succeeds, the steps are used up, or `is_interrupted`. Writes the
+  /// files. Returns an exit code. Throws Problem, after the checkpoint is written.
+  int run(const Interrupt& is_interrupted);
 
  private:
-  Ending learn(const volatile int& is_interrupted);
-  void start_era();
+  using Clock = std::chrono::steady_clock;
+
+  Ending learn(const Interrupt& is_interrupted);
+  Ending iterate(const Interrupt& is_interrupted);
+  void start_iteration();
+  bool is_evaluation_due() const;
   void write_checkpoint();
-  Ending iterate(const volatile int& is_interrupted);
+  std::optional<Problem> save();
+  void save_if_due(bool begins_era);
   [[noreturn]] void tell_where(const Problem& problem);
   CurvePoint note(const Ppo::Result& result);
   bool is_good(const Evaluation& evaluation) const;
@@ -50,7 +58,10 @@ class Training {
   Ppo ppo_;
   Evaluator evaluator_;
   Progressed progressed_;
-  std::string checkpoint_;  // says what is in the file; nothing: there is none
+  std::uint32_t first_iteration_ = 0;  // of this run
+  bool goes_on_ = false;               // in the middle of an era
+  bool is_saved_ = true;               // as far as it was tried
+  Clock::time_point tried_ = Clock::now();
   Progress progress_;
 };
 

@@ -1,10 +1,14 @@
 // A library of environments, written by hand: the disc pendulum without friction, with the
 // interface that generated libraries have. Test double of the trainer's tests. With
-// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V.
+// EAGERX_TEST_CHOICES the action is 3, 4 or 5 for -2, 0 and 2 V. In the environment of a process,
+// EAGERX_TEST_BREAKS=rollout says that a reward of iteration 32 is not finite, and
+// EAGERX_TEST_BREAKS=evaluation one of the evaluation after iteration 10.
+#include <cstdlib>
 #include <cstring>
 #include <eagerx/math.hpp>
 #include <eagerx/random.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "targets/environments/eagerx_environments.h"
@@ -58,6 +62,16 @@ struct Pendulum {
 };
 
 thread_local std::string failure;
+
+/// Whether this is the step whose reward is not finite.
+bool breaks(const Pendulum& one) {
+  constexpr std::uint32_t kNumber = 10, kEpisode = 7, kStep = 100;  // step 1000 of an era
+  constexpr std::uint64_t kEvaluation = (std::uint64_t{1} << 63U) + 40;
+  const char* const text = std::getenv("EAGERX_TEST_BREAKS");
+  if (text == nullptr || one.number != kNumber || one.step != kStep) return false;
+  if (std::string_view(text) == "evaluation") return one.seed == kEvaluation;
+  return one.seed < kEvaluation && one.episode == kEpisode;
+}
 
 template <class T>
 void put(T* rows, std::size_t i, T value) {
@@ -121,6 +135,7 @@ int eagerx_reset(eagerx_environments* environments, const uint8_t* mask, const u
   return 0;
 }
 int eagerx_step(eagerx_environments* environments, const float* action, const eagerx_rows* rows) {
+  bool is_finite = true;
   for (std::size_t i = 0; i < environments->all.size(); ++i) {
     Pendulum& one = environments->all[i];
     if (one.ended) {  // EAGERX_DISABLED
@@ -135,6 +150,7 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
       return -1;
     }
     one.advance(voltage);
+    is_finite = is_finite && !breaks(one);
     const float error = one.error();
     const float slow = one.speed / (1.0F + 10.0F * eagerx::abs(error));
     const float terms[] = {-error * error, -0.1F * slow * slow, -0.001F * voltage * voltage};
@@ -151,7 +167,8 @@ int eagerx_step(eagerx_environments* environments, const float* action, const ea
     }
     if (rows->observation != nullptr) one.observe(rows->observation + 3 * i);
   }
-  return 0;
+  if (!is_finite) failure = "a reward is not finite";
+  return is_finite ? 0 : 1;
 }
 
 }  // extern "C"

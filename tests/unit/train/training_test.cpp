@@ -1,12 +1,18 @@
 #include "targets/environments/train/training.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "targets/environments/train/client.hpp"
 
@@ -16,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kIteration = 256 * 32;  // steps
+const Interrupt never = false;
 
 const Library& pendulum() {
   static const Library library(EAGERX_TEST_PENDULUM);
@@ -26,6 +33,17 @@ const Library& pendulum() {
 const Library& choices() {
   static const Library library(EAGERX_TEST_CHOICES);
   return library;
+}
+
+/// What is said when `work` fails.
+template <class Work>
+std::string said(Work work) {
+  try {
+    work();
+  } catch (const Problem& problem) {
+    return problem.what();
+  }
+  return "nothing";
 }
 
 class TrainTraining : public testing::Test {
@@ -47,7 +65,6 @@ class TrainTraining : public testing::Test {
 
   /// The bytes of the policy.
   std::string trained(const Options& options, const Library& library = pendulum()) const {
-    const int never = 0;
     Training(options, library).run(never);
     return read_file(options.output);
   }
@@ -77,21 +94,103 @@ TEST_F(TrainTraining, AnyInstructionSetLearnsTheSameBits) {
   }
 }
 
+/// Quick, and does not succeed so soon.
+Options small(Options options) {
+  options.settings.hidden = {8, 8};
+  options.threads = 2;
+  return options;
+}
+
+// On 0d2dc587 only iteration 32 of these has a checkpoint: an era begins there.
 TEST_F(TrainTraining, WhatGoesOnFromACheckpointIsOneTraining) {
-  Options whole = options(38);
-  whole.settings.hidden = {8, 8};  // quick, and does not succeed so soon
-  whole.threads = 2;
+  Options whole = small(options(38));
   whole.csv = path("whole.csv");
   const std::string policy = trained(whole);
   const std::string curve = read_file(whole.csv);
-  Options first = whole;
-  first.steps = 34 * kIteration;  // the checkpoint is that of iteration 32
-  first.checkpoint = path("checkpoint");
-  trained(first);
-  Options second = whole;
-  second.resume = first.checkpoint;
-  EXPECT_EQ(trained(second), policy);
-  EXPECT_EQ(read_file(second.csv), curve);
+  for (const std::uint64_t iterations : {1, 5, 32, 34}) {
+    Options first = small(options(iterations));
+    first.checkpoint = path("checkpoint");
+    trained(first);
+    Options second = small(options(36));
+    second.resume = second.checkpoint = first.checkpoint;
+    trained(second);
+    Options third = whole;
+    third.resume = first.checkpoint;
+    EXPECT_EQ(trained(third), policy) << iterations;
+    EXPECT_EQ(read_file(third.csv), curve) << iterations;
+  }
+}
+
+TEST_F(TrainTraining, ChoicesGoOnToo) {
+  Options some = small(options(3));
+  some.checkpoint = path("checkpoint");
+  trained(some, choices());
+  some = small(options(6));
+  const std::string policy = trained(some, choices());
+  some.resume = path("checkpoint");
+  EXPECT_EQ(trained(some, choices()), policy);
+}
+
+TEST_F(TrainTraining, AKilledOneGoesOnFromWhatItHasWritten) {
+  Options endless = small(options(1'000'000));
+  endless.settings.until_return = 1.0;  // the reward is negative
+  endless.threads = 1;                  // no others in a process that forks
+  endless.checkpoint = path("checkpoint");
+  endless.checkpoint_every_s = 0.0;
+  const pid_t child = fork();
+  if (child == 0) _exit(Training(endless, pendulum()).run(never));
+  while (!fs::exists(endless.checkpoint) && waitpid(child, nullptr, WNOHANG) == 0) usleep(1000);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  Options rest = small(options(40));
+  rest.settings.until_return = 1.0;
+  const std::string policy = trained(rest);
+  rest.resume = endless.checkpoint;
+  EXPECT_EQ(trained(rest), policy);
+}
+
+TEST_F(TrainTraining, AnInterruptLeavesACheckpoint) {
+  Options some = small(options(4));
+  const std::string policy = trained(some);
+  some.checkpoint = path("checkpoint");
+  const Interrupt at_once = true;
+  EXPECT_EQ(Training(some, pendulum()).run(at_once), 130);
+  some.resume = some.checkpoint;
+  EXPECT_EQ(trained(some), policy);
+}
+
+// An error in the middle of an iteration, and one in an evaluation.
+TEST_F(TrainTraining, AnErrorLeavesWhatWasLearntBefore) {
+  Options whole = small(options(38));
+  const std::string policy = trained(whole);
+  for (const auto& [where, steps] : {std::pair("rollout", "253952"), {"evaluation", "81920"}}) {
+    Options first = whole;
+    first.checkpoint = path("checkpoint");
+    setenv("EAGERX_TEST_BREAKS", where, 1);
+    const std::string what = said([&] { Training(first, pendulum()).run(never); });
+    unsetenv("EAGERX_TEST_BREAKS");
+    EXPECT_NE(what.find("a reward is not finite\nnote: the training had made " +
+                        std::string(steps) + " steps"),
+              std::string::npos)
+        << what;
+    EXPECT_NE(what.find("; what it had learnt is in `" + first.checkpoint + "`"), std::string::npos)
+        << what;
+    Options second = whole;
+    second.resume = first.checkpoint;
+    EXPECT_EQ(trained(second), policy) << where;
+    fs::remove(first.checkpoint);
+  }
+}
+
+TEST_F(TrainTraining, ACheckpointThatCannotBeWrittenDoesNotCostThePolicy) {
+  Options some = small(options(34));
+  const std::string policy = trained(some);
+  fs::remove(some.output);
+  some.checkpoint = path("checkpoint");
+  fs::create_directories(path("checkpoint.part"));  // nothing can be written there
+  EXPECT_NE(said([&] { Training(some, pendulum()).run(never); }).find("cannot write"),
+            std::string::npos);
+  EXPECT_EQ(read_file(some.output), policy);
 }
 
 TEST_F(TrainTraining, FineTuningBeginsWithWhatWasLearnt) {
@@ -104,7 +203,6 @@ TEST_F(TrainTraining, FineTuningBeginsWithWhatWasLearnt) {
   EXPECT_EQ(trained(again), learnt) << "what has succeeded does not go on";
   Options second = options(5);
   second.settings.seed = 7;
-  const int never = 0;
   EXPECT_EQ(Training(second, pendulum()).run(never), kProblems) << "not from nothing";
   second.from = first.checkpoint;
   EXPECT_EQ(Training(second, pendulum()).run(never), kDone);
@@ -146,7 +244,6 @@ TEST_F(TrainTraining, LearnsToSwingUp) {
   all.threads = 2;
   all.csv = path("curve.csv");
   all.curve = path("curve.svg");
-  const int never = 0;
   EXPECT_EQ(Training(all, pendulum()).run(never), kDone);  // 99 of 100 succeed, four times
   EXPECT_TRUE(read_file(all.csv).starts_with("steps,return,success,"));
   EXPECT_TRUE(read_file(all.curve).starts_with("<svg "));
@@ -156,7 +253,6 @@ TEST_F(TrainTraining, LearnsToSwingUp) {
 TEST_F(TrainTraining, LearnsToChoose) {
   Options all = options(200);
   all.threads = 2;
-  const int never = 0;
   EXPECT_EQ(Training(all, choices()).run(never), kDone);
 }
 
@@ -178,7 +274,6 @@ TEST_F(TrainTraining, GoesOnUntilTheReturnIsGoodToo) {
   constexpr double kMoreThanAtFirst = -57.0;  // the first policy that succeeds has -61.3
   Options all = options(200);
   all.csv = path("curve.csv");
-  const int never = 0;
   ASSERT_EQ(Training(all, pendulum()).run(never), kDone);
   EXPECT_LT(last_evaluation(read_file(all.csv)), kMoreThanAtFirst);
   all.settings.until_return = kMoreThanAtFirst;
@@ -198,21 +293,10 @@ TEST_F(TrainTraining, AnyThreadsAndInstructionsLearnToChooseTheSameBits) {
 }
 
 TEST_F(TrainTraining, WithoutSuccessTheExitCodeSaysSo) {
-  const int never = 0, at_once = 1;
+  const Interrupt at_once = true;
   EXPECT_EQ(Training(options(1), pendulum()).run(never), kProblems);
   EXPECT_EQ(Training(options(1), pendulum()).run(at_once), 130);
   EXPECT_TRUE(fs::exists(path("policy.safetensors")));  // the one that it began with
-}
-
-/// What is said when `work` fails.
-template <class Work>
-std::string said(Work work) {
-  try {
-    work();
-  } catch (const Problem& problem) {
-    return problem.what();
-  }
-  return "nothing";
 }
 
 TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
@@ -235,6 +319,10 @@ TEST_F(TrainTraining, ACheckpointOfAnotherTrainingIsRefused) {
   write_file(first.checkpoint, bytes);
   other.settings.seed = 1;
   EXPECT_NE(said([&] { Training(other, pendulum()); }).find("is damaged"), std::string::npos);
+  bytes.replace(0, bytes.find('\n'), "eagerx-train checkpoint 3");
+  write_file(first.checkpoint, bytes);
+  EXPECT_NE(said([&] { Training(other, pendulum()); }).find("was written by another version"),
+            std::string::npos);
   write_file(first.checkpoint, "something else");
   EXPECT_NE(said([&] { Training(other, pendulum()); }).find("is no checkpoint"), std::string::npos);
 }
@@ -277,6 +365,7 @@ TEST(TrainOptions, WrongOnesAreRefused) {
   EXPECT_EQ(parse({"a.so", "--steps", "0"}),
             "--steps: `0` is not a number from 1 to 1000000000000");
   EXPECT_EQ(parse({"a.so", "--steps"}), "`--steps` needs a value");
+  EXPECT_EQ(parse({"a.so", "--until-return", "--steps", "3"}), "`--until-return` needs a value");
   EXPECT_EQ(parse({"a.so", "--seed=1x"}),
             "--seed: `1x` is not a number from 0 to 4611686018427387903");
   EXPECT_EQ(parse({"a.so", "--discount", "nan"}),
@@ -305,6 +394,20 @@ TEST(TrainTeam, EveryPartIsDoneOnceAndFailuresComeBack) {
                Problem);
   team.run(1, [&](std::size_t part) { ++done[part]; });
   EXPECT_EQ(done[0], 201);
+}
+
+// On 0d2dc587 an exception, and the end of the program if some threads had started.
+TEST(TrainTeam, WorksWithTheThreadsThatThereAre) {
+  pthread_attr_t before, huge;
+  pthread_getattr_default_np(&before);
+  pthread_attr_init(&huge);
+  pthread_attr_setstacksize(&huge, std::size_t{1} << 50U);  // no system has that
+  pthread_setattr_default_np(&huge);
+  Team team(3);
+  pthread_setattr_default_np(&before);
+  std::vector<int> done(5);
+  team.run(done.size(), [&](std::size_t part) { ++done[part]; });
+  EXPECT_EQ(done, std::vector<int>(5, 1));
 }
 
 }  // namespace
