@@ -38,5 +38,3 @@ add_test(NAME environments.controller COMMAND ${CMAKE_CURRENT_LIST_DIR}/controll
 # Debian's Python, which has the numpy that toolchains/install-packages installs.
 add_test(NAME environments.python COMMAND ${CMAKE_CURRENT_LIST_DIR}/python $<TARGET_FILE:eagerx-gen> $<TARGET_FILE:environments_swing>
                                           $<TARGET_FILE:environments_swing_alone>)
-set_tests_properties(environments environments.packs environments.controller environments.python
-                     PROPERTIES ENVIRONMENT "${eagerx_opens_libraries}")
