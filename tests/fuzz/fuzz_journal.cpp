@@ -43,8 +43,9 @@ std::string record(std::string_view body) {
   return bytes.append(body);
 }
 
+/// In memory: files are synchronised with the disk.
 std::string path_of_run() {
-  return "/tmp/fuzz_journal." + std::to_string(getpid());
+  return "/dev/shm/fuzz_journal." + std::to_string(getpid());
 }
 
 /// False if it is no journal, or of another campaign.
