@@ -46,7 +46,7 @@ class Emitter {
     View io = io_view(plan_, names_, {options_.builtin_root, here.string()});
     add(folder + "io.hpp", "cpp/io.hpp.mustache", std::move(io));
     if (task && names_.runs(task->node))
-      add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_, names_));
+      add(folder + "task.hpp", "cpp/task.hpp.mustache", task_view(plan_));
     add(folder + "limits.hpp", "cpp/limits.hpp.mustache", limits_view(plan_, names_));
     if (has_packs_) add_packs(folder, here);
     const std::size_t at = files_.size();

@@ -125,7 +125,7 @@ View library_view(const Plan& plan, bool has_policy, bool has_memory);
 /// Of the main loops of packages, and of the two functions that their users write.
 View loop_view(const Plan& plan, bool has_policy, bool has_memory);
 /// The class of the graph's task, and what other files say of its outputs: false without one.
-View task_view(const Plan& plan, const ProgramNames& names);
+View task_view(const Plan& plan);
 View outcome_view(const Plan& plan, const ProgramNames& names);
 View program_view(const Plan& plan, const ProgramNames& names);
 /// What of the rendered program.hpp belongs to which node.

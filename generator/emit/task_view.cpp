@@ -44,11 +44,10 @@ Used used_by(const Task& task, std::size_t inputs) {
 
 class TaskView {
  public:
-  TaskView(const Plan& plan, const ProgramNames& names)
+  explicit TaskView(const Plan& plan)
       : graph_(*plan.graph),
         task_(*graph_.task),
         node_(graph_.nodes[task_.node]),
-        names_(names),
         used_(used_by(task_, node_.inputs.size())) {
     for (const char* taken : {"in", "out", "tick", "i", "begin", "Real", "Io"})
       locals_.unique(taken);
@@ -184,7 +183,6 @@ class TaskView {
   const Graph& graph_;
   const Task& task_;
   const GraphNode& node_;
-  const ProgramNames& names_;
   Used used_;
   Names locals_;
   std::vector<VariableText> variables_;
@@ -202,8 +200,8 @@ View names_view(const std::vector<TaskExpression>& expressions) {
 
 }  // namespace
 
-View task_view(const Plan& plan, const ProgramNames& names) {
-  return TaskView(plan, names).make();
+View task_view(const Plan& plan) {
+  return TaskView(plan).make();
 }
 
 View outcome_view(const Plan& plan, const ProgramNames& names) {

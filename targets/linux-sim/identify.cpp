@@ -34,7 +34,6 @@ int write_whole(const std::string& path, const std::string& text) {
   return error;
 }
 
-
 using identification::Experiment;
 using identification::Trial;
 

@@ -1,6 +1,6 @@
 # Many runs of a graph: `campaign` looks at the whole report, on libraries that other tests have built and on one whose
 # policy remembers.
-if(EAGERX_SANITIZE)
+if(EAGERX_SANITIZE AND NOT EAGERX_SANITIZE STREQUAL thread)
   return() # the library is opened by programs without sanitizers
 endif()
 eagerx_add_graph(TARGET campaign_memory GRAPH ${CMAKE_CURRENT_LIST_DIR}/memory.yaml BOARD environments)

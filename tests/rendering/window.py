@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The window of a program under Xvfb: window.py PROGRAM FOLDER
 
-What it shows is one of the pictures FOLDER/0.png, 1.png, ...; when it is closed, the program ends with exit code 0 and a
-summary."""
+It loads no drivers of OpenGL. What it shows is one of the pictures FOLDER/0.png, 1.png, ...; when it is closed, the
+program ends with exit code 0 and a summary."""
 import ctypes
 import os
 import pathlib
@@ -70,6 +70,8 @@ def main():
         root = X.XDefaultRootWindow(P(display))
         window = wait(lambda: find(display, root, b"tutorial_7"))
         wait(lambda: rows_of(display, window) in known[1:])
+        loaded = pathlib.Path(f"/proc/{shown.pid}/maps").read_text()
+        assert "libSDL2" in loaded and "_dri.so" not in loaded and "libGL" not in loaded, "OpenGL's drivers are loaded"
         atom = lambda name: X.XInternAtom(P(display), name, 0)
         message = Message(type=33, window=window, message_type=atom(b"WM_PROTOCOLS"), format=32)
         message.data[0] = atom(b"WM_DELETE_WINDOW")

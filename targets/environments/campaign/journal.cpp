@@ -78,10 +78,13 @@ Journal::Found Journal::resume(const Plan& plan, Results& results) {
   Found found;
   found.done.resize(plan.chunks());
   std::string good = header_;
+  constexpr std::size_t kTimes = 4;
+  std::size_t work = kTimes * bytes.size();  // after damage by accident, a few records
   for (std::size_t at = header_.size(); at < bytes.size();) {
     std::string_view left = std::string_view(bytes).substr(at);
     const auto record = take_record(left, plan);
-    const std::size_t next = record ? bytes.size() - left.size() : find_record(bytes, at + 1, plan);
+    const std::size_t next =
+        record ? bytes.size() - left.size() : find_record(bytes, at + 1, plan, work);
     const std::size_t end = std::min(next, bytes.size());
     if (record && !found.done[record->chunk]) {
       put(plan, record->chunk, record->results, results);

@@ -72,10 +72,9 @@ std::string record_of(std::uint32_t chunk, const Results& results) {
   return record + body;
 }
 
-std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan) {
+std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan,
+                        std::size_t& work) {
   constexpr std::size_t kHead = sizeof(std::uint32_t) + sizeof(std::uint64_t);
-  // Of bytes that were made to look like many records each check sum would cost its length.
-  int close_looks = 4096;
   for (std::size_t at = from; at + kHead + sizeof(std::uint32_t) <= bytes.size(); ++at) {
     Reader reader(bytes.substr(at));
     const auto size = reader.take<std::uint32_t>();
@@ -85,8 +84,9 @@ std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& pl
     std::uint32_t chunk = 0;
     std::memcpy(&chunk, body.data(), sizeof chunk);
     if (chunk >= plan.chunks() || !body.ends_with('}')) continue;
+    if (size > work) break;
+    work -= size;
     if (check_sum(body) == sum) return at;
-    if (--close_looks == 0) break;
   }
   return std::string_view::npos;
 }
@@ -99,7 +99,8 @@ std::optional<Record> take_record(std::string_view& bytes, const Plan& plan) {
   if (!reader.is_complete() || check_sum(body) != sum) return std::nullopt;
   Reader in(body);
   const auto chunk = in.take<std::uint32_t>();
-  if (chunk >= plan.chunks()) return std::nullopt;
+  // A JSON reader would take a zero for the end of the text.
+  if (chunk >= plan.chunks() || !body.ends_with('}')) return std::nullopt;
   Record record{chunk, Results(plan.size_of(chunk), plan.width())};
   Results& part = record.results;
   in.take(part.returns.data(), part.size());

@@ -26,7 +26,10 @@ std::string record_of(std::uint32_t chunk, const Results& results);
 std::optional<Record> take_record(std::string_view& bytes, const Plan& plan);
 
 /// Where the next whole record of `bytes` begins, behind `from`: what follows a damaged one is
-/// good. npos: there is none. Looks closely at no more than some thousand places.
-std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan);
+/// good. npos: there is none, or `work` is used up.
+/// `work`: so many bytes may be summed up, of which each call takes what it does. Bytes that were
+/// made to look like many records would cost their square.
+std::size_t find_record(std::string_view bytes, std::size_t from, const Plan& plan,
+                        std::size_t& work);
 
 }  // namespace eagerx::campaign

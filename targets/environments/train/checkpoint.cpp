@@ -55,11 +55,17 @@ class Reader {
     std::memcpy(&value, bytes_.data(), sizeof value);
     bytes_.remove_prefix(sizeof value);
   }
+  void operator()(bool& value) {
+    std::uint8_t byte = 0;
+    (*this)(byte);
+    complete = complete && byte <= 1;
+    value = byte == 1;
+  }
   template <class T>
   void operator()(std::vector<T>& values) {
     std::uint64_t count = 0;
     (*this)(count);
-    complete = complete && count <= bytes_.size();
+    complete = complete && count <= bytes_.size() / sizeof(T);
     if (!complete) return;
     values.resize(count);
     for (T& value : values) (*this)(value);
@@ -144,8 +150,11 @@ void read_values(std::string_view values, const std::string& name, Model& model,
   const auto expected = sizes_of(model);
   Reader reader(values);
   visit(reader, model, progressed);
-  if (!reader.complete || sizes_of(model) != expected ||
-      progressed.curve.size() != progressed.iteration)
+  const std::size_t best = progressed.best.parameters.size();
+  const bool fits = sizes_of(model) == expected && progressed.recent.size() <= kRecent &&
+                    progressed.curve.size() == progressed.iteration &&
+                    (best == 0 || best == model.actor_parameters.size());
+  if (!reader.complete || !fits)
     throw Problem(kInputOutput, "`" + name + "` is not complete", kOwnFile);
 }
 

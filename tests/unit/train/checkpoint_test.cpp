@@ -1,0 +1,79 @@
+// Checkpoints whose check sum is right and whose contents are wrong: somebody has made them so.
+#include "targets/environments/train/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <string>
+
+#include "targets/environments/train/client.hpp"
+
+namespace eagerx::train {
+namespace {
+
+class TrainCheckpoint : public testing::Test {
+ protected:
+  static Model model() {
+    Description description;
+    description.actions.push_back(
+        {.name = "voltage", .dtype = "float32", .low = {-1.0}, .high = {1.0}});
+    Settings settings;
+    settings.hidden = {3};
+    return {settings, 2, Head(description)};
+  }
+
+  std::string bytes() const { return checkpoint_of("graph 0", "interface", learnt_, progressed_); }
+
+  static std::string said(const std::string& bytes) {
+    Model model = TrainCheckpoint::model();
+    Progressed progressed;
+    try {
+      restore(bytes, "it", "graph 0", model, progressed);
+    } catch (const Problem& problem) {
+      return problem.what();
+    }
+    return "nothing";
+  }
+
+  Model learnt_ = model();
+  Progressed progressed_;
+};
+
+/// With the value at `offset` behind the lines, and the check sum of that.
+std::string changed(std::string bytes, std::size_t offset, char value) {
+  std::size_t begin = 0;
+  for (int line = 0; line < 4; ++line) begin = bytes.find('\n', begin) + 1;
+  bytes[begin + offset] = value;
+  std::uint64_t hash = 0xCBF29CE484222325U;
+  for (const char c : bytes.substr(begin))
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+  constexpr std::size_t kHashLine = 17;
+  return bytes.replace(begin - kHashLine, kHashLine - 1, fmt::format("{:016x}", hash));
+}
+
+TEST_F(TrainCheckpoint, IsReadAgain) {
+  progressed_.recent.resize(kRecent);
+  progressed_.best.parameters = learnt_.actor_parameters;
+  progressed_.succeeded = true;
+  EXPECT_EQ(said(bytes()), "nothing");
+}
+
+TEST_F(TrainCheckpoint, ABestPolicyOfAnotherSizeIsRefused) {
+  progressed_.best.parameters.resize(learnt_.actor_parameters.size() - 1);
+  EXPECT_EQ(said(bytes()), "`it` is not complete");
+}
+
+TEST_F(TrainCheckpoint, MoreEpisodesThanAreKeptAreRefused) {
+  progressed_.recent.resize(kRecent + 1);
+  EXPECT_EQ(said(bytes()), "`it` is not complete");
+}
+
+TEST_F(TrainCheckpoint, ATruthValueThatIsNoneIsRefused) {
+  constexpr std::size_t kSucceeded = sizeof(std::uint32_t);
+  EXPECT_EQ(said(changed(bytes(), kSucceeded, 1)), "nothing");
+  EXPECT_EQ(said(changed(bytes(), kSucceeded, 2)), "`it` is not complete");
+}
+
+}  // namespace
+}  // namespace eagerx::train
