@@ -5,7 +5,8 @@
 # <name> is a static library of the sources. Where EAGERX_LIBRARY_CACHE names a folder, or EAGERX_LIBRARIES one that came
 # with the package, and one of them has the library already, it is taken from there; otherwise it is compiled, and the
 # cache then has it. What is kept has a folder of its own for each compiler, set of flags, and text of the sources and of
-# all headers in FOLDERS, so it is never too old. Nothing is kept without either variable.
+# all headers in FOLDERS, so it is never too old. It is compiled with -O2 for every build type but Debug, so that one serves
+# all of them. Nothing is kept without either variable.
 include_guard(GLOBAL)
 
 function(eagerx_compiled_library name)
@@ -24,7 +25,7 @@ function(eagerx_compiled_library name)
   endif()
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_LINK})
-  target_compile_options(${name} PRIVATE ${arg_OPTIONS})
+  target_compile_options(${name} PRIVATE ${arg_OPTIONS} $<$<NOT:$<CONFIG:Debug>>:-O2>)
   if(arg_UNITY)
     # The headers of the standard library take most of the time: once for all files. tests/lint compiles each by itself.
     set(unity ON)
@@ -45,10 +46,13 @@ endfunction()
 
 # What must be equal for a library to be the same. A change of a file configures anew.
 function(_eagerx_library_key variable name sources folders options)
-  string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
+  set(type)
+  if(CMAKE_BUILD_TYPE STREQUAL Debug)
+    set(type "Debug ${CMAKE_CXX_FLAGS_DEBUG}")
+  endif()
   set(text "${name} ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_CXX_COMPILER_ARCHITECTURE_ID} \
-${CMAKE_LIBRARY_ARCHITECTURE} ${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} \
-${CMAKE_BUILD_TYPE} ${CMAKE_POSITION_INDEPENDENT_CODE} ${CMAKE_INTERPROCEDURAL_OPTIMIZATION} ${options}")
+${CMAKE_LIBRARY_ARCHITECTURE} ${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_CXX_FLAGS} ${type} \
+${CMAKE_POSITION_INDEPENDENT_CODE} ${CMAKE_INTERPROCEDURAL_OPTIMIZATION} ${options}")
   get_target_property(flags eagerx::runtime INTERFACE_COMPILE_OPTIONS)
   string(APPEND text " ${flags}")
   set(files ${sources})

@@ -4,9 +4,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/compiled_library.cmake)
 if(TARGET eagerx_trace)
   return()
 endif()
-# GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329). Without a build type CMake would not optimise at
-# all.
-set(eagerx_host_options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
+# GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
+set(eagerx_host_options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 set(eagerx_host_folder ${CMAKE_CURRENT_LIST_DIR})
 eagerx_compiled_library(
   eagerx_trace UNITY

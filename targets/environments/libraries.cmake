@@ -15,5 +15,5 @@ function(eagerx_environments_library)
     SOURCES ${here}/json.cpp ${here}/team.cpp ${sim}/text_file.cpp ${sim}/files.cpp ${sim}/interrupt.cpp
     FOLDERS ${here} ${sim} ${here}/../common ${here}/../../runtime
     LINK eagerx::runtime Threads::Threads
-    OPTIONS -fPIC -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
+    OPTIONS -fPIC -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 endfunction()

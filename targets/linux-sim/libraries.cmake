@@ -5,7 +5,7 @@ function(eagerx_linux_sim_libraries)
   include(${here}/../../runtime/host/host.cmake)
   set(folders ${here} ${here}/../common ${here}/../../runtime)
   # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
-  set(options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CONFIG:>:-O2>)
+  set(options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
   if(NOT TARGET eagerx_linux_sim)
     set(names
         action_file app describe expression faults files float_environment identify interrupt link_port measures nearest
