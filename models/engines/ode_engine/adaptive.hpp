@@ -21,6 +21,10 @@ struct AdaptiveSettings {
   std::uint32_t max_tries;  // accepted and refused steps of one call
 };
 
+/// Numbers and packs have the same settings.
+template <class Real>
+using SettingsFor = AdaptiveSettings<LaneOf<Real>>;
+
 enum class AdaptiveOutcome : std::uint8_t {
   done,
   too_many_steps,  // max_tries
@@ -33,11 +37,13 @@ template <class Real, std::size_t N>
 [[gnu::always_inline]] inline constexpr Real error_squared(const Array<Real, N>& error,
                                                            const Array<Real, N>& begin,
                                                            const Array<Real, N>& end,
-                                                           const AdaptiveSettings<Real>& settings) {
-  Real sum{0};
+                                                           const SettingsFor<Real>& settings) {
+  const Real atol(settings.atol);
+  const Real rtol(settings.rtol);
+  Real sum(LaneOf<Real>(0));
   for (std::size_t i = 0; i < N; ++i) {
     const Real size = eagerx::max(eagerx::abs(begin[i]), eagerx::abs(end[i]));
-    const Real ratio = error[i] / (settings.atol + settings.rtol * size);
+    const Real ratio = error[i] / (atol + rtol * size);
     sum += ratio * ratio;
   }
   return sum;
@@ -47,16 +53,21 @@ template <class Real, std::size_t N>
 /// that of the error of a step. 1/5 for NaN and infinity.
 template <class Real>
 constexpr Real step_factor(Real error_squared, int order) {
-  constexpr auto kSafety = Real(0.9);
-  constexpr auto kLeast = Real(0.2);
-  constexpr auto kMost = Real(5);
-  constexpr auto kTinyErrorSquared = Real(1e-8);  // any smaller one gives kMost as well
-  constexpr auto kHugeErrorSquared = Real(1e10);  // any larger one gives kLeast as well
-  if (!(error_squared < kHugeErrorSquared)) return kLeast;
-  const Real bounded = eagerx::max(error_squared, kTinyErrorSquared);
-  const Real exponent = order == 5 ? Real(-0.1) : Real(-0.125);
-  const Real factor = kSafety * eagerx::exp(exponent * eagerx::log(bounded));
-  return eagerx::max(kLeast, eagerx::min(factor, kMost));
+  using Lane = LaneOf<Real>;
+  constexpr auto kSafety = Lane(0.9);
+  constexpr auto kLeast = Lane(0.2);
+  constexpr auto kMost = Lane(5);
+  constexpr auto kTinyErrorSquared = Lane(1e-8);  // any smaller one gives kMost as well
+  constexpr auto kHugeErrorSquared = Lane(1e10);  // any larger one gives kLeast as well
+  const auto is_bounded = error_squared < Real(kHugeErrorSquared);
+  if constexpr (lanes<Real> == 1) {
+    if (!is_bounded) return kLeast;
+  }
+  const Real bounded = eagerx::max(error_squared, Real(kTinyErrorSquared));
+  const Real exponent(order == 5 ? Lane(-0.1) : Lane(-0.125));
+  const Real factor = Real(kSafety) * eagerx::exp(exponent * eagerx::log(bounded));
+  return select(is_bounded, eagerx::max(Real(kLeast), eagerx::min(factor, Real(kMost))),
+                Real(kLeast));
 }
 
 /// Integrates `x` [N] over `span_s` seconds with steps of `method` that are chosen by the error.
@@ -110,6 +121,55 @@ constexpr AdaptiveOutcome integrate(Method& method, Array<Real, N>& x, Real span
   }
   next_step_s = step_s;
   return AdaptiveOutcome::too_many_steps;
+}
+
+/// The same for packs: every lane has steps of its own, as if it were integrated alone, and waits
+/// when it is done. Gives the lanes whose outcome is not `done`. A method has besides
+///   void go_on(step, x, taken);         // the step was taken in these lanes: now they are at x
+template <class Method, class Real, std::size_t N>
+[[gnu::always_inline]] inline TruthOf<Real> integrate_lanes(Method& method, Array<Real, N>& x,
+                                                            LaneOf<Real> span_s, Real& next_step_s,
+                                                            const SettingsFor<Real>& settings) {
+  using Lane = LaneOf<Real>;
+  constexpr auto kStretch = Lane(1.01);
+  constexpr auto kAnyGrowth = std::numeric_limits<Lane>::max();
+  const Real shortest_s(
+      eagerx::max(settings.shortest_s, span_s * std::numeric_limits<Lane>::epsilon()));
+  const Real longest_s(settings.longest_s);
+  const auto limited = [&](const Real& step_s) {
+    return eagerx::min(eagerx::max(step_s, shortest_s), longest_s);
+  };
+  Real step_s =
+      limited(select(next_step_s > Real(Lane(0)), next_step_s, Real(span_s * Lane(0.01))));
+  Real remaining_s(span_s);
+  Real most_growth(kAnyGrowth);
+  TruthOf<Real> goes_on = true;
+  TruthOf<Real> failed = false;
+  method.begin(x);
+  for (std::uint32_t tries = 0; tries < settings.max_tries; ++tries) {
+    const auto last = remaining_s <= eagerx::min(step_s * Real(kStretch), longest_s);
+    const Real tried_s = select(last, remaining_s, step_s);
+    const auto step = method.step(x, tried_s);
+    const Real error = error_squared(step.error, x, step.end, settings);
+    const Real factor = step_factor(error, Method::kErrorOrder);
+    const Real proposed_s = tried_s * eagerx::min(factor, most_growth);
+    const auto good = error <= Real(Lane(1));
+    const auto taken = goes_on && good;
+    for (std::size_t i = 0; i < N; ++i) x[i] = select(taken, step.end[i], x[i]);
+    remaining_s = select(taken, remaining_s - tried_s, remaining_s);
+    most_growth = select(good, Real(kAnyGrowth), Real(Lane(1)));
+    const auto arrived = taken && last;
+    const auto stuck = goes_on && !good && tried_s <= shortest_s;
+    next_step_s = select(arrived, limited(eagerx::max(step_s, proposed_s)), next_step_s);
+    next_step_s = select(stuck, Real(Lane(0)), next_step_s);
+    failed = failed || stuck;
+    goes_on = goes_on && !arrived && !stuck;
+    if (!any(goes_on)) return failed;
+    method.go_on(step, x, taken);
+    step_s = limited(proposed_s);
+  }
+  next_step_s = select(goes_on, step_s, next_step_s);
+  return failed || goes_on;
 }
 
 }  // namespace eagerx::models

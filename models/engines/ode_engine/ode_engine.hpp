@@ -75,10 +75,16 @@ class OdeEngine {
   template <class Method, class Simulator>
   static void advance_adaptively(Method& method, Simulator& simulator) {
     using Real = typename Simulator::Real;
-    constexpr Real kPeriod = static_cast<Real>(Io::Rate::period_s);
-    constexpr auto kSettings = adaptive_settings<Real>();
-    const auto outcome = integrate(method, simulator.state, kPeriod, simulator.step_s, kSettings);
-    simulator.add_fault_if(outcome != AdaptiveOutcome::done);
+    using Lane = LaneOf<Real>;
+    constexpr Lane kPeriod = static_cast<Lane>(Io::Rate::period_s);
+    constexpr auto kSettings = adaptive_settings<Lane>();
+    if constexpr (lanes<Real> == 1) {
+      const auto outcome = integrate(method, simulator.state, kPeriod, simulator.step_s, kSettings);
+      simulator.add_fault_if(outcome != AdaptiveOutcome::done);
+    } else {
+      simulator.add_fault_if(
+          integrate_lanes(method, simulator.state, kPeriod, simulator.step_s, kSettings));
+    }
   }
 
   /// The configuration with odeint's meaning of 0, and tolerances that Real can resolve.

@@ -115,7 +115,7 @@ class DifferenceJacobian {
     constexpr std::size_t kStates = Model::kStates;
     std::array<Real, kStates * kStates> result{};
     for (std::size_t j = 0; j < kStates; ++j) {
-      const Real step = kStep * eagerx::max(Real(1), eagerx::abs(x[j]));
+      const Real step = Real(kStep) * eagerx::max(Real(1), eagerx::abs(x[j]));
       OdeState<Model> above = x;
       OdeState<Model> below = x;
       above[j] += step;
@@ -131,7 +131,8 @@ class DifferenceJacobian {
 
  private:
   /// The cube root of the resolution: there the errors of rounding and of the method are alike.
-  static constexpr auto kStep = std::is_same_v<Real, double> ? Real(6e-6) : Real(5e-3);
+  static constexpr auto kStep =
+      std::is_same_v<LaneOf<Real>, double> ? LaneOf<Real>(6e-6) : LaneOf<Real>(5e-3);
 
   OdeDerivative<Model> derivative_;
 };
