@@ -51,9 +51,8 @@ class BlockView {
   }
 
  private:
-  /// Lanes have different ticks: what runs in packs does not look at it.
   std::string tick() const {
-    return names_.has_packs() ? "eagerx::Tick{n.shared}" : "eagerx::Tick{n}";
+    return names_.has_packs() ? "eagerx::LaneTick<kLanes>(n)" : "eagerx::Tick{n}";
   }
   std::string channel(std::size_t output) const {
     const std::string& name = names_.channel[n_][output];

@@ -209,6 +209,8 @@ class ProgramView {
         add(drawn_members, type, without_owner(names_.node_member[n]));
         continue;
       }
+      // Resets are of the environment's own program.
+      if (names_.has_packs() && !graph_.nodes[n].reset_targets.empty()) continue;
       if (const std::string member = names_.declared(names_.node_member[n]); !member.empty())
         add(members, type, member);
       if (entity.counts.empty()) continue;

@@ -13,7 +13,8 @@ constexpr std::size_t kMostNodes = 100;                       // one function ho
 constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
 
 std::string why_not(const GraphNode& node) {
-  if (node.entity != nullptr && !runs_in_packs(node))
+  const bool only_resets = !node.reset_targets.empty();  // packs pass its feedthroughs on
+  if (node.entity != nullptr && !only_resets && !runs_in_packs(node))
     return fmt::format(
         "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold", node.name,
         node.entity->id.value);
@@ -63,7 +64,7 @@ std::string why_not_in_time(const Plan& plan) {
   return {};
 }
 
-/// Messages are numbers of 32 bits, truth values or the engine's tick.
+/// Messages are float32, whole numbers or truth values, and found by counts modulo 2^32.
 std::string why_not_in_memory(const Plan& plan) {
   for (const auto& ring : plan.rings) {
     const GraphNode& node = plan.graph->nodes[ring.node];
@@ -72,9 +73,8 @@ std::string why_not_in_memory(const Plan& plan) {
     if (node.drawn || (reader != nullptr && reader->drawn)) continue;
     const std::string name = node.name + "." + node.outputs[ring.output].name;
     const Dtype raw = node.outputs[ring.output].raw.dtype;
-    const bool tick = node.role == NodeRole::engine && ring.capacity == 1;
     for (const Dtype dtype : {ring.space.dtype, raw}) {
-      if (dtype != Dtype::float32 && dtype != Dtype::boolean && !tick)
+      if (dtype == Dtype::float64)
         return fmt::format("`{}` is {}", name, to_string(dtype));
     }
     if ((ring.capacity & (ring.capacity - 1)) != 0)
@@ -122,7 +122,6 @@ std::string why_no_packs(const Plan& plan) {
   if (graph.asynchronous) return "`sync: false` reads inputs by the clock";
   if (graph.placement) return "the graph is split";
   if (graph.double_precision) return "`real: double`";
-  if (graph.has_reset_nodes()) return "the graph has reset nodes";
   if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
   for (const auto& node : graph.nodes) {
     if (node.drawn) continue;  // packs show no pictures

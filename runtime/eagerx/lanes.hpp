@@ -81,6 +81,16 @@ Pack<std::int64_t, N> lane_ticks(const LaneClock<N>& clock) {
   return Pack<std::int64_t, N>(clock.counts());
 }
 
+/// A tick of a pack. `n` is that of the pack, which means nothing to an environment.
+template <std::size_t N>
+struct LaneTick : Tick {
+  LaneCounts<N> counts;
+
+  explicit LaneTick(const LaneClock<N>& clock) : Tick{clock.shared}, counts(clock.counts()) {}
+  auto is_first() const { return counts == LaneCounts<N>(0U); }
+  Seq in_lane(int lane) const { return eagerx::lane(counts, lane); }
+};
+
 /// The last messages of a connection whose lanes have sent at the same ticks: as Window, but lanes
 /// may hold fewer of them.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,

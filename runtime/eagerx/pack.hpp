@@ -85,6 +85,15 @@ struct Mask {
   [[gnu::always_inline]] Mask(bool all) {  // NOLINT(google-explicit-constructor): as bool is
     detail::unrolled<kCount>([&](auto i) { v[i] = Vector{} - static_cast<Lane>(all); });
   }
+  /// The truth values beside packs of numbers of another width.
+  template <std::size_t Other>
+  requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
+    typename Mask<Other, N>::Lane from[N];
+    Lane to[N];
+    std::memcpy(from, &other, sizeof from);
+    for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<Lane>(from[i]);
+    std::memcpy(v, to, sizeof to);
+  }
   /// Register i is f(i).
   template <class F>
   [[gnu::always_inline]] static Mask of(F&& f) {
