@@ -95,7 +95,9 @@ std::vector<bool> rates_of_packs(const Plan& plan) {
 
 Schedule schedule_of_packs(const Plan& plan) {
   const std::vector<bool> needed = rates_of_packs(plan);
-  if (std::ranges::find(needed, false) == needed.end()) return plan.schedule;
+  if (plan.schedule.form == ScheduleForm::constants &&
+      std::ranges::find(needed, false) == needed.end())
+    return plan.schedule;
   std::vector<RateClass> rates;
   std::vector<std::size_t> bit;  // in masks of the plan
   std::size_t environment = 0;

@@ -242,6 +242,13 @@ template <class T, std::size_t N>
     const std::type_identity_t<Pack<T, N>>& when_false) {
   return Pack<T, N>::of([&](auto i) { return mask.v[i] ? when_true.v[i] : when_false.v[i]; });
 }
+/// With the truth values of numbers of another width.
+template <std::size_t Bytes, class T, std::size_t N>
+requires(Bytes != sizeof(T)) [[gnu::always_inline]] inline Pack<T, N> select(
+    const Mask<Bytes, N>& mask, const Pack<T, N>& when_true,
+    const std::type_identity_t<Pack<T, N>>& when_false) {
+  return select(Mask<sizeof(T), N>(mask), when_true, when_false);
+}
 /// Of two masks.
 template <std::size_t Bytes, std::size_t N>
 [[gnu::always_inline]] inline Mask<Bytes, N> select(

@@ -18,8 +18,8 @@ struct ChooseValue {
     typename Io::Output out{};
     element(out, 0) = static_cast<Value>(Io::Config::values[0]);
     for (std::size_t k = 1; k < kCount; ++k) {
-      const TruthOf<Value> reached(number >= static_cast<Number>(k));
-      element(out, 0) = select(reached, static_cast<Value>(Io::Config::values[k]), element(out, 0));
+      element(out, 0) = select(number >= static_cast<Number>(k),
+                               static_cast<Value>(Io::Config::values[k]), element(out, 0));
     }
     return out;
   }
