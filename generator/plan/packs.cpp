@@ -12,14 +12,15 @@ namespace {
 constexpr std::size_t kMostNodes = 100;                       // one function holds all of them
 constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
 
-std::string why_not(const GraphNode& node) {
+std::string why_not(const GraphNode& node, bool by_lane_too) {
   const bool only_resets = !node.reset_targets.empty();  // packs pass its feedthroughs on
-  if (node.entity != nullptr && !only_resets && !runs_in_packs(node))
+  const bool by_lane = by_lane_too && runs_lane_by_lane(node);
+  if (node.entity != nullptr && !only_resets && !by_lane && !runs_in_packs(node))
     return fmt::format(
         "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold", node.name,
         node.entity->id.value);
-  const auto converts = [](const std::optional<Processor>& processor) {
-    return !processor || runs_in_packs(*processor);
+  const auto converts = [&](const std::optional<Processor>& processor) {
+    return !processor || by_lane_too || runs_in_packs(*processor);
   };
   const auto of = [](const std::optional<Processor>& processor, const std::string& where) {
     return fmt::format(
@@ -85,6 +86,11 @@ std::string why_not_in_memory(const Plan& plan) {
 
 }  // namespace
 
+bool runs_lane_by_lane(const GraphNode& node) {
+  return node.role == NodeRole::node && node.entity != nullptr && node.reset_targets.empty() &&
+         !runs_in_packs(node);
+}
+
 std::vector<bool> rates_of_packs(const Plan& plan) {
   std::vector<bool> needed(plan.rates.size());
   for (std::size_t n = 0; n < plan.nodes.size(); ++n) {
@@ -127,7 +133,7 @@ std::string why_no_packs(const Plan& plan) {
   if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
   for (const auto& node : graph.nodes) {
     if (node.drawn) continue;  // packs show no pictures
-    if (std::string reason = why_not(node); !reason.empty()) return reason;
+    if (std::string reason = why_not(node, graph.has_engine()); !reason.empty()) return reason;
   }
   for (const auto& item : graph.objects) {
     if (!item.implementation->packs)

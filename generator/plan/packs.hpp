@@ -13,6 +13,10 @@ namespace eagerx::gen {
 /// do the same at the same time: every rate is due whenever an episode may begin.
 std::string why_no_packs(const Plan& plan);
 
+/// Whether packs run a node one lane after the other, as it is written for plain numbers. Engines,
+/// objects and engine nodes cannot: what they simulate is in lanes.
+bool runs_lane_by_lane(const GraphNode& node);
+
 /// By rate of the plan, whether packs have it: not that of pictures alone, which they never show.
 std::vector<bool> rates_of_packs(const Plan& plan);
 /// The slots of packs, with the masks of the plan: without those in which only pictures are due, and
