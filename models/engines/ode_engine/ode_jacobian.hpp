@@ -50,21 +50,10 @@ class OwnJacobian<Model> {
   typename Model::Coefficients coefficients_;
 };
 
-/// The model over dual numbers with a derivative for each state: Model<Io> with another Io::Real.
+/// The model over dual numbers with a derivative for each state.
 template <class Model>
-struct ModelOverDuals {};
-template <template <class> class Model, class Io>
-requires requires {
-  typename Io::Real;
-}
-struct ModelOverDuals<Model<Io>> {
-  struct DualIo : Io {
-    using Real = Dual<typename Io::Real, Model<Io>::kStates>;
-  };
-  using type = Model<DualIo>;
-};
-template <class Model>
-using DualModelOf = typename ModelOverDuals<Model>::type;
+using DualModelOf =
+    typename ModelOver<Model, Dual<typename Model::Real, Model::kStates>>::type;
 
 template <class Model>
 concept TakesDualNumbers = requires {
