@@ -75,8 +75,7 @@ std::string why_not_in_memory(const Plan& plan) {
     const std::string name = node.name + "." + node.outputs[ring.output].name;
     const Dtype raw = node.outputs[ring.output].raw.dtype;
     for (const Dtype dtype : {ring.space.dtype, raw}) {
-      if (dtype == Dtype::float64)
-        return fmt::format("`{}` is {}", name, to_string(dtype));
+      if (dtype == Dtype::float64) return fmt::format("`{}` is {}", name, to_string(dtype));
     }
     if ((ring.capacity & (ring.capacity - 1)) != 0)
       return fmt::format("the messages of `{}` are too long", name);

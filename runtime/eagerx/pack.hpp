@@ -254,7 +254,7 @@ template <std::size_t Bytes, std::size_t N>
 [[gnu::always_inline]] inline Mask<Bytes, N> select(
     const Mask<Bytes, N>& mask, const std::type_identity_t<Mask<Bytes, N>>& when_true,
     const std::type_identity_t<Mask<Bytes, N>>& when_false) {
-  return (mask & when_true) | (!mask & when_false);
+  return (mask & when_true) | ((!mask) & when_false);
 }
 
 /// True if the mask holds in any lane.

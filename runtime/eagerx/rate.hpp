@@ -27,7 +27,7 @@ struct Rate {
 };
 
 /// The tick a callback runs at: `n` = 0, 1, 2, … since the last reset. Over packs it is a LaneTick,
-/// whose lanes have ticks of their own: what runs there asks the functions, with `const auto& tick`.
+/// whose lanes have ticks of their own: what looks at it there takes any kind (`AnyTick = Tick`).
 struct Tick {
   Seq n;
 

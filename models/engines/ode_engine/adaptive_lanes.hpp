@@ -76,8 +76,7 @@ template <class Method, class Real, std::size_t N>
   const Real shortest_s = Steps::shortest(span_s, settings);
   method.begin(at.x);
   while (progress.tries < settings.max_tries) {
-    const auto last =
-        at.remaining_s <= eagerx::min(at.step_s * stretch, Real(settings.longest_s));
+    const auto last = at.remaining_s <= eagerx::min(at.step_s * stretch, Real(settings.longest_s));
     const Real tried_s = select(last, at.remaining_s, at.step_s);
     const auto step = method.step(at.x, tried_s);
     const Real error = error_squared(step.error, at.x, step.end, settings);

@@ -52,8 +52,7 @@ class OwnJacobian<Model> {
 
 /// The model over dual numbers with a derivative for each state.
 template <class Model>
-using DualModelOf =
-    typename ModelOver<Model, Dual<typename Model::Real, Model::kStates>>::type;
+using DualModelOf = typename ModelOver<Model, Dual<typename Model::Real, Model::kStates>>::type;
 
 template <class Model>
 concept TakesDualNumbers = requires {

@@ -26,7 +26,8 @@ class ExtendedKalmanFilter {
     }
   }
 
-  void callback(const auto& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
     change_where<Real>(!tick.is_first(), estimate_, [&] { predict(in); });
     for (std::size_t i = 0; i < kMeasured; ++i) correct(in, i);
     const TruthOf<Real> lost = !is_finite();
@@ -37,7 +38,7 @@ class ExtendedKalmanFilter {
 
   template <class F>
   void for_each_count(F&& f) const {
-    f("restarts", std::uint64_t{restarts_});
+    f("restarts", static_cast<std::uint32_t>(restarts_));
   }
 
  private:
@@ -100,8 +101,7 @@ class ExtendedKalmanFilter {
   }
 
   void correct(const Inputs& in, std::size_t i) {
-    const Real measured =
-        newest<Real>(in.measured, i, Real(FloatFormat<LaneOf<Real>>::nan));
+    const Real measured = newest<Real>(in.measured, i, Real(FloatFormat<LaneOf<Real>>::nan));
     change_where<Real>(eagerx::isfinite(measured), estimate_, [&] {
       std::array<Real, kOrder> c;
       for (std::size_t k = 0; k < kOrder; ++k) c[k] = Real(kC[i * kOrder + k]);

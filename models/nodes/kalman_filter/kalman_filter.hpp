@@ -20,7 +20,8 @@ class KalmanFilter {
     p_.reset(kP);
   }
 
-  void callback(const auto& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
     static_assert(kR.size() == 1 || kR.size() == Model::kMeasured,
                   "KalmanFilter: `r` has one value, or one for each element of `measured`");
     change_where<Real>(!tick.is_first(), model_, [&] { model_.predict(in); });

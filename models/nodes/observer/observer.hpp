@@ -15,7 +15,8 @@ class Observer {
  public:
   void reset(const typename Io::States& states) { model_.reset(states); }
 
-  void callback(const auto& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
     static_assert(kGain.size() == Model::kOrder * Model::kMeasured,
                   "Observer: `gain` has `order` times as many values as `measured` has elements");
     change_where<Real>(!tick.is_first(), model_, [&] { model_.predict(in); });

@@ -25,7 +25,8 @@ class Reference {
  public:
   void reset(const typename Io::States& /*states*/) {}
 
-  void callback(const auto& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
     const auto now = seconds_at<typename Io::Rate, Real>(tick);
     const Real offset(kOffset);
     const Real shaped = offset + Real(kAmplitude) * shape(now - Real(kStart));
@@ -62,7 +63,8 @@ class Reference {
       return y;
     } else {
       const Real sweep = eagerx::min(t, Real(kDuration));
-      const Real rise = Real(kEndFrequency - kFrequency) * (sweep / Real(Lane(2) * kDuration)) * sweep;
+      const Real rise =
+          Real(kEndFrequency - kFrequency) * (sweep / Real(Lane(2) * kDuration)) * sweep;
       return wave(Real(kFrequency) * sweep + rise + Real(kEndFrequency) * (t - sweep));
     }
   }

@@ -37,7 +37,8 @@ class SensorModel {
     }
   }
 
-  void callback(const auto& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
     const TruthOf<Real> missing = in.signal.empty();
     change_where<Real>(!missing, last_, [&] { measure(tick, in); });
     for (std::size_t i = 0; i < kSize; ++i) put(out.y, i, last_[i]);

@@ -35,7 +35,8 @@ class WindowedButterworth {
       constexpr std::uint32_t kMost = decltype(Io::Inputs::signal)::kMaxSize;
       const CountOf<Real> there(size);
       filtered = select(there > CountOf<Real>(0U), sample(in.signal, kMost - 1), Real(0));
-      filtered = select(there >= CountOf<Real>(kOrder), filter(in.signal, kMost - kOrder), filtered);
+      filtered =
+          select(there >= CountOf<Real>(kOrder), filter(in.signal, kMost - kOrder), filtered);
     }
     put(out.filtered, 0, filtered);
   }

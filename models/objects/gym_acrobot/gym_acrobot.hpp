@@ -74,7 +74,8 @@ struct GymAcrobot {
     state = {{normalized_angle(state[0]), normalized_angle(state[1]),
               eagerx::clamp(state[2], -a[kMaxSpeed1], a[kMaxSpeed1]),
               eagerx::clamp(state[3], -a[kMaxSpeed2], a[kMaxSpeed2])}};
-    const TruthOf<Real> arrived = -eagerx::cos(state[0]) - eagerx::cos(state[1] + state[0]) > Real(1);
+    const TruthOf<Real> arrived =
+        -eagerx::cos(state[0]) - eagerx::cos(state[1] + state[0]) > Real(1);
     return {.reward = select(arrived, Real(0), Real(-1)), .terminated = arrived};
   }
 
