@@ -51,9 +51,8 @@ class BlockView {
   }
 
  private:
-  /// Lanes have different ticks: what runs in packs does not look at it.
   std::string tick() const {
-    return names_.has_packs() ? "eagerx::Tick{n.shared}" : "eagerx::Tick{n}";
+    return names_.has_packs() ? "eagerx::LaneTick<kLanes>(n)" : "eagerx::Tick{n}";
   }
   std::string channel(std::size_t output) const {
     const std::string& name = names_.channel[n_][output];
@@ -150,6 +149,33 @@ class BlockView {
     view_.set("lacks", text_or_false(graph_.asynchronous ? lacks_messages(plan_, names_, n_) : ""));
     view_.set("simulator_argument", simulator_argument(plan_, names_, n_));
     add_inputs();
+    view_.set("by_lane", names_.by_lane(n_));
+    if (names_.by_lane(n_)) add_lanes();
+  }
+
+  /// What a node for plain numbers sees and gives in one lane.
+  void add_lanes() {
+    View reads = list(), writes = list();
+    std::vector<FieldValue> read, written;
+    for (const auto& input : node_.inputs) {
+      View item = object();
+      item.set("field", input.name);
+      reads.push_back(item);
+      read.push_back({input.name, "in_" + input.name});
+    }
+    for (const auto& output : node_.outputs) {
+      View item = object();
+      item.set("field", output.name);
+      item.set("type", message_type(output.raw, Numbers::plain));
+      item.set("lanes_type", names_.message(output.raw));
+      writes.push_back(item);
+      written.push_back({output.name, fmt::format("out_{}.one", output.name)});
+    }
+    view_.set("one", names_.one(n_));
+    view_["reads"] = std::move(reads);
+    view_["writes"] = std::move(writes);
+    view_.set("read", designated(read));
+    view_.set("written", designated(written));
   }
 
   /// What its callback sees, and what a reset node passes on while there is no reset.

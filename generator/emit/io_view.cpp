@@ -159,6 +159,8 @@ View processor_view(const Processor& processor, const std::string& type, const s
   view.set("input", names.message(processor.input));
   view.set("output", names.message(processor.output));
   view.set("config", config_view(processor.config));
+  view.set("by_lane", names.has_packs() && !runs_in_packs(processor));
+  view.set("one", names.in_own_program(type));
   view.set("chain", false);
   return view;
 }

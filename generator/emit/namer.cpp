@@ -56,31 +56,30 @@ std::string rate_type(const Rational& rate_hz) {
 }
 
 std::string_view element_type(Dtype dtype, Numbers numbers) {
-  if (numbers == Numbers::packs)  // others have none
-    return dtype == Dtype::boolean ? "Bool" : dtype == Dtype::int64 ? "I64" : "F32";
+  const bool packs = numbers == Numbers::packs;
   switch (dtype) {
     case Dtype::float32:
-      return "float";
+      return packs ? "F32" : "float";
     case Dtype::float64:
-      return "double";
+      return packs ? "F64" : "double";
     case Dtype::boolean:
-      return "bool";
+      return packs ? "Bool" : "bool";
     case Dtype::int8:
-      return "std::int8_t";
+      return packs ? "I8" : "std::int8_t";
     case Dtype::int16:
-      return "std::int16_t";
+      return packs ? "I16" : "std::int16_t";
     case Dtype::int32:
-      return "std::int32_t";
+      return packs ? "I32" : "std::int32_t";
     case Dtype::int64:
-      return "std::int64_t";
+      return packs ? "I64" : "std::int64_t";
     case Dtype::uint8:
-      return "std::uint8_t";
+      return packs ? "U8" : "std::uint8_t";
     case Dtype::uint16:
-      return "std::uint16_t";
+      return packs ? "U16" : "std::uint16_t";
     case Dtype::uint32:
-      return "std::uint32_t";
+      return packs ? "U32" : "std::uint32_t";
     case Dtype::uint64:
-      return "std::uint64_t";
+      return packs ? "U64" : "std::uint64_t";
   }
   return "";
 }

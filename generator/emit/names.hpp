@@ -13,6 +13,7 @@
 #include "generator/emit/repeats.hpp"
 #include "generator/emit/shared_io.hpp"
 #include "generator/network/network.hpp"
+#include "generator/plan/packs.hpp"
 #include "generator/plan/plan.hpp"
 #include "generator/resolve/needs.hpp"
 
@@ -73,6 +74,16 @@ struct ProgramNames {
     return !left_out(node) && receives_here(*plan_.graph, part_, node);
   }
   [[nodiscard]] bool has_packs() const { return numbers == Numbers::packs; }
+  /// Whether packs run a node one lane after the other; what it is then compiled for, of the
+  /// environment's own program.
+  [[nodiscard]] bool by_lane(std::size_t node) const {
+    return has_packs() && runs_lane_by_lane(plan_.graph->nodes[node]);
+  }
+  [[nodiscard]] std::string one(std::size_t node) const { return in_own_program(io[node]); }
+  /// A type as the environment's own program has it.
+  [[nodiscard]] std::string in_own_program(const std::string& type) const {
+    return "graphs::" + plan_.graph->name + "::" + type;
+  }
   [[nodiscard]] std::string message(const Space& space) const {
     return message_type(space, numbers);
   }

@@ -175,7 +175,7 @@ class ProgramView {
 
   void add_memory() {
     View rings = list(), members = list(), counters = list();
-    View drawn_rings = list(), drawn_members = list();
+    View drawn_rings = list(), drawn_members = list(), by_lane = list();
     for (std::size_t r = 0; r < plan_.rings.size(); ++r) {
       const Ring& ring = plan_.rings[r];
       if (!names_.has_ring(r)) continue;
@@ -209,6 +209,13 @@ class ProgramView {
         add(drawn_members, type, without_owner(names_.node_member[n]));
         continue;
       }
+      // Resets are of the environment's own program.
+      if (names_.has_packs() && !graph_.nodes[n].reset_targets.empty()) continue;
+      if (names_.by_lane(n)) {
+        add(by_lane, fmt::format("{}<{}>", from_global_namespace(entity.cpp.name), names_.one(n)),
+            names_.node_member[n]);
+        continue;
+      }
       if (const std::string member = names_.declared(names_.node_member[n]); !member.empty())
         add(members, type, member);
       if (entity.counts.empty()) continue;
@@ -221,6 +228,8 @@ class ProgramView {
     view_["node_counts"] = std::move(counters);
     view_["rings"] = std::move(rings);
     view_["members"] = std::move(members);
+    view_.set("has_by_lane", by_lane.is_non_empty_list());
+    view_["by_lane"] = std::move(by_lane);
     add_loops();
     view_["drawing"] = View(false);
     if (!drawn_members.is_non_empty_list()) return;

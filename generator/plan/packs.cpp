@@ -12,13 +12,15 @@ namespace {
 constexpr std::size_t kMostNodes = 100;                       // one function holds all of them
 constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
 
-std::string why_not(const GraphNode& node) {
-  if (node.entity != nullptr && !runs_in_packs(node))
+std::string why_not(const GraphNode& node, bool by_lane_too) {
+  const bool only_resets = !node.reset_targets.empty();  // packs pass its feedthroughs on
+  const bool by_lane = by_lane_too && runs_lane_by_lane(node);
+  if (node.entity != nullptr && !only_resets && !by_lane && !runs_in_packs(node))
     return fmt::format(
         "`{}` ({}) has no `packs: true` in its manifest, or its condition does not hold", node.name,
         node.entity->id.value);
-  const auto converts = [](const std::optional<Processor>& processor) {
-    return !processor || runs_in_packs(*processor);
+  const auto converts = [&](const std::optional<Processor>& processor) {
+    return !processor || by_lane_too || runs_in_packs(*processor);
   };
   const auto of = [](const std::optional<Processor>& processor, const std::string& where) {
     return fmt::format(
@@ -63,7 +65,7 @@ std::string why_not_in_time(const Plan& plan) {
   return {};
 }
 
-/// Messages are numbers of 32 bits, truth values or the engine's tick.
+/// Messages are float32, whole numbers or truth values, and found by counts modulo 2^32.
 std::string why_not_in_memory(const Plan& plan) {
   for (const auto& ring : plan.rings) {
     const GraphNode& node = plan.graph->nodes[ring.node];
@@ -72,10 +74,8 @@ std::string why_not_in_memory(const Plan& plan) {
     if (node.drawn || (reader != nullptr && reader->drawn)) continue;
     const std::string name = node.name + "." + node.outputs[ring.output].name;
     const Dtype raw = node.outputs[ring.output].raw.dtype;
-    const bool tick = node.role == NodeRole::engine && ring.capacity == 1;
     for (const Dtype dtype : {ring.space.dtype, raw}) {
-      if (dtype != Dtype::float32 && dtype != Dtype::boolean && !tick)
-        return fmt::format("`{}` is {}", name, to_string(dtype));
+      if (dtype == Dtype::float64) return fmt::format("`{}` is {}", name, to_string(dtype));
     }
     if ((ring.capacity & (ring.capacity - 1)) != 0)
       return fmt::format("the messages of `{}` are too long", name);
@@ -84,6 +84,11 @@ std::string why_not_in_memory(const Plan& plan) {
 }
 
 }  // namespace
+
+bool runs_lane_by_lane(const GraphNode& node) {
+  return node.role == NodeRole::node && node.entity != nullptr && node.reset_targets.empty() &&
+         !runs_in_packs(node);
+}
 
 std::vector<bool> rates_of_packs(const Plan& plan) {
   std::vector<bool> needed(plan.rates.size());
@@ -95,7 +100,9 @@ std::vector<bool> rates_of_packs(const Plan& plan) {
 
 Schedule schedule_of_packs(const Plan& plan) {
   const std::vector<bool> needed = rates_of_packs(plan);
-  if (std::ranges::find(needed, false) == needed.end()) return plan.schedule;
+  if (plan.schedule.form == ScheduleForm::constants &&
+      std::ranges::find(needed, false) == needed.end())
+    return plan.schedule;
   std::vector<RateClass> rates;
   std::vector<std::size_t> bit;  // in masks of the plan
   std::size_t environment = 0;
@@ -122,11 +129,10 @@ std::string why_no_packs(const Plan& plan) {
   if (graph.asynchronous) return "`sync: false` reads inputs by the clock";
   if (graph.placement) return "the graph is split";
   if (graph.double_precision) return "`real: double`";
-  if (graph.has_reset_nodes()) return "the graph has reset nodes";
   if (graph.nodes.size() > kMostNodes) return "the graph has too many nodes";
   for (const auto& node : graph.nodes) {
     if (node.drawn) continue;  // packs show no pictures
-    if (std::string reason = why_not(node); !reason.empty()) return reason;
+    if (std::string reason = why_not(node, graph.has_engine()); !reason.empty()) return reason;
   }
   for (const auto& item : graph.objects) {
     if (!item.implementation->packs)

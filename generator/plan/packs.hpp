@@ -13,11 +13,16 @@ namespace eagerx::gen {
 /// do the same at the same time: every rate is due whenever an episode may begin.
 std::string why_no_packs(const Plan& plan);
 
+/// Whether packs run a node one lane after the other, as it is written for plain numbers. Engines,
+/// objects and engine nodes cannot: what they simulate is in lanes.
+bool runs_lane_by_lane(const GraphNode& node);
+
 /// By rate of the plan, whether packs have it: not that of pictures alone, which they never show.
 std::vector<bool> rates_of_packs(const Plan& plan);
-/// The slots of packs, with the masks of the plan: without those in which only pictures are due.
-/// Where an environment goes on in its own program, that is where its reset has left it, a step
-/// like any other but for its pictures, which nobody sees.
+/// The slots of packs, with the masks of the plan: without those in which only pictures are due,
+/// and without regard to reset nodes, whose routines end in any slot, but not in packs. Where an
+/// environment goes on in its own program, that is where its reset has left it, a step like any
+/// other but for its pictures, which nobody sees.
 Schedule schedule_of_packs(const Plan& plan);
 
 }  // namespace eagerx::gen

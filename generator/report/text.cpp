@@ -87,9 +87,16 @@ std::string plan_text(const PlanReport& report) {
 
 std::string packs_text(const Plan& plan) {
   const std::string reason = why_no_packs(plan);
-  return reason.empty()
-             ? "\nmany environments at once run in packs of SIMD lanes\n"
-             : fmt::format("\nmany environments at once run one by one, no packs: {}\n", reason);
+  if (!reason.empty())
+    return fmt::format("\nmany environments at once run one by one, no packs: {}\n", reason);
+  std::vector<std::string> by_lane;
+  for (const auto& node : plan.graph->nodes) {
+    if (!node.drawn && runs_lane_by_lane(node))
+      by_lane.push_back(fmt::format("`{}` ({})", node.name, node.entity->id.value));
+  }
+  return fmt::format(
+      "\nmany environments at once run in packs of SIMD lanes{}{}\n",
+      by_lane.empty() ? "" : ", one lane after the other: ", fmt::join(by_lane, ", "));
 }
 
 std::string timing_text(const PlanReport& report) {

@@ -86,6 +86,11 @@ void add_config(Facts& facts, const Config& config) {
 
 bool runs_in_packs(const Entity& entity, const Config& config, Facts facts) {
   if (entity.packs.empty()) return false;
+  const auto has_packs = [](const ConfigValue& value) {
+    const auto* const model = std::get_if<std::shared_ptr<const ModelUse>>(&value.value);
+    return model == nullptr || *model == nullptr || (*model)->implementation->packs;
+  };
+  if (!std::ranges::all_of(config, has_packs)) return false;
   add_config(facts, config);
   return holds(entity.packs, facts).value_or(false);
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstring>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <type_traits>
@@ -34,6 +35,34 @@ constexpr Real newest(const Window& window, std::size_t i,
     return empty ? otherwise : static_cast<Real>(element(window.back(), i));
   } else {  // in each lane
     return select(empty, otherwise, static_cast<Real>(element(window.back(), i)));
+  }
+}
+
+/// Seconds since the reset at a tick of `Rate`, in each lane.
+template <class Rate, class Real, class AnyTick>
+constexpr Real seconds_at(const AnyTick& tick) {
+  Real result(LaneOf<Real>(0));
+  for (int k = 0; k < lanes<Real>; ++k)
+    set_lane(result, k, Rate::template seconds<LaneOf<Real>>(tick.in_lane(k)));
+  return result;
+}
+
+/// f() changes `state`, which consists of Real and CountOf<Real>, but only in the lanes of `where`.
+template <class Real, class State, class F>
+constexpr void change_where(const std::type_identity_t<TruthOf<Real>>& where, State& state,
+                            const F& f) {
+  if constexpr (lanes<Real> == 1) {
+    if (where) f();
+  } else {
+    static_assert(std::is_trivially_copyable_v<State> && sizeof(State) % sizeof(Real) == 0);
+    constexpr std::size_t kNumbers = sizeof(State) / sizeof(Real);
+    Real before[kNumbers];
+    Real after[kNumbers];
+    std::memcpy(before, &state, sizeof before);
+    f();
+    std::memcpy(after, &state, sizeof after);
+    for (std::size_t i = 0; i < kNumbers; ++i) after[i] = select(where, after[i], before[i]);
+    std::memcpy(&state, after, sizeof after);
   }
 }
 

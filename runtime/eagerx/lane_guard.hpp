@@ -24,7 +24,7 @@ class LaneGuard {
     TruthOf<Real> contained = true;
     for (std::size_t i = 0; i < size_of<Message>; ++i) {
       const Real& x = element(message, i);
-      finite = finite && eagerx::isfinite(x);
+      if constexpr (Floating<Real>) finite = finite && eagerx::isfinite(x);
       contained = contained && x >= element(space.low, i) && x <= element(space.high, i);
     }
     Message result;
@@ -35,7 +35,7 @@ class LaneGuard {
       const Real raised = select(x >= low, x, low);
       element(result, i) = select(raised > high, high, raised);
     }
-    beyond_[channel] += one_if<Real>(!(finite && contained));
+    beyond_[channel] += LaneCounts<N>(one_if<Real>(!(finite && contained)));
     return result;
   }
 

@@ -81,6 +81,17 @@ Pack<std::int64_t, N> lane_ticks(const LaneClock<N>& clock) {
   return Pack<std::int64_t, N>(clock.counts());
 }
 
+/// A tick of a pack. `n` is that of the pack, which means nothing to an environment.
+template <std::size_t N>
+struct LaneTick : Tick {
+  LaneCounts<N> counts;
+
+  explicit LaneTick(const LaneClock<N>& clock) : Tick{clock.shared}, counts(clock.counts()) {}
+  auto is_first() const { return counts == LaneCounts<N>(0U); }
+  Seq in_lane(int lane) const { return eagerx::lane(counts, lane); }
+  Tick one(std::size_t lane) const { return {in_lane(static_cast<int>(lane))}; }
+};
+
 /// The last messages of a connection whose lanes have sent at the same ticks: as Window, but lanes
 /// may hold fewer of them.
 template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
@@ -118,6 +129,13 @@ class LaneWindow {
   }
   const Message& back() const { return (*this)[MaxSize - 1]; }
   Message back_or(const Message& otherwise) const;
+
+  /// Of one lane: messages so far, and how far on in the ring each is.
+  const Message* ring() const { return ring_; }
+  Seq received(std::size_t lane) const { return eagerx::lane(count_, static_cast<int>(lane)); }
+  std::uint32_t offset(std::size_t lane) const {
+    return static_cast<std::uint32_t>(end_) - eagerx::lane(count_, static_cast<int>(lane));
+  }
 
  private:
   const Message* ring_;
@@ -167,6 +185,13 @@ class ScatteredWindow {
   }
   Message back() const { return (*this)[MaxSize - 1]; }
   Message back_or(const Message& otherwise) const;
+
+  /// As LaneWindow's.
+  const Message* ring() const { return ring_; }
+  Seq received(std::size_t lane) const { return eagerx::lane(end_.count, static_cast<int>(lane)); }
+  std::uint32_t offset(std::size_t lane) const {
+    return eagerx::lane(end_.offset, static_cast<int>(lane));
+  }
 
  private:
   const Message* ring_;

@@ -85,6 +85,15 @@ struct Mask {
   [[gnu::always_inline]] Mask(bool all) {  // NOLINT(google-explicit-constructor): as bool is
     detail::unrolled<kCount>([&](auto i) { v[i] = Vector{} - static_cast<Lane>(all); });
   }
+  /// The truth values beside packs of numbers of another width.
+  template <std::size_t Other>
+  requires(Other != Bytes) [[gnu::always_inline]] explicit Mask(const Mask<Other, N>& other) {
+    typename Mask<Other, N>::Lane from[N];
+    Lane to[N];
+    std::memcpy(from, &other, sizeof from);
+    for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<Lane>(from[i]);
+    std::memcpy(v, to, sizeof to);
+  }
   /// Register i is f(i).
   template <class F>
   [[gnu::always_inline]] static Mask of(F&& f) {
@@ -233,12 +242,19 @@ template <class T, std::size_t N>
     const std::type_identity_t<Pack<T, N>>& when_false) {
   return Pack<T, N>::of([&](auto i) { return mask.v[i] ? when_true.v[i] : when_false.v[i]; });
 }
+/// With the truth values of numbers of another width.
+template <std::size_t Bytes, class T, std::size_t N>
+requires(Bytes != sizeof(T)) [[gnu::always_inline]] inline Pack<T, N> select(
+    const Mask<Bytes, N>& mask, const Pack<T, N>& when_true,
+    const std::type_identity_t<Pack<T, N>>& when_false) {
+  return select(Mask<sizeof(T), N>(mask), when_true, when_false);
+}
 /// Of two masks.
 template <std::size_t Bytes, std::size_t N>
 [[gnu::always_inline]] inline Mask<Bytes, N> select(
     const Mask<Bytes, N>& mask, const std::type_identity_t<Mask<Bytes, N>>& when_true,
     const std::type_identity_t<Mask<Bytes, N>>& when_false) {
-  return (mask & when_true) | (!mask & when_false);
+  return (mask & when_true) | ((!mask) & when_false);
 }
 
 /// True if the mask holds in any lane.

@@ -26,9 +26,15 @@ struct Rate {
   }
 };
 
-/// The tick a callback runs at: `n` = 0, 1, 2, … since the last reset.
+/// The tick a callback runs at: `n` = 0, 1, 2, … since the last reset. Over packs it is a LaneTick,
+/// whose lanes have ticks of their own: what looks at it there takes any kind (`AnyTick = Tick`).
 struct Tick {
   Seq n;
+
+  /// Whether nothing ran since the reset.
+  [[nodiscard]] constexpr bool is_first() const { return n == 0; }
+  /// Of lane `lane`.
+  [[nodiscard]] constexpr Seq in_lane(int /*lane*/) const { return n; }
 };
 
 }  // namespace eagerx

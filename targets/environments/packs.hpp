@@ -79,6 +79,10 @@ class Packs {
   static void put(const Truth& truth, float* column) {
     select(truth, Real(1), Real(0)).store(column);
   }
+  template <class Whole>
+  static void put(const Pack<Whole, Lanes>& x, float* column) {
+    Real(x).store(column);
+  }
 };
 
 }  // namespace eagerx::environments

@@ -20,7 +20,7 @@ class TerminatedSensor {
   void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
                 Simulator& simulator) {
     using Message = std::remove_cvref_t<decltype(out.terminated)>;
-    element(out.terminated, 0) = static_cast<ScalarOf<Message>>(simulator.terminated ? 1 : 0);
+    element(out.terminated, 0) = static_cast<ScalarOf<Message>>(simulator.terminated);
   }
 };
 

@@ -20,7 +20,7 @@ class TruncatedSensor {
   void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/, typename Io::Outputs& out,
                 Simulator& simulator) {
     using Message = std::remove_cvref_t<decltype(out.truncated)>;
-    element(out.truncated, 0) = static_cast<ScalarOf<Message>>(simulator.truncated ? 1 : 0);
+    element(out.truncated, 0) = static_cast<ScalarOf<Message>>(simulator.truncated);
   }
 };
 

@@ -4,6 +4,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/math/vocabulary.hpp>
 #include <eagerx/message.hpp>
 
 namespace eagerx::models {
@@ -12,12 +13,12 @@ namespace eagerx::models {
 template <class Real>
 struct GymOutcome {
   Real reward{};
-  bool terminated = false;  // the task is over, by success or failure
-  bool truncated = false;   // the episode is over for another reason
+  TruthOf<Real> terminated = false;  // the task is over, by success or failure
+  TruthOf<Real> truncated = false;   // the episode is over for another reason
 };
 
 /// A model of an environment with step(action). It has
-///   using Real = …;                                    // float or double
+///   using Real = …;                                    // float, double, or a pack of them
 ///   static constexpr std::size_t kStates, kActions, kObservations, kAttributes;  // at least 1
 ///   static constexpr std::uint32_t kMaxSteps;          // truncated from this step on; 0: never
 ///   static constexpr std::array<const char*, kAttributes> kAttributeNames;  // as Gym calls them

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <eagerx/math/vocabulary.hpp>
 #include <limits>
 #include <models/engines/gym_engine/gym_model.hpp>
 
@@ -17,8 +18,8 @@ class GymSimulator {
   GymStateVector<Model> state{};      // [kStates]
   GymAttributes<Model> attributes{};  // [kAttributes], in the order of kAttributeNames
   GymAction<Model> next_action{};     // [kActions], for the next step
-  bool terminated = false;            // in any step of this episode
-  bool truncated = false;
+  CountOf<Real> terminated{};         // 1 if any step of this episode said so
+  CountOf<Real> truncated{};
 
   /// State and attributes as the model has them, action zero, a new episode.
   void reset() {
@@ -30,10 +31,10 @@ class GymSimulator {
 
   /// No step made yet. Every engine node that depends on it calls it at its reset.
   void begin_episode() {
-    terminated = false;
-    truncated = false;
-    steps_ = 0;
-    unread_ = false;
+    terminated = {};
+    truncated = {};
+    steps_ = {};
+    unread_ = {};
     reward_ = {};
     sum_ = {};
   }
@@ -41,26 +42,29 @@ class GymSimulator {
   /// One step of the environment with next_action.
   void step() {
     const GymOutcome<Real> outcome = Model::step(state, next_action, attributes);
-    if (steps_ != std::numeric_limits<std::uint32_t>::max()) ++steps_;
-    const bool too_long = Model::kMaxSteps != 0 && steps_ >= Model::kMaxSteps;
-    terminated = terminated || outcome.terminated;
-    truncated = truncated || outcome.truncated || too_long;
+    steps_ += one_if<Real>(steps_ != Count(std::numeric_limits<std::uint32_t>::max()));
+    terminated = terminated | one_if<Real>(outcome.terminated);
+    truncated = truncated | one_if<Real>(outcome.truncated);
+    if constexpr (Model::kMaxSteps != 0)
+      truncated = truncated | one_if<Real>(steps_ >= Count(Model::kMaxSteps));
     reward_ = outcome.reward;
-    sum_ = unread_ ? sum_ + reward_ : reward_;
-    unread_ = true;
+    sum_ = select(unread_ != Count(0U), sum_ + reward_, reward_);
+    unread_ = Count(1U);
   }
 
   /// The sum of the rewards since the last call; without a step in between, the last single reward,
   /// zero before the first step.
   Real take_reward() {
-    const Real result = unread_ ? sum_ : reward_;
-    unread_ = false;
+    const Real result = select(unread_ != Count(0U), sum_, reward_);
+    unread_ = {};
     return result;
   }
 
  private:
-  std::uint32_t steps_ = 0;
-  bool unread_ = false;  // sum_ holds rewards that nobody took
+  using Count = CountOf<Real>;
+
+  Count steps_{};
+  Count unread_{};  // 1 if sum_ holds rewards that nobody took
   Real reward_{};
   Real sum_{};
 };

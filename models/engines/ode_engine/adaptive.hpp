@@ -21,6 +21,10 @@ struct AdaptiveSettings {
   std::uint32_t max_tries;  // accepted and refused steps of one call
 };
 
+/// Numbers and packs have the same settings.
+template <class Real>
+using SettingsFor = AdaptiveSettings<LaneOf<Real>>;
+
 enum class AdaptiveOutcome : std::uint8_t {
   done,
   too_many_steps,  // max_tries
@@ -33,11 +37,13 @@ template <class Real, std::size_t N>
 [[gnu::always_inline]] inline constexpr Real error_squared(const Array<Real, N>& error,
                                                            const Array<Real, N>& begin,
                                                            const Array<Real, N>& end,
-                                                           const AdaptiveSettings<Real>& settings) {
-  Real sum{0};
+                                                           const SettingsFor<Real>& settings) {
+  const Real atol(settings.atol);
+  const Real rtol(settings.rtol);
+  Real sum(LaneOf<Real>(0));
   for (std::size_t i = 0; i < N; ++i) {
     const Real size = eagerx::max(eagerx::abs(begin[i]), eagerx::abs(end[i]));
-    const Real ratio = error[i] / (settings.atol + settings.rtol * size);
+    const Real ratio = error[i] / (atol + rtol * size);
     sum += ratio * ratio;
   }
   return sum;
@@ -47,16 +53,21 @@ template <class Real, std::size_t N>
 /// that of the error of a step. 1/5 for NaN and infinity.
 template <class Real>
 constexpr Real step_factor(Real error_squared, int order) {
-  constexpr auto kSafety = Real(0.9);
-  constexpr auto kLeast = Real(0.2);
-  constexpr auto kMost = Real(5);
-  constexpr auto kTinyErrorSquared = Real(1e-8);  // any smaller one gives kMost as well
-  constexpr auto kHugeErrorSquared = Real(1e10);  // any larger one gives kLeast as well
-  if (!(error_squared < kHugeErrorSquared)) return kLeast;
-  const Real bounded = eagerx::max(error_squared, kTinyErrorSquared);
-  const Real exponent = order == 5 ? Real(-0.1) : Real(-0.125);
-  const Real factor = kSafety * eagerx::exp(exponent * eagerx::log(bounded));
-  return eagerx::max(kLeast, eagerx::min(factor, kMost));
+  using Lane = LaneOf<Real>;
+  constexpr auto kSafety = Lane(0.9);
+  constexpr auto kLeast = Lane(0.2);
+  constexpr auto kMost = Lane(5);
+  constexpr auto kTinyErrorSquared = Lane(1e-8);  // any smaller one gives kMost as well
+  constexpr auto kHugeErrorSquared = Lane(1e10);  // any larger one gives kLeast as well
+  const auto is_bounded = error_squared < Real(kHugeErrorSquared);
+  if constexpr (lanes<Real> == 1) {
+    if (!is_bounded) return kLeast;
+  }
+  const Real bounded = eagerx::max(error_squared, Real(kTinyErrorSquared));
+  const Real exponent(order == 5 ? Lane(-0.1) : Lane(-0.125));
+  const Real factor = Real(kSafety) * eagerx::exp(exponent * eagerx::log(bounded));
+  return select(is_bounded, eagerx::max(Real(kLeast), eagerx::min(factor, Real(kMost))),
+                Real(kLeast));
 }
 
 /// Integrates `x` [N] over `span_s` seconds with steps of `method` that are chosen by the error.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <eagerx/math/vocabulary.hpp>
 #include <eagerx/message.hpp>
 #include <models/engines/ode_engine/elementwise.hpp>
 
@@ -61,6 +62,10 @@ class Dopri5 {
     return Dopri5Step<Real, N>(f_, x, slope_, step_s);
   }
   constexpr void go_on(const Dopri5Step<Real, N>& step) { slope_ = step.slope; }
+  constexpr void go_on(const Dopri5Step<Real, N>& step, const Array<Real, N>& /*x*/,
+                       const TruthOf<Real>& taken) {
+    for (std::size_t i = 0; i < N; ++i) slope_[i] = select(taken, step.slope[i], slope_[i]);
+  }
 
  private:
   const F& f_;

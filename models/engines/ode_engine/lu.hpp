@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
+#include <type_traits>
 #include <utility>
 
 namespace eagerx::models {
@@ -18,7 +19,9 @@ class Lu {
   using Matrix = std::array<Real, N * N>;  // row-major
 
   constexpr explicit Lu(const Matrix& a) : lu_(a) {
-    for (std::size_t i = 0; i < N; ++i) row_[i] = i;
+    if constexpr (!kInLanes) {
+      for (std::size_t i = 0; i < N; ++i) row_[i] = i;
+    }
     for (std::size_t k = 0; k < N; ++k) {
       exchange(k);
       for (std::size_t i = k + 1; i < N; ++i) {
@@ -32,8 +35,9 @@ class Lu {
   /// x [N] with A·x = b.
   constexpr Array<Real, N> solve(const Array<Real, N>& b) const {
     Array<Real, N> x{};
+    if constexpr (kInLanes) x = exchanged(b);
     for (std::size_t i = 0; i < N; ++i) {
-      x[i] = b[row_[i]];
+      if constexpr (!kInLanes) x[i] = b[row_[i]];
       for (std::size_t j = 0; j < i; ++j) x[i] -= lu_[i * N + j] * x[j];
     }
     for (std::size_t i = N; i-- > 0;) {
@@ -44,21 +48,54 @@ class Lu {
   }
 
  private:
+  static constexpr bool kInLanes = lanes<Real> > 1;
+  using Row = std::conditional_t<kInLanes, CountOf<Real>, std::size_t>;
+
   constexpr Real& at(std::size_t i, std::size_t j) { return lu_[i * N + j]; }
 
   /// Brings the largest number of column k, from row k on, to row k.
   constexpr void exchange(std::size_t k) {
-    std::size_t largest = k;
-    for (std::size_t i = k + 1; i < N; ++i) {
-      if (eagerx::abs(at(i, k)) > eagerx::abs(at(largest, k))) largest = i;
+    if constexpr (kInLanes) {
+      Row largest(static_cast<LaneOf<Row>>(k));
+      Real most = eagerx::abs(at(k, k));
+      for (std::size_t i = k + 1; i < N; ++i) {
+        const Real size = eagerx::abs(at(i, k));
+        const auto larger = size > most;
+        most = select(larger, size, most);
+        largest = select(larger, Row(static_cast<LaneOf<Row>>(i)), largest);
+      }
+      row_[k] = largest;
+      for (std::size_t i = k + 1; i < N; ++i) {
+        const auto here = largest == Row(static_cast<LaneOf<Row>>(i));
+        for (std::size_t j = 0; j < N; ++j) exchange_if(here, at(k, j), at(i, j));
+      }
+    } else {
+      std::size_t largest = k;
+      for (std::size_t i = k + 1; i < N; ++i) {
+        if (eagerx::abs(at(i, k)) > eagerx::abs(at(largest, k))) largest = i;
+      }
+      if (largest == k) return;
+      std::swap(row_[k], row_[largest]);
+      for (std::size_t j = 0; j < N; ++j) std::swap(at(k, j), at(largest, j));
     }
-    if (largest == k) return;
-    std::swap(row_[k], row_[largest]);
-    for (std::size_t j = 0; j < N; ++j) std::swap(at(k, j), at(largest, j));
+  }
+
+  /// b as the rows of A were, one exchange after the other.
+  constexpr Array<Real, N> exchanged(Array<Real, N> b) const requires kInLanes {
+    for (std::size_t k = 0; k + 1 < N; ++k) {
+      for (std::size_t i = k + 1; i < N; ++i)
+        exchange_if(row_[k] == Row(static_cast<LaneOf<Row>>(i)), b[k], b[i]);
+    }
+    return b;
+  }
+  static constexpr void exchange_if(const TruthOf<Real>& mask, Real& a, Real& b) {
+    const Real was = a;
+    a = select(mask, b, a);
+    b = select(mask, was, b);
   }
 
   Matrix lu_;
-  std::array<std::size_t, N> row_{};  // of A and b
+  std::array<Row, N> row_{};  // of A and b; over packs with which row each was exchanged
 };
 
 }  // namespace eagerx::models

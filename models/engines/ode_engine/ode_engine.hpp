@@ -8,6 +8,7 @@
 #include <eagerx/rate.hpp>
 #include <limits>
 #include <models/engines/ode_engine/adaptive.hpp>
+#include <models/engines/ode_engine/adaptive_lanes.hpp>
 #include <models/engines/ode_engine/dopri5.hpp>
 #include <models/engines/ode_engine/ode_jacobian.hpp>
 #include <models/engines/ode_engine/ode_model.hpp>
@@ -46,18 +47,30 @@ class OdeEngine {
   static void advance(Simulator& simulator) {
     using Model = typename Simulator::Model;
     using Real = typename Simulator::Real;
-    if constexpr (Config::method == OdeMethod::rodas4) {
-      const OdeJacobian<Model> jacobian(simulator.parameters, simulator.input);
-      Rodas4<OdeJacobian<Model>, Real, Model::kStates> method(jacobian);
-      advance_adaptively(method, simulator);
-    } else {
+    if constexpr (Config::method == OdeMethod::rk4) {
       const OdeDerivative<Model> derivative(simulator.parameters, simulator.input);
-      if constexpr (Config::method == OdeMethod::rk4) {
-        advance_rk4(derivative, simulator);
-      } else {
-        Dopri5<OdeDerivative<Model>, Real, Model::kStates> method(derivative);
-        advance_adaptively(method, simulator);
-      }
+      advance_rk4(derivative, simulator);
+    } else if constexpr (lanes<Real> == 1) {
+      with_method<Model>(simulator.parameters, simulator.input,
+                         [&](auto& method) { advance_adaptively(method, simulator); });
+    } else {
+      advance_lanes(simulator);
+    }
+  }
+
+  /// f(method), which holds for these parameters and this input.
+  template <class Model, class F>
+  [[gnu::always_inline]] static void with_method(const OdeParameterSet<Model>& parameters,
+                                                 const OdeInputs<Model>& input, const F& f) {
+    using Real = typename Model::Real;
+    if constexpr (Config::method == OdeMethod::rodas4) {
+      const OdeJacobian<Model> jacobian(parameters, input);
+      Rodas4<OdeJacobian<Model>, Real, Model::kStates> method(jacobian);
+      f(method);
+    } else {
+      const OdeDerivative<Model> derivative(parameters, input);
+      Dopri5<OdeDerivative<Model>, Real, Model::kStates> method(derivative);
+      f(method);
     }
   }
 
@@ -79,6 +92,43 @@ class OdeEngine {
     constexpr auto kSettings = adaptive_settings<Real>();
     const auto outcome = integrate(method, simulator.state, kPeriod, simulator.step_s, kSettings);
     simulator.add_fault_if(outcome != AdaptiveOutcome::done);
+  }
+
+  /// The whole pack as long as many lanes go on, then these in packs of one register: some lanes
+  /// take many times the steps of the others.
+  template <class Simulator>
+  static void advance_lanes(Simulator& simulator) {
+    using Model = typename Simulator::Model;
+    using Real = typename Simulator::Real;
+    using Lane = LaneOf<Real>;
+    using Narrow = Pack<Lane, Real::kWidth>;
+    constexpr auto kPeriod = static_cast<Lane>(Io::Rate::period_s);
+    constexpr auto kSettings = adaptive_settings<Lane>();
+    constexpr bool kNarrows = Real::kCount > 1 && requires {
+      typename ModelOver<Model, Narrow>::type;
+    };
+    LaneSteps<Real, Model::kStates> at(simulator.state, kPeriod, simulator.step_s, kSettings);
+    LaneProgress<Real> progress;
+    with_method<Model>(simulator.parameters, simulator.input, [&](auto& method) {
+      take_steps(method, at, progress, kPeriod, kSettings, kNarrows ? lanes<Real> / 2 : 0);
+    });
+    if constexpr (kNarrows) {
+      using NarrowModel = typename ModelOver<Model, Narrow>::type;
+      finish_few<Narrow>(at, progress, [&](const auto& chosen, auto& few) {
+        OdeParameterSet<NarrowModel> parameters;
+        OdeInputs<NarrowModel> input;
+        gather<static_cast<std::size_t>(lanes<Real>)>(simulator.parameters, chosen, parameters);
+        gather<static_cast<std::size_t>(lanes<Real>)>(simulator.input, chosen, input);
+        LaneProgress<Narrow> those{.tries = progress.tries};
+        with_method<NarrowModel>(parameters, input, [&](auto& method) {
+          take_steps(method, few, those, kPeriod, kSettings, 0);
+        });
+        return those.failed;
+      });
+    }
+    simulator.state = at.x;
+    simulator.step_s = at.next_step_s;
+    simulator.add_fault_if(progress.failed);
   }
 
   /// The configuration with odeint's meaning of 0, and tolerances that Real can resolve.

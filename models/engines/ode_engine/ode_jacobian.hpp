@@ -50,21 +50,9 @@ class OwnJacobian<Model> {
   typename Model::Coefficients coefficients_;
 };
 
-/// The model over dual numbers with a derivative for each state: Model<Io> with another Io::Real.
+/// The model over dual numbers with a derivative for each state.
 template <class Model>
-struct ModelOverDuals {};
-template <template <class> class Model, class Io>
-requires requires {
-  typename Io::Real;
-}
-struct ModelOverDuals<Model<Io>> {
-  struct DualIo : Io {
-    using Real = Dual<typename Io::Real, Model<Io>::kStates>;
-  };
-  using type = Model<DualIo>;
-};
-template <class Model>
-using DualModelOf = typename ModelOverDuals<Model>::type;
+using DualModelOf = typename ModelOver<Model, Dual<typename Model::Real, Model::kStates>>::type;
 
 template <class Model>
 concept TakesDualNumbers = requires {
@@ -115,7 +103,7 @@ class DifferenceJacobian {
     constexpr std::size_t kStates = Model::kStates;
     std::array<Real, kStates * kStates> result{};
     for (std::size_t j = 0; j < kStates; ++j) {
-      const Real step = kStep * eagerx::max(Real(1), eagerx::abs(x[j]));
+      const Real step = Real(kStep) * eagerx::max(Real(1), eagerx::abs(x[j]));
       OdeState<Model> above = x;
       OdeState<Model> below = x;
       above[j] += step;
@@ -131,7 +119,8 @@ class DifferenceJacobian {
 
  private:
   /// The cube root of the resolution: there the errors of rounding and of the method are alike.
-  static constexpr auto kStep = std::is_same_v<Real, double> ? Real(6e-6) : Real(5e-3);
+  static constexpr auto kStep =
+      std::is_same_v<LaneOf<Real>, double> ? LaneOf<Real>(6e-6) : LaneOf<Real>(5e-3);
 
   OdeDerivative<Model> derivative_;
 };

@@ -42,6 +42,20 @@ using OdeInputs = Array<typename Model::Real, Model::kInputs>;
 template <class Model>
 using OdeParameterSet = Array<typename Model::Real, Model::kParameters>;
 
+/// Model<Io> with another Io::Real; nothing for a model that is no template over Io.
+template <class Model, class OtherReal>
+struct ModelOver {};
+template <template <class> class Model, class Io, class OtherReal>
+requires requires {
+  typename Io::Real;
+}
+struct ModelOver<Model<Io>, OtherReal> {
+  struct OtherIo : Io {
+    using Real = OtherReal;
+  };
+  using type = Model<OtherIo>;
+};
+
 /// f(x) of a model with its parameters and input held constant: what the integrators see.
 template <OdeModel Model>
 class OdeDerivative {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <eagerx/math/vocabulary.hpp>
 #include <eagerx/message.hpp>
 #include <models/engines/ode_engine/lu.hpp>
 
@@ -16,28 +17,28 @@ namespace eagerx::models {
 /// Why this one: it solves linear systems only, so the work of a step is bounded (BDF and implicit
 /// Runge-Kutta methods iterate); it has no past, so a new input at each tick costs nothing (BDF
 /// begins anew with order 1); and order 4 fits odeint's tolerances of 2e-8 (ode23s has order 2).
-template <class Real>
+template <class Lane>
 struct Rodas4Coefficients {
   static constexpr std::size_t kStages = 6;
-  static constexpr auto kGamma = Real(0.25);
+  static constexpr auto kGamma = Lane(0.25);
   /// Row i: the factors of u_1 … u_i in the argument of f in stage i + 2.
-  static constexpr std::array<std::array<Real, 5>, 5> kA = {{
-      {Real(1.544)},
-      {Real(0.9466785280815826), Real(0.2557011698983284)},
-      {Real(3.314825187068521), Real(2.896124015972201), Real(0.9986419139977817)},
-      {Real(1.221224509226641), Real(6.019134481288629), Real(12.53708332932087),
-       Real(-0.6878860361058950)},
-      {Real(1.221224509226641), Real(6.019134481288629), Real(12.53708332932087),
-       Real(-0.6878860361058950), Real(1)},
+  static constexpr std::array<std::array<Lane, 5>, 5> kA = {{
+      {Lane(1.544)},
+      {Lane(0.9466785280815826), Lane(0.2557011698983284)},
+      {Lane(3.314825187068521), Lane(2.896124015972201), Lane(0.9986419139977817)},
+      {Lane(1.221224509226641), Lane(6.019134481288629), Lane(12.53708332932087),
+       Lane(-0.6878860361058950)},
+      {Lane(1.221224509226641), Lane(6.019134481288629), Lane(12.53708332932087),
+       Lane(-0.6878860361058950), Lane(1)},
   }};
-  static constexpr std::array<std::array<Real, 5>, 5> kC = {{
-      {Real(-5.6688)},
-      {Real(-2.430093356833875), Real(-0.2063599157091915)},
-      {Real(-0.1073529058151375), Real(-9.594562251023355), Real(-20.47028614809616)},
-      {Real(7.496443313967647), Real(-10.24680431464352), Real(-33.99990352819905),
-       Real(11.70890893206160)},
-      {Real(8.083246795921522), Real(-7.981132988064893), Real(-31.52159432874371),
-       Real(16.31930543123136), Real(-6.058818238834054)},
+  static constexpr std::array<std::array<Lane, 5>, 5> kC = {{
+      {Lane(-5.6688)},
+      {Lane(-2.430093356833875), Lane(-0.2063599157091915)},
+      {Lane(-0.1073529058151375), Lane(-9.594562251023355), Lane(-20.47028614809616)},
+      {Lane(7.496443313967647), Lane(-10.24680431464352), Lane(-33.99990352819905),
+       Lane(11.70890893206160)},
+      {Lane(8.083246795921522), Lane(-7.981132988064893), Lane(-31.52159432874371),
+       Lane(16.31930543123136), Lane(-6.058818238834054)},
   }};
 };
 
@@ -52,16 +53,16 @@ struct Rodas4Step {
   template <class F>
   constexpr Rodas4Step(const F& f, const State& x, const State& slope,
                        const std::array<Real, N * N>& jacobian, Real step_s) {
-    using Coefficients = Rodas4Coefficients<Real>;
-    const Lu<Real, N> w = shifted(jacobian, Real(1) / (Coefficients::kGamma * step_s));
+    using Coefficients = Rodas4Coefficients<LaneOf<Real>>;
+    const Lu<Real, N> w = shifted(jacobian, Real(1) / (Real(Coefficients::kGamma) * step_s));
     std::array<State, Coefficients::kStages> u{};
     u[0] = w.solve(slope);
     for (std::size_t stage = 1; stage < u.size(); ++stage) {
       end = x;
       State right{};
       for (std::size_t j = 0; j < stage; ++j) {
-        const Real a = Coefficients::kA[stage - 1][j];
-        const Real c = Coefficients::kC[stage - 1][j] / step_s;
+        const Real a(Coefficients::kA[stage - 1][j]);
+        const Real c = Real(Coefficients::kC[stage - 1][j]) / step_s;
         for (std::size_t i = 0; i < N; ++i) {
           end[i] += a * u[j][i];
           right[i] += c * u[j][i];
@@ -102,6 +103,10 @@ class Rodas4 {
     return Rodas4Step<Real, N>(f, x, slope_, matrix_, step_s);
   }
   constexpr void go_on(const Rodas4Step<Real, N>& step) { begin(step.end); }
+  constexpr void go_on(const Rodas4Step<Real, N>& /*step*/, const Array<Real, N>& x,
+                       const TruthOf<Real>& /*taken*/) {
+    begin(x);  // where no step was taken, this is what it was
+  }
 
  private:
   const Jacobian& jacobian_;

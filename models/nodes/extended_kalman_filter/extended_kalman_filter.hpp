@@ -22,27 +22,28 @@ class ExtendedKalmanFilter {
     begin();
     if constexpr (requires { states.x; }) {
       for (std::size_t i = 0; states.x && i < kOrder; ++i)
-        x_[i] = static_cast<Real>(element(*states.x, i));
+        estimate_.x[i] = static_cast<Real>(element(*states.x, i));
     }
   }
 
-  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
-    if (tick.n > 0) predict(in);
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    change_where<Real>(!tick.is_first(), estimate_, [&] { predict(in); });
     for (std::size_t i = 0; i < kMeasured; ++i) correct(in, i);
-    if (!is_finite()) {
-      begin();
-      restarts_ += restarts_ != ~std::uint32_t{0} ? 1U : 0U;
-    }
-    for (std::size_t i = 0; i < kOrder; ++i) put(out.x, i, x_[i]);
+    const TruthOf<Real> lost = !is_finite();
+    change_where<Real>(lost, estimate_, [&] { begin(); });
+    restarts_ += one_if<Real>(lost && restarts_ != Count(~std::uint32_t{0}));
+    for (std::size_t i = 0; i < kOrder; ++i) put(out.x, i, estimate_.x[i]);
   }
 
   template <class F>
   void for_each_count(F&& f) const {
-    f("restarts", restarts_);
+    f("restarts", static_cast<std::uint32_t>(restarts_));
   }
 
  private:
   using Real = typename Io::Real;
+  using Count = CountOf<Real>;
   using Config = typename Io::Config;
   using Inputs = typename Io::Inputs;
   using Model = typename Config::model::Model;
@@ -72,14 +73,14 @@ class ExtendedKalmanFilter {
   static OdeParameterSet<Model> parameters() {
     OdeParameterSet<Model> p = Model::default_parameters();
     if constexpr (Config::parameters.size() > 0) {
-      for (std::size_t i = 0; i < p.size(); ++i) p[i] = constant<Real>(Config::parameters[i]);
+      for (std::size_t i = 0; i < p.size(); ++i) p[i] = Real(constant<Real>(Config::parameters[i]));
     }
     return p;
   }
 
   void begin() {
-    for (std::size_t i = 0; i < kOrder; ++i) x_[i] = each<Real>(kInitial, i);
-    p_.reset(kP);
+    for (std::size_t i = 0; i < kOrder; ++i) estimate_.x[i] = each<Real>(kInitial, i);
+    estimate_.p.reset(kP);
   }
 
   void predict(const Inputs& in) {
@@ -89,36 +90,40 @@ class ExtendedKalmanFilter {
                     "ExtendedKalmanFilter: `u` has as many elements as the model has inputs");
       for (std::size_t i = 0; i < u.size(); ++i) {
         const Real input = newest<Real>(in.u, i);
-        u[i] = eagerx::isfinite(input) ? input : Real(0);
+        u[i] = select(eagerx::isfinite(input), input, Real(0));
       }
     }
     const OdeJacobian<Model> jacobian(parameters(), u);
-    auto prediction = OdePrediction<Model>::from(x_);
-    for (int i = 0; i < Config::substeps; ++i) prediction.step(jacobian, kStep);
-    x_ = prediction.x;
-    p_.predict(prediction.f, kQ);
+    auto prediction = OdePrediction<Model>::from(estimate_.x);
+    for (int i = 0; i < Config::substeps; ++i) prediction.step(jacobian, Real(kStep));
+    estimate_.x = prediction.x;
+    estimate_.p.predict(prediction.f, kQ);
   }
 
   void correct(const Inputs& in, std::size_t i) {
-    const Real measured = newest<Real>(in.measured, i, FloatFormat<Real>::nan);
-    if (!eagerx::isfinite(measured)) return;
-    std::array<Real, kOrder> c;
-    for (std::size_t k = 0; k < kOrder; ++k) c[k] = kC[i * kOrder + k];
-    const auto gain = p_.update(c, each<Real>(kR, i), true);
-    const Real difference = measured - row_times<Real>(kC, i, x_);
-    const Real innovation = within_turn(difference, each<Real>(kTurn, i));
-    for (std::size_t k = 0; k < kOrder; ++k) x_[k] += gain[k] * innovation;
+    const Real measured = newest<Real>(in.measured, i, Real(FloatFormat<LaneOf<Real>>::nan));
+    change_where<Real>(eagerx::isfinite(measured), estimate_, [&] {
+      std::array<Real, kOrder> c;
+      for (std::size_t k = 0; k < kOrder; ++k) c[k] = Real(kC[i * kOrder + k]);
+      const auto gain = estimate_.p.update(c, each<Real>(kR, i), TruthOf<Real>(true));
+      const Real difference = measured - row_times<Real>(kC, i, estimate_.x);
+      const Real innovation = within_turn(difference, each<LaneOf<Real>>(kTurn, i));
+      for (std::size_t k = 0; k < kOrder; ++k) estimate_.x[k] += gain[k] * innovation;
+    });
   }
 
-  [[nodiscard]] bool is_finite() const {
-    bool finite = p_.is_finite();
-    for (std::size_t i = 0; i < kOrder; ++i) finite = finite && eagerx::isfinite(x_[i]);
+  [[nodiscard]] TruthOf<Real> is_finite() const {
+    TruthOf<Real> finite = estimate_.p.is_finite();
+    for (std::size_t i = 0; i < kOrder; ++i) finite = finite && eagerx::isfinite(estimate_.x[i]);
     return finite;
   }
 
-  OdeState<Model> x_{};
-  Covariance<Real, kOrder> p_{};
-  std::uint32_t restarts_ = 0;
+  struct Estimate {
+    OdeState<Model> x{};
+    Covariance<Real, kOrder> p{};
+  };
+  Estimate estimate_{};
+  Count restarts_{};
 };
 
 }  // namespace eagerx::models

@@ -67,9 +67,8 @@ class Covariance {
     return gain;
   }
 
-  /// Of plain numbers.
-  [[nodiscard]] bool is_finite() const {
-    bool finite = true;
+  [[nodiscard]] TruthOf<Real> is_finite() const {
+    TruthOf<Real> finite = true;
     for (const Real& x : p_) finite = finite && eagerx::isfinite(x);
     return finite;
   }

@@ -20,13 +20,12 @@ class KalmanFilter {
     p_.reset(kP);
   }
 
-  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
     static_assert(kR.size() == 1 || kR.size() == Model::kMeasured,
                   "KalmanFilter: `r` has one value, or one for each element of `measured`");
-    if (tick.n > 0) {
-      model_.predict(in);
-      p_.predict(constant_matrix(), kQ);
-    }
+    change_where<Real>(!tick.is_first(), model_, [&] { model_.predict(in); });
+    change_where<Real>(!tick.is_first(), p_, [&] { p_.predict(constant_matrix(), kQ); });
     for (std::size_t i = 0; i < Model::kMeasured; ++i) {
       std::array<Real, kOrder> c;
       for (std::size_t k = 0; k < kOrder; ++k) c[k] = Real(Model::kC[i * kOrder + k]);

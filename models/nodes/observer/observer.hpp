@@ -15,10 +15,11 @@ class Observer {
  public:
   void reset(const typename Io::States& states) { model_.reset(states); }
 
-  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
     static_assert(kGain.size() == Model::kOrder * Model::kMeasured,
                   "Observer: `gain` has `order` times as many values as `measured` has elements");
-    if (tick.n > 0) model_.predict(in);
+    change_where<Real>(!tick.is_first(), model_, [&] { model_.predict(in); });
     std::array<Real, Model::kMeasured> innovation;
     for (std::size_t i = 0; i < Model::kMeasured; ++i) {
       innovation[i] = model_.innovation(in, i);

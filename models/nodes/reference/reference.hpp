@@ -25,10 +25,12 @@ class Reference {
  public:
   void reset(const typename Io::States& /*states*/) {}
 
-  void callback(const Tick& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
-    // Time is the same in all lanes.
-    const auto now = Io::Rate::template seconds<Lane>(tick.n);
-    put(out.y, 0, Real(now < kStart ? kOffset : kOffset + kAmplitude * shape(now - kStart)));
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
+    const auto now = seconds_at<typename Io::Rate, Real>(tick);
+    const Real offset(kOffset);
+    const Real shaped = offset + Real(kAmplitude) * shape(now - Real(kStart));
+    put(out.y, 0, select(now < Real(kStart), offset, shaped));
   }
 
  private:
@@ -48,19 +50,22 @@ class Reference {
   static_assert(Config::shape != ReferenceShape::table || increases(Config::times),
                 "Reference: there are at least two `times`, each after the one before");
 
-  static Lane shape(Lane t) {
+  static Real shape(const Real& t) {
     if constexpr (Config::shape == ReferenceShape::step) {
-      return Lane(1);
+      return Real(Lane(1));
     } else if constexpr (Config::shape == ReferenceShape::ramp) {
-      return eagerx::min(t / kDuration, Lane(1));
+      return eagerx::min(t / Real(kDuration), Real(Lane(1)));
     } else if constexpr (Config::shape == ReferenceShape::sine) {
-      return wave(kFrequency * t);
+      return wave(Real(kFrequency) * t);
     } else if constexpr (Config::shape == ReferenceShape::table) {
-      return between_points(t);
+      Real y(Lane(0));
+      for (int k = 0; k < lanes<Real>; ++k) set_lane(y, k, between_points(lane(t, k)));
+      return y;
     } else {
-      const Lane sweep = eagerx::min(t, kDuration);
-      const Lane rise = (kEndFrequency - kFrequency) * (sweep / (Lane(2) * kDuration)) * sweep;
-      return wave(kFrequency * sweep + rise + kEndFrequency * (t - sweep));
+      const Real sweep = eagerx::min(t, Real(kDuration));
+      const Real rise =
+          Real(kEndFrequency - kFrequency) * (sweep / Real(Lane(2) * kDuration)) * sweep;
+      return wave(Real(kFrequency) * sweep + rise + Real(kEndFrequency) * (t - sweep));
     }
   }
   static constexpr std::size_t kPoints = Config::times.size();
@@ -81,9 +86,9 @@ class Reference {
     return kValues[before] + share * (kValues[after] - kValues[before]);
   }
   /// `turns` without whole ones first: the sine of a large number is the less exact.
-  static Lane wave(Lane turns) {
-    const Lane phase = turns + constant<Real>(Config::phase);
-    return eagerx::sin(Lane(2) * std::numbers::pi_v<Lane> * (phase - eagerx::floor(phase)));
+  static Real wave(const Real& turns) {
+    const Real phase = turns + Real(constant<Real>(Config::phase));
+    return eagerx::sin(Real(Lane(2) * std::numbers::pi_v<Lane>) * (phase - eagerx::floor(phase)));
   }
 };
 

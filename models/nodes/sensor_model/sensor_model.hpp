@@ -37,12 +37,19 @@ class SensorModel {
     }
   }
 
-  void callback(const Tick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
-    if (in.signal.empty()) {
-      for (std::size_t i = 0; i < kSize; ++i) put(out.y, i, last_[i]);
-      return;
-    }
-    const Real time(Io::Rate::template seconds<Lane>(tick.n));
+  template <class AnyTick = Tick>
+  void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    const TruthOf<Real> missing = in.signal.empty();
+    change_where<Real>(!missing, last_, [&] { measure(tick, in); });
+    for (std::size_t i = 0; i < kSize; ++i) put(out.y, i, last_[i]);
+  }
+
+ private:
+  using Real = typename Io::Real;
+  using Lane = LaneOf<Real>;
+
+  void measure(const auto& tick, const typename Io::Inputs& in) {
+    const auto time = seconds_at<typename Io::Rate, Real>(tick);
     std::array<Real, kSize> noise{};
     std::array<Real, kSize> chance{};
     for (int k = 0; k < lanes<Real>; ++k) draw(tick, k, noise, chance);
@@ -57,13 +64,9 @@ class SensorModel {
         y = step * eagerx::round(y / step);
       }
       last_[i] = select(chance[i] < Real(kDropOut), last_[i], y);
-      put(out.y, i, last_[i]);
     }
   }
 
- private:
-  using Real = typename Io::Real;
-  using Lane = LaneOf<Real>;
   static constexpr std::size_t kSize = elements_of<decltype(Io::Outputs::y)>;
   static constexpr auto kScale = constants<Real>(Io::Config::scale);
   static constexpr auto kBias = constants<Real>(Io::Config::bias);
@@ -80,12 +83,12 @@ class SensorModel {
 
   /// For lane `k`: a normal number and one in [0, 1) for each element, whether they are used or
   /// not, so that one parameter does not change the draws of another.
-  void draw(const Tick& tick, int k, std::array<Real, kSize>& noise,
+  void draw(const auto& tick, int k, std::array<Real, kSize>& noise,
             std::array<Real, kSize>& chance) {
     constexpr std::uint32_t kWords = sizeof(Lane) == 4 ? 3 : 6;  // of one element
     constexpr std::uint32_t kBlocks = (static_cast<std::uint32_t>(kSize) * kWords + 3) / 4;
     const auto seed = static_cast<std::uint32_t>(lane(difference_, k)) ^ kSeed;
-    auto random = Random::of_step({seed, 0, 0}, entity_id("SensorModel"), tick.n, kBlocks);
+    auto random = Random::of_step({seed, 0, 0}, entity_id("SensorModel"), tick.in_lane(k), kBlocks);
     for (std::size_t i = 0; i < kSize; ++i) {
       set_lane(noise[i], k, random.normal(Lane(0), Lane(1)));
       set_lane(chance[i], k, random.uniform(Lane(0), Lane(1)));

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <eagerx/message.hpp>
 #include <eagerx/rate.hpp>
+#include <models/nodes/block.hpp>
 #include <models/nodes/butterworth_filter/butterworth_design.hpp>
 
 namespace eagerx::models {
@@ -22,14 +23,22 @@ class WindowedButterworth {
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     static_assert(decltype(Io::Inputs::signal)::kMaxSize >= kOrder,
                   "WindowedButterworth: the window of `signal` must be at least `N`");
-    const std::uint32_t size = in.signal.size();
+    const auto size = in.signal.size();
     Real filtered{};
-    if (size >= kOrder) {
-      filtered = filter(in.signal, size - kOrder);
-    } else if (size > 0) {
-      filtered = sample(in.signal, size - 1);
+    if constexpr (lanes<Real> == 1) {
+      if (size >= kOrder) {
+        filtered = filter(in.signal, size - kOrder);
+      } else if (size > 0) {
+        filtered = sample(in.signal, size - 1);
+      }
+    } else {
+      constexpr std::uint32_t kMost = decltype(Io::Inputs::signal)::kMaxSize;
+      const CountOf<Real> there(size);
+      filtered = select(there > CountOf<Real>(0U), sample(in.signal, kMost - 1), Real(0));
+      filtered =
+          select(there >= CountOf<Real>(kOrder), filter(in.signal, kMost - kOrder), filtered);
     }
-    out.filtered[0] = static_cast<float>(filtered);
+    put(out.filtered, 0, filtered);
   }
 
  private:

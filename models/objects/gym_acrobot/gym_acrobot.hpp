@@ -55,9 +55,9 @@ struct GymAcrobot {
 
   static constexpr State initial_state() { return {}; }
   static constexpr Attributes default_attributes() {
-    constexpr Real kPi = std::numbers::pi_v<Real>;
-    return {{Real(1), Real(1), Real(1), Real(0.5), Real(0.5), Real(1), Real(0.2), Real(4) * kPi,
-             Real(9) * kPi}};
+    constexpr auto kPi = std::numbers::pi_v<LaneOf<Real>>;
+    return {{Real(1), Real(1), Real(1), Real(0.5), Real(0.5), Real(1), Real(0.2), Real(4 * kPi),
+             Real(9 * kPi)}};
   }
 
   static constexpr GymOutcome<Real> step(State& state, const Array<Real, kActions>& action,
@@ -74,8 +74,9 @@ struct GymAcrobot {
     state = {{normalized_angle(state[0]), normalized_angle(state[1]),
               eagerx::clamp(state[2], -a[kMaxSpeed1], a[kMaxSpeed1]),
               eagerx::clamp(state[3], -a[kMaxSpeed2], a[kMaxSpeed2])}};
-    const bool arrived = -eagerx::cos(state[0]) - eagerx::cos(state[1] + state[0]) > Real(1);
-    return {.reward = arrived ? Real(0) : Real(-1), .terminated = arrived};
+    const TruthOf<Real> arrived =
+        -eagerx::cos(state[0]) - eagerx::cos(state[1] + state[0]) > Real(1);
+    return {.reward = select(arrived, Real(0), Real(-1)), .terminated = arrived};
   }
 
   /// [cos θ1, sin θ1, cos θ2, sin θ2, dθ1/dt, dθ2/dt]
@@ -92,18 +93,18 @@ struct GymAcrobot {
   }
 
   static constexpr State derivative(const State& s, Real torque, const Attributes& a) {
-    constexpr auto kGravity = Real(9.8);
-    constexpr Real kQuarter = std::numbers::pi_v<Real> / Real(2);
+    const Real gravity(LaneOf<Real>(9.8));
+    const Real quarter(std::numbers::pi_v<LaneOf<Real>> / 2);
     const Real l1 = a[kLength1], lc1 = a[kCentre1], lc2 = a[kCentre2];
     const Real m1 = a[kMass1], m2 = a[kMass2], inertia = a[kInertia];
     const Real sine = eagerx::sin(s[1]), cosine = eagerx::cos(s[1]);
     const Real d1 = m1 * (lc1 * lc1) + m2 * (l1 * l1 + lc2 * lc2 + Real(2) * l1 * lc2 * cosine) +
                     inertia + inertia;
     const Real d2 = m2 * (lc2 * lc2 + l1 * lc2 * cosine) + inertia;
-    const Real phi2 = m2 * lc2 * kGravity * eagerx::cos(s[0] + s[1] - kQuarter);
+    const Real phi2 = m2 * lc2 * gravity * eagerx::cos(s[0] + s[1] - quarter);
     const Real phi1 = -m2 * l1 * lc2 * (s[3] * s[3]) * sine -
                       Real(2) * m2 * l1 * lc2 * s[3] * s[2] * sine +
-                      (m1 * lc1 + m2 * l1) * kGravity * eagerx::cos(s[0] - kQuarter) + phi2;
+                      (m1 * lc1 + m2 * l1) * gravity * eagerx::cos(s[0] - quarter) + phi2;
     const Real acc2 = (torque + d2 / d1 * phi1 - m2 * l1 * lc2 * (s[2] * s[2]) * sine - phi2) /
                       (m2 * (lc2 * lc2) + inertia - d2 * d2 / d1);
     return {{s[2], s[3], -(d2 * acc2 + phi1) / d1, acc2}};

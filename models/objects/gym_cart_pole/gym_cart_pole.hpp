@@ -52,9 +52,9 @@ struct GymCartPole {
   static constexpr GymOutcome<Real> step(Array<Real, kStates>& state,
                                          const Array<Real, kActions>& action,
                                          const Array<Real, kAttributes>& a) {
-    const bool was_up = is_up(state, a);
+    const TruthOf<Real> was_up = is_up(state, a);
     const Real x_dot = state[1], theta_dot = state[3];
-    const Real force = action[0] > Real(0.5) ? a[kForce] : -a[kForce];
+    const Real force = select(action[0] > Real(0.5), a[kForce], -a[kForce]);
     const Real cosine = eagerx::cos(state[2]), sine = eagerx::sin(state[2]);
     const Real mass = a[kPoleMass] + a[kCartMass];
     const Real moment = a[kPoleMass] * a[kHalfLength];
@@ -65,7 +65,7 @@ struct GymCartPole {
     const Real x_acc = push - moment * theta_acc * cosine / mass;
     state = {{state[0] + a[kStep] * x_dot, x_dot + a[kStep] * x_acc,
               state[2] + a[kStep] * theta_dot, theta_dot + a[kStep] * theta_acc}};
-    return {.reward = was_up ? Real(1) : Real(0), .terminated = !is_up(state, a)};
+    return {.reward = select(was_up, Real(1), Real(0)), .terminated = !is_up(state, a)};
   }
 
   static constexpr Array<Real, kObservations> observe(const Array<Real, kStates>& state) {
@@ -73,7 +73,8 @@ struct GymCartPole {
   }
 
  private:
-  static constexpr bool is_up(const Array<Real, kStates>& s, const Array<Real, kAttributes>& a) {
+  static constexpr TruthOf<Real> is_up(const Array<Real, kStates>& s,
+                                       const Array<Real, kAttributes>& a) {
     return s[0] >= -a[kMostX] && s[0] <= a[kMostX] && s[2] >= -a[kMostAngle] &&
            s[2] <= a[kMostAngle];
   }

@@ -38,7 +38,7 @@ struct GymMountainCar {
                                          const Array<Real, kActions>& action,
                                          const Array<Real, kAttributes>& a) {
     const Real push = eagerx::clamp(action[0], Real(0), Real(2)) - Real(1);
-    const bool arrived = drive_mountain_car(state, push * a[kMountainForce], a);
+    const TruthOf<Real> arrived = drive_mountain_car(state, push * a[kMountainForce], a);
     return {.reward = Real(-1), .terminated = arrived};
   }
 

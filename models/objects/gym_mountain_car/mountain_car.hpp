@@ -22,14 +22,15 @@ inline constexpr std::size_t kMountainCarAttributes = 7;
 /// One step of [position, velocity] with the push `change` of velocity. The left wall stops the
 /// car. Whether the goal is reached.
 template <class Real>
-constexpr bool drive_mountain_car(Array<Real, 2>& state, Real change,
-                                  const Array<Real, kMountainCarAttributes>& a) {
+constexpr TruthOf<Real> drive_mountain_car(Array<Real, 2>& state, Real change,
+                                           const Array<Real, kMountainCarAttributes>& a) {
   const Real slope = eagerx::cos(Real(3) * state[0]) * -a[kMountainGravity];
-  Real velocity =
+  const Real freely =
       eagerx::clamp(state[1] + (change + slope), -a[kMountainMaxSpeed], a[kMountainMaxSpeed]);
   const Real position =
-      eagerx::clamp(state[0] + velocity, a[kMountainMinPosition], a[kMountainMaxPosition]);
-  if (position == a[kMountainMinPosition] && velocity < Real(0)) velocity = Real(0);
+      eagerx::clamp(state[0] + freely, a[kMountainMinPosition], a[kMountainMaxPosition]);
+  const auto stopped = position == a[kMountainMinPosition] && freely < Real(0);
+  const Real velocity = select(stopped, Real(0), freely);
   state = {{position, velocity}};
   return position >= a[kMountainGoalPosition] && velocity >= a[kMountainGoalVelocity];
 }

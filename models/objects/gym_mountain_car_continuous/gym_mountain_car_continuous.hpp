@@ -8,6 +8,7 @@
 #include <eagerx/message.hpp>
 #include <models/engines/gym_engine/gym_model.hpp>
 #include <models/objects/gym_mountain_car/mountain_car.hpp>
+#include <type_traits>
 
 namespace eagerx::models {
 
@@ -39,10 +40,12 @@ struct GymMountainCarContinuous {
                                          const Array<Real, kActions>& action,
                                          const Array<Real, kAttributes>& a) {
     const Real push = eagerx::clamp(action[0], Real(-1), Real(1));
-    const bool arrived = drive_mountain_car(state, push * a[kMountainForce], a);
-    for (std::size_t i = 0; i < kStates; ++i)
-      state[i] = static_cast<Real>(static_cast<float>(state[i]));
-    const Real goal = arrived ? Real(100) : Real(0);
+    const TruthOf<Real> arrived = drive_mountain_car(state, push * a[kMountainForce], a);
+    if constexpr (!std::is_same_v<LaneOf<Real>, float>) {
+      for (std::size_t i = 0; i < kStates; ++i)
+        state[i] = static_cast<Real>(static_cast<float>(state[i]));
+    }
+    const Real goal = select(arrived, Real(100), Real(0));
     return {.reward = goal - action[0] * action[0] * Real(0.1), .terminated = arrived};
   }
 

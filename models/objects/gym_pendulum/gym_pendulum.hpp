@@ -40,7 +40,7 @@ struct GymPendulum {
   };
 
   static constexpr Array<Real, kStates> initial_state() {
-    return {{std::numbers::pi_v<Real>, Real(0)}};
+    return {{Real(std::numbers::pi_v<LaneOf<Real>>), Real(0)}};
   }
   static constexpr Array<Real, kAttributes> default_attributes() {
     return {{Real(10), Real(1), Real(1), Real(0.05), Real(8), Real(2)}};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <eagerx/math/vocabulary.hpp>
 #include <eagerx/message.hpp>
 
 namespace eagerx::models {
@@ -12,11 +13,14 @@ struct ChooseValue {
   static typename Io::Output convert(const typename Io::Input& in) {
     using Number = ScalarOf<typename Io::Input>;
     constexpr std::size_t kCount = Io::Config::values.size();
+    using Value = ScalarOf<typename Io::Output>;
     const Number number = element(in, 0);
-    std::size_t k = 0;
-    while (k + 1 < kCount && number >= static_cast<Number>(k + 1)) ++k;
     typename Io::Output out{};
-    element(out, 0) = static_cast<ScalarOf<typename Io::Output>>(Io::Config::values[k]);
+    element(out, 0) = static_cast<Value>(Io::Config::values[0]);
+    for (std::size_t k = 1; k < kCount; ++k) {
+      element(out, 0) = select(number >= static_cast<Number>(k),
+                               static_cast<Value>(Io::Config::values[k]), element(out, 0));
+    }
     return out;
   }
 };

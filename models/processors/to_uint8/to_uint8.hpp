@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
 #include <type_traits>
 
@@ -12,7 +13,7 @@ namespace eagerx::models {
 template <class Io>
 struct ToUint8 {
   static typename Io::Output convert(const typename Io::Input& in) {
-    static_assert(std::is_same_v<ScalarOf<typename Io::Output>, std::uint8_t>);
+    static_assert(std::is_same_v<Byte, std::uint8_t> || !std::is_arithmetic_v<Byte>);
     typename Io::Output out{};
     for (std::size_t i = 0; i < size_of<typename Io::Input>; ++i) {
       element(out, i) = byte(element(in, i));
@@ -21,13 +22,16 @@ struct ToUint8 {
   }
 
  private:
+  using Byte = ScalarOf<typename Io::Output>;
+
   template <class Scalar>
-  static constexpr std::uint8_t byte(Scalar x) {
-    if constexpr (std::is_floating_point_v<Scalar>) {
-      if (!(x > Scalar(0))) return 0;
-      return x >= Scalar(255) ? std::uint8_t{255} : static_cast<std::uint8_t>(x);
+  static constexpr Byte byte(const Scalar& x) {
+    if constexpr (Floating<Scalar>) {
+      using Lane = LaneOf<Scalar>;
+      const Scalar positive = select(x > Scalar(Lane(0)), x, Scalar(Lane(0)));
+      return static_cast<Byte>(eagerx::min(positive, Scalar(Lane(255))));
     } else {
-      return static_cast<std::uint8_t>(x);
+      return static_cast<Byte>(x);
     }
   }
 };

@@ -68,6 +68,9 @@ class Campaign {
   }
 
   int run(const client::Interrupt& interrupted) {
+    if (!options_.is_quiet && ranks_.is_first())
+      fmt::print(stderr, "{} environments at a time step {}\n", plan_.size_of(0),
+                 runner_.stepping());
     return ranks_.is_first() ? collect(interrupted) : contribute(interrupted);
   }
 

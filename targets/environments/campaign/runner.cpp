@@ -140,6 +140,12 @@ Runner::Runner(const client::Library& library, const Plan& plan)
                  library.find<decltype(&eagerx_get_states)>("eagerx_get_states"),
                  library.find<decltype(&eagerx_counts)>("eagerx_counts")} {}
 
+std::string Runner::stepping() const {
+  const client::Environments first(library_.functions(), plan_.size_of(0), plan_.first_of(0),
+                                   plan_.seed, plan_.longest, EAGERX_DISABLED);
+  return first.stepping();
+}
+
 Results Runner::run(std::uint32_t chunk) const {
   return Chunk(*this, chunk).run();
 }

@@ -1,6 +1,8 @@
 // A chunk of runs, with the graph's agent in the loop.
 #pragma once
 
+#include <string>
+
 #include "targets/environments/campaign/plan.hpp"
 #include "targets/environments/campaign/results.hpp"
 #include "targets/environments/client/library.hpp"
@@ -15,6 +17,8 @@ class Runner {
   /// Run k is the first episode of environment k of the plan's seed. May be called by several
   /// threads at once. Throws Problem for what the library refuses.
   Results run(std::uint32_t chunk) const;
+  /// How those of the first chunk are stepped, in words: in packs, or why not.
+  std::string stepping() const;
 
  private:
   struct Functions {

@@ -1,0 +1,68 @@
+// What a pack does one lane after the other: nodes and processors that are written for plain
+// numbers. They see and give the same messages as in their environment's own program.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <eagerx/lanes.hpp>
+#include <eagerx/message.hpp>
+#include <eagerx/rate.hpp>
+#include <eagerx/window.hpp>
+
+namespace eagerx {
+
+/// The window of one lane, of the type that the environment's own program has.
+template <class One>
+class OneLane;
+template <class Message, class SourceRate, std::uint32_t Capacity, std::uint32_t MaxSize,
+          bool AlwaysFull>
+class OneLane<Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>> {
+ public:
+  using One = Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>;
+
+  template <class Lanes>
+  OneLane(const Lanes& window, std::size_t lane) : end_(window.received(lane)) {
+    const std::uint32_t offset = window.offset(lane);
+    for (std::uint32_t i = 0; i < Capacity; ++i)
+      store_message(window.ring()[ring_position<Capacity>(i + offset)], lane, ring_[i]);
+  }
+  operator One() const { return {ring_, end_}; }  // NOLINT(google-explicit-constructor): is one
+
+ private:
+  Message ring_[Capacity];
+  Seq end_;
+};
+
+/// A message of one lane, from before and to behind a callback.
+template <class One, class Lanes>
+class OneMessage {
+ public:
+  OneMessage(Lanes& lanes, std::size_t lane) : lanes_(lanes), lane_(lane) {
+    store_message(lanes, lane, one);
+  }
+  OneMessage(const OneMessage&) = delete;
+  OneMessage& operator=(const OneMessage&) = delete;
+  ~OneMessage() { load_message(lanes_, lane_, one); }
+
+  One one;
+
+ private:
+  Lanes& lanes_;
+  std::size_t lane_;
+};
+
+/// The processor of plain numbers, `OneIo` has its Input and Output.
+template <class Processor, class OneIo, class Input, class Output, std::size_t N>
+struct ConvertByLane {
+  static Output convert(const Input& in) {
+    Output out;
+    for (std::size_t k = 0; k < N; ++k) {
+      typename OneIo::Input one;
+      store_message(in, k, one);
+      load_message(out, k, Processor::convert(one));
+    }
+    return out;
+  }
+};
+
+}  // namespace eagerx
