@@ -10,7 +10,7 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMostNodes = 100;                       // one function holds all of them
-constexpr std::size_t kMostPhases = 8;  // packs for the same environments
+constexpr std::size_t kMostPhases = 5;                        // packs for the same environments
 constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
 
 /// The environment's ticks in the hyperperiod.
@@ -59,11 +59,11 @@ std::string why_no_phases(const Plan& plan, const Schedule& schedule) {
   if (!counts_down && !own_slots && steps_in_phases(plan, schedule) <= kMostPhases) return {};
   for (const auto& node : graph.nodes) {
     if (node.drawn || (node.rate_hz / rate_hz).is_integer()) continue;
-    return fmt::format("`{}` runs at {} Hz, {} the environment's {} Hz", node.name,
-                       node.rate_hz.to_string(),
-                       own_slots && !counts_down ? "and pictures at another rate; it is no multiple of"
-                                                 : "no multiple of",
-                       rate_hz.to_string());
+    return fmt::format(
+        "`{}` runs at {} Hz, {} the environment's {} Hz", node.name, node.rate_hz.to_string(),
+        own_slots && !counts_down ? "and pictures at another rate; it is no multiple of"
+                                  : "no multiple of",
+        rate_hz.to_string());
   }
   return "a step has too many slots";
 }

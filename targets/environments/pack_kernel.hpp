@@ -27,6 +27,8 @@ struct PackKernel {
   void (*make)(void* pack) = nullptr;
   /// Whether `one` may be loaded beside the lanes that hold environments: it is in their phase.
   bool (*is_beside)(const void* pack, const Program& one) = nullptr;
+  /// A pack without environments goes to the phase of `one`.
+  void (*go_to)(void* pack, const Program& one) = nullptr;
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
   /// `actions` [lanes] have gone through the guards. Columns: observations in the graph's order,

@@ -23,8 +23,8 @@ Action applied_action(Program& program, const Action& action) {
 }
 
 /// Environment k is lane k % lanes() of one of the packs of group k / lanes(): there are as many in
-/// a group as a pack has phases, and no two of them with environments are in the same one. All empty
-/// where there are no lanes.
+/// a group as a pack has phases, and no two of them with environments are in the same one. All
+/// empty where there are no lanes.
 template <class Graph>
 class PackMemory {
  public:
@@ -32,7 +32,7 @@ class PackMemory {
   using Action = typename Graph::Action;
 
   PackMemory(const PackKernel<Graph>& kernel, std::uint32_t environments)
-      : kernel_(kernel), memory_(nullptr, Free{std::align_val_t{1}}) {
+      : kernel_(kernel), environments_(environments), memory_(nullptr, Free{std::align_val_t{1}}) {
     if (lanes() == 0) return;
     const std::size_t packs = (environments + lanes() - 1) / lanes() * kernel.phases;
     if (kernel.phases > 1) {
@@ -55,23 +55,17 @@ class PackMemory {
     actions_.resize(std::size_t{members} * lanes(), Graph::zero());
   }
 
-  /// An environment that no lane holds.
+  /// An environment that no lane holds. Lanes that hold none get it, too: they are computed with
+  /// the others, and numbers without a meaning (huge angles) may take longer than all of these.
   void load(std::uint32_t k, const Program& one) {
-    if (kernel_.phases > 1) {
-      const std::uint32_t first = k / lanes() * kernel_.phases;
-      std::uint32_t chosen = kernel_.phases;
-      for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
-        if (held_[first + i] == 0) {
-          if (chosen == kernel_.phases) chosen = i;
-        } else if (kernel_.is_beside(at(first + i), one)) {
-          chosen = i;
-          break;
-        }
-      }
-      phase_[k] = static_cast<std::uint8_t>(chosen);
-      ++held_[first + chosen];
+    const std::uint32_t first = k / lanes() * kernel_.phases;
+    if (kernel_.phases > 1) join(k, first, one);
+    for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
+      kernel_.load(at(first + i), k % lanes(), one);
+      if (k + 1 < environments_) continue;
+      for (std::uint32_t lane = k % lanes() + 1; lane < lanes(); ++lane)
+        kernel_.load(at(first + i), lane, one);
     }
-    kernel_.load(pack(k), k % lanes(), one);
   }
   /// Its lane holds it no longer.
   void leave(std::uint32_t k) {
@@ -144,6 +138,22 @@ class PackMemory {
     });
   }
 
+  /// The pack that is in its phase, or one without environments.
+  void join(std::uint32_t k, std::uint32_t first, const Program& one) {
+    std::uint32_t chosen = kernel_.phases;
+    for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
+      if (held_[first + i] == 0) {
+        if (chosen == kernel_.phases) chosen = i;
+      } else if (kernel_.is_beside(at(first + i), one)) {
+        chosen = i;
+        break;
+      }
+    }
+    if (held_[first + chosen] == 0) kernel_.go_to(at(first + chosen), one);
+    phase_[k] = static_cast<std::uint8_t>(chosen);
+    ++held_[first + chosen];
+  }
+
   std::uint32_t phase_of(std::uint32_t k) const { return kernel_.phases > 1 ? phase_[k] : 0; }
   std::byte* at(std::size_t i) const { return memory_.get() + i * kernel_.bytes; }
   std::byte* pack(std::uint32_t k) const {
@@ -155,6 +165,7 @@ class PackMemory {
   }
 
   PackKernel<Graph> kernel_;
+  std::uint32_t environments_;
   std::unique_ptr<std::byte[], Free> memory_;  // [packs][bytes]
   std::vector<float> columns_;                 // [members][phases][columns][lanes]
   std::vector<std::uint8_t> phase_;            // [environments], in which pack; none for one phase

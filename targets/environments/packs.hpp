@@ -30,6 +30,9 @@ class Packs {
     kernel.is_beside = [](const void* pack, const typename Kernel::Program& one) {
       return static_cast<const Program*>(pack)->is_beside(one);
     };
+    kernel.go_to = [](void* pack, const typename Kernel::Program& one) {
+      static_cast<Program*>(pack)->go_to(one);
+    };
     kernel.make = [](void* pack) { ::new (pack) Program{}; };
     kernel.load = [](void* pack, std::uint32_t lane, const typename Kernel::Program& one) {
       static_cast<Program*>(pack)->load(lane, one);
