@@ -32,6 +32,7 @@ class ProgramView {
     view_.set("packs", names_.has_packs());
     const Rational ticks = plan_.rates.front().rate_hz / graph_.environment().rate_hz;
     view_.set("ticks", fmt::format("{}", ticks.ceil()));
+    view_.set("phases", fmt::format("{}", steps_in_hyperperiod(plan_)));
     view_.set("seq_type", names_.has_packs() ? "eagerx::LaneClock<kLanes>" : "eagerx::Seq");
     view_.set("environment_rate", rate_type(graph_.environment().rate_hz));
     view_.set("environment_counter", names_.counter[rate]);

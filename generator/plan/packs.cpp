@@ -10,7 +10,15 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kMostNodes = 100;                       // one function holds all of them
+constexpr std::size_t kMostPhases = 5;                        // packs for the same environments
 constexpr std::int64_t kMostOfRatio = std::int64_t{1} << 30;  // what lanes count with
+
+/// The environment's ticks in the hyperperiod.
+std::size_t steps_in_phases(const Plan& plan, const Schedule& schedule) {
+  const std::uint64_t environment = std::uint64_t{1} << plan.nodes[Graph::kEnvironment].rate;
+  return static_cast<std::size_t>(std::ranges::count_if(
+      schedule.masks, [&](std::uint64_t mask) { return (mask & environment) != 0; }));
+}
 
 std::string why_not(const GraphNode& node, bool by_lane_too) {
   const bool only_resets = !node.reset_targets.empty();  // packs pass its feedthroughs on
@@ -40,19 +48,36 @@ std::string why_not(const GraphNode& node, bool by_lane_too) {
   return {};
 }
 
+/// Of a step that is no hyperperiod. Each pack is then in one phase of it, and there are as many
+/// packs for the same environments as there are phases.
+std::string why_no_phases(const Plan& plan, const Schedule& schedule) {
+  const Graph& graph = *plan.graph;
+  const Rational& rate_hz = graph.environment().rate_hz;
+  const bool counts_down = schedule.form == ScheduleForm::countdown;
+  // Where an environment goes on alone is the same slot only if its own program has the same ones.
+  const bool own_slots = schedule.masks != plan.schedule.masks;
+  if (!counts_down && !own_slots && steps_in_phases(plan, schedule) <= kMostPhases) return {};
+  for (const auto& node : graph.nodes) {
+    if (node.drawn || (node.rate_hz / rate_hz).is_integer()) continue;
+    return fmt::format(
+        "`{}` runs at {} Hz, {} the environment's {} Hz", node.name, node.rate_hz.to_string(),
+        own_slots && !counts_down ? "and pictures at another rate; it is no multiple of"
+                                  : "no multiple of",
+        rate_hz.to_string());
+  }
+  return "a step has too many slots";
+}
+
 /// Rates and delays.
 std::string why_not_in_time(const Plan& plan) {
   const Graph& graph = *plan.graph;
-  const Rational& rate_hz = graph.environment().rate_hz;
   if (!graph.safety.outputs.empty())
     return "a graph without an engine stands still while its outputs are safe (`safety: {outputs: "
            "none}` if nothing acts on them)";
-  for (const auto& node : graph.nodes) {
-    if (node.drawn || (node.rate_hz / rate_hz).is_integer()) continue;
-    return fmt::format("`{}` runs at {} Hz, no multiple of the environment's {} Hz", node.name,
-                       node.rate_hz.to_string(), rate_hz.to_string());
+  const Schedule schedule = schedule_of_packs(plan);
+  if (schedule.form != ScheduleForm::constants) {
+    if (std::string reason = why_no_phases(plan, schedule); !reason.empty()) return reason;
   }
-  if (schedule_of_packs(plan).form != ScheduleForm::constants) return "a step has too many slots";
   // Its tick 0, at which it does nothing, is then in a reset.
   if (graph.has_engine() && std::ranges::find(plan.before, Graph::kEngine) == plan.before.end())
     return "the engine waits for actions";
@@ -122,6 +147,11 @@ Schedule schedule_of_packs(const Plan& plan) {
   std::ranges::for_each(schedule.kinds, widen);
   std::ranges::for_each(schedule.runs, widen, &Schedule::Run::mask);
   return schedule;
+}
+
+std::size_t steps_in_hyperperiod(const Plan& plan) {
+  if (plan.schedule.form == ScheduleForm::constants) return 1;
+  return std::max<std::size_t>(1, steps_in_phases(plan, plan.schedule));
 }
 
 std::string why_no_packs(const Plan& plan) {

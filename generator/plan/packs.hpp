@@ -17,6 +17,9 @@ std::string why_no_packs(const Plan& plan);
 /// objects and engine nodes cannot: what they simulate is in lanes.
 bool runs_lane_by_lane(const GraphNode& node);
 
+/// Steps after which every rate is due again; 1 where all rates are multiples of the environment's.
+std::size_t steps_in_hyperperiod(const Plan& plan);
+
 /// By rate of the plan, whether packs have it: not that of pictures alone, which they never show.
 std::vector<bool> rates_of_packs(const Plan& plan);
 /// The slots of packs, with the masks of the plan: without those in which only pictures are due,

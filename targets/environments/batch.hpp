@@ -387,7 +387,9 @@ class Batch {
 
   /// Back into its own program.
   void take_out(std::uint32_t k) {
-    if (episodes_[k].packed) packs_.store(k, programs_[k]);
+    if (!episodes_[k].packed) return;
+    packs_.store(k, programs_[k]);
+    packs_.leave(k);
     episodes_[k].packed = false;
   }
 

@@ -21,9 +21,14 @@ struct PackKernel {
   std::size_t columns = 0;               // that step() writes, [columns][lanes]
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
+  std::uint32_t phases = 1;              // of a pack: steps after which every rate is due again
 
   /// No environment is in any lane.
   void (*make)(void* pack) = nullptr;
+  /// Whether `one` may be loaded beside the lanes that hold environments: it is in their phase.
+  bool (*is_beside)(const void* pack, const Program& one) = nullptr;
+  /// A pack without environments goes to the phase of `one`.
+  void (*go_to)(void* pack, const Program& one) = nullptr;
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
   /// `actions` [lanes] have gone through the guards. Columns: observations in the graph's order,

@@ -22,7 +22,9 @@ Action applied_action(Program& program, const Action& action) {
   }
 }
 
-/// Environment k is lane k % lanes() of pack k / lanes(). All empty where there are no lanes.
+/// Environment k is lane k % lanes() of one of the packs of group k / lanes(): there are as many in
+/// a group as a pack has phases, and no two of them with environments are in the same one. All
+/// empty where there are no lanes.
 template <class Graph>
 class PackMemory {
  public:
@@ -30,9 +32,13 @@ class PackMemory {
   using Action = typename Graph::Action;
 
   PackMemory(const PackKernel<Graph>& kernel, std::uint32_t environments)
-      : kernel_(kernel), memory_(nullptr, Free{std::align_val_t{1}}) {
+      : kernel_(kernel), environments_(environments), memory_(nullptr, Free{std::align_val_t{1}}) {
     if (lanes() == 0) return;
-    const std::size_t packs = (environments + lanes() - 1) / lanes();
+    const std::size_t packs = (environments + lanes() - 1) / lanes() * kernel.phases;
+    if (kernel.phases > 1) {
+      phase_.resize(environments);
+      held_.resize(packs);
+    }
     const auto alignment = std::align_val_t{kernel.alignment};
     memory_ = {static_cast<std::byte*>(::operator new(packs* kernel.bytes, alignment)),
                Free{alignment}};
@@ -45,22 +51,44 @@ class PackMemory {
 
   /// For a step of each member of a team at the same time.
   void make_room(unsigned members) {
-    columns_.resize(members * kernel_.columns * lanes());
+    columns_.resize(members * kernel_.phases * kernel_.columns * lanes());
     actions_.resize(std::size_t{members} * lanes(), Graph::zero());
   }
 
-  void load(std::uint32_t k, const Program& one) { kernel_.load(pack(k), k % lanes(), one); }
+  /// An environment that no lane holds. Lanes that hold none get it, too: they are computed with
+  /// the others, and numbers without a meaning (huge angles) may take longer than all of these.
+  void load(std::uint32_t k, const Program& one) {
+    const std::uint32_t first = k / lanes() * kernel_.phases;
+    if (kernel_.phases > 1) join(k, first, one);
+    for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
+      kernel_.load(at(first + i), k % lanes(), one);
+      if (k + 1 < environments_) continue;
+      for (std::uint32_t lane = k % lanes() + 1; lane < lanes(); ++lane)
+        kernel_.load(at(first + i), lane, one);
+    }
+  }
+  /// Its lane holds it no longer.
+  void leave(std::uint32_t k) {
+    if (kernel_.phases > 1) --held_[k / lanes() * kernel_.phases + phase_[k]];
+  }
   void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), k % lanes(), one); }
 
   Action& action(unsigned member, std::uint32_t k) {
     return actions_[std::size_t{member} * lanes() + k % lanes()];
   }
-  /// Steps the pack of `k` with the actions of `member`, into its columns.
+  /// Steps the packs of `k`'s group with the actions of `member`, into their columns.
   void step(unsigned member, std::uint32_t k) {
-    kernel_.step(pack(k), actions_.data() + std::size_t{member} * lanes(), columns(member));
+    const std::uint32_t first = k / lanes() * kernel_.phases;
+    for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
+      if (kernel_.phases > 1 && held_[first + i] == 0) continue;
+      kernel_.step(at(first + i), actions_.data() + std::size_t{member} * lanes(),
+                   columns(member, i));
+    }
   }
+  /// What the last step wrote of an environment, also after load() and leave() of others.
   PackColumn column(unsigned member, std::uint32_t k) {
-    return {columns(member) + k % lanes(), lanes(), kernel_.columns - kTerms - terms_of<Graph>};
+    return {columns(member, phase_of(k)) + k % lanes(), lanes(),
+            kernel_.columns - kTerms - terms_of<Graph>};
   }
 
   /// The guard looks at the observation of the step.
@@ -110,14 +138,38 @@ class PackMemory {
     });
   }
 
-  std::byte* pack(std::uint32_t k) const { return memory_.get() + k / lanes() * kernel_.bytes; }
-  float* columns(unsigned member) {
-    return columns_.data() + std::size_t{member} * kernel_.columns * lanes();
+  /// The pack that is in its phase, or one without environments.
+  void join(std::uint32_t k, std::uint32_t first, const Program& one) {
+    std::uint32_t chosen = kernel_.phases;
+    for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
+      if (held_[first + i] == 0) {
+        if (chosen == kernel_.phases) chosen = i;
+      } else if (kernel_.is_beside(at(first + i), one)) {
+        chosen = i;
+        break;
+      }
+    }
+    if (held_[first + chosen] == 0) kernel_.go_to(at(first + chosen), one);
+    phase_[k] = static_cast<std::uint8_t>(chosen);
+    ++held_[first + chosen];
+  }
+
+  std::uint32_t phase_of(std::uint32_t k) const { return kernel_.phases > 1 ? phase_[k] : 0; }
+  std::byte* at(std::size_t i) const { return memory_.get() + i * kernel_.bytes; }
+  std::byte* pack(std::uint32_t k) const {
+    return at(std::size_t{k / lanes()} * kernel_.phases + phase_of(k));
+  }
+  float* columns(unsigned member, std::uint32_t phase) {
+    return columns_.data() +
+           (std::size_t{member} * kernel_.phases + phase) * kernel_.columns * lanes();
   }
 
   PackKernel<Graph> kernel_;
+  std::uint32_t environments_;
   std::unique_ptr<std::byte[], Free> memory_;  // [packs][bytes]
-  std::vector<float> columns_;                 // [members][columns][lanes]
+  std::vector<float> columns_;                 // [members][phases][columns][lanes]
+  std::vector<std::uint8_t> phase_;            // [environments], in which pack; none for one phase
+  std::vector<std::uint32_t> held_;            // [packs], environments in it; the same
   std::vector<Action> actions_;                // [members][lanes]
 };
 

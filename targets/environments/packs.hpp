@@ -26,6 +26,13 @@ class Packs {
     kernel.columns = Observation::kNumbers + kTerms + terms_of<Graph>;
     kernel.most_steps = kMostTicks / Program::kTicks;
     kernel.answers = Program::kAnswers;
+    kernel.phases = Program::kPhases;
+    kernel.is_beside = [](const void* pack, const typename Kernel::Program& one) {
+      return static_cast<const Program*>(pack)->is_beside(one);
+    };
+    kernel.go_to = [](void* pack, const typename Kernel::Program& one) {
+      static_cast<Program*>(pack)->go_to(one);
+    };
     kernel.make = [](void* pack) { ::new (pack) Program{}; };
     kernel.load = [](void* pack, std::uint32_t lane, const typename Kernel::Program& one) {
       static_cast<Program*>(pack)->load(lane, one);
@@ -43,7 +50,7 @@ class Packs {
 
   static void step(void* pack, const typename Kernel::Action* actions, float* columns) {
     Action action;
-    for (std::size_t k = 0; k < Lanes; ++k) action.load(k, actions[k]);
+    for (std::size_t k = 0; k < Lanes; ++k) load_action(action, k, actions[k]);
     Program& program = *static_cast<Program*>(pack);
     write(program.step(action), columns);
     if constexpr (has_task<Graph>) {
