@@ -22,8 +22,6 @@ class KalmanFilter {
 
   template <class AnyTick = Tick>
   void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
-    static_assert(kR.size() == 1 || kR.size() == Model::kMeasured,
-                  "KalmanFilter: `r` has one value, or one for each element of `measured`");
     change_where<Real>(!tick.is_first(), model_, [&] { model_.predict(in); });
     change_where<Real>(!tick.is_first(), p_, [&] { p_.predict(constant_matrix(), kQ); });
     for (std::size_t i = 0; i < Model::kMeasured; ++i) {
@@ -41,7 +39,11 @@ class KalmanFilter {
   using Model = LinearModel<Io>;
   static constexpr std::size_t kOrder = Model::kOrder;
   static constexpr auto kQ = constants<Real>(Io::Config::q);
+  static_assert(kQ.size() == kOrder || kQ.size() == kOrder * kOrder,
+                "KalmanFilter: `p` and `q` have a value for each state, or order x order values");
   static constexpr auto kR = constants<Real>(Io::Config::r);
+  static_assert(kR.size() == 1 || kR.size() == Model::kMeasured,
+                "KalmanFilter: `r` has one value, or one for each element of `measured`");
   static constexpr auto kP = constants<Real>(Io::Config::p);
 
   static auto constant_matrix() {

@@ -17,8 +17,6 @@ class Observer {
 
   template <class AnyTick = Tick>
   void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
-    static_assert(kGain.size() == Model::kOrder * Model::kMeasured,
-                  "Observer: `gain` has `order` times as many values as `measured` has elements");
     change_where<Real>(!tick.is_first(), model_, [&] { model_.predict(in); });
     std::array<Real, Model::kMeasured> innovation;
     for (std::size_t i = 0; i < Model::kMeasured; ++i) {
@@ -34,6 +32,8 @@ class Observer {
   using Real = typename Io::Real;
   using Model = LinearModel<Io>;
   static constexpr auto kGain = constants<Real>(Io::Config::gain);
+  static_assert(kGain.size() == Model::kOrder * Model::kMeasured,
+                "Observer: `gain` has `order` times as many values as `measured` has elements");
 
   Model model_{};
 };

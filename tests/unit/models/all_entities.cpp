@@ -268,6 +268,26 @@ template struct Reshape<ConversionIo<float, Array<float, 4>, Array<float, 2, 2>>
 template struct ToScalar<ConversionIo<float, Array<float, 1>, float>>;
 template struct ToVector<ConversionIo<float, float, Array<float, 1>>>;
 
+// A callback that takes the tick of any pack is no part of what the lines above make.
+template <class Node>
+constexpr auto kCallback = &Node::template callback<Tick>;
+template <class... Nodes>
+constexpr bool have_callbacks = ((kCallback<Nodes> != nullptr) && ...);
+static_assert(
+    have_callbacks<Observer<blocks::SystemIo<float>>, Observer<blocks::SystemIo<double>>,
+                   KalmanFilter<blocks::SystemIo<float>>, KalmanFilter<blocks::SystemIo<double>>,
+                   ExtendedKalmanFilter<blocks::ExtendedIo<float>>,
+                   ExtendedKalmanFilter<blocks::ExtendedIo<double>>,
+                   SensorModel<blocks::NoisyIo<float>>, SensorModel<blocks::NoisyIo<double>>>);
+template <class Real>
+constexpr bool reference_has_callbacks = have_callbacks<
+    Reference<blocks::SourceIo<Real, blocks::ReferenceConfig<ReferenceShape::step>>>,
+    Reference<blocks::SourceIo<Real, blocks::ReferenceConfig<ReferenceShape::ramp>>>,
+    Reference<blocks::SourceIo<Real, blocks::ReferenceConfig<ReferenceShape::sine>>>,
+    Reference<blocks::SourceIo<Real, blocks::ReferenceConfig<ReferenceShape::chirp>>>,
+    Reference<blocks::SourceIo<Real, blocks::ReferenceConfig<ReferenceShape::table>>>>;
+static_assert(reference_has_callbacks<float> && reference_has_callbacks<double>);
+
 // The state of a program: constant-initialised to zero bytes.
 constinit PendulumSimulator<float> float_pendulum;
 constinit PendulumSimulator<double> double_pendulum;
