@@ -88,9 +88,10 @@ struct ObservationRow {
 };
 /// What a step was worth.
 struct OutcomeView {
-  float reward = 0.0F;
+  double reward = 0.0;
   bool terminated = false, truncated = false, success = false;
-  const float* terms = nullptr;  // weighted
+  const void* terms = nullptr;  // weighted; null without a task
+  Scalar scalar = Scalar::f32;  // of the terms
 };
 
 /// Hears counts that are not 0, or all. A name is valid during the call.

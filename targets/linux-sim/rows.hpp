@@ -127,8 +127,12 @@ void list_outcomes(FieldListener& listener) {
 template <class Outcome>
 OutcomeView view_of_outcome(const Outcome& outcome) {
   if constexpr (requires { Outcome::kTerms; }) {
-    return {outcome.reward, outcome.terminated, outcome.truncated, outcome.success,
-            &outcome.terms[0]};
+    return {static_cast<double>(outcome.reward),
+            outcome.terminated,
+            outcome.truncated,
+            outcome.success,
+            &outcome.terms[0],
+            scalar_of<std::remove_cvref_t<decltype(outcome.terms[0])>>()};
   } else {
     return {};
   }

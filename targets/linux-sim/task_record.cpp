@@ -1,6 +1,7 @@
 #include <cmath>
 #include <targets/common/reward_check.hpp>
 #include <targets/common/reward_text.hpp>
+#include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/task_record.hpp>
 
 namespace eagerx::linux_sim {
@@ -24,16 +25,22 @@ void TaskRecord::step(const OutcomeView& outcome) {
   ++step_;
   if (!std::isfinite(outcome.reward)) [[unlikely]]
     note_not_finite(outcome);
-  return_ += static_cast<double>(outcome.reward);
-  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += static_cast<double>(outcome.terms[i]);
+  return_ += outcome.reward;
+  for (std::size_t i = 0; i < sums_.size(); ++i)
+    sums_[i] += number_of(outcome.scalar, outcome.terms, i);
 }
 
 void TaskRecord::note_not_finite(const OutcomeView& outcome) {
-  const std::size_t place = target::count_not_finite(outcome.terms, terms(), not_finite_.data());
+  const std::size_t place =
+      outcome.scalar == Scalar::f64
+          ? target::count_not_finite(static_cast<const double*>(outcome.terms), terms(),
+                                     not_finite_.data())
+          : target::count_not_finite(static_cast<const float*>(outcome.terms), terms(),
+                                     not_finite_.data());
   if (!first_.empty()) return;
-  const float value = place == 0 ? outcome.reward : outcome.terms[place - 1];
-  first_ =
-      target::number_not_finite_text(numbers_[place], static_cast<double>(value), episodes_, step_);
+  const double value =
+      place == 0 ? outcome.reward : number_of(outcome.scalar, outcome.terms, place - 1);
+  first_ = target::number_not_finite_text(numbers_[place], value, episodes_, step_);
 }
 
 void TaskRecord::end_episode() {
