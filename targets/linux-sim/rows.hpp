@@ -1,6 +1,8 @@
 // Between the types of a graph and the rows that the library of linux-sim sees.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -94,8 +96,7 @@ void list_observations(FieldListener& listener) {
   // Nobody looks into its windows.
   using Observation = typename Graph::Observation;
   static_assert(std::is_trivially_copyable_v<Observation>);
-  alignas(Observation) std::byte nothing[sizeof(Observation)]{};
-  const auto& any = *reinterpret_cast<const Observation*>(nothing);
+  const auto any = std::bit_cast<Observation>(std::array<std::byte, sizeof(Observation)>{});
   Graph::for_each_observation(any, [&](const char* name, const auto& window, const auto&... space) {
     using Window = std::remove_cvref_t<decltype(window)>;
     Field field = field_of<typename Window::value_type>(name, space...);
