@@ -1,31 +1,43 @@
 # Libraries that are the same for every graph: compiled once and kept.
 #
-# eagerx_compiled_library(<name> SOURCES <file>... [FOLDERS <folder>...] [LINK <library>...] [OPTIONS <flag>...] [UNITY])
+# eagerx_compiled_library(<name> SOURCES <file>... [FOLDERS <folder>...] [LINK <library>...] [OPTIONS <flag>...] [UNITY]
+#                         [OF_ITS_TYPE])
 #
 # <name> is a static library of the sources. Where EAGERX_LIBRARY_CACHE names a folder, or EAGERX_LIBRARIES one that came
 # with the package, and one of them has the library already, it is taken from there; otherwise it is compiled, and the
 # cache then has it. What is kept has a folder of its own for each compiler, set of flags, and text of the sources and of
 # all headers in FOLDERS, so it is never too old. It is compiled with -O2 for every build type but Debug, so that one serves
-# all of them. Nothing is kept without either variable.
+# all of them; OF_ITS_TYPE: as the build type says, and for each type anew. What -fcallgraph-info among OPTIONS writes
+# (`eagerx-gen size` reads it) is kept with the library. Nothing is kept without either variable.
 include_guard(GLOBAL)
 
 function(eagerx_compiled_library name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY" "" "SOURCES;FOLDERS;LINK;OPTIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "UNITY;OF_ITS_TYPE" "" "SOURCES;FOLDERS;LINK;OPTIONS")
+  set(graphs ${CMAKE_CURRENT_BINARY_DIR}/${name}.ci) # of calls, of a library that was taken from where it is kept
+  file(REMOVE_RECURSE ${graphs})
   if(EAGERX_LIBRARY_CACHE OR EAGERX_LIBRARIES)
-    _eagerx_library_key(key ${name} "${arg_SOURCES}" "${arg_FOLDERS}" "${arg_OPTIONS}")
+    _eagerx_library_key(key ${name} "${arg_SOURCES}" "${arg_FOLDERS}" "${arg_OPTIONS}" ${arg_OF_ITS_TYPE})
     foreach(folder IN LISTS EAGERX_LIBRARIES EAGERX_LIBRARY_CACHE)
       set(kept ${folder}/${key}/lib${name}.a)
       if(EXISTS ${kept})
         add_library(${name} STATIC IMPORTED GLOBAL)
         set_target_properties(${name} PROPERTIES IMPORTED_LOCATION ${kept})
         target_link_libraries(${name} INTERFACE ${arg_LINK})
+        if(arg_OPTIONS MATCHES "-fcallgraph-info")
+          file(GLOB kept ${folder}/${key}/*.ci)
+          file(COPY ${kept} DESTINATION ${graphs})
+        endif()
         return()
       endif()
     endforeach()
   endif()
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC ${arg_LINK})
-  target_compile_options(${name} PRIVATE ${arg_OPTIONS} $<$<NOT:$<CONFIG:Debug>>:-O2>)
+  set(level $<$<NOT:$<CONFIG:Debug>>:-O2>)
+  if(arg_OF_ITS_TYPE)
+    set(level)
+  endif()
+  target_compile_options(${name} PRIVATE ${arg_OPTIONS} ${level})
   if(arg_UNITY)
     # The headers of the standard library take most of the time: once for all files. tests/lint compiles each by itself.
     set(unity ON)
@@ -39,16 +51,17 @@ function(eagerx_compiled_library name)
     add_custom_command(
       TARGET ${name} POST_BUILD
       COMMAND ${CMAKE_COMMAND} -D FROM=$<TARGET_FILE:${name}> -D TO=${EAGERX_LIBRARY_CACHE}/${key}/lib${name}.a
-              -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/keep_library.cmake
+              "-D OBJECTS=$<TARGET_OBJECTS:${name}>" -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/keep_library.cmake
       VERBATIM)
   endif()
 endfunction()
 
 # What must be equal for a library to be the same. A change of a file configures anew.
-function(_eagerx_library_key variable name sources folders options)
+function(_eagerx_library_key variable name sources folders options of_its_type)
   set(type)
-  if(CMAKE_BUILD_TYPE STREQUAL Debug)
-    set(type "Debug ${CMAKE_CXX_FLAGS_DEBUG}")
+  if(of_its_type OR CMAKE_BUILD_TYPE STREQUAL Debug)
+    string(TOUPPER "${CMAKE_BUILD_TYPE}" capitals)
+    set(type "${CMAKE_BUILD_TYPE} ${CMAKE_CXX_FLAGS_${capitals}}")
   endif()
   set(text "${name} ${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} ${CMAKE_CXX_COMPILER_ARCHITECTURE_ID} \
 ${CMAKE_LIBRARY_ARCHITECTURE} ${CMAKE_SYSTEM_NAME} ${CMAKE_SYSTEM_PROCESSOR} ${CMAKE_CXX_FLAGS} ${type} \

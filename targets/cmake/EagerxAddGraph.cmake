@@ -218,13 +218,17 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
   set(image ${build}/${target}.elf)
   set(configured ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.configured)
   cmake_path(GET board_folder PARENT_PATH targets_folder)
+  set(kept ${EAGERX_LIBRARY_CACHE}) # what all images of a board have in common
+  if(NOT kept)
+    set(kept ${CMAKE_BINARY_DIR}/eagerx.libraries)
+  endif()
   add_custom_command(
     OUTPUT ${configured}
     COMMAND
       ${CMAKE_COMMAND} -S ${output} -B ${build} -G ${CMAKE_GENERATOR} --toolchain ${toolchain}
       -DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE} -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
       -DEAGERX_TARGET=${board} -DEAGERX_TARGETS_PATH=${targets_folder} -DEAGERX_IMAGE_NAME=${target}.elf
-      -Deagerx_gen_DIR=${EAGERX_PACKAGE_DIR}
+      -Deagerx_gen_DIR=${EAGERX_PACKAGE_DIR} -DEAGERX_LIBRARY_CACHE=${kept}
     COMMAND ${CMAKE_COMMAND} -E touch ${configured}
     DEPENDS ${stamp} ${toolchain}
     COMMENT "Configuring ${target} for ${board}"

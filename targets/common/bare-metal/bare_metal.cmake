@@ -13,10 +13,27 @@ set(EAGERX_BARE_METAL_FLAGS
 set(EAGERX_ARGUMENTS "" CACHE STRING "Options of programs that start without a debugger, such as --pace")
 option(EAGERX_TRACE "Programs for boards know --trace, which takes some kB of flash" OFF)
 
+# eagerx_board_library(<name> SOURCES <file>... [FOLDERS <folder>...] [OPTIONS <flag>...])
+# What is the same in all images of a board: compiled once for each core and set of flags, and kept
+# (runtime/host/compiled_library.cmake).
+function(eagerx_board_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;FOLDERS;OPTIONS" ${ARGN})
+  if(TARGET ${name})
+    return()
+  endif()
+  set(targets ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../..)
+  include(${targets}/../runtime/host/compiled_library.cmake)
+  eagerx_compiled_library(
+    ${name} OF_ITS_TYPE
+    SOURCES ${arg_SOURCES}
+    FOLDERS ${targets}/common ${targets}/../runtime/eagerx ${arg_FOLDERS}
+    LINK eagerx::runtime
+    OPTIONS ${EAGERX_BARE_METAL_FLAGS} ${arg_OPTIONS})
+endfunction()
+
 # eagerx_configure_bare_metal(<executable> FOLDER <the board's> LINKER_SCRIPT <file> STARTUP <source>
 #                             SOURCES <more>... [STACK <bytes>] [LINK_OPTIONS <option>...])
-# Flags, linker script and the proof that nothing uses a heap, exceptions or type information. What does not
-# depend on a graph is compiled once in a build tree.
+# Flags, linker script and the proof that nothing uses a heap, exceptions or type information.
 function(eagerx_configure_bare_metal executable)
   cmake_parse_arguments(arg "" "FOLDER;LINKER_SCRIPT;STARTUP;STACK" "SOURCES;LINK_OPTIONS" ${ARGN})
   if(NOT arg_STACK)
@@ -34,22 +51,21 @@ function(eagerx_configure_bare_metal executable)
   list(GET ram 0 ram_origin)
   list(GET ram 1 ram_bytes)
 
-  if(NOT TARGET eagerx_board)
-    add_library(eagerx_board OBJECT EXCLUDE_FROM_ALL ${arg_STARTUP} ${here}/semihosting.cpp ${here}/console.cpp
-                                                     ${arg_SOURCES})
-    target_link_libraries(eagerx_board PUBLIC eagerx::runtime)
-    target_compile_options(eagerx_board PRIVATE ${EAGERX_BARE_METAL_FLAGS})
-    eagerx_board_number(clock_hz ${arg_FOLDER} clock_hz)
-    target_compile_definitions(eagerx_board PRIVATE EAGERX_CLOCK_HZ=${clock_hz})
-    if(EAGERX_ARGUMENTS)
-      target_compile_definitions(eagerx_board PRIVATE "EAGERX_ARGUMENTS=\"${EAGERX_ARGUMENTS}\"")
-    endif()
-    # The start-up code copies and clears memory itself.
-    set_source_files_properties(${arg_STARTUP} PROPERTIES COMPILE_OPTIONS -fno-tree-loop-distribute-patterns)
+  eagerx_board_number(clock_hz ${arg_FOLDER} clock_hz)
+  set(definitions -DEAGERX_CLOCK_HZ=${clock_hz})
+  if(EAGERX_ARGUMENTS)
+    list(APPEND definitions "-DEAGERX_ARGUMENTS=\"${EAGERX_ARGUMENTS}\"")
   endif()
+  eagerx_board_library(
+    eagerx_board
+    FOLDERS ${arg_FOLDER}
+    SOURCES ${arg_STARTUP} ${here}/semihosting.cpp ${here}/console.cpp ${arg_SOURCES}
+    # The start-up code copies and clears memory itself.
+    OPTIONS ${definitions} -fno-tree-loop-distribute-patterns)
 
   set_target_properties(${executable} PROPERTIES SUFFIX .elf)
-  target_link_libraries(${executable} PRIVATE eagerx_board)
+  # All of it: what the board's own sources say in place of a weak function is called by nobody else.
+  target_link_libraries(${executable} PRIVATE -Wl,--whole-archive eagerx_board -Wl,--no-whole-archive)
   target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
   target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}>)
   target_link_options(

@@ -20,13 +20,8 @@ endfunction()
 # Cores without a double-precision unit add doubles with libgcc, whose addition is wrong in the last place now
 # and then; ours replaces it, so that the bits are those of every other machine.
 function(eagerx_use_own_double_addition executable)
-  if(NOT TARGET eagerx_double_addition)
-    add_library(eagerx_double_addition OBJECT EXCLUDE_FROM_ALL
-                ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../soft_double_add.cpp)
-    target_link_libraries(eagerx_double_addition PUBLIC eagerx::runtime)
-    target_compile_options(eagerx_double_addition PRIVATE ${EAGERX_BARE_METAL_FLAGS})
-  endif()
-  target_sources(${executable} PRIVATE $<TARGET_OBJECTS:eagerx_double_addition>)
+  eagerx_board_library(eagerx_double_addition SOURCES ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../soft_double_add.cpp)
+  target_link_libraries(${executable} PRIVATE eagerx_double_addition)
   target_link_options(${executable} PRIVATE
                       -Wl,--wrap=__aeabi_dadd,--wrap=__aeabi_dsub,--wrap=__aeabi_drsub)
 endfunction()
