@@ -12,7 +12,6 @@
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/publish/publisher.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/replay_log.hpp>
 #include <targets/linux-sim/say.hpp>
@@ -79,7 +78,6 @@ std::string problem_of(const Options& options, const Fields& fields, const Graph
   if (!problem.empty()) return problem;
   problem = measures_of_run.prepare(options.until, options.measures, options.summary,
                                     readables_of(facts, fields.states));
-  if (problem.empty()) problem = LivePublisher::problem_of(options, facts);
   return problem.empty() ? problem_with_files(options) : problem;
 }
 

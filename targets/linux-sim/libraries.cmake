@@ -9,7 +9,7 @@ function(eagerx_linux_sim_libraries)
   if(NOT TARGET eagerx_linux_sim)
     set(names
         action_file app describe expression faults files float_environment identify interrupt link_port measures nearest
-        options pacer progress publish/datagrams publish/destination publish/publisher publish/snapshot recorder replay_log run_watch session spaces split state_record state_settings summary
+        options pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary
         table_writer task_record text_file)
     list(TRANSFORM names PREPEND ${here}/)
     list(TRANSFORM names APPEND .cpp)

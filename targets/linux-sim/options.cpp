@@ -123,19 +123,6 @@ bool set_link_timeout(Options& options, std::string_view value) {
   constexpr double kLongest = 1e6;
   return parse_number(value, 0.0, options.link_timeout_s) && options.link_timeout_s <= kLongest;
 }
-bool set_publish(Options& options, std::string_view value) {
-  options.publish.emplace_back(value);
-  return !value.empty();
-}
-bool set_publish_only(Options& options, std::string_view value) {
-  options.publish_only.emplace_back(value);
-  return !value.empty();
-}
-bool set_publish_rate(Options& options, std::string_view value) {
-  constexpr double kSlowest = 1e-6, kFastest = 1e6;
-  return parse_number(value, kSlowest, options.publish_rate_hz) &&
-         options.publish_rate_hz <= kFastest;
-}
 bool set_csv_states(Options& options, std::string_view) {
   return options.csv_states = true;
 }
@@ -232,14 +219,6 @@ constexpr std::array kOptions{
            set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
-    Option{"--publish", "TO", "such as `udp:9870`, or `teleplot:HOST:47269`",
-           "send every step's messages while it runs: udp:[HOST:]PORT (JSON, as PlotJuggler reads "
-           "it) or teleplot:[HOST:]PORT, without HOST to this machine; may be repeated",
-           set_publish},
-    Option{"--publish-only", "CHANNEL", "the name of a channel, such as `pendulum/theta`",
-           "of these channels alone; may be repeated", set_publish_only},
-    Option{"--publish-rate", "HZ", "a number from 0.000001 to 1000000",
-           "at most so often, by the graph's clock (behind every step)", set_publish_rate},
     Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
            "where the board is: a serial line (ours alone), HOST:PORT or unix:PATH", set_link,
            true},
@@ -272,9 +251,7 @@ constexpr std::array kOptions{
 };
 
 /// The first option does nothing without the second.
-constexpr std::array<std::array<std::string_view, 2>, 11> kNeeds{{
-    {"--publish-only", "--publish"},
-    {"--publish-rate", "--publish"},
+constexpr std::array<std::array<std::string_view, 2>, 9> kNeeds{{
     {"--csv-states", "--csv"},
     {"--trace-time", "--trace"},
     {"--trace-scenes", "--trace"},
@@ -287,10 +264,9 @@ constexpr std::array<std::array<std::string_view, 2>, 11> kNeeds{{
 }};
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
-constexpr std::array<std::string_view, 13> kNotWithLogs{
-    "--set",    "--fault", "--until",    "--measure",     "--summary",          "--csv",
-    "--trace",  "--seed",  "--episodes", "--environment", "--real-time-factor", "--render",
-    "--publish"};
+constexpr std::array<std::string_view, 12> kNotWithLogs{
+    "--set",   "--fault", "--until",    "--measure",     "--summary",          "--csv",
+    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor", "--render"};
 
 std::string nearest_option(std::string_view name) {
   constexpr std::size_t kLongestTypo = 3;

@@ -50,9 +50,6 @@ struct Options {
   std::string link;
   std::uint32_t baud = kDefaultBaud;
   double link_timeout_s = 5.0;
-  std::vector<std::string> publish;       // where to
-  std::vector<std::string> publish_only;  // channels; empty: all
-  double publish_rate_hz = 0.0;           // 0: behind every step
   bool strict_spaces = false;
   bool csv_states = false;
   std::string until;  // a condition; empty: none

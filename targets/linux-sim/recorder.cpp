@@ -6,7 +6,6 @@
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
-#include <targets/linux-sim/publish/publisher.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/scene_record.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -34,7 +33,6 @@ bool Recorder::before(std::uint32_t channel, Seq seq, MessageView message) {
 }
 
 void Recorder::keep(std::uint32_t channel, Seq seq, MessageView message) {
-  if (publisher_ != nullptr) publisher_->message(channel, seq, message);
   if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
   if (file_ == nullptr) return;
   ++messages_;
@@ -61,12 +59,7 @@ void Recorder::write_to(TextFile* file, bool timed) {
   file_ = file;
   start_ns_ = now_ns();
   timed_ = timed;
-  set_keeps();
-}
-
-void Recorder::publish_to(LivePublisher* publisher) {
-  publisher_ = publisher;
-  set_keeps();
+  keeps_ = measures_ || file_ != nullptr;
 }
 
 void Recorder::keep_scenes(TextFile* file) {
@@ -76,11 +69,7 @@ void Recorder::keep_scenes(TextFile* file) {
 
 void Recorder::measure() {
   measures_ = measures_of_run.reads_messages();
-  set_keeps();
-}
-
-void Recorder::set_keeps() {
-  keeps_ = measures_ || file_ != nullptr || publisher_ != nullptr;
+  keeps_ = measures_ || file_ != nullptr;
 }
 
 void Recorder::write_end(std::uint64_t hash) const {

@@ -18,7 +18,6 @@ class Experiment;
 namespace eagerx::linux_sim {
 
 struct GraphFacts;
-class LivePublisher;
 class TextFile;
 
 /// There is one, so that a program's trace stays small. Programs call what is in the first part.
@@ -42,7 +41,6 @@ class Recorder {
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
   void write_to(TextFile* file, bool timed);
   void keep_scenes(TextFile* file);
-  void publish_to(LivePublisher* publisher);
   /// Expressions see the messages.
   void measure();
   void follow(trace_log::Replay* replay) { replay_ = replay; }
@@ -55,14 +53,11 @@ class Recorder {
   const GraphFacts* facts_ = nullptr;
   TextFile* file_ = nullptr;
   TextFile* scene_file_ = nullptr;
-  LivePublisher* publisher_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
   identification::Experiment* experiment_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
   std::int64_t start_ns_ = 0;
   std::uint32_t episode_ = 0;
-  void set_keeps();
-
   bool timed_ = false;
   bool keeps_ = false;
   bool measures_ = false;

@@ -5,8 +5,7 @@
 
 namespace eagerx::linux_sim {
 
-RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
-                   LivePublisher& publisher)
+RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace)
     : Watch(told.options.plan, told.options.agent, csv),
       facts_(program.facts()),
       told_(told),
@@ -18,7 +17,6 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
       task_record_(told.fields.outcomes),
       csv_(csv),
       trace_(trace),
-      publisher_(publisher.is_open() ? &publisher : nullptr),
       pacer_(facts_.period_s(), told.options.real_time_factor, facts_.safety.max_lateness_ns),
       progress_(plan_.episodes * plan_.steps, !told.options.quiet) {
   writes_ = csv.is_open();
@@ -53,7 +51,6 @@ bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
     is_over_ = measures_of_run.is_over();
   }
   if (trace_.is_open()) record_.trace(trace_, key.episode);
-  if (publisher_ != nullptr) publisher_->episode(key.episode);
   return changed;
 }
 
@@ -68,7 +65,6 @@ void RunWatch::reset(std::uint32_t episode) {
     measures_of_run.step(0, 0.0);
     is_over_ = measures_of_run.is_over();
   }
-  if (publisher_ != nullptr) publisher_->step(0);
   hand_on(pacer_.is_slow());
 }
 
@@ -79,7 +75,6 @@ void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
     measures_of_run.step(step, facts_.seconds(step));
     is_over_ = measures_of_run.is_over();
   }
-  if (publisher_ != nullptr) publisher_->step(step);
   hand_on(step == plan_.steps || is_over_ || has_ended || pacer_.is_slow());
   progress_.step(steps_);
   if (pictures_ != nullptr) {

@@ -10,7 +10,6 @@
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
-#include <targets/linux-sim/publish/publisher.hpp>
 #include <targets/linux-sim/state_record.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
@@ -31,8 +30,7 @@ struct Told {
 
 class RunWatch final : public Watch {
  public:
-  RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
-           LivePublisher& publisher);
+  RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
 
   bool go_on() override;
   bool ends_early() const override;
@@ -69,7 +67,6 @@ class RunWatch final : public Watch {
   TaskRecord task_record_;
   TextFile& csv_;
   TextFile& trace_;
-  LivePublisher* publisher_;  // null: nothing is published
   Pacer pacer_;
   Progress progress_;
   std::int64_t began_ns_ = 0;

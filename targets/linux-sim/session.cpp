@@ -9,7 +9,6 @@
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
-#include <targets/linux-sim/publish/publisher.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/session.hpp>
@@ -88,7 +87,7 @@ class Session {
       trace_.discard();
       return problem;
     }
-    RunWatch watch(program_, told_, csv_, trace_, publisher_);
+    RunWatch watch(program_, told_, csv_, trace_);
     begin();
     step_all(watch);
     return end(watch);
@@ -104,9 +103,7 @@ class Session {
       return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
     std::string unseen = problem_of_scenes(options_, facts_);
     if (unseen.empty()) unseen = open_pictures(options_, program_);
-    if (!unseen.empty()) return fail(unseen, kBadUsage);
-    const std::string unheard = publisher_.open(options_, facts_);
-    return unheard.empty() ? kDone : fail(unheard, kBadFile);
+    return unseen.empty() ? kDone : fail(unseen, kBadUsage);
   }
 
   void begin() {
@@ -119,8 +116,7 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    const bool is_traced = options_.hash || trace_.is_open() || measures_of_run.reads_messages() ||
-                           publisher_.is_open();
+    const bool is_traced = options_.hash || trace_.is_open() || measures_of_run.reads_messages();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
@@ -130,7 +126,6 @@ class Session {
       if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
     }
     if (is_traced) recorder_of_run.measure();
-    if (publisher_.is_open()) recorder_of_run.publish_to(&publisher_);
     program_.run(watch, is_traced);
     SplitLink* const link = program_.link();
     if (is_traced) {
@@ -144,7 +139,6 @@ class Session {
   int end(RunWatch& watch) {
     spaces_of_run.list(faults_);
     watch.finish(summary_);
-    publisher_.close(summary_);
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
     const std::string broken = end_link();
     if (!watch.has_begun()) {
@@ -201,7 +195,6 @@ class Session {
   GraphProgram& program_;
   const GraphFacts& facts_;
   TextFile csv_, trace_;
-  LivePublisher publisher_;
   Summary summary_;
   Faults faults_{summary_};
   std::uint64_t hash_ = 0;
