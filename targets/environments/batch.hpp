@@ -45,9 +45,10 @@ class Batch {
         drawn_(options.pictures != 0 ? size_ : 0),
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
+        agents_(kernel),
         team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
     packs_.make_room(team_.size());
-    seen_.resize(team_.size());
+    agents_.make_room(team_.size());
     if (target::is_real(programs_[0])) {
       throw Problem("engine `" + std::string(Graph::kEngine) +
                     "` moves real hardware, of which there is one: generate the library with "
@@ -113,19 +114,17 @@ class Batch {
   void act(const float* observations, float* actions) {
     require_begun();
     const target::Agent agent = agent_of_graph<Graph>();
-    const std::size_t observed = layout_.observations.numbers();
-    const std::size_t acted = layout_.actions.numbers();
+    const auto is_running = [&](std::uint32_t k) { return !episodes_[k].ended; };
+    const auto act_alone = [&](std::uint32_t k, const auto& observation) {
+      return with(k, [&](auto& program) {
+        return target::act<Graph>(agent, key_of(episodes_[k]), episodes_[k].steps, observation,
+                                  program);
+      });
+    };
     std::atomic<const char*> refused = nullptr;
     each_block(acts_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
-      for (std::uint32_t k = first; k < end; ++k) {
-        if (episodes_[k].ended) continue;
-        const auto observation = seen_[member].of(observations + k * observed);
-        const auto action = with(k, [&](auto& program) {
-          return target::act<Graph>(agent, key_of(episodes_[k]), episodes_[k].steps, observation,
-                                    program);
-        });
-        if (const char* name = write_action<Graph>(action, actions + k * acted)) refused = name;
-      }
+      const Rows rows{first, end, observations, actions};
+      if (const char* name = agents_.act(member, rows, is_running, act_alone)) refused = name;
     });
     if (refused != nullptr) {
       throw Problem("float32 has no such action `" + std::string(refused) +
@@ -439,9 +438,9 @@ class Batch {
   DrawnPrograms<Graph> drawn_;
   std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them
   PackMemory<Graph> packs_;
+  Agents<Graph> agents_;
   std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
   std::map<std::uint32_t, Traces> traces_;
-  std::vector<SeenRows<Graph>> seen_;  // [members]
   NotFinite<Graph> not_finite_;
   Workload resets_, steps_, acts_;
   Team team_;

@@ -22,6 +22,10 @@ struct PackKernel {
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
   std::uint32_t phases = 1;              // of a pack: steps after which every rate is due again
+  /// What the agent's policy takes, in this order: observations by their places in the graph. Null
+  /// if there is no policy, or one that remembers.
+  const std::size_t* observations = nullptr;
+  std::size_t inputs = 0;  // of the policy: the numbers of these
 
   /// No environment is in any lane.
   void (*make)(void* pack) = nullptr;
@@ -34,6 +38,8 @@ struct PackKernel {
   /// `actions` [lanes] have gone through the guards. Columns: observations in the graph's order,
   /// then those of PackColumns.
   void (*step)(void* pack, const Action* actions, float* columns) = nullptr;
+  /// The actions [lanes] of the agent's policy. `columns`: its inputs [inputs][lanes].
+  void (*act)(const float* columns, Action* actions) = nullptr;
 };
 
 /// Columns behind the observations: truth values are 0 or 1.

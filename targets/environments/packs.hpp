@@ -13,8 +13,13 @@
 
 namespace eagerx::environments {
 
-/// `Program` is the graph's over packs of `Lanes`, `Action` and `Observation` are its messages.
-template <class Graph, class Program, class Action, class Observation, std::size_t Lanes>
+/// Of a graph without a policy that looks at one observation alone.
+struct NoAgent {};
+
+/// `Program` is the graph's over packs of `Lanes`, `Action` and `Observation` are its messages,
+/// `Agent` its policy.
+template <class Graph, class Program, class Action, class Observation, std::size_t Lanes,
+          class Agent = NoAgent>
 class Packs {
  public:
   using Kernel = PackKernel<Graph>;
@@ -41,6 +46,13 @@ class Packs {
       static_cast<const Program*>(pack)->store(lane, one);
     };
     kernel.step = step;
+    // Registers as wide as those of plain code are no faster with one environment a lane.
+    constexpr std::size_t kPlainRegister = 16;
+    if constexpr (!std::is_same_v<Agent, NoAgent> && kRegisterBytes > kPlainRegister) {
+      kernel.observations = Agent::kObservations;
+      kernel.inputs = Agent::kInputs;
+      kernel.act = act;
+    }
   }
 
  private:
@@ -63,6 +75,13 @@ class Packs {
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         outcome.terms[i].store(ends + (kTerms + i) * Lanes);
     }
+  }
+
+  static void act(const float* columns, typename Kernel::Action* actions) {
+    Real input[Agent::kInputs];
+    for (std::size_t i = 0; i < Agent::kInputs; ++i) input[i] = Real::load(columns + i * Lanes);
+    const Action action = Agent::act(input);
+    for (std::size_t k = 0; k < Lanes; ++k) Agent::store_action(action, k, actions[k]);
   }
 
   static void write(const Observation& observation, float* columns) {
