@@ -21,6 +21,7 @@ struct PackKernel {
   std::size_t columns = 0;               // that step() writes, [columns][lanes]
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
+  std::size_t told = 0;  // observations of which columns say whether they are finite
   std::uint32_t phases = 1;              // of a pack: steps after which every rate is due again
   /// What the agent's policy takes, in this order: observations by their places in the graph. Null
   /// if there is no policy, or one that remembers.
@@ -49,7 +50,7 @@ enum PackColumns : std::size_t {
   kTerminated,
   kTruncated,
   kSuccess,
-  kTerms  // and the weighted terms of the reward
+  kTerms  // and the weighted terms of the reward; then whether each observation is finite
 };
 
 /// What a step of a pack wrote of one environment.

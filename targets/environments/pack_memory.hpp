@@ -88,7 +88,7 @@ class PackMemory {
   /// What the last step wrote of an environment, also after load() and leave() of others.
   PackColumn column(unsigned member, std::uint32_t k) {
     return {columns(member, phase_of(k)) + k % lanes(), lanes(),
-            kernel_.columns - kTerms - terms_of<Graph>};
+            kernel_.columns - kTerms - terms_of<Graph> - kernel_.told};
   }
 
   /// The guard looks at the observation of the step.
@@ -125,7 +125,10 @@ class PackMemory {
   };
 
   /// Which of the observations are not finite.
-  static void show_channels(const PackColumn& column, Program& program) {
+  void show_channels(const PackColumn& column, Program& program) const {
+    for (std::size_t i = 0; i < kernel_.told; ++i)
+      program.guard.saw(i, column.end(kTerms + terms_of<Graph> + i) != 0.0F);
+    if (kernel_.told != 0) return;
     std::size_t from = 0, channel = 0;
     Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {
       using Observed = typename decltype(observed)::type;

@@ -6,6 +6,7 @@
 #include <eagerx/lanes.hpp>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
+#include <limits>
 #include <new>
 #include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/task.hpp>
@@ -28,7 +29,8 @@ class Packs {
     kernel.lanes = Lanes;
     kernel.bytes = sizeof(Program);
     kernel.alignment = alignof(Program);
-    kernel.columns = Observation::kNumbers + kTerms + terms_of<Graph>;
+    kernel.told = kTells ? Graph::kObservationNames.size() : 0;
+    kernel.columns = Observation::kNumbers + kTerms + terms_of<Graph> + kernel.told;
     kernel.most_steps = kMostTicks / Program::kTicks;
     kernel.answers = Program::kAnswers;
     kernel.phases = Program::kPhases;
@@ -58,6 +60,7 @@ class Packs {
  private:
   using Real = Pack<float, Lanes>;
   using Truth = typename Real::Truth;
+  static constexpr bool kTells = Program::kAnswers && Observation::kMayMiss;
   static constexpr std::uint32_t kMostTicks = 2'000'000'000;  // below 2^31
 
   static void step(void* pack, const typename Kernel::Action* actions, float* columns) {
@@ -85,20 +88,43 @@ class Packs {
   }
 
   static void write(const Observation& observation, float* columns) {
+    float* const ends = columns + Observation::kNumbers * Lanes;
     Truth finite = true;
+    [[maybe_unused]] std::size_t channel = 0;
     observation.for_each([&](const char* /*name*/, const auto& window) {
-      using Message = typename std::remove_cvref_t<decltype(window)>::value_type;
-      for (std::uint32_t w = 0; w < window.size(); ++w) {
-        const Message message = window[w];
-        for (std::size_t i = 0; i < size_of<Message>; ++i, columns += Lanes) {
-          const auto& x = element(message, i);
-          put(x, columns);
-          if constexpr (std::is_same_v<ScalarOf<Message>, Real>)
-            finite = finite && eagerx::isfinite(x);
-        }
-      }
+      const Truth own = write(window, columns);
+      if constexpr (kTells) put(own, ends + (kTerms + terms_of<Graph> + channel++) * Lanes);
+      finite = finite && own;
     });
-    put(finite, columns + kFinite * Lanes);
+    put(finite, ends + kFinite * Lanes);
+  }
+  /// Whether the messages that are there are finite. What is not there is NaN, or 0.
+  template <class Window>
+  static Truth write(const Window& window, float*& columns) {
+    using Message = typename Window::value_type;
+    using Scalar = ScalarOf<Message>;
+    constexpr bool kMisses = requires { window.held(0); };
+    constexpr std::uint32_t kMessages = [] {
+      if constexpr (kMisses) return Window::kMaxSize;
+      if constexpr (!kMisses) return Window::size();
+    }();
+    Truth finite = true;
+    for (std::uint32_t w = 0; w < kMessages; ++w) {
+      Message message = window[w];
+      Truth missing = false;
+      if constexpr (kMisses) {
+        missing = Truth(window.size() <= typename Window::Counts(w));
+        message = detail::unless(
+            missing, filled<Message>(std::numeric_limits<LaneOf<Scalar>>::quiet_NaN()), message);
+      }
+      for (std::size_t i = 0; i < size_of<Message>; ++i, columns += Lanes) {
+        const Scalar& x = element(message, i);
+        put(x, columns);
+        if constexpr (std::is_same_v<Scalar, Real>)
+          finite = finite && (missing || eagerx::isfinite(x));
+      }
+    }
+    return finite;
   }
 
   static void put(const Real& x, float* column) { x.store(column); }
