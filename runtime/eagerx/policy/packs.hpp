@@ -2,47 +2,81 @@
 // eagerx/policy.hpp. A lane's sums go in that order; lanes do not mix.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <eagerx/pack.hpp>
 #include <eagerx/policy.hpp>
+#include <eagerx/policy/float_lanes.hpp>
 #include <utility>
 
 namespace eagerx {
 namespace policy {
 
-/// Outputs at a time: their sums of a group, and an input, stay in registers.
 #if defined(__AVX512F__) || defined(__aarch64__)
-inline constexpr std::size_t kOutputsAtATime = 4;
+inline constexpr bool kManyRegisters = true;  // 32
 #else
-inline constexpr std::size_t kOutputsAtATime = 2;
+inline constexpr bool kManyRegisters = false;  // 16
 #endif
+
+/// Outputs and registers of lanes at a time: what is summed of a group stays in registers, with the
+/// input. Of 16 registers none is left for the sums, which stay in memory. Measured with g++ 12.
+inline constexpr std::size_t kOutputsAtATime = kManyRegisters ? 8 : 4;
+inline constexpr std::size_t kLaneRegisters = kManyRegisters ? 1 : 2;
 
 /// Some outputs of one panel. w: the first one's weights, [In][Width].
 template <std::size_t In, std::size_t Width, std::size_t Outputs, class Real>
 class LaneOutputs {
+  using Vector = typename Real::Vector;
+  static constexpr std::size_t kAtATime = std::min(kLaneRegisters, Real::kCount);
+
  public:
   static void run(const float* w, const float* b, const Real* x, Real* y) {
-    Real sum[Outputs];
-    detail::unrolled<Outputs>([&](auto k) { sum[k] = Real(b[k]); });
+    for (std::size_t k = 0; k < Outputs; ++k) y[k] = Real(b[k]);
     constexpr std::size_t kRest = In % kGroup;
-    for (std::size_t j = 0; j + kGroup <= In; j += kGroup) add<kGroup>(w + j * Width, x + j, sum);
-    if constexpr (kRest > 0) add<kRest>(w + (In - kRest) * Width, x + (In - kRest), sum);
-    detail::unrolled<Outputs>([&](auto k) { y[k] = sum[k]; });
+    constexpr std::size_t kWhole = In - kRest;
+    for (std::size_t first = 0; first < Real::kCount; first += kAtATime) {
+      const auto in_memory = [&](auto k, auto i) -> Vector& { return y[k].v[first + i]; };
+      Vector sums[Outputs][kAtATime];
+      const auto sum = [&](auto k, auto i) -> Vector& {
+        if constexpr (kManyRegisters) return sums[k][i];
+        if constexpr (!kManyRegisters) return in_memory(k, i);
+      };
+      if constexpr (kManyRegisters) each([&](auto k, auto i) { sum(k, i) = in_memory(k, i); });
+      for (std::size_t j = 0; j < kWhole; j += kGroup)
+        add<kGroup>(w + j * Width, x + j, first, sum);
+      if constexpr (kRest > 0) add<kRest>(w + kWhole * Width, x + kWhole, first, sum);
+      if constexpr (kManyRegisters) each([&](auto k, auto i) { in_memory(k, i) = sum(k, i); });
+    }
   }
 
  private:
-  /// Adds the products of `Rows` inputs to `sum`.
-  template <std::size_t Rows>
-  [[gnu::always_inline]] static void add(const float* w, const Real* x, Real (&sum)[Outputs]) {
-    Real part[Outputs];
-    detail::unrolled<Outputs>([&](auto k) { part[k] = Real(w[k]) * x[0]; });
-    detail::unrolled<Rows - 1>([&](auto before) {
-      constexpr std::size_t kRow = before + 1;
-      const Real input = x[kRow];
-      detail::unrolled<Outputs>(
-          [&](auto k) { part[k] = part[k] + Real(w[kRow * Width + k]) * input; });
+  template <class F>
+  [[gnu::always_inline]] static void each(F&& f) {
+    detail::unrolled<Outputs>([&](auto k) __attribute__((always_inline)) {
+      detail::unrolled<kAtATime>([&](auto i) __attribute__((always_inline)) { f(k, i); });
     });
-    detail::unrolled<Outputs>([&](auto k) { sum[k] = sum[k] + part[k]; });
+  }
+  /// Adds the products of `Rows` inputs to `sum`, in the registers from `first` on.
+  template <std::size_t Rows, class Sum>
+  [[gnu::always_inline]] static void add(const float* w, const Real* x, std::size_t first,
+                                         const Sum& sum) {
+    Vector part[Outputs][kAtATime];
+    detail::unrolled<Rows>([&](auto row) {
+      Vector input[kAtATime];
+      detail::unrolled<kAtATime>([&](auto i) {
+        input[i] = x[row].v[first + i];
+        in_order(input[i]);
+      });
+      detail::unrolled<Outputs>([&](auto k) {
+        const Vector weight = w[row * Width + k] - Vector{};
+        detail::unrolled<kAtATime>([&](auto i) {
+          const Vector product = weight * input[i];
+          part[k][i] = row == 0 ? product : part[k][i] + product;
+          in_order(part[k][i]);
+        });
+      });
+    });
+    each([&](auto k, auto i) { sum(k, i) = sum(k, i) + part[k][i]; });
   }
 };
 
