@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <eagerx/lanes.hpp>
 #include <eagerx/math.hpp>
 #include <eagerx/message.hpp>
@@ -63,11 +64,13 @@ class Packs {
   static constexpr bool kTells = Program::kAnswers && Observation::kMayMiss;
   static constexpr std::uint32_t kMostTicks = 2'000'000'000;  // below 2^31
 
-  static void step(void* pack, const typename Kernel::Action* actions, float* columns) {
+  static std::uint64_t step(void* pack, const typename Kernel::Action* actions, float* columns,
+                            const PackRows* rows) {
     Action action;
     for (std::size_t k = 0; k < Lanes; ++k) load_action(action, k, actions[k]);
     Program& program = *static_cast<Program*>(pack);
     write(program.step(action), columns);
+    if (rows != nullptr && rows->observation != nullptr) transpose(columns, *rows);
     if constexpr (has_task<Graph>) {
       const auto outcome = program.outcome();
       float* const ends = columns + Observation::kNumbers * Lanes;
@@ -77,7 +80,49 @@ class Packs {
       put(outcome.success, ends + kSuccess * Lanes);
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         outcome.terms[i].store(ends + (kTerms + i) * Lanes);
+      if (rows != nullptr)
+        put_rows(outcome.reward, outcome.success, outcome.terminated, outcome.truncated, *rows);
+      return lanes_of(outcome.terminated || outcome.truncated || !eagerx::isfinite(outcome.reward));
+    } else {
+      if (rows != nullptr) put_rows(Real(0), false, false, false, *rows);
+      return 0;
     }
+  }
+
+  static void put_rows(const Real& reward, const Truth& success, const Truth& terminated,
+                       const Truth& truncated, const PackRows& rows) {
+    if (rows.reward != nullptr) reward.store(rows.reward);
+    const auto put_bytes = [](const Truth& truth, std::uint8_t* to) {
+      if (to != nullptr) bytes_of(truth, to);
+    };
+    put_bytes(success, rows.success);
+    put_bytes(terminated, rows.terminated);
+    put_bytes(truncated, rows.truncated);
+  }
+  /// From a column for each number to a row for each lane.
+  static void transpose(const float* columns, const PackRows& rows) {
+    for (std::size_t i = 0; i < Observation::kNumbers; ++i, columns += Lanes) {
+      float* to = rows.observation + rows.places[i];
+      constexpr std::size_t kAtATime = 8;
+      for (std::size_t k = 0; k < Lanes; k += kAtATime, to += kAtATime * rows.observed)
+        detail::unrolled<kAtATime>([&](auto j) { to[j * rows.observed] = columns[k + j]; });
+    }
+  }
+  /// 1 where true.
+  static void bytes_of(const Truth& truth, std::uint8_t* to) {
+    std::int32_t from[Lanes];
+    std::memcpy(from, &truth, sizeof from);
+    for (std::size_t k = 0; k < Lanes; ++k) to[k] = static_cast<std::uint8_t>(from[k] & 1);
+  }
+  /// A bit for each lane.
+  static std::uint64_t lanes_of(const Truth& truth) {
+    static_assert(Lanes <= 64);
+    if (!any(truth)) return 0;
+    std::uint8_t bytes[Lanes];
+    bytes_of(truth, bytes);
+    std::uint64_t lanes = 0;
+    for (std::size_t k = 0; k < Lanes; ++k) lanes |= std::uint64_t{bytes[k]} << k;
+    return lanes;
   }
 
   static void act(const float* columns, typename Kernel::Action* actions) {
@@ -103,7 +148,9 @@ class Packs {
   static Truth write(const Window& window, float*& columns) {
     using Message = typename Window::value_type;
     using Scalar = ScalarOf<Message>;
-    constexpr bool kMisses = requires { window.held(0); };
+    constexpr bool kMisses = requires {
+      window.held(0);
+    };
     constexpr std::uint32_t kMessages = [] {
       if constexpr (kMisses) return Window::kMaxSize;
       if constexpr (!kMisses) return Window::size();
