@@ -282,12 +282,10 @@ class Batch {
       notable |= std::uint64_t{episode.steps + 1 == longest_ ? 1U : 0U} << lane;
       episode.steps += 1;
     }
-    if (packs_.shows_guard() || rows.terms != nullptr) {
+    if constexpr (PackMemory<Graph>::shows_guard()) {
       for (std::uint32_t lane = 0; lane < packs_.lanes(); ++lane) {
-        if ((alone >> lane & 1U) != 0) continue;
-        const PackColumn column = packs_.column(member, first, lane);
-        packs_.show_guard(column, programs_[first + lane]);
-        write_terms<Graph>(column, first + lane, rows);
+        if ((alone >> lane & 1U) == 0)
+          packs_.show_guard(packs_.column(member, first, lane), programs_[first + lane]);
       }
     }
     for (; notable != 0; notable &= notable - 1) {

@@ -13,6 +13,7 @@ struct PackRows {
   std::size_t observed = 0;             // numbers of a row
   const std::size_t* places = nullptr;  // in it, of the numbers in the graph's order
   float* reward = nullptr;
+  float* terms = nullptr;
   std::uint8_t* success = nullptr;
   std::uint8_t* terminated = nullptr;
   std::uint8_t* truncated = nullptr;

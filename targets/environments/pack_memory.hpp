@@ -96,6 +96,7 @@ class PackMemory {
             observed,
             places_.data(),
             from(rows.reward, 1),
+            from(rows.terms, terms_of<Graph>),
             from(rows.success, 1),
             from(rows.terminated, 1),
             from(rows.truncated, 1)};

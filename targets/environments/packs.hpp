@@ -70,7 +70,10 @@ class Packs {
     for (std::size_t k = 0; k < Lanes; ++k) load_action(action, k, actions[k]);
     Program& program = *static_cast<Program*>(pack);
     write(program.step(action), columns);
-    if (rows != nullptr && rows->observation != nullptr) transpose(columns, *rows);
+    if (rows != nullptr && rows->observation != nullptr) {
+      for (std::size_t i = 0; i < Observation::kNumbers; ++i)
+        spread(columns + i * Lanes, rows->observation + rows->places[i], rows->observed);
+    }
     if constexpr (has_task<Graph>) {
       const auto outcome = program.outcome();
       float* const ends = columns + Observation::kNumbers * Lanes;
@@ -80,6 +83,10 @@ class Packs {
       put(outcome.success, ends + kSuccess * Lanes);
       for (std::size_t i = 0; i < terms_of<Graph>; ++i)
         outcome.terms[i].store(ends + (kTerms + i) * Lanes);
+      if (rows != nullptr && rows->terms != nullptr) {
+        for (std::size_t i = 0; i < terms_of<Graph>; ++i)
+          spread(ends + (kTerms + i) * Lanes, rows->terms + i, terms_of<Graph>);
+      }
       if (rows != nullptr)
         put_rows(outcome.reward, outcome.success, outcome.terminated, outcome.truncated, *rows);
       return lanes_of(outcome.terminated || outcome.truncated || !eagerx::isfinite(outcome.reward));
@@ -99,14 +106,11 @@ class Packs {
     put_bytes(terminated, rows.terminated);
     put_bytes(truncated, rows.truncated);
   }
-  /// From a column for each number to a row for each lane.
-  static void transpose(const float* columns, const PackRows& rows) {
-    for (std::size_t i = 0; i < Observation::kNumbers; ++i, columns += Lanes) {
-      float* to = rows.observation + rows.places[i];
-      constexpr std::size_t kAtATime = 8;
-      for (std::size_t k = 0; k < Lanes; k += kAtATime, to += kAtATime * rows.observed)
-        detail::unrolled<kAtATime>([&](auto j) { to[j * rows.observed] = columns[k + j]; });
-    }
+  /// A column into the rows of the lanes, each `width` numbers.
+  static void spread(const float* column, float* to, std::size_t width) {
+    constexpr std::size_t kAtATime = 8;
+    for (std::size_t k = 0; k < Lanes; k += kAtATime, to += kAtATime * width)
+      detail::unrolled<kAtATime>([&](auto j) { to[j * width] = column[k + j]; });
   }
   /// 1 where true.
   static void bytes_of(const Truth& truth, std::uint8_t* to) {

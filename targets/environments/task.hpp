@@ -74,20 +74,16 @@ Ends ends_of(const PackColumn& column) {
   }
 }
 
-template <class Graph>
-void write_terms(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
-  if (rows.terms == nullptr) return;
-  for (std::size_t i = 0; i < terms_of<Graph>; ++i)
-    rows.terms[k * terms_of<Graph> + i] = column.end(kTerms + i);
-}
-
 /// The same of a step in a pack.
 template <class Graph>
 void write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if (rows.reward != nullptr) rows.reward[k] = has_task<Graph> ? column.end(kReward) : 0.0F;
   const auto is_true = [&](PackColumns end) { return has_task<Graph> && column.end(end) != 0.0F; };
   if (rows.success != nullptr) rows.success[k] = is_true(kSuccess) ? 1 : 0;
-  write_terms<Graph>(column, k, rows);
+  if (rows.terms != nullptr) {
+    for (std::size_t i = 0; i < terms_of<Graph>; ++i)
+      rows.terms[k * terms_of<Graph> + i] = column.end(kTerms + i);
+  }
 }
 
 /// Reward and terms of a step in a pack, of a graph with a task.
