@@ -124,9 +124,9 @@ constexpr std::uint16_t kFrom[] = {11, 0, 3, 3, 7};
 TEST(PolicyPacks, ConstantsFunctionsAndBranches) {
   namespace policy = eagerx::policy;
   Numbers numbers(11);
-  const Inputs<12> x(numbers);
+  const Inputs<12> given(numbers);
 #define EXPECT_SAME(outputs, ...) \
-  compare<12, outputs>(#__VA_ARGS__, x, [&](const auto& x, auto& y) { __VA_ARGS__; })
+  compare<12, outputs>(#__VA_ARGS__, given, [&](const auto& x, auto& y) { __VA_ARGS__; })
   EXPECT_SAME(12, policy::add(kOne, x, y));
   EXPECT_SAME(12, policy::subtract(kEach, x, y));
   EXPECT_SAME(12, policy::multiply(kEach, x, y));
