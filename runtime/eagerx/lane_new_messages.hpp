@@ -78,9 +78,7 @@ class NewLaneWindow {
   std::uint32_t offset(std::size_t lane) const {
     return eagerx::lane(received_.end.offset, static_cast<int>(lane));
   }
-  Seq held(std::size_t lane) const {
-    return eagerx::lane(received_.held, static_cast<int>(lane));
-  }
+  Seq held(std::size_t lane) const { return eagerx::lane(received_.held, static_cast<int>(lane)); }
 
  private:
   const Message* ring_;
