@@ -31,9 +31,8 @@ class OneLane<Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>> {
     for (std::uint32_t i = 0; i < Capacity; ++i)
       store_message(window.ring()[ring_position<Capacity>(i + offset)], lane, ring_[i]);
   }
-  operator One() const {
-    return {ring_, received_};
-  }  // NOLINT(google-explicit-constructor): is one
+  // NOLINTNEXTLINE(google-explicit-constructor): is one
+  operator One() const { return {ring_, received_}; }
 
  private:
   Message ring_[Capacity];
