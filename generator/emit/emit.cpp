@@ -124,6 +124,29 @@ class Emitter {
     program.set("indented", indented());
     add_one("program.hpp", "cpp/packs_program.hpp.mustache", std::move(program));
     if (!failed_) files_.back().text = take_marks(files_.back().text).text;
+    if (acts_in_packs()) {
+      View view = pack_policy_view(*network_, "policy");
+      view["agent"] = pack_agent_view(plan_, *network_);
+      add_one("policy.hpp", "cpp/packs_policy.hpp.mustache", std::move(view));
+    }
+    for (const NodePolicy& policy : node_policies_) {
+      const std::string name = policy_namespace(plan_.graph->nodes[policy.node].name);
+      View view = pack_policy_view(*policy.network, name);
+      view["node"] = policy_node_view(plan_, policy, Numbers::packs);
+      add_one(name + ".hpp", "cpp/packs_policy.hpp.mustache", std::move(view));
+    }
+  }
+
+  /// What the agent remembers is in each environment's own program.
+  bool acts_in_packs() const { return has_packs_ && network_ && !network_->has_memory(); }
+
+  static View pack_policy_view(const Network& network, const std::string& name) {
+    View view = policy_view(network, "F32");
+    view.set("policy", name);
+    view.set("by_lane", needs_lane_by_lane(network));
+    view.set("node", View(false));
+    view.set("agent", View(false));
+    return view;
   }
 
   /// program.hpp, and what of it belongs to which node.
@@ -233,6 +256,7 @@ class Emitter {
       view.set("target", target.id.value);
       view.set("is_split", options_.part != Part::whole);
       view.set("packs", has_packs_);
+      view.set("acts_in_packs", acts_in_packs());
       view.set("why_no_packs", why_no_packs_);
       add_rendered(target.id.value + "/" + output, file, std::move(view));
     }

@@ -39,7 +39,7 @@ void for_each_class(const Plan& plan, const ProgramNames& names, F&& f) {
     }
     for (const auto& target : node.reset_targets) add_processor(target.processor);
     if (!names.runs(n)) continue;
-    if (node.entity != nullptr) add(*node.entity, node.entity->cpp, node.config);
+    if (node.entity != nullptr) add(*node.entity, names.class_of(*node.entity), node.config);
     for (const auto& output : node.outputs) add_processor(output.processor);
     for (const auto& state : node.states) add_processor(state.processor);
   }

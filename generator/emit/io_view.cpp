@@ -245,9 +245,12 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
                                 "actions." + action.name));
   const bool observes = names.receives(Graph::kEnvironment);
   std::uint64_t numbers = 0;
+  bool may_miss = false;
   for (std::size_t i = 0; observes && i < graph.environment().inputs.size(); ++i) {
     const Input& input = graph.environment().inputs[i];
-    numbers += input.window * input.space.size();
+    const Reception& reception = plan.nodes[Graph::kEnvironment].receptions[i];
+    numbers += reception.max_size * input.space.size();
+    may_miss = may_miss || input.window == 0;
     observations.push_back(port_view(window_type(plan, Graph::kEnvironment, i, names.numbers),
                                      input.name, input.space.describe(), input.written));
   }
@@ -279,6 +282,7 @@ View messages_view(const Plan& plan, const ProgramNames& names) {
   }
   view["actions"] = std::move(actions);
   view.set("numbers", fmt::format("{}", numbers));
+  view.set("may_miss", bool_literal(may_miss));
   view.set("has_observations", observations.is_non_empty_list());
   view["observations"] = std::move(observations);
   view.set("has_states", states.is_non_empty_list());

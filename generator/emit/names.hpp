@@ -79,6 +79,9 @@ struct ProgramNames {
   [[nodiscard]] bool by_lane(std::size_t node) const {
     return has_packs() && runs_lane_by_lane(plan_.graph->nodes[node]);
   }
+  [[nodiscard]] const CppClass& class_of(const Entity& entity) const {
+    return has_packs() && entity.cpp_of_packs ? *entity.cpp_of_packs : entity.cpp;
+  }
   [[nodiscard]] std::string one(std::size_t node) const { return in_own_program(io[node]); }
   /// A type as the environment's own program has it.
   [[nodiscard]] std::string in_own_program(const std::string& type) const {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace eagerx::gen {
 namespace {
 
@@ -30,12 +32,13 @@ bool reads_in_order(const PolicyUse& use, const Network& network) {
   return use.kind(network) != ActionKind::argmax || !makes_one_choice(use);
 }
 
-View policy_answers(const PolicyUse& use, const Network& network, const std::string& prefix) {
+View policy_answers(const PolicyUse& use, const Network& network, const std::string& prefix,
+                    Numbers numbers) {
   View answers = list();
   for (const Output* to : use.outputs) {
     const std::string constant = prefix + camel(to->name);
-    const std::string output =
-        fmt::format("eagerx::unflatten<{}>(output, out)", message_type(to->raw));
+    const std::string type = message_type(to->raw, numbers);
+    const std::string output = fmt::format("eagerx::unflatten<{}>(output, out)", type);
     View item = object();
     item.set("field", to->name);
     switch (use.kind(network)) {
@@ -49,11 +52,13 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
         break;
       case ActionKind::binary:
         item.set("how", "1 where an output is above zero, else 0");
-        item.set("expression", fmt::format("eagerx::bits<{}>(output, out)", message_type(to->raw)));
+        item.set("expression", fmt::format("eagerx::bits<{}>(output, out)", type));
         break;
       case ActionKind::raw:
         item.set("how", "as SB3's predict() does: clipped to the action's bounds");
-        item.set("expression", fmt::format("{}.clipped({})", constant, output));
+        item.set("expression", numbers == Numbers::plain
+                                   ? fmt::format("{}.clipped({})", constant, output)
+                                   : fmt::format("eagerx::clipped({}, {})", output, constant));
         break;
     }
     answers.push_back(item);
@@ -61,28 +66,56 @@ View policy_answers(const PolicyUse& use, const Network& network, const std::str
   return answers;
 }
 
-View policy_node_view(const Plan& plan, const NodePolicy& policy) {
+namespace {
+
+/// The constants that answers name.
+View spaces_of(const PolicyUse& use, Numbers numbers) {
+  View spaces = list();
+  for (const Output* output : use.outputs) {
+    View item = object();
+    item.set("type", message_type(output->raw, numbers));
+    item.set("constant", "k" + camel(output->name));
+    item.set("literal", space_literal(output->raw));
+    spaces.push_back(item);
+  }
+  return spaces;
+}
+
+}  // namespace
+
+View policy_node_view(const Plan& plan, const NodePolicy& policy, Numbers numbers) {
   const GraphNode& node = plan.graph->nodes[policy.node];
   View view = object();
   view.set("node_name", node.name);
-  View inputs = list(), spaces = list();
+  View inputs = list();
   for (const Input* input : policy.use.inputs) {
     View item = object();
     item.set("field", input->name);
     inputs.push_back(item);
   }
-  for (const Output* output : policy.use.outputs) {
-    View item = object();
-    item.set("type", message_type(output->raw));
-    item.set("constant", "k" + camel(output->name));
-    item.set("literal", space_literal(output->raw));
-    spaces.push_back(item);
-  }
   view["node_inputs"] = std::move(inputs);
-  view["spaces"] = std::move(spaces);
-  view["answers"] = policy_answers(policy.use, *policy.network, "k");
+  view["spaces"] = spaces_of(policy.use, numbers);
+  view["answers"] = policy_answers(policy.use, *policy.network, "k", numbers);
   view.set("in_order", reads_in_order(policy.use, *policy.network));
   return view;
+}
+
+View pack_agent_view(const Plan& plan, const Network& network) {
+  const PolicyUse use = agent_use(*plan.graph);
+  View view = object();
+  view.set("observations", fmt::format("{}", fmt::join(plan.graph->agent.observations, ", ")));
+  view["spaces"] = spaces_of(use, Numbers::packs);
+  view["answers"] = policy_answers(use, network, "k", Numbers::packs);
+  view.set("in_order", reads_in_order(use, network));
+  return view;
+}
+
+bool needs_lane_by_lane(const Network& network) {
+  return network.profile == Profile::fast ||
+         std::ranges::any_of(network.layers, [](const Layer& layer) {
+           return !layer.rounded.empty() || std::holds_alternative<Convolution>(layer.form) ||
+                  std::holds_alternative<Pooling>(layer.form);
+         });
 }
 
 }  // namespace eagerx::gen

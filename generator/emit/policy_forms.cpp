@@ -62,10 +62,11 @@ std::string kernel_literal(const KernelShape& kernel) {
 /// The statements of one layer, and the constants that they name.
 class Form {
  public:
-  Form(const Layer& layer, std::size_t number, bool branches, data& view)
+  Form(const Layer& layer, const LayerText& text, data& view)
       : layer_(layer),
-        number_(number),
-        branches_(branches),
+        number_(text.number),
+        branches_(text.branches),
+        real_(text.real),
         x_(view.get("input")->string_value()),
         y_(view.get("output")->string_value()),
         view_(view) {}
@@ -129,8 +130,8 @@ class Form {
         fmt::format("eagerx::{}Weights<{}, {}{}>", name, layer_.inputs, layer_.outputs, storage()),
         "{", "}", std::move(parts));
     data memory{data::type::object};
-    memory.set("member",
-               fmt::format("eagerx::{}Memory<{}> layer{}", name, layer_.outputs, number_));
+    memory.set("member", fmt::format("eagerx::{}Memory<{}{}> layer{}", name, layer_.outputs,
+                                     real_ == "float" ? "" : ", " + real_, number_));
     view_["memory"] = std::move(memory);
     lines_.push_back(fmt::format("eagerx::{}(kLayer{}, {}, memory.layer{}, {});",
                                  cell.is_lstm ? "lstm" : "gru", number_, x_, number_, y_));
@@ -207,7 +208,7 @@ class Form {
   const Layer& layer_;
   std::size_t number_;
   bool branches_;
-  std::string x_, y_;
+  std::string real_, x_, y_;
   data& view_;
   std::vector<std::string> lines_;
   bool fused_ = false;  // the activation is a part of the layer's own statement
@@ -220,8 +221,8 @@ std::string slice_expression(const Layer& layer, const std::string& input) {
                      layer.outputs, input);
 }
 
-void add_form(const Layer& layer, std::size_t number, bool branches, data& view) {
-  Form(layer, number, branches, view).write();
+void add_form(const Layer& layer, const LayerText& text, data& view) {
+  Form(layer, text, view).write();
 }
 
 void add_headers(const Network& network, data& view) {

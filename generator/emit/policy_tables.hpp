@@ -23,10 +23,14 @@ std::string list_of(const std::vector<double>& values);
 /// Slope of elu and leaky relu as one more argument.
 std::string slope_argument(const Layer& layer);
 
-/// Constants and statements of layer `number` (from 1), if it is not dense; "input" and "output" of
-/// the view are their variables. `branches`: of a network with branches, where slices are no
-/// copies.
-void add_form(const Layer& layer, std::size_t number, bool branches, kainjow::mustache::data& view);
+struct LayerText {
+  std::size_t number = 1;
+  bool branches = false;  // of a network with branches, where slices are no copies
+  std::string real;       // the type of its numbers
+};
+/// Constants and statements of a layer, if it is not dense; "input" and "output" of the view are
+/// their variables.
+void add_form(const Layer& layer, const LayerText& text, kainjow::mustache::data& view);
 
 /// A slice of `input` as an expression.
 std::string slice_expression(const Layer& layer, const std::string& input);

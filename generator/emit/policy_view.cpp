@@ -120,18 +120,20 @@ std::string inputs_of(const Network& network, std::size_t i) {
 
 /// The result of a layer in a network with branches: a part of a buffer, or of what the layer
 /// takes.
-std::string declaration_of(const Network& network, const BufferPlan& plan, std::size_t i) {
+std::string declaration_of(const Network& network, const BufferPlan& plan, std::size_t i,
+                           const std::string& real) {
   const Layer& layer = network.layers[i];
   const std::string name = variable_of(network, static_cast<std::int32_t>(i));
   if (plan.places[i]) {
-    return fmt::format("float(&{})[{}] = eagerx::policy::front<{}>(buffer{});", name, layer.outputs,
-                       layer.outputs, *plan.places[i] + 1);
+    return fmt::format("{}(&{})[{}] = eagerx::policy::front<{}>(buffer{});", real, name,
+                       layer.outputs, layer.outputs, *plan.places[i] + 1);
   }
-  return fmt::format("const float(&{})[{}] = {};", name, layer.outputs,
+  return fmt::format("const {}(&{})[{}] = {};", real, name, layer.outputs,
                      slice_expression(layer, inputs_of(network, i)));
 }
 
-data layer_view(const Network& network, const BufferPlan* plan, std::size_t i) {
+data layer_view(const Network& network, const BufferPlan* plan, std::size_t i,
+                const std::string& real) {
   const Layer& layer = network.layers[i];
   const bool last = i + 1 == network.layers.size();
   data view{data::type::object};
@@ -159,7 +161,7 @@ data layer_view(const Network& network, const BufferPlan* plan, std::size_t i) {
   view.set("output", variable_of(network, static_cast<std::int32_t>(i)));
   view.set("hidden", data{plan == nullptr && !last});
   view.set("in_buffer", data{plan != nullptr && !last});
-  if (plan != nullptr && !last) view.set("declaration", declaration_of(network, *plan, i));
+  if (plan != nullptr && !last) view.set("declaration", declaration_of(network, *plan, i, real));
   const bool plain = layer.is_dense() && layer.activation == Activation::identity;
   view.set("note", note_of(layer) + (plain ? " identity" : ""));
   view.set("norm", data{layer.norm.has_value()});
@@ -168,7 +170,7 @@ data layer_view(const Network& network, const BufferPlan* plan, std::size_t i) {
     view.set("beta", list_of(layer.norm->beta));
     view.set("epsilon", float_literal(layer.norm->epsilon));
   }
-  add_form(layer, i + 1, plan != nullptr, view);
+  add_form(layer, {i + 1, plan != nullptr, real}, view);
   return view;
 }
 
@@ -218,7 +220,7 @@ void add_buffers(const std::optional<BufferPlan>& plan, data& view) {
 
 }  // namespace
 
-data policy_view(const Network& network) {
+data policy_view(const Network& network, const std::string& real) {
   data layers{data::type::list};
   std::size_t parameters = 0;
   std::size_t stored = 0;
@@ -230,11 +232,12 @@ data policy_view(const Network& network) {
     parameters += cost.parameters;
     stored += layer.rounded.empty() ? cost.bytes : int8_bytes(layer);
     int8 = int8 || !layer.rounded.empty();
-    layers.push_back(layer_view(network, plan ? &*plan : nullptr, i));
+    layers.push_back(layer_view(network, plan ? &*plan : nullptr, i, real));
   }
   data view{data::type::object};
   view.set("file", network.file);
   view.set("format", network.format);
+  view.set("real", real);
   view.set("inputs", std::to_string(network.inputs()));
   view.set("outputs", std::to_string(network.outputs()));
   view.set("parameters", std::to_string(parameters));

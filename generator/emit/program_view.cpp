@@ -205,7 +205,7 @@ class ProgramView {
       if (!names_.runs(n)) continue;
       const Entity& entity = *graph_.nodes[n].entity;
       const std::string type =
-          fmt::format("{}<{}>", from_global_namespace(entity.cpp.name), names_.io[n]);
+          fmt::format("{}<{}>", from_global_namespace(names_.class_of(entity).name), names_.io[n]);
       if (graph_.nodes[n].drawn) {
         add(drawn_members, type, without_owner(names_.node_member[n]));
         continue;

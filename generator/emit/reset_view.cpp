@@ -194,7 +194,7 @@ class ResetView {
         }
         if (names_.fresh[n][i].empty()) continue;
         cursor.set("member", names_.fresh[n][i]);
-        cursor.set("type", "eagerx::NewMessages");
+        cursor.set("type", names_.has_packs() ? "eagerx::NewLanes<kLanes>" : "eagerx::NewMessages");
         cursor.set("first", "");
         cursors.push_back(cursor);
       }

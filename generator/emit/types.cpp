@@ -17,8 +17,8 @@ std::string window_type(const Plan& plan, std::size_t node, std::size_t input, N
     return fmt::format("eagerx::{}{}", padded ? "PaddedWindow" : "Window", arguments);
   const bool scattered =
       reception.count == Reception::Count::delayed || reception.count == Reception::Count::skipped;
-  const std::string window =
-      fmt::format("eagerx::{}{}", scattered ? "ScatteredWindow" : "LaneWindow", arguments);
+  const char* const kind = port.window == 0 ? "NewLane" : scattered ? "Scattered" : "Lane";
+  const std::string window = fmt::format("eagerx::{}Window{}", kind, arguments);
   return padded ? "eagerx::PaddedLanes<" + window + ">" : window;
 }
 

@@ -106,7 +106,8 @@ struct Entity {
   std::vector<EagerxId> eagerx_ids;
   std::string summary, description;
   CppClass cpp;
-  CppClass simulator;                // engines
+  std::optional<CppClass> cpp_of_packs;  // where it is another class
+  CppClass simulator;                    // engines
   std::vector<std::string> engines;  // engine nodes and states: where they work; empty: everywhere
   std::vector<std::string> runs;     // engines: others whose implementations of objects they run
   bool asynchronous = false;         // engines: whether they have a clock for inputs

@@ -38,8 +38,8 @@ std::string why_not(const GraphNode& node, bool by_lane_too) {
   };
   for (const auto& input : node.inputs) {
     if (!converts(input.processor)) return of(input.processor, input.written);
-    if (input.window == 0)
-      return fmt::format("`{}` has `window: 0`, so lanes would get different numbers of messages",
+    if (input.window == 0 && !by_lane && node.role != NodeRole::environment)
+      return fmt::format("`{}` has `window: 0`, so lanes get different numbers of messages",
                          input.written);
   }
   for (const auto& output : node.outputs) {
@@ -111,8 +111,10 @@ std::string why_not_in_memory(const Plan& plan) {
 }  // namespace
 
 bool runs_lane_by_lane(const GraphNode& node) {
+  const bool counts_messages =
+      std::ranges::any_of(node.inputs, [](const Input& input) { return input.window == 0; });
   return node.role == NodeRole::node && node.entity != nullptr && node.reset_targets.empty() &&
-         !runs_in_packs(node);
+         (counts_messages || !runs_in_packs(node));
 }
 
 std::vector<bool> rates_of_packs(const Plan& plan) {

@@ -13,8 +13,9 @@ namespace eagerx::gen {
 /// do the same at the same time: every rate is due whenever an episode may begin.
 std::string why_no_packs(const Plan& plan);
 
-/// Whether packs run a node one lane after the other, as it is written for plain numbers. Engines,
-/// objects and engine nodes cannot: what they simulate is in lanes.
+/// Whether packs run a node one lane after the other, as it is written for plain numbers or gets
+/// another number of messages in each lane. Engines, objects and engine nodes cannot: what they
+/// simulate is in lanes.
 bool runs_lane_by_lane(const GraphNode& node);
 
 /// Steps after which every rate is due again; 1 where all rates are multiples of the environment's.

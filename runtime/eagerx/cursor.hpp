@@ -105,6 +105,9 @@ class NewMessages {
     return {total, fresh};
   }
 
+  template <std::size_t>
+  friend class NewLanes;
+
  private:
   Seq seen_ = 0;
 };

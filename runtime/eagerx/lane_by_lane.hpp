@@ -21,16 +21,22 @@ class OneLane<Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>> {
   using One = Window<Message, SourceRate, Capacity, MaxSize, AlwaysFull>;
 
   template <class Lanes>
-  OneLane(const Lanes& window, std::size_t lane) : end_(window.received(lane)) {
+  OneLane(const Lanes& window, std::size_t lane) : received_{window.received(lane), MaxSize} {
+    if constexpr (requires { window.held(lane); }) {
+      received_.held = window.held(lane);
+    } else if (received_.end < MaxSize) {
+      received_.held = received_.end;
+    }
     const std::uint32_t offset = window.offset(lane);
     for (std::uint32_t i = 0; i < Capacity; ++i)
       store_message(window.ring()[ring_position<Capacity>(i + offset)], lane, ring_[i]);
   }
-  operator One() const { return {ring_, end_}; }  // NOLINT(google-explicit-constructor): is one
+  // NOLINTNEXTLINE(google-explicit-constructor): is one
+  operator One() const { return {ring_, received_}; }
 
  private:
   Message ring_[Capacity];
-  Seq end_;
+  Received received_;
 };
 
 /// A message of one lane, from before and to behind a callback.

@@ -232,6 +232,26 @@ Message ScatteredWindow<Message, SourceRate, Capacity, MaxSize, AlwaysFull>::bac
   }
 }
 
+namespace detail {
+
+/// Message `i` of as many as a window can hold: copies of the oldest where there are fewer,
+/// `otherwise` without any.
+template <class Window, class Message = typename Window::value_type>
+Message padded(const Window& window, std::uint32_t i, LaneOf<ScalarOf<Message>> otherwise) {
+  if constexpr (Window::kAlwaysFull) {
+    return static_cast<void>(otherwise), window[i];
+  } else {
+    using Counts = typename Window::Counts;
+    const Counts missing = Counts(Window::kMaxSize) - window.size();
+    Message result = window[Window::kMaxSize - 1];
+    for (std::uint32_t k = Window::kMaxSize - 1; k > i; --k)
+      result = unless(missing > Counts(k - 1), result, window[k - 1]);
+    return unless(window.empty(), filled<Message>(otherwise), result);
+  }
+}
+
+}  // namespace detail
+
 /// As PaddedWindow: always the most messages, copies of the oldest in front, NaN without any.
 template <class Window>
 class PaddedLanes : Window {
@@ -242,18 +262,8 @@ class PaddedLanes : Window {
 
   static constexpr std::uint32_t size() { return Window::kMaxSize; }
   Message operator[](std::uint32_t i) const {
-    if constexpr (Window::kAlwaysFull) {
-      return Window::operator[](i);
-    } else {
-      using Counts = typename Window::Counts;
-      const Counts missing = Counts(size()) - Window::size();
-      Message result = Window::operator[](size() - 1);
-      for (std::uint32_t k = size() - 1; k > i; --k)
-        result = detail::unless(missing > Counts(k - 1), result, Window::operator[](k - 1));
-      using Lane = LaneOf<ScalarOf<Message>>;
-      constexpr auto kMissing = std::numeric_limits<Lane>::quiet_NaN();
-      return detail::unless(Window::empty(), filled<Message>(kMissing), result);
-    }
+    constexpr auto kMissing = std::numeric_limits<LaneOf<ScalarOf<Message>>>::quiet_NaN();
+    return detail::padded(static_cast<const Window&>(*this), i, kMissing);
   }
   Message back() const { return (*this)[size() - 1]; }
 };

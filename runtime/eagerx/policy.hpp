@@ -72,15 +72,15 @@ struct NormWeights {
 };
 
 /// y = gamma (y - mean(y)) / sqrt(var(y) + epsilon) + beta; sums in groups of eight, as above.
-template <std::size_t N>
-inline void layer_norm(const NormWeights<N>& norm, float (&y)[N]) {
-  const float mean = policy::grouped_sum(y) / static_cast<float>(N);
-  float squares[N];
+template <class R, std::size_t N>
+inline void layer_norm(const NormWeights<N>& norm, R (&y)[N]) {
+  const R mean = policy::grouped_sum(y) / R(static_cast<float>(N));
+  R squares[N];
   for (std::size_t k = 0; k < N; ++k) y[k] = y[k] - mean;
   for (std::size_t k = 0; k < N; ++k) squares[k] = y[k] * y[k];
-  const float variance = policy::grouped_sum(squares) / static_cast<float>(N);
-  const float scale = 1.0F / eagerx::sqrt(variance + norm.epsilon);
-  for (std::size_t k = 0; k < N; ++k) y[k] = (y[k] * scale) * norm.gamma[k] + norm.beta[k];
+  const R variance = policy::grouped_sum(squares) / R(static_cast<float>(N));
+  const R scale = R(1.0F) / eagerx::sqrt(variance + R(norm.epsilon));
+  for (std::size_t k = 0; k < N; ++k) y[k] = (y[k] * scale) * R(norm.gamma[k]) + R(norm.beta[k]);
 }
 
 /// Statistics of observations: `deviation` is sqrt(variance + epsilon).

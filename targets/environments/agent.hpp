@@ -1,6 +1,7 @@
-// The graph's agent, over rows of numbers.
+// The graph's agent, over rows of numbers: eagerx_act().
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -12,6 +13,7 @@
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/layout.hpp>
+#include <targets/environments/pack_agent.hpp>
 #include <targets/environments/problem.hpp>
 #include <type_traits>
 #include <vector>
@@ -91,5 +93,61 @@ target::Agent agent_of_graph() {
     throw Problem("the agent of the graph is a file of actions, which a library cannot read");
   return kAgent;
 }
+
+/// The rows of the environments `first` to `end` - 1, among those of all.
+struct Rows {
+  std::uint32_t first, end;
+  const float* observations;
+  float* actions;
+};
+
+/// The agents of a batch, for the members of its team: over packs where the policy is there.
+template <class Graph>
+class Agents {
+ public:
+  explicit Agents(const PackKernel<Graph>& kernel) : pack_(kernel) {}
+  void make_room(unsigned members) {
+    seen_.resize(members);
+    pack_.make_room(members);
+  }
+
+  /// Writes the actions of those that run, act_alone(k, observation) where there are no packs. What
+  /// write_action() returned.
+  template <class IsRunning, class ActAlone>
+  const char* act(unsigned member, Rows rows, IsRunning&& is_running, ActAlone&& act_alone) {
+    const char* refused = nullptr;
+    const auto write = [&](std::uint32_t k, const typename Graph::Action& action) {
+      if (const char* name = write_action<Graph>(action, rows.actions + k * acted_)) refused = name;
+    };
+    const std::uint32_t step = agent_of_graph<Graph>() == target::Agent::policy ? pack_.lanes() : 1;
+    for (std::uint32_t first = rows.first; first < rows.end; first += step) {
+      const std::uint32_t end = std::min(rows.end, first + step);
+      std::uint32_t running = 0;
+      for (std::uint32_t k = first; k < end; ++k) running += is_running(k) ? 1 : 0;
+      const bool packed = step > 1 && pack_.is_worth(running);
+      for (std::uint32_t k = first; k < end; ++k) {
+        if (!is_running(k)) continue;
+        const float* const row = rows.observations + k * observed_;
+        if (packed) {
+          pack_.see(member, k - first, row);
+        } else {
+          write(k, act_alone(k, seen_[member].of(row)));
+        }
+      }
+      if (!packed) continue;
+      const auto* const answers = pack_.act(member);
+      for (std::uint32_t k = first; k < end; ++k) {
+        if (is_running(k)) write(k, answers[k - first]);
+      }
+    }
+    return refused;
+  }
+
+ private:
+  std::size_t observed_ = Layout<Graph>::get().observations.numbers();
+  std::size_t acted_ = Layout<Graph>::get().actions.numbers();
+  std::vector<SeenRows<Graph>> seen_;  // [members]
+  PackAgent<Graph> pack_;
+};
 
 }  // namespace eagerx::environments

@@ -6,20 +6,21 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
+#include <bit>
 #include <cstdint>
 #include <eagerx/random.hpp>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
+#include <targets/environments/episode.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/not_finite.hpp>
 #include <targets/environments/pack_memory.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
+#include <targets/environments/set_states.hpp>
 #include <targets/environments/task.hpp>
 #include <targets/environments/team.hpp>
 #include <targets/environments/traced.hpp>
@@ -45,9 +46,10 @@ class Batch {
         drawn_(options.pictures != 0 ? size_ : 0),
         programs_(std::make_unique<Program[]>(plain_programs())),
         packs_(drawn_.any() ? PackKernel<Graph>{} : kernel, size_),
+        agents_(kernel),
         team_(std::min(options.threads != 0 ? options.threads : usable_cores(), blocks())) {
     packs_.make_room(team_.size());
-    seen_.resize(team_.size());
+    agents_.make_room(team_.size());
     if (target::is_real(programs_[0])) {
       throw Problem("engine `" + std::string(Graph::kEngine) +
                     "` moves real hardware, of which there is one: generate the library with "
@@ -113,19 +115,17 @@ class Batch {
   void act(const float* observations, float* actions) {
     require_begun();
     const target::Agent agent = agent_of_graph<Graph>();
-    const std::size_t observed = layout_.observations.numbers();
-    const std::size_t acted = layout_.actions.numbers();
+    const auto is_running = [&](std::uint32_t k) { return !episodes_[k].ended; };
+    const auto act_alone = [&](std::uint32_t k, const auto& observation) {
+      return with(k, [&](auto& program) {
+        return target::act<Graph>(agent, episodes_[k].key(), episodes_[k].steps, observation,
+                                  program);
+      });
+    };
     std::atomic<const char*> refused = nullptr;
     each_block(acts_, [&](std::uint32_t first, std::uint32_t end, unsigned member) {
-      for (std::uint32_t k = first; k < end; ++k) {
-        if (episodes_[k].ended) continue;
-        const auto observation = seen_[member].of(observations + k * observed);
-        const auto action = with(k, [&](auto& program) {
-          return target::act<Graph>(agent, key_of(episodes_[k]), episodes_[k].steps, observation,
-                                    program);
-        });
-        if (const char* name = write_action<Graph>(action, actions + k * acted)) refused = name;
-      }
+      const Rows rows{first, end, observations, actions};
+      if (const char* name = agents_.act(member, rows, is_running, act_alone)) refused = name;
     });
     if (refused != nullptr) {
       throw Problem("float32 has no such action `" + std::string(refused) +
@@ -134,19 +134,7 @@ class Batch {
   }
 
   void set_states(const std::uint8_t* mask, const float* states) {
-    const std::size_t numbers = layout_.states.numbers();
-    const auto is_meant = [&](std::uint32_t k) { return mask == nullptr || mask[k] != 0; };
-    for (std::uint32_t k = 0; k < size_; ++k) {
-      const std::string problem = is_meant(k) ? layout_.problem_of(states + k * numbers) : "";
-      if (!problem.empty()) throw Problem(problem + " (environment " + std::to_string(k) + ")");
-    }
-    if (set_next_.empty()) {
-      set_now_.resize(size_ * numbers, std::numeric_limits<float>::quiet_NaN());
-      set_next_ = set_now_;
-    }
-    for (std::uint32_t k = 0; k < size_; ++k) {
-      if (is_meant(k)) std::copy_n(states + k * numbers, numbers, set_next_.data() + k * numbers);
-    }
+    set_states_.set(size_, mask, states);
   }
 
   void get_states(float* states) const {
@@ -157,21 +145,16 @@ class Batch {
 
   /// Null: ends the file. Empty: only the hash. What cannot be written leaves the old trace.
   void trace(std::uint32_t k, const char* path) {
-    Traces& traces = traces_[k];
+    Traces<Graph>& traces = traces_[k];
     if (path == nullptr) {
-      traces.next.reset();
-      if (traces.now) traces.now->end_file();
+      traces.end();
       return;
     }
     if constexpr (requires(const Program& program) { program.reset_timeouts(); }) {
       if (episodes_[k].begun)
         throw Problem("a trace of a graph with reset nodes begins before the first reset");
     }
-    if (traces.next && traces.next->writes_to(path)) return;
-    if (traces.now && traces.now->writes_to(path)) traces.now->end_file();
-    auto next = std::make_unique<Traced<Graph>>(path, drawn_.any());
-    if (traces.now) traces.now->end_file();
-    traces.next = std::move(next);
+    traces.begin(path, drawn_.any());
   }
 
   std::uint64_t hash(std::uint32_t k) const {
@@ -210,22 +193,6 @@ class Batch {
   bool has_threads() const { return team_.is_complete(); }
 
  private:
-  struct Episode {
-    std::uint64_t seed = 0;
-    std::uint32_t number = 0;
-    std::uint32_t index = 0;  // since the seed was set
-    std::uint32_t steps = 0;
-    bool begun = false;
-    bool ended = false;
-    bool traced = false;
-    bool packed = false;  // in its lane of a pack, and not in its program
-  };
-
-  struct Traces {
-    std::unique_ptr<Traced<Graph>> now;
-    std::unique_ptr<Traced<Graph>> next;  // from the next reset on
-  };
-
   // Environments that a thread takes at a time: few, so that none waits for another's block.
   static constexpr std::uint32_t kBlocks = 64;
   static constexpr std::uint32_t kLargestBlock = 128;
@@ -240,21 +207,8 @@ class Batch {
   /// worth.
   template <class F>
   void each_block(Workload& workload, F&& f) {
-    using Clock = std::chrono::steady_clock;
     if (team_.size() == 1) return f(0U, size_, 0U);
-    const unsigned members = workload.members(team_.size());
-    const auto start = Clock::now();
-    std::atomic<std::uint32_t> next{0};
-    const std::uint32_t block = members == 1 ? size_ : this->block();
-    team_.run(members, [&](unsigned member) {
-      for (;;) {
-        const std::uint32_t first = next.fetch_add(block, std::memory_order_relaxed);
-        if (first >= size_) return;
-        f(first, std::min(size_, first + block), member);
-      }
-    });
-    const std::chrono::duration<double, std::nano> elapsed = Clock::now() - start;
-    workload.note(members, elapsed.count());
+    workload.run(team_, size_, block(), std::forward<F>(f));
   }
 
   /// f(program) of environment `k`.
@@ -287,28 +241,72 @@ class Batch {
   void step_pack(std::uint32_t first, std::uint32_t end, unsigned member, const float* actions,
                  const eagerx_rows& rows) {
     const std::size_t acted = layout_.actions.numbers();
-    bool any = false;
+    auto* const applied = packs_.actions(member);
+    std::uint32_t packed = 0;
+    std::uint64_t alone = 0;  // a bit for each lane
     for (std::uint32_t k = first; k < end; ++k) {
       if (episodes_[k].steps >= packs_.most_steps()) take_out(k);
-      if (!episodes_[k].packed) continue;
-      any = true;
-      packs_.action(member, k) = applied_action(programs_[k], layout_.action(actions + k * acted));
+      if (!episodes_[k].packed) {
+        alone |= std::uint64_t{1} << (k - first);
+        continue;
+      }
+      ++packed;
+      applied[k - first] = applied_action(programs_[k], layout_.action(actions + k * acted));
     }
-    if (any) packs_.step(member, first);
+    // Where an episode has ended its row stays as it is, if nothing begins there.
+    if (packed != 0 && packs_.writes_rows(end - first) &&
+        (alone == 0 || autoreset_ != EAGERX_DISABLED)) {
+      step_whole_pack(first, alone, member, actions, rows);
+      return;
+    }
+    if (packed != 0) packs_.step(member, first, nullptr);
     for (std::uint32_t k = first; k < end; ++k) {
       if (!episodes_[k].packed) {
         step_alone(k, actions, rows);
         continue;
       }
-      const PackColumn column = packs_.column(member, k);
+      const PackColumn column = packs_.column(member, k, k - first);
       packs_.show_guard(column, programs_[k]);
-      const Ends ends = write_outcome<Graph>(column, k, rows);
-      if constexpr (has_task<Graph>) {
-        if (!ends.is_finite) [[unlikely]]
-          not_finite_.note(place_of(k), outcome_of<Graph>(column));
-      }
-      end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
+      write_outcome<Graph>(column, k, rows);
+      end_pack_step(k, column, rows);
     }
+  }
+
+  /// The rows of all lanes at once; then what is not the same for all.
+  void step_whole_pack(std::uint32_t first, std::uint64_t alone, unsigned member,
+                       const float* actions, const eagerx_rows& rows) {
+    const PackRows pack_rows = packs_.rows_from(first, rows);
+    std::uint64_t notable = packs_.step(member, first, &pack_rows) | alone;
+    for (std::uint32_t lane = 0; lane < packs_.lanes(); ++lane) {
+      Episode& episode = episodes_[first + lane];
+      notable |= std::uint64_t{episode.steps + 1 == longest_ ? 1U : 0U} << lane;
+      episode.steps += 1;
+    }
+    if constexpr (PackMemory<Graph>::shows_guard()) {
+      for (std::uint32_t lane = 0; lane < packs_.lanes(); ++lane) {
+        if ((alone >> lane & 1U) == 0)
+          packs_.show_guard(packs_.column(member, first, lane), programs_[first + lane]);
+      }
+    }
+    for (; notable != 0; notable &= notable - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(notable));
+      const std::uint32_t k = first + lane;
+      --episodes_[k].steps;
+      if ((alone >> lane & 1U) != 0) {
+        step_alone(k, actions, rows);
+      } else {
+        end_pack_step(k, packs_.column(member, first, lane), rows);
+      }
+    }
+  }
+
+  void end_pack_step(std::uint32_t k, const PackColumn& column, const eagerx_rows& rows) {
+    const Ends ends = ends_of<Graph>(column);
+    if constexpr (has_task<Graph>) {
+      if (!ends.is_finite) [[unlikely]]
+        not_finite_.note(episodes_[k].place(k), outcome_of<Graph>(column));
+    }
+    end_step(k, ends, rows, [&](float* row) { packs_.write(column, layout_, row); });
   }
 
   void step_alone(std::uint32_t k, const float* actions, const eagerx_rows& rows) {
@@ -327,7 +325,7 @@ class Batch {
     const Ends ends = write_outcome<Graph>(program, k, rows);
     if constexpr (has_task<Graph>) {
       if (!ends.is_finite) [[unlikely]]
-        not_finite_.note(place_of(k), program.outcome());
+        not_finite_.note(episodes_[k].place(k), program.outcome());
     }
     end_step(k, ends, rows, [&](float* row) { layout_.write(observation, row); });
   }
@@ -366,13 +364,9 @@ class Batch {
 
   void begin(std::uint32_t k, float* observations) {
     Episode& episode = episodes_[k];
-    if (!set_next_.empty()) {
-      const std::size_t numbers = layout_.states.numbers();
-      std::copy_n(set_next_.data() + k * numbers, numbers, set_now_.data() + k * numbers);
-      std::fill_n(set_next_.data() + k * numbers, numbers, std::numeric_limits<float>::quiet_NaN());
-    }
+    set_states_.begin(k);
     take_out(k);
-    const EpisodeKey key = key_of(episode);
+    const EpisodeKey key = episode.key();
     const auto states = states_of(k);
     const auto observation = reset_program(k, key, states);
     if (observations != nullptr)
@@ -396,11 +390,9 @@ class Batch {
   typename Graph::Observation reset_program(std::uint32_t k, EpisodeKey key,
                                             const typename Graph::States& states) {
     if (const auto found = traces_.find(k); found != traces_.end()) {
-      Traces& traces = found->second;
-      if (traces.next) traces.now = std::move(traces.next);
-      if (traces.now) {
+      if (Traced<Graph>* const traced = found->second.take()) {
         episodes_[k].traced = true;
-        return traces.now->reset(key, states);
+        return traced->reset(key, states);
       }
     }
     return untraced(k, [&](auto& program) {
@@ -409,17 +401,10 @@ class Batch {
     });
   }
 
-  PlaceOfReward place_of(std::uint32_t k) const {
-    const Episode& episode = episodes_[k];
-    return {k, episode.number, episode.seed, episode.index, episode.steps};
-  }
-  static EpisodeKey key_of(const Episode& episode) {
-    return {episode.seed, episode.number, episode.index};
-  }
   /// That the current episode begins with.
   typename Graph::States states_of(std::uint32_t k) const {
-    typename Graph::States states = Graph::draw(key_of(episodes_[k]));
-    if (!set_now_.empty()) layout_.read(set_now_.data() + k * layout_.states.numbers(), states);
+    typename Graph::States states = Graph::draw(episodes_[k].key());
+    set_states_.read(k, states);
     return states;
   }
 
@@ -439,9 +424,9 @@ class Batch {
   DrawnPrograms<Graph> drawn_;
   std::unique_ptr<Program[]> programs_;  // [size_], or one if `drawn_` has them
   PackMemory<Graph> packs_;
-  std::vector<float> set_now_, set_next_;  // [size_][state numbers] or empty; NaN: drawn
-  std::map<std::uint32_t, Traces> traces_;
-  std::vector<SeenRows<Graph>> seen_;  // [members]
+  Agents<Graph> agents_;
+  SetStates<Graph> set_states_;
+  std::map<std::uint32_t, Traces<Graph>> traces_;
   NotFinite<Graph> not_finite_;
   Workload resets_, steps_, acts_;
   Team team_;

@@ -7,6 +7,18 @@
 
 namespace eagerx::environments {
 
+/// Rows of a whole pack, from its first environment on; null where nobody wants them.
+struct PackRows {
+  float* observation = nullptr;
+  std::size_t observed = 0;             // numbers of a row
+  const std::size_t* places = nullptr;  // in it, of the numbers in the graph's order
+  float* reward = nullptr;
+  float* terms = nullptr;
+  std::uint8_t* success = nullptr;
+  std::uint8_t* terminated = nullptr;
+  std::uint8_t* truncated = nullptr;
+};
+
 /// The functions of packs for one instruction set. Nothing but plain numbers and objects of the
 /// program for one environment passes through them, so that the rest of the library knows no
 /// vectors. Without lanes there are none.
@@ -21,7 +33,12 @@ struct PackKernel {
   std::size_t columns = 0;               // that step() writes, [columns][lanes]
   std::uint32_t most_steps = 0;          // of an episode; what a lane counts with has an end
   bool answers = false;                  // whether guards look at observations
-  std::uint32_t phases = 1;              // of a pack: steps after which every rate is due again
+  std::size_t told = 0;      // observations of which columns say whether they are finite
+  std::uint32_t phases = 1;  // of a pack: steps after which every rate is due again
+  /// What the agent's policy takes, in this order: observations by their places in the graph. Null
+  /// if there is no policy, or one that remembers.
+  const std::size_t* observations = nullptr;
+  std::size_t inputs = 0;  // of the policy: the numbers of these
 
   /// No environment is in any lane.
   void (*make)(void* pack) = nullptr;
@@ -32,8 +49,12 @@ struct PackKernel {
   void (*load)(void* pack, std::uint32_t lane, const Program& one) = nullptr;
   void (*store)(const void* pack, std::uint32_t lane, Program& one) = nullptr;
   /// `actions` [lanes] have gone through the guards. Columns: observations in the graph's order,
-  /// then those of PackColumns.
-  void (*step)(void* pack, const Action* actions, float* columns) = nullptr;
+  /// then those of PackColumns. `rows`: null, or also written. The lanes, a bit each, whose episode
+  /// the task ends or whose reward is no number.
+  std::uint64_t (*step)(void* pack, const Action* actions, float* columns,
+                        const PackRows* rows) = nullptr;
+  /// The actions [lanes] of the agent's policy. `columns`: its inputs [inputs][lanes].
+  void (*act)(const float* columns, Action* actions) = nullptr;
 };
 
 /// Columns behind the observations: truth values are 0 or 1.
@@ -43,7 +64,7 @@ enum PackColumns : std::size_t {
   kTerminated,
   kTruncated,
   kSuccess,
-  kTerms  // and the weighted terms of the reward
+  kTerms  // and the weighted terms of the reward; then whether each observation is finite
 };
 
 /// What a step of a pack wrote of one environment.

@@ -34,6 +34,14 @@ class PackMemory {
   PackMemory(const PackKernel<Graph>& kernel, std::uint32_t environments)
       : kernel_(kernel), environments_(environments), memory_(nullptr, Free{std::align_val_t{1}}) {
     if (lanes() == 0) return;
+    Layout<Graph>::for_each_observed(
+        [&, field = std::size_t{0}](const char*, auto observed, const auto&) mutable {
+          using Observed = typename decltype(observed)::type;
+          const std::size_t first = Layout<Graph>::get().observations.first(field++);
+          for (std::size_t i = 0;
+               i < messages_of<Observed>() * size_of<typename Observed::value_type>; ++i)
+            places_.push_back(first + i);
+        });
     const std::size_t packs = (environments + lanes() - 1) / lanes() * kernel.phases;
     if (kernel.phases > 1) {
       phase_.resize(environments);
@@ -73,31 +81,58 @@ class PackMemory {
   }
   void store(std::uint32_t k, Program& one) const { kernel_.store(pack(k), k % lanes(), one); }
 
-  Action& action(unsigned member, std::uint32_t k) {
-    return actions_[std::size_t{member} * lanes() + k % lanes()];
+  /// [lanes]
+  Action* actions(unsigned member) { return actions_.data() + std::size_t{member} * lanes(); }
+  /// Whether a step of `k`'s group can write the rows of all of its lanes.
+  bool writes_rows(std::uint32_t environments) const {
+    return kernel_.phases == 1 && environments == lanes();
   }
-  /// Steps the packs of `k`'s group with the actions of `member`, into their columns.
-  void step(unsigned member, std::uint32_t k) {
+  PackRows rows_from(std::uint32_t first, const eagerx_rows& rows) const {
+    const std::size_t observed = places_.size();
+    const auto from = [&](auto* row, std::size_t width) {
+      return row == nullptr ? nullptr : row + first * width;
+    };
+    return {from(rows.observation, observed),
+            observed,
+            places_.data(),
+            from(rows.reward, 1),
+            from(rows.terms, terms_of<Graph>),
+            from(rows.success, 1),
+            from(rows.terminated, 1),
+            from(rows.truncated, 1)};
+  }
+  /// Steps the packs of `k`'s group with the actions of `member`, into their columns. As the
+  /// kernel's, which means nothing with several phases.
+  std::uint64_t step(unsigned member, std::uint32_t k, const PackRows* rows) {
     const std::uint32_t first = k / lanes() * kernel_.phases;
+    std::uint64_t notable = 0;
     for (std::uint32_t i = 0; i < kernel_.phases; ++i) {
       if (kernel_.phases > 1 && held_[first + i] == 0) continue;
-      kernel_.step(at(first + i), actions_.data() + std::size_t{member} * lanes(),
-                   columns(member, i));
+      notable = kernel_.step(at(first + i), actions(member), columns(member, i), rows);
     }
+    return notable;
   }
   /// What the last step wrote of an environment, also after load() and leave() of others.
-  PackColumn column(unsigned member, std::uint32_t k) {
-    return {columns(member, phase_of(k)) + k % lanes(), lanes(),
-            kernel_.columns - kTerms - terms_of<Graph>};
+  PackColumn column(unsigned member, std::uint32_t k, std::uint32_t lane) {
+    return {columns(member, phase_of(k)) + lane, lanes(),
+            kernel_.columns - kTerms - terms_of<Graph> - kernel_.told};
   }
 
-  /// The guard looks at the observation of the step.
-  void show_guard(const PackColumn& column, Program& program) const {
-    // The guard of a graph without engine looks at no observation, and such a graph has no packs.
-    if constexpr (requires {
+  /// Whether the guard looks at observations.
+  static constexpr bool shows_guard() {
+    if constexpr (requires(Program & program) {
                     requires decltype(program.guard)::kTakesOver;
                     program.guard.saw_numbers();
                   }) {
+      return true;
+    } else {
+      return false;
+    }
+  }
+  /// The guard looks at the observation of the step.
+  void show_guard(const PackColumn& column, Program& program) const {
+    // The guard of a graph without engine looks at no observation, and such a graph has no packs.
+    if constexpr (shows_guard()) {
       if (!kernel_.answers) return;
       if (column.end(kFinite) != 0.0F) {
         program.guard.saw_numbers();
@@ -125,7 +160,10 @@ class PackMemory {
   };
 
   /// Which of the observations are not finite.
-  static void show_channels(const PackColumn& column, Program& program) {
+  void show_channels(const PackColumn& column, Program& program) const {
+    for (std::size_t i = 0; i < kernel_.told; ++i)
+      program.guard.saw(i, column.end(kTerms + terms_of<Graph> + i) != 0.0F);
+    if (kernel_.told != 0) return;
     std::size_t from = 0, channel = 0;
     Layout<Graph>::for_each_observed([&](const char*, auto observed, const auto&) {
       using Observed = typename decltype(observed)::type;
@@ -167,6 +205,7 @@ class PackMemory {
   PackKernel<Graph> kernel_;
   std::uint32_t environments_;
   std::unique_ptr<std::byte[], Free> memory_;  // [packs][bytes]
+  std::vector<std::size_t> places_;            // of the numbers of an observation in a row
   std::vector<float> columns_;                 // [members][phases][columns][lanes]
   std::vector<std::uint8_t> phase_;            // [environments], in which pack; none for one phase
   std::vector<std::uint32_t> held_;            // [packs], environments in it; the same

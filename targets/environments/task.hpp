@@ -64,9 +64,19 @@ Ends write_outcome([[maybe_unused]] const Program& program, std::uint32_t k,
   }
 }
 
+template <class Graph>
+Ends ends_of(const PackColumn& column) {
+  if constexpr (has_task<Graph>) {
+    return {column.end(kTerminated) != 0.0F, column.end(kTruncated) != 0.0F,
+            eagerx::isfinite(column.end(kReward))};
+  } else {
+    return {};
+  }
+}
+
 /// The same of a step in a pack.
 template <class Graph>
-Ends write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
+void write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows& rows) {
   if (rows.reward != nullptr) rows.reward[k] = has_task<Graph> ? column.end(kReward) : 0.0F;
   const auto is_true = [&](PackColumns end) { return has_task<Graph> && column.end(end) != 0.0F; };
   if (rows.success != nullptr) rows.success[k] = is_true(kSuccess) ? 1 : 0;
@@ -74,8 +84,6 @@ Ends write_outcome(const PackColumn& column, std::uint32_t k, const eagerx_rows&
     for (std::size_t i = 0; i < terms_of<Graph>; ++i)
       rows.terms[k * terms_of<Graph> + i] = column.end(kTerms + i);
   }
-  return {is_true(kTerminated), is_true(kTruncated),
-          !has_task<Graph> || eagerx::isfinite(column.end(kReward))};
 }
 
 /// Reward and terms of a step in a pack, of a graph with a task.

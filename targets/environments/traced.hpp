@@ -7,12 +7,14 @@
 #include <eagerx/rate.hpp>
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
+#include <memory>
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
 #include <targets/linux-sim/text_file.hpp>
 #include <type_traits>
+#include <utility>
 
 namespace eagerx::environments {
 
@@ -139,6 +141,31 @@ class Traced {
   std::string path_;
   linux_sim::TextFile file_;
   std::uint32_t episode_ = 0;  // since the trace began
+};
+
+/// An environment's trace, and the one that begins with its next reset.
+template <class Graph>
+struct Traces {
+  std::unique_ptr<Traced<Graph>> now;
+  std::unique_ptr<Traced<Graph>> next;
+
+  /// What cannot be written leaves the old trace. Throws Problem.
+  void begin(const std::string& path, bool draws) {
+    if (next && next->writes_to(path)) return;
+    if (now && now->writes_to(path)) now->end_file();
+    auto wanted = std::make_unique<Traced<Graph>>(path, draws);
+    if (now) now->end_file();
+    next = std::move(wanted);
+  }
+  void end() {
+    next.reset();
+    if (now) now->end_file();
+  }
+  /// At a reset: the trace that goes on, null if there is none.
+  Traced<Graph>* take() {
+    if (next) now = std::move(next);
+    return now.get();
+  }
 };
 
 }  // namespace eagerx::environments

@@ -25,7 +25,7 @@ foreach(graph swing multi_rate rigid pushed_box)
 endforeach()
 # Graphs that run in packs; `tests/environments/packs --episodes 1000 LIBRARY...` compares more of them.
 set(environments_packs $<TARGET_FILE:environments_swing>)
-foreach(graph blocks rates phases estimates classics)
+foreach(graph blocks rates phases estimates classics policies)
   set(environments_graph ${CMAKE_CURRENT_LIST_DIR}/${graph}.yaml)
   eagerx_add_graph(TARGET environments_${graph} GRAPH ${environments_graph} BOARD environments)
   list(APPEND environments_packs $<TARGET_FILE:environments_${graph}>)

@@ -36,9 +36,9 @@ constexpr R erf(R x) {
   constexpr std::array<float, 9> kFar = {-0x1.29f296p-22F, 0x1.2dfca4p-18F, -0x1.ad48e4p-17F,
                                          -0x1.21a9e8p-12F, 0x1.e0dd0ep-9F,  -0x1.898c74p-6F,
                                          0x1.b4ea94p-4F,   0x1.450992p-1F,  0x1.20f4bap+0F};
-  const R a = min(abs(x), R(kIsOne));
+  const R a = min(eagerx::abs(x), R(kIsOne));
   const R near = a + a * detail::horner(a * a, kNear);
-  const R far = R(1.0F) - exp(R(0.0F) - a * detail::horner(a, kFar));
+  const R far = R(1.0F) - eagerx::exp(R(0.0F) - a * detail::horner(a, kFar));
   return select(x == x, copysign(select(R(kMiddle) < a, far, near), x), x);
 }
 
@@ -55,10 +55,10 @@ constexpr R expm1_below_zero(R x) {
 template <class R>
 constexpr R softplus(R x) {
   constexpr float kIsX = 20.0F;
-  const R e = exp(min(x, R(kIsX)));
+  const R e = eagerx::exp(min(x, R(kIsX)));
   const R sum = R(1.0F) + e;
   const R lost = sum - R(1.0F);  // log(1 + e) is log(sum) corrected for what sum has lost of e
-  const R result = select(lost == R(0.0F), e, log(sum) * (e / lost));
+  const R result = select(lost == R(0.0F), e, eagerx::log(sum) * (e / lost));
   return select(R(kIsX) < x, x, select(x == x, result, x));
 }
 
@@ -77,7 +77,7 @@ template <Activation A, class R>
   } else if constexpr (A == Activation::leaky_relu) {
     return select(x < zero, R(slope) * x, x);
   } else if constexpr (A == Activation::silu) {
-    return x / (R(1.0F) + exp(zero - x));
+    return x / (R(1.0F) + eagerx::exp(zero - x));
   } else if constexpr (A == Activation::gelu) {
     constexpr float kSqrtHalf = 0x1.6a09e6p-1F;
     return (R(0.5F) * x) * (R(1.0F) + erf(x * R(kSqrtHalf)));

@@ -15,50 +15,50 @@ constexpr float constant_for(const float (&c)[Constants], std::size_t i) {
 }
 
 /// y = x + c.
-template <std::size_t N, std::size_t Constants>
-inline void add(const float (&c)[Constants], const float (&x)[N], float (&y)[N]) {
-  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] + constant_for<N>(c, i);
+template <class R, std::size_t N, std::size_t Constants>
+inline void add(const float (&c)[Constants], const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] + R(constant_for<N>(c, i));
 }
 
 /// y = x - c.
-template <std::size_t N, std::size_t Constants>
-inline void subtract(const float (&c)[Constants], const float (&x)[N], float (&y)[N]) {
-  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] - constant_for<N>(c, i);
+template <class R, std::size_t N, std::size_t Constants>
+inline void subtract(const float (&c)[Constants], const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] - R(constant_for<N>(c, i));
 }
 
 /// y = c x.
-template <std::size_t N, std::size_t Constants>
-inline void multiply(const float (&c)[Constants], const float (&x)[N], float (&y)[N]) {
-  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] * constant_for<N>(c, i);
+template <class R, std::size_t N, std::size_t Constants>
+inline void multiply(const float (&c)[Constants], const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] * R(constant_for<N>(c, i));
 }
 
 /// y = x / c.
-template <std::size_t N, std::size_t Constants>
-inline void divide(const float (&c)[Constants], const float (&x)[N], float (&y)[N]) {
-  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] / constant_for<N>(c, i);
+template <class R, std::size_t N, std::size_t Constants>
+inline void divide(const float (&c)[Constants], const R (&x)[N], R (&y)[N]) {
+  for (std::size_t i = 0; i < N; ++i) y[i] = x[i] / R(constant_for<N>(c, i));
 }
 
 /// y = max(x, c); NaN stays NaN.
-template <std::size_t N, std::size_t Constants>
-inline void at_least(const float (&c)[Constants], const float (&x)[N], float (&y)[N]) {
+template <class R, std::size_t N, std::size_t Constants>
+inline void at_least(const float (&c)[Constants], const R (&x)[N], R (&y)[N]) {
   for (std::size_t i = 0; i < N; ++i) {
-    const float bound = constant_for<N>(c, i);
-    y[i] = x[i] < bound ? bound : x[i];
+    const R bound(constant_for<N>(c, i));
+    y[i] = eagerx::select(x[i] < bound, bound, x[i]);
   }
 }
 
 /// y = min(x, c); NaN stays NaN.
-template <std::size_t N, std::size_t Constants>
-inline void at_most(const float (&c)[Constants], const float (&x)[N], float (&y)[N]) {
+template <class R, std::size_t N, std::size_t Constants>
+inline void at_most(const float (&c)[Constants], const R (&x)[N], R (&y)[N]) {
   for (std::size_t i = 0; i < N; ++i) {
-    const float bound = constant_for<N>(c, i);
-    y[i] = bound < x[i] ? bound : x[i];
+    const R bound(constant_for<N>(c, i));
+    y[i] = eagerx::select(bound < x[i], bound, x[i]);
   }
 }
 
 /// y[i] = x[from[i]]: another order, or some of the numbers.
-template <class Index, std::size_t N, std::size_t M>
-inline void reorder(const Index (&from)[M], const float (&x)[N], float (&y)[M]) {
+template <class Index, class R, std::size_t N, std::size_t M>
+inline void reorder(const Index (&from)[M], const R (&x)[N], R (&y)[M]) {
   for (std::size_t i = 0; i < M; ++i) y[i] = x[from[i]];
 }
 

@@ -37,6 +37,21 @@ template <class Vector>
   return v;
 }
 
+/// Keeps operations on `v` in the order of the source: compilers would finish one sum before they
+/// begin the next, and wait for each addition.
+template <class Vector>
+[[gnu::always_inline]] inline void in_order([[maybe_unused]] Vector& v) {
+  if constexpr (sizeof(Vector) >= 16) {  // clang keeps shorter ones elsewhere
+#if defined(__AVX512VL__)
+    asm volatile("" : "+v"(v));
+#elif defined(__SSE2__)
+    asm volatile("" : "+x"(v));
+#elif defined(__aarch64__)
+    asm volatile("" : "+w"(v));
+#endif
+  }
+}
+
 /// `Count` registers of `Width` numbers each. Operations go through the registers one by one: while
 /// the result of one is on its way the others are at work.
 template <class T, std::size_t Width, std::size_t Count>

@@ -18,11 +18,11 @@
 namespace eagerx::policy {
 
 /// The sum of `y`: groups of kGroup, each summed from its first number on.
-template <std::size_t N>
-constexpr float grouped_sum(const float (&y)[N]) {
-  float sum = 0.0F;
+template <class R, std::size_t N>
+constexpr R grouped_sum(const R (&y)[N]) {
+  R sum(0.0F);
   for (std::size_t first = 0; first < N; first += kGroup) {
-    float part = y[first];
+    R part = y[first];
     for (std::size_t k = first + 1; k < N && k < first + kGroup; ++k) part = part + y[k];
     sum = sum + part;
   }

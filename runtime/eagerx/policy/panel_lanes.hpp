@@ -34,21 +34,6 @@ inline constexpr std::size_t kActivatedAtATime = 8;
 inline constexpr std::size_t kActivatedAtATime = 4;
 #endif
 
-/// Keeps operations on `v` in the order of the source: compilers would finish one sum before they
-/// begin the next, and wait for each addition.
-template <class Vector>
-[[gnu::always_inline]] inline void in_order([[maybe_unused]] Vector& v) {
-  if constexpr (sizeof(Vector) >= 16) {  // clang keeps shorter ones elsewhere
-#if defined(__AVX512VL__)
-    asm volatile("" : "+v"(v));
-#elif defined(__SSE2__)
-    asm volatile("" : "+x"(v));
-#elif defined(__aarch64__)
-    asm volatile("" : "+w"(v));
-#endif
-  }
-}
-
 /// `Panels` panels of `Width` outputs at a time.
 template <std::size_t In, std::size_t Width, std::size_t Panels>
 class PanelBlock {

@@ -19,21 +19,22 @@ struct GruWeights {
 };
 
 /// What a GRU remembers; zero when an episode starts.
-template <std::size_t Hidden>
+template <std::size_t Hidden, class R = float>
 struct GruMemory {
-  float h[Hidden];
+  R h[Hidden];
 };
 
 /// r = sigmoid(Wr x + Ur h), z = sigmoid(Wz x + Uz h), n = tanh(Wn x + r (Un h)), each product with
 /// its bias; h = n + z (h - n) is remembered and is the result. `x` and `y` must not overlap.
-template <std::size_t In, std::size_t Hidden, template <std::size_t, std::size_t> class Layer>
-inline void gru(const GruWeights<In, Hidden, Layer>& layer, const float (&x)[In],
-                GruMemory<Hidden>& memory, float (&y)[Hidden]) {
-  float from_input[3 * Hidden];
-  float from_hidden[3 * Hidden];
+template <class R, std::size_t In, std::size_t Hidden,
+          template <std::size_t, std::size_t> class Layer>
+inline void gru(const GruWeights<In, Hidden, Layer>& layer, const R (&x)[In],
+                GruMemory<Hidden, R>& memory, R (&y)[Hidden]) {
+  R from_input[3 * Hidden];
+  R from_hidden[3 * Hidden];
   dense<Activation::identity>(layer.input, x, from_input);
   dense<Activation::identity>(layer.hidden, memory.h, from_hidden);
-  float gates[2 * Hidden];
+  R gates[2 * Hidden];
   for (std::size_t k = 0; k < 2 * Hidden; ++k) gates[k] = from_input[k] + from_hidden[k];
   activate<Activation::sigmoid>(gates);
   for (std::size_t k = 0; k < Hidden; ++k) {
@@ -55,23 +56,24 @@ struct LstmWeights {
 };
 
 /// What an LSTM remembers; zero when an episode starts.
-template <std::size_t Hidden>
+template <std::size_t Hidden, class R = float>
 struct LstmMemory {
-  float h[Hidden];
-  float c[Hidden];
+  R h[Hidden];
+  R c[Hidden];
 };
 
 /// i, f, o = sigmoid(W x + U h), g = tanh(Wg x + Ug h), each product with its bias;
 /// c = f c + i g and h = o tanh(c) are remembered, h is the result. `x` and `y` must not overlap.
-template <std::size_t In, std::size_t Hidden, template <std::size_t, std::size_t> class Layer>
-inline void lstm(const LstmWeights<In, Hidden, Layer>& layer, const float (&x)[In],
-                 LstmMemory<Hidden>& memory, float (&y)[Hidden]) {
-  float from_input[4 * Hidden];
-  float from_hidden[4 * Hidden];
+template <class R, std::size_t In, std::size_t Hidden,
+          template <std::size_t, std::size_t> class Layer>
+inline void lstm(const LstmWeights<In, Hidden, Layer>& layer, const R (&x)[In],
+                 LstmMemory<Hidden, R>& memory, R (&y)[Hidden]) {
+  R from_input[4 * Hidden];
+  R from_hidden[4 * Hidden];
   dense<Activation::identity>(layer.input, x, from_input);
   dense<Activation::identity>(layer.hidden, memory.h, from_hidden);
-  float gates[3 * Hidden];  // input, forget, output
-  float candidate[Hidden];
+  R gates[3 * Hidden];  // input, forget, output
+  R candidate[Hidden];
   for (std::size_t k = 0; k < Hidden; ++k) {
     gates[k] = from_input[k] + from_hidden[k];
     gates[Hidden + k] = from_input[Hidden + k] + from_hidden[Hidden + k];

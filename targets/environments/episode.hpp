@@ -1,0 +1,26 @@
+// Where an environment of a batch is.
+#pragma once
+
+#include <cstdint>
+#include <eagerx/random.hpp>
+#include <targets/environments/not_finite.hpp>
+
+namespace eagerx::environments {
+
+struct Episode {
+  std::uint64_t seed = 0;
+  std::uint32_t number = 0;
+  std::uint32_t index = 0;  // since the seed was set
+  std::uint32_t steps = 0;
+  bool begun = false;
+  bool ended = false;
+  bool traced = false;
+  bool packed = false;  // in its lane of a pack, and not in its program
+
+  EpisodeKey key() const { return {seed, number, index}; }
+  PlaceOfReward place(std::uint32_t environment) const {
+    return {environment, number, seed, index, steps};
+  }
+};
+
+}  // namespace eagerx::environments
