@@ -6,6 +6,7 @@
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/scene_record.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -33,6 +34,7 @@ bool Recorder::before(std::uint32_t channel, Seq seq, MessageView message) {
 }
 
 void Recorder::keep(std::uint32_t channel, Seq seq, MessageView message) {
+  if (publishing_ != nullptr) publishing_->message(channel, episode_, seq, message.data);
   if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
   if (file_ == nullptr) return;
   ++messages_;
@@ -52,24 +54,34 @@ bool Recorder::runs_engine() const {
 }
 
 void Recorder::scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene) {
-  scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
+  if (publishing_ != nullptr && publishing_->wants_scenes())
+    publishing_->scene(episode_, rate_num, rate_den, tick, scene);
+  if (scene_file_ != nullptr)
+    scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
 }
 
 void Recorder::write_to(TextFile* file, bool timed) {
   file_ = file;
   start_ns_ = now_ns();
   timed_ = timed;
-  keeps_ = measures_ || file_ != nullptr;
+  keeps_ = measures_ || file_ != nullptr || publishing_ != nullptr;
 }
 
 void Recorder::keep_scenes(TextFile* file) {
   scenes_of_run.emplace(facts_->scene_rows);
   scene_file_ = file;
+  keeps_scenes_ = true;
+}
+
+void Recorder::publish(Publishing* publishing) {
+  publishing_ = publishing;
+  keeps_ = true;
+  keeps_scenes_ = keeps_scenes_ || publishing->wants_scenes();
 }
 
 void Recorder::measure() {
   measures_ = measures_of_run.reads_messages();
-  keeps_ = measures_ || file_ != nullptr;
+  keeps_ = measures_ || file_ != nullptr || publishing_ != nullptr;
 }
 
 void Recorder::write_end(std::uint64_t hash) const {

@@ -18,6 +18,7 @@ class Experiment;
 namespace eagerx::linux_sim {
 
 struct GraphFacts;
+class Publishing;
 class TextFile;
 
 /// There is one, so that a program's trace stays small. Programs call what is in the first part.
@@ -34,13 +35,15 @@ class Recorder {
   bool experiments() const { return experiment_ != nullptr; }
   void simulator(const char* object, Seq tick, const identification::SimulatorView& simulator);
   bool runs_engine() const;
-  bool keeps_scenes() const { return scene_file_ != nullptr; }
+  bool keeps_scenes() const { return keeps_scenes_; }
   void scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene);
 
   void graph_is(const GraphFacts& facts) { facts_ = &facts; }
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
   void write_to(TextFile* file, bool timed);
   void keep_scenes(TextFile* file);
+  /// Others see the messages.
+  void publish(Publishing* publishing);
   /// Expressions see the messages.
   void measure();
   void follow(trace_log::Replay* replay) { replay_ = replay; }
@@ -53,6 +56,7 @@ class Recorder {
   const GraphFacts* facts_ = nullptr;
   TextFile* file_ = nullptr;
   TextFile* scene_file_ = nullptr;
+  Publishing* publishing_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
   identification::Experiment* experiment_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
@@ -61,6 +65,7 @@ class Recorder {
   bool timed_ = false;
   bool keeps_ = false;
   bool measures_ = false;
+  bool keeps_scenes_ = false;
 };
 
 extern Recorder recorder_of_run;
