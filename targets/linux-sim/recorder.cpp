@@ -34,6 +34,11 @@ bool Recorder::before(std::uint32_t channel, Seq seq, MessageView message) {
 }
 
 void Recorder::keep(std::uint32_t channel, Seq seq, MessageView message) {
+  if (!only_publishes_) return keep_all(channel, seq, message);
+  publishing_->message(channel, episode_, seq, message.data);
+}
+
+void Recorder::keep_all(std::uint32_t channel, Seq seq, MessageView message) {
   if (publishing_ != nullptr) publishing_->message(channel, episode_, seq, message.data);
   if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
   if (file_ == nullptr) return;
@@ -64,7 +69,7 @@ void Recorder::write_to(TextFile* file, bool timed) {
   file_ = file;
   start_ns_ = now_ns();
   timed_ = timed;
-  keeps_ = measures_ || file_ != nullptr || publishing_ != nullptr;
+  decide();
 }
 
 void Recorder::keep_scenes(TextFile* file) {
@@ -73,15 +78,21 @@ void Recorder::keep_scenes(TextFile* file) {
   keeps_scenes_ = true;
 }
 
+void Recorder::decide() {
+  const bool records = measures_ || file_ != nullptr;
+  keeps_ = records || publishing_ != nullptr;
+  only_publishes_ = !records && publishing_ != nullptr;
+}
+
 void Recorder::publish(Publishing* publishing) {
   publishing_ = publishing;
-  keeps_ = true;
+  decide();
   keeps_scenes_ = keeps_scenes_ || publishing->wants_scenes();
 }
 
 void Recorder::measure() {
   measures_ = measures_of_run.reads_messages();
-  keeps_ = measures_ || file_ != nullptr || publishing_ != nullptr;
+  decide();
 }
 
 void Recorder::write_end(std::uint64_t hash) const {

@@ -53,6 +53,10 @@ class Recorder {
   void write_end(std::uint64_t hash) const;
 
  private:
+  /// Not inlined: where messages are only published, keep() needs few registers.
+  [[gnu::noinline]] void keep_all(std::uint32_t channel, Seq seq, MessageView message);
+  void decide();
+
   const GraphFacts* facts_ = nullptr;
   TextFile* file_ = nullptr;
   TextFile* scene_file_ = nullptr;
@@ -64,6 +68,7 @@ class Recorder {
   std::uint32_t episode_ = 0;
   bool timed_ = false;
   bool keeps_ = false;
+  bool only_publishes_ = false;
   bool measures_ = false;
   bool keeps_scenes_ = false;
 };

@@ -43,7 +43,14 @@ class Publishing {
     if (at == nullptr) return drop();
     at[0] = std::uint64_t{episode} << kEpisodeShift | channel;
     at[1] = seq;
-    copy(at + kHeadWords, data, wanted.bytes);
+    // Most messages are one number.
+    if (wanted.bytes == sizeof(float)) {
+      std::memcpy(at + kHeadWords, data, sizeof(float));
+    } else if (wanted.bytes == sizeof(double)) {
+      std::memcpy(at + kHeadWords, data, sizeof(double));
+    } else {
+      return copy(at + kHeadWords, data, wanted);
+    }
     ring_->commit(wanted.words);
   }
   /// A reset is step 0.
@@ -69,17 +76,12 @@ class Publishing {
     std::size_t bytes = 0;    // of its message
   };
 
-  static void copy(std::uint64_t* to, const void* from, std::size_t bytes) {
-    // Most messages are one number: no call.
-    if (bytes == sizeof(float)) {
-      std::memcpy(to, from, sizeof(float));
-    } else if (bytes == sizeof(double)) {
-      std::memcpy(to, from, sizeof(double));
-    } else {
-      std::memcpy(to, from, bytes);
-    }
+  /// The rest of message(); not inlined, so that the usual way needs few registers.
+  [[gnu::noinline]] void copy(std::uint64_t* to, const void* from, const Wanted& wanted) {
+    std::memcpy(to, from, wanted.bytes);
+    ring_->commit(wanted.words);
   }
-  [[gnu::cold]] void drop() {
+  [[gnu::cold, gnu::noinline]] void drop() {
     dropped_.store(dropped_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
 
