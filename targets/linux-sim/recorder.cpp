@@ -59,10 +59,7 @@ bool Recorder::runs_engine() const {
 }
 
 void Recorder::scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene) {
-  if (publishing_ != nullptr && publishing_->wants_scenes())
-    publishing_->scene(episode_, rate_num, rate_den, tick, scene);
-  if (scene_file_ != nullptr)
-    scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
+  scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
 }
 
 void Recorder::write_to(TextFile* file, bool timed) {
@@ -75,7 +72,6 @@ void Recorder::write_to(TextFile* file, bool timed) {
 void Recorder::keep_scenes(TextFile* file) {
   scenes_of_run.emplace(facts_->scene_rows);
   scene_file_ = file;
-  keeps_scenes_ = true;
 }
 
 void Recorder::decide() {
@@ -87,7 +83,6 @@ void Recorder::decide() {
 void Recorder::publish(Publishing* publishing) {
   publishing_ = publishing;
   decide();
-  keeps_scenes_ = keeps_scenes_ || publishing->wants_scenes();
 }
 
 void Recorder::measure() {

@@ -10,18 +10,18 @@ bool is_port(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() && port > 0;
 }
 
-/// `HOST:PORT`; without a host where it need not be named.
-bool parse_address(std::string_view text, bool needs_host, Destination& destination) {
+/// `HOST:PORT`
+bool parse_address(std::string_view text, Destination& destination) {
   const std::size_t colon = text.rfind(':');
-  const bool has_host = colon != std::string_view::npos;
-  const std::string_view port = has_host ? text.substr(colon + 1) : text;
-  std::string_view host = has_host ? text.substr(0, colon) : std::string_view();
+  if (colon == std::string_view::npos) return false;
+  const std::string_view port = text.substr(colon + 1);
+  std::string_view host = text.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) {
     host = host.substr(1, host.size() - 2);
   } else if (host.find(':') != std::string_view::npos) {
     return false;
   }
-  if (!is_port(port) || (host.empty() && (needs_host || has_host))) return false;
+  if (!is_port(port) || host.empty()) return false;
   destination.host = host;
   destination.port = port;
   return true;
@@ -44,12 +44,10 @@ bool parse_destination(std::string_view text, Destination& destination) {
     destination.kind = Kind::udp;
   } else if (kind == "teleplot") {
     destination.kind = Kind::teleplot;
-  } else if (kind == "foxglove") {
-    destination.kind = Kind::foxglove;
   } else {
     return false;
   }
-  return parse_address(rest, kind != "foxglove", destination);
+  return parse_address(rest, destination);
 }
 
 }  // namespace eagerx::linux_sim

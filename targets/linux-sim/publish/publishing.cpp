@@ -2,11 +2,11 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <eagerx/scene.hpp>
 #include <eagerx/trace.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/datagrams.hpp>
+#include <targets/linux-sim/publish/recording.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 
 namespace eagerx::linux_sim {
@@ -124,13 +124,13 @@ std::string Publishing::open_sinks() {
       case Destination::Kind::teleplot:
         sinks_.push_back(teleplot_sink(to, channels_));
         break;
-      default:
-        return "error: `" + to.written + "` is not there yet";
+      case Destination::Kind::mcap:
+        sinks_.push_back(mcap_sink(to, channels_));
+        break;
     }
     names_.push_back(to.written);
     std::string problem = sinks_.back()->open();
     if (!problem.empty()) return problem;
-    wants_scenes_ = wants_scenes_ || (facts_.is_scene && sinks_.back()->wants_scenes());
   }
   return {};
 }
@@ -147,7 +147,6 @@ void Publishing::make_ring() {
                static_cast<double>(channels_[c].rate_num) /
                static_cast<double>(channels_[c].rate_den) / wanted_[c].every;
   }
-  if (wants_scenes_) longest = std::max(longest, 4 + facts_.scene_rows * kSceneColumns / 2);
   ring_ = std::make_unique<PublishRing>(
       static_cast<std::size_t>(std::clamp(words_s * kSeconds, kLeast, kMost)), longest);
   std::size_t most_values = 1;
@@ -182,22 +181,6 @@ std::string Publishing::finish(Summary& summary) {
   return problem;
 }
 
-void Publishing::scene(std::uint32_t episode, std::uint64_t rate_num, std::uint64_t rate_den,
-                       Seq tick, const float* scene) {
-  constexpr std::size_t kSceneWords = 4;
-  std::size_t rows = 0;
-  while (rows < facts_.scene_rows && scene[rows * kSceneColumns] != 0.0F) ++rows;
-  const std::size_t words = kSceneWords + rows * kSceneColumns / 2;
-  std::uint64_t* const at = ring_->begin(words);
-  if (at == nullptr) return drop();
-  at[0] = std::uint64_t{episode} << kEpisodeShift | kScene;
-  at[1] = tick;
-  at[2] = rate_num << kEpisodeShift | rate_den;
-  at[3] = rows;
-  std::memcpy(at + kSceneWords, scene, rows * kSceneColumns * sizeof(float));
-  ring_->commit(words);
-}
-
 /// The thread. It looks at the ring often enough for a plot that runs, and nobody has to wake it.
 void Publishing::work() {
   using namespace std::chrono_literals;
@@ -210,11 +193,11 @@ void Publishing::work() {
   }
 }
 
-bool Publishing::take_all() {
+void Publishing::take_all() {
   constexpr int kAtOnce = 4'096;  // sinks want to be idle() in between
   for (int i = 1;; ++i) {
     const std::uint64_t* const record = ring_->front();
-    if (record == nullptr) return i > 1;
+    if (record == nullptr) return;
     ring_->pop(take(record));
     if (i % kAtOnce == 0)
       for (const auto& sink : sinks_) sink->idle();
@@ -225,7 +208,6 @@ bool Publishing::take_all() {
 std::size_t Publishing::take(const std::uint64_t* record) {
   const auto channel = static_cast<std::uint32_t>(record[0]);
   const auto episode = static_cast<std::uint32_t>(record[0] >> kEpisodeShift);
-  if (channel == kScene) return take_scene(record);
   if (channel == kStep) {
     const std::int64_t time_ns = clock_.in_log_ns(
         episode, trace_log::time_of_tick(record[1], facts_.rate_num, facts_.rate_den));
@@ -243,18 +225,6 @@ std::size_t Publishing::take(const std::uint64_t* record) {
   const PublishedMessage message{channel, episode, record[1], time_ns, values_.data()};
   for (const auto& sink : sinks_) sink->message(message);
   return wanted_[channel].words;
-}
-
-std::size_t Publishing::take_scene(const std::uint64_t* record) {
-  constexpr std::size_t kSceneWords = 4;
-  const auto episode = static_cast<std::uint32_t>(record[0] >> kEpisodeShift);
-  const std::int64_t time_ns = clock_.in_log_ns(
-      episode, trace_log::time_of_tick(record[1], record[2] >> kEpisodeShift,
-                                       static_cast<std::uint32_t>(record[2])));
-  const PublishedScene scene{time_ns, reinterpret_cast<const float*>(record + kSceneWords),
-                             record[3]};
-  for (const auto& sink : sinks_) sink->scene(scene);
-  return kSceneWords + scene.count * kSceneColumns / 2;
 }
 
 }  // namespace eagerx::linux_sim

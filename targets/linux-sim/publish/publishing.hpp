@@ -32,7 +32,6 @@ class Publishing {
   void start();
   /// Sends what is left. Empty, or what is wrong.
   std::string finish(Summary& summary);
-  bool wants_scenes() const { return wants_scenes_; }
 
   // Of the loop, from here on.
 
@@ -62,13 +61,11 @@ class Publishing {
     at[1] = step;
     ring_->commit(kHeadWords);
   }
-  void scene(std::uint32_t episode, std::uint64_t rate_num, std::uint64_t rate_den, Seq tick,
-             const float* scene);
 
  private:
   static constexpr unsigned kEpisodeShift = 32;
   static constexpr std::size_t kHeadWords = 2;
-  static constexpr std::uint32_t kStep = 0xffff'ffff, kScene = 0xffff'fffe;
+  static constexpr std::uint32_t kStep = 0xffff'ffff;
 
   struct Wanted {
     std::uint32_t every = 0;  // of so many messages one; 0: none
@@ -89,9 +86,8 @@ class Publishing {
   std::string open_sinks();
   void make_ring();
   void work();
-  bool take_all();
+  void take_all();
   std::size_t take(const std::uint64_t* record);
-  std::size_t take_scene(const std::uint64_t* record);
 
   const Options& options_;
   const GraphFacts& facts_;
@@ -99,7 +95,6 @@ class Publishing {
   std::vector<Wanted> wanted_;
   std::vector<Scalar> scalars_;  // of channels
   std::uint64_t step_every_ = 1;
-  bool wants_scenes_ = false;
   std::unique_ptr<PublishRing> ring_;
   std::vector<std::unique_ptr<PublishSink>> sinks_;
   std::vector<std::string> names_;  // of sinks, as they are written

@@ -16,11 +16,6 @@ struct PublishedMessage {
   std::int64_t time_ns;         // since the run began, without steps back between episodes
   const std::uint64_t* values;  // [size of the channel], the bits that the trace hashes
 };
-struct PublishedScene {
-  std::int64_t time_ns;
-  const float* rows;  // [count][kSceneColumns]
-  std::size_t count;
-};
 struct PublishedStep {
   std::uint32_t episode;
   std::uint64_t step;  // from 1; 0: a reset
@@ -35,14 +30,12 @@ class PublishSink {
   /// Empty, or what is wrong.
   virtual std::string open() = 0;
   virtual void message(const PublishedMessage& message) = 0;
-  virtual void scene(const PublishedScene& /*scene*/) {}
   virtual void step(const PublishedStep& step) = 0;
   /// Called every few milliseconds.
   virtual void idle() {}
   /// Behind the last message. Empty, or what is wrong.
   virtual std::string close() { return {}; }
 
-  virtual bool wants_scenes() const { return false; }
   /// Messages, or datagrams, that were not sent.
   std::uint64_t dropped() const { return dropped_; }
   std::uint64_t sent() const { return sent_; }
