@@ -113,7 +113,9 @@ class Session {
     if (unseen.empty()) unseen = open_pictures(options_, program_);
     if (unseen.empty() && !options_.publish.empty()) {
       publishing_.emplace(options_, facts_);
-      unseen = publishing_->open();
+      // Again: by now there are files that were not there before.
+      unseen = problem_with_files(options_);
+      if (unseen.empty()) unseen = publishing_->open();
     }
     return unseen.empty() ? kDone : fail(unseen, kBadUsage);
   }

@@ -17,16 +17,20 @@ class LogClock {
  public:
   explicit LogClock(const std::vector<RecordedChannel>& channels);
 
-  /// Of something that happens `in_episode_ns` after the start of `episode`; to be asked in the
+  /// Of a message that is sent `in_episode_ns` after the start of `episode`; to be asked in the
   /// order of the log.
   std::int64_t in_log_ns(std::uint32_t episode, std::int64_t in_episode_ns) {
+    const std::int64_t time_ns = in_log_of_other_ns(episode, in_episode_ns);
+    if (time_ns > last_ns_) last_ns_ = time_ns;
+    return time_ns;
+  }
+  /// The same of something that is no message: the next episode begins no later because of it.
+  std::int64_t in_log_of_other_ns(std::uint32_t episode, std::int64_t in_episode_ns) {
     if (episode != episode_) {
       begin_ns_ = last_ns_ + gap_ns_;
       episode_ = episode;
     }
-    const std::int64_t time_ns = begin_ns_ + in_episode_ns;
-    if (time_ns > last_ns_) last_ns_ = time_ns;
-    return time_ns;
+    return begin_ns_ + in_episode_ns;
   }
 
  private:

@@ -38,7 +38,7 @@ bool parse_destination(std::string_view text, Destination& destination) {
   if (kind == "mcap") {
     destination.kind = Kind::mcap;
     destination.file = rest;
-    return !rest.empty();
+    return !rest.empty() && rest != "-";
   }
   if (kind == "udp") {
     destination.kind = Kind::udp;

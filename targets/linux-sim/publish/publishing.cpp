@@ -209,7 +209,7 @@ std::size_t Publishing::take(const std::uint64_t* record) {
   const auto channel = static_cast<std::uint32_t>(record[0]);
   const auto episode = static_cast<std::uint32_t>(record[0] >> kEpisodeShift);
   if (channel == kStep) {
-    const std::int64_t time_ns = clock_.in_log_ns(
+    const std::int64_t time_ns = clock_.in_log_of_other_ns(
         episode, trace_log::time_of_tick(record[1], facts_.rate_num, facts_.rate_den));
     for (const auto& sink : sinks_) sink->step({episode, record[1], time_ns});
     return kHeadWords;

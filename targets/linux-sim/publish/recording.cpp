@@ -13,11 +13,17 @@ class McapSink final : public PublishSink {
   McapSink(Destination to, const PublishedChannels& channels)
       : to_(std::move(to)), channels_(channels) {}
 
+  ~McapSink() override { file_.discard(); }  // if there was no run
+  McapSink(const McapSink&) = delete;
+  McapSink& operator=(const McapSink&) = delete;
+
   std::string open() override {
     if (channels_.size() > trace_log::kMostMcapChannels)
       return "error: MCAP has at most " + std::to_string(trace_log::kMostMcapChannels) +
              " channels\nhelp: `--trace`";
     if (!file_.open(to_.file, Writing::direct)) return problem();
+    if (!file_.reserve())
+      return "error: `" + to_.file + "` is written by somebody else\nhelp: give each its own file";
     mcap_.emplace(channels_);
     return {};
   }

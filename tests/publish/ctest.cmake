@@ -1,0 +1,4 @@
+# What programs let others see while they run. In real time, with readers that stand still: tests/publish/run.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+add_test(NAME publish COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/check $<TARGET_FILE:eagerx-gen>
+                              $<TARGET_FILE:replay_swing_up>)
