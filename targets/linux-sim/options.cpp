@@ -230,8 +230,7 @@ constexpr std::array kOptions{
            set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
-    Option{"--publish", "KIND",
-           "`udp:HOST:PORT`, `teleplot:HOST:PORT` or `mcap:FILE`",
+    Option{"--publish", "KIND", "`udp:HOST:PORT`, `teleplot:HOST:PORT` or `mcap:FILE`",
            "let others see the messages while it runs: udp:HOST:PORT (PlotJuggler), "
            "teleplot:HOST:PORT or mcap:FILE; may be repeated",
            set_publish},
@@ -287,8 +286,8 @@ constexpr std::array<std::array<std::string_view, 2>, 11> kNeeds{{
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
 constexpr std::array<std::string_view, 13> kNotWithLogs{
-    "--set",   "--fault", "--until",    "--measure",     "--summary",          "--csv",
-    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor", "--render",
+    "--set",    "--fault", "--until",    "--measure",     "--summary",          "--csv",
+    "--trace",  "--seed",  "--episodes", "--environment", "--real-time-factor", "--render",
     "--publish"};
 
 std::string nearest_option(std::string_view name) {

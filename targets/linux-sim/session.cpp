@@ -130,8 +130,8 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    const bool is_traced = options_.hash || trace_.is_open() || publishing_ ||
-                           measures_of_run.reads_messages();
+    const bool is_traced =
+        options_.hash || trace_.is_open() || publishing_ || measures_of_run.reads_messages();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};

@@ -55,15 +55,15 @@ void append_json_message(std::string& to, const RecordedChannel& channel, std::u
 
 std::string json_schema(const RecordedChannel& channel) {
   const bool real = channel.dtype == Dtype::float32 || channel.dtype == Dtype::float64;
-  const std::string one =
-      real ? R"({"type":["number","null"]})"
-           : std::string(R"({"type":")") +
-                 (channel.dtype == Dtype::boolean ? "boolean" : "number") + "\"}";
+  const std::string one = real ? R"({"type":["number","null"]})"
+                               : std::string(R"({"type":")") +
+                                     (channel.dtype == Dtype::boolean ? "boolean" : "number") +
+                                     "\"}";
   const std::string size = std::to_string(channel.size);
-  const std::string value = channel.size == 1 ? one
-                                              : R"({"type":"array","items":)" + one +
-                                                    R"(,"minItems":)" + size + R"(,"maxItems":)" +
-                                                    size + "}";
+  const std::string value = channel.size == 1
+                                ? one
+                                : R"({"type":"array","items":)" + one + R"(,"minItems":)" + size +
+                                      R"(,"maxItems":)" + size + "}";
   return R"({"type":"object","properties":{"episode":{"type":"integer"},"tick":{"type":"integer"},"value":)" +
          value + "}}";
 }

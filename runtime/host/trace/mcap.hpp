@@ -44,8 +44,8 @@ class McapFile {
   const std::vector<RecordedChannel>& channels_;
   std::vector<std::uint64_t> counts_;  // of messages, by channel
   std::string ready_, chunk_, chunk_indexes_, message_;
-  std::uint64_t size_ = 0;  // of the file
-  Crc32 crc_;               // of the file
+  std::uint64_t size_ = 0;                             // of the file
+  Crc32 crc_;                                          // of the file
   std::map<std::uint32_t, std::vector<Place>> index_;  // of the chunk, by channel
   std::uint64_t chunk_messages_ = 0, first_ns_ = 0, last_ns_ = 0, begin_ns_ = 0, end_ns_ = 0;
   std::uint32_t chunks_ = 0;

@@ -1,4 +1,5 @@
-// Datagrams for programs that plot: PlotJuggler's UDP server with its parser for JSON, and Teleplot.
+// Datagrams for programs that plot: PlotJuggler's UDP server with its parser for JSON, and
+// Teleplot.
 #pragma once
 
 #include <memory>

@@ -6,8 +6,8 @@
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/datagrams.hpp>
-#include <targets/linux-sim/publish/recording.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
+#include <targets/linux-sim/publish/recording.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -143,8 +143,7 @@ void Publishing::make_ring() {
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     if (wanted_[c].every == 0) continue;
     longest = std::max<std::size_t>(longest, wanted_[c].words);
-    words_s += static_cast<double>(wanted_[c].words) *
-               static_cast<double>(channels_[c].rate_num) /
+    words_s += static_cast<double>(wanted_[c].words) * static_cast<double>(channels_[c].rate_num) /
                static_cast<double>(channels_[c].rate_den) / wanted_[c].every;
   }
   ring_ = std::make_unique<PublishRing>(
@@ -220,8 +219,8 @@ std::size_t Publishing::take(const std::uint64_t* record) {
                   for (std::size_t i = 0; i < known.size; ++i)
                     values_[i] = canonical_bits(elements[i]);
                 });
-  const std::int64_t time_ns = clock_.in_log_ns(
-      episode, trace_log::time_of_tick(record[1], known.rate_num, known.rate_den));
+  const std::int64_t time_ns =
+      clock_.in_log_ns(episode, trace_log::time_of_tick(record[1], known.rate_num, known.rate_den));
   const PublishedMessage message{channel, episode, record[1], time_ns, values_.data()};
   for (const auto& sink : sinks_) sink->message(message);
   return wanted_[channel].words;

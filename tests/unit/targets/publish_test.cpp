@@ -83,9 +83,8 @@ TEST(Destination, IsReadStrictly) {
   EXPECT_EQ(to.host, "::1");
   ASSERT_TRUE(parse_destination("mcap:a:b.mcap", to));
   EXPECT_EQ(to.file, "a:b.mcap");
-  for (const char* wrong :
-       {"", "udp", "udp:", "udp:1234", "udp::1234", "udp:a:", "udp:a:0", "udp:a:65536", "udp:a:1x",
-        "udp:::1:80", "mcap:", "mcap:-", "rtp:a:1"})
+  for (const char* wrong : {"", "udp", "udp:", "udp:1234", "udp::1234", "udp:a:", "udp:a:0",
+                            "udp:a:65536", "udp:a:1x", "udp:::1:80", "mcap:", "mcap:-", "rtp:a:1"})
     EXPECT_FALSE(parse_destination(wrong, to)) << wrong;
 }
 
