@@ -13,7 +13,7 @@
 namespace eagerx::linux_sim {
 namespace {
 
-constexpr double kSecondsPerNs = 1e-9, kMsPerNs = 1e-6;
+constexpr double kSecondInNs = 1e9, kMsInNs = 1e6;
 
 /// Shortest decimal, in any locale.
 template <class T>
@@ -102,7 +102,7 @@ class UdpSink final : public DatagramSink {
 
   void begin(const PublishedStep& step) {
     text_ = "{\"timestamp\":";
-    append_number(text_, static_cast<double>(step.time_ns) * kSecondsPerNs);
+    append_number(text_, static_cast<double>(step.time_ns) / kSecondInNs);
     text_ += ",\"episode\":";
     append_number(text_, step.episode);
     text_ += ",\"step\":";
@@ -137,7 +137,7 @@ class TeleplotSink final : public DatagramSink {
   void step(const PublishedStep& step) override {
     text_.clear();
     time_.clear();
-    append_number(time_, static_cast<double>(step.time_ns) * kMsPerNs);
+    append_number(time_, static_cast<double>(step.time_ns) / kMsInNs);
     for_each_new([&](std::size_t c) {
       for (std::size_t i = 0; i < channels()[c].size; ++i) add(c, i);
     });
