@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
+#include <runtime/host/trace/json_text.hpp>
 #include <vector>
 
 #include "generator/quote/quote.hpp"
@@ -117,21 +117,9 @@ std::string converted(const trace_log::Log& log, TraceFormat format) {
 }
 
 std::string json_values(const trace_log::Log& log, const trace_log::Row& row) {
-  const auto& channel = log.channels[row.channel];
-  const std::uint64_t* const values = log.values_of(row);
-  const auto number = [&](std::uint64_t bits) {
-    if (!std::isfinite(trace_log::number_of(channel.dtype, bits))) return std::string("null");
-    if (channel.dtype == trace_log::Dtype::boolean)
-      return std::string(bits != 0 ? "true" : "false");
-    return trace_log::text_of(channel.dtype, bits);
-  };
-  if (channel.size == 1) return number(values[0]);
-  std::string text = "[";
-  for (std::uint64_t i = 0; i < channel.size; ++i) {
-    if (i > 0) text += ',';
-    text += number(values[i]);
-  }
-  return text + "]";
+  std::string text;
+  trace_log::append_json_values(text, log.channels[row.channel], log.values_of(row));
+  return text;
 }
 
 }  // namespace eagerx::gen

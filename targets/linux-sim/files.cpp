@@ -58,8 +58,11 @@ std::string problem_with_files(const Options& options) {
   const Named inputs[] = {{"--agent", reads_actions ? options.action_file : ""},
                           {"--replay", options.replay},
                           {"--identify", options.identify}};
-  const Named outputs[] = {
+  std::vector<Named> outputs = {
       {"--csv", options.csv}, {"--trace", options.trace}, {"--identify-out", options.identify_out}};
+  for (const Destination& to : options.publish) {
+    if (!to.file.empty()) outputs.push_back({"--publish", to.file});
+  }
   std::vector<Place> places;
   for (const Named& input : inputs) {
     Place place{quoted(input), {}};

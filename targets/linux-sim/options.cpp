@@ -112,6 +112,17 @@ bool set_size(Options& options, std::string_view value) {
          parse_number(value.substr(x + 1), kLeast, to.height) && to.width <= kMost &&
          to.height <= kMost;
 }
+bool set_publish(Options& options, std::string_view value) {
+  return parse_destination(value, options.publish.emplace_back());
+}
+bool set_publish_only(Options& options, std::string_view value) {
+  options.publish_only.emplace_back(value);
+  return !value.empty();
+}
+bool set_publish_rate(Options& options, std::string_view value) {
+  constexpr double kFastest = 1e9;
+  return parse_number(value, 1e-6, options.publish_rate_hz) && options.publish_rate_hz <= kFastest;
+}
 bool set_link(Options& options, std::string_view value) {
   options.link = value;
   return !value.empty();
@@ -219,6 +230,14 @@ constexpr std::array kOptions{
            set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
+    Option{"--publish", "KIND", "`udp:HOST:PORT`, `teleplot:HOST:PORT` or `mcap:FILE`",
+           "let others see the messages while it runs: udp:HOST:PORT (PlotJuggler), "
+           "teleplot:HOST:PORT or mcap:FILE; may be repeated",
+           set_publish},
+    Option{"--publish-only", "CHANNEL", "the name of a channel, such as `pendulum/theta`",
+           "publish only this channel of the trace (all); may be repeated", set_publish_only},
+    Option{"--publish-rate", "HZ", "a number from 0.000001 to 1000000000",
+           "publish at most so many messages of a channel in a simulated second", set_publish_rate},
     Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
            "where the board is: a serial line (ours alone), HOST:PORT or unix:PATH", set_link,
            true},
@@ -251,11 +270,13 @@ constexpr std::array kOptions{
 };
 
 /// The first option does nothing without the second.
-constexpr std::array<std::array<std::string_view, 2>, 9> kNeeds{{
+constexpr std::array<std::array<std::string_view, 2>, 11> kNeeds{{
     {"--csv-states", "--csv"},
     {"--trace-time", "--trace"},
     {"--trace-scenes", "--trace"},
     {"--size", "--render"},
+    {"--publish-only", "--publish"},
+    {"--publish-rate", "--publish"},
     {"--replay-given", "--replay"},
     {"--identify-out", "--identify"},
     {"--identify-sensors", "--identify"},
@@ -264,9 +285,10 @@ constexpr std::array<std::array<std::string_view, 2>, 9> kNeeds{{
 }};
 /// With a log, the log decides on these, or nothing is written.
 constexpr std::array<std::string_view, 2> kReadLogs{"--replay", "--identify"};
-constexpr std::array<std::string_view, 12> kNotWithLogs{
-    "--set",   "--fault", "--until",    "--measure",     "--summary",          "--csv",
-    "--trace", "--seed",  "--episodes", "--environment", "--real-time-factor", "--render"};
+constexpr std::array<std::string_view, 13> kNotWithLogs{
+    "--set",    "--fault", "--until",    "--measure",     "--summary",          "--csv",
+    "--trace",  "--seed",  "--episodes", "--environment", "--real-time-factor", "--render",
+    "--publish"};
 
 std::string nearest_option(std::string_view name) {
   constexpr std::size_t kLongestTypo = 3;

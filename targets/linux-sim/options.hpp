@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <targets/common/run.hpp>
+#include <targets/linux-sim/publish/destination.hpp>
 #include <variant>
 #include <vector>
 
@@ -46,6 +47,9 @@ struct Options {
   double real_time_factor = 0.0;
   bool real_time_given = false;
   Rendering rendering;
+  std::vector<Destination> publish;
+  std::vector<std::string> publish_only;  // channels; empty: all
+  double publish_rate_hz = 0.0;           // at most; 0: as they are
   bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
   std::string link;
   std::uint32_t baud = kDefaultBaud;

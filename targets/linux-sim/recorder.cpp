@@ -6,6 +6,7 @@
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/pacer.hpp>
+#include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/scene_record.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -33,6 +34,12 @@ bool Recorder::before(std::uint32_t channel, Seq seq, MessageView message) {
 }
 
 void Recorder::keep(std::uint32_t channel, Seq seq, MessageView message) {
+  if (!only_publishes_) return keep_all(channel, seq, message);
+  publishing_->message(channel, episode_, seq, message.data);
+}
+
+void Recorder::keep_all(std::uint32_t channel, Seq seq, MessageView message) {
+  if (publishing_ != nullptr) publishing_->message(channel, episode_, seq, message.data);
   if (measures_) measures_of_run.set_message(Variable::Kind::message, channel, message);
   if (file_ == nullptr) return;
   ++messages_;
@@ -59,7 +66,7 @@ void Recorder::write_to(TextFile* file, bool timed) {
   file_ = file;
   start_ns_ = now_ns();
   timed_ = timed;
-  keeps_ = measures_ || file_ != nullptr;
+  decide();
 }
 
 void Recorder::keep_scenes(TextFile* file) {
@@ -67,9 +74,20 @@ void Recorder::keep_scenes(TextFile* file) {
   scene_file_ = file;
 }
 
+void Recorder::decide() {
+  const bool records = measures_ || file_ != nullptr;
+  keeps_ = records || publishing_ != nullptr;
+  only_publishes_ = !records && publishing_ != nullptr;
+}
+
+void Recorder::publish(Publishing* publishing) {
+  publishing_ = publishing;
+  decide();
+}
+
 void Recorder::measure() {
   measures_ = measures_of_run.reads_messages();
-  keeps_ = measures_ || file_ != nullptr;
+  decide();
 }
 
 void Recorder::write_end(std::uint64_t hash) const {

@@ -18,6 +18,7 @@ class Experiment;
 namespace eagerx::linux_sim {
 
 struct GraphFacts;
+class Publishing;
 class TextFile;
 
 /// There is one, so that a program's trace stays small. Programs call what is in the first part.
@@ -41,6 +42,8 @@ class Recorder {
   /// Without a file only the hash is made. `timed`: every message with the time it was sent at.
   void write_to(TextFile* file, bool timed);
   void keep_scenes(TextFile* file);
+  /// Others see the messages.
+  void publish(Publishing* publishing);
   /// Expressions see the messages.
   void measure();
   void follow(trace_log::Replay* replay) { replay_ = replay; }
@@ -50,9 +53,14 @@ class Recorder {
   void write_end(std::uint64_t hash) const;
 
  private:
+  /// Not inlined: where messages are only published, keep() needs few registers.
+  [[gnu::noinline]] void keep_all(std::uint32_t channel, Seq seq, MessageView message);
+  void decide();
+
   const GraphFacts* facts_ = nullptr;
   TextFile* file_ = nullptr;
   TextFile* scene_file_ = nullptr;
+  Publishing* publishing_ = nullptr;
   trace_log::Replay* replay_ = nullptr;
   identification::Experiment* experiment_ = nullptr;
   std::uint64_t messages_ = 0;  // in the file
@@ -60,6 +68,7 @@ class Recorder {
   std::uint32_t episode_ = 0;
   bool timed_ = false;
   bool keeps_ = false;
+  bool only_publishes_ = false;
   bool measures_ = false;
 };
 

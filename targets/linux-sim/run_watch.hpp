@@ -28,21 +28,22 @@ struct Told {
   AgentFaults& faults;
 };
 
-class RunWatch final : public Watch {
+class RunWatch : public Watch {
  public:
   RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
+  virtual ~RunWatch() = default;
 
   bool go_on() override;
-  bool ends_early() const override;
+  bool ends_early() const final;
   bool begin_episode(EpisodeKey key, StateRow states) override;
-  StateRow states() override { return states_.row(); }
+  StateRow states() final { return states_.row(); }
   void reset(std::uint32_t episode) override;
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
-  void state_column_names() override;
-  void state_columns() override;
-  const void* action_of_file(Seq step) const override;
-  ObservationRow observations() override { return {observations_.data(), sizes_.data()}; }
-  ObservationRow seen(Seq step) override { return told_.faults.seen(step, observations()); }
+  void state_column_names() final;
+  void state_columns() final;
+  const void* action_of_file(Seq step) const final;
+  ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
+  ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }
 
   /// Whether a message has ended the run: --strict-spaces.
@@ -54,7 +55,7 @@ class RunWatch final : public Watch {
   void finish(Summary& summary);
 
  private:
-  std::uint64_t lateness() const override { return pacer_.late_in_a_row(); }
+  std::uint64_t lateness() const final { return pacer_.late_in_a_row(); }
   void hand_on(bool now);
 
   const GraphFacts& facts_;

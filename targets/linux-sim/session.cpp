@@ -3,12 +3,14 @@
 #include <cstring>
 #include <eagerx/float_environment.hpp>
 #include <eagerx/trace_text.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/publish/publish_watch.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/session.hpp>
@@ -87,8 +89,14 @@ class Session {
       trace_.discard();
       return problem;
     }
-    RunWatch watch(program_, told_, csv_, trace_);
     begin();
+    if (publishing_) {
+      PublishWatch watch(program_, told_, csv_, trace_, *publishing_);
+      publishing_->start();
+      step_all(watch);
+      return end(watch);
+    }
+    RunWatch watch(program_, told_, csv_, trace_);
     step_all(watch);
     return end(watch);
   }
@@ -103,6 +111,12 @@ class Session {
       return fail("error: `--csv` and `--trace` are one file\nhelp: give each its own", kBadUsage);
     std::string unseen = problem_of_scenes(options_, facts_);
     if (unseen.empty()) unseen = open_pictures(options_, program_);
+    if (unseen.empty() && !options_.publish.empty()) {
+      publishing_.emplace(options_, facts_);
+      // Again: by now there are files that were not there before.
+      unseen = problem_with_files(options_);
+      if (unseen.empty()) unseen = publishing_->open();
+    }
     return unseen.empty() ? kDone : fail(unseen, kBadUsage);
   }
 
@@ -116,7 +130,8 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    const bool is_traced = options_.hash || trace_.is_open() || measures_of_run.reads_messages();
+    const bool is_traced =
+        options_.hash || trace_.is_open() || publishing_ || measures_of_run.reads_messages();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
@@ -126,6 +141,7 @@ class Session {
       if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
     }
     if (is_traced) recorder_of_run.measure();
+    if (publishing_) recorder_of_run.publish(&*publishing_);
     program_.run(watch, is_traced);
     SplitLink* const link = program_.link();
     if (is_traced) {
@@ -140,6 +156,7 @@ class Session {
     spaces_of_run.list(faults_);
     watch.finish(summary_);
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
+    const std::string unpublished = publishing_ ? publishing_->finish(summary_) : "";
     const std::string broken = end_link();
     if (!watch.has_begun()) {
       csv_.discard();
@@ -154,6 +171,7 @@ class Session {
     const bool printed = text.empty() || print(out, text);
     if (!broken.empty()) fail(broken + "\n" + place_of(summary_), kBadFile);
     if (!problem_of_pictures.empty()) fail(problem_of_pictures, kBadFile);
+    if (!unpublished.empty()) fail(unpublished, kBadFile);
     if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
     if (watch.left_space())
       fail("error: " + spaces_of_run.first() + "\n" + place_of(summary_), kLeftSpace);
@@ -164,7 +182,7 @@ class Session {
     if (!is_right) return kSelfTestFailed;
     if (!not_finite.empty()) return kNotFinite;
     if (watch.left_space()) return kLeftSpace;
-    if (!problem_of_pictures.empty()) return kBadFile;
+    if (!problem_of_pictures.empty() || !unpublished.empty()) return kBadFile;
     return csv_closed && trace_closed && printed ? kDone : kBadFile;
   }
 
@@ -195,6 +213,7 @@ class Session {
   GraphProgram& program_;
   const GraphFacts& facts_;
   TextFile csv_, trace_;
+  std::optional<Publishing> publishing_;
   Summary summary_;
   Faults faults_{summary_};
   std::uint64_t hash_ = 0;

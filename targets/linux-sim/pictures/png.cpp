@@ -1,20 +1,12 @@
 #include <array>
+#include <runtime/host/crc32.hpp>
+#include <string_view>
 #include <targets/linux-sim/pictures/png.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
 
 // ISO 15948 (PNG), RFC 1950 and 1951.
-constexpr std::array<std::uint32_t, 256> kCrcTable = [] {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t n = 0; n < 256; ++n) {
-    std::uint32_t c = n;
-    for (int k = 0; k < 8; ++k) c = (c & 1U) != 0 ? 0xedb88320U ^ (c >> 1U) : c >> 1U;
-    table[n] = c;
-  }
-  return table;
-}();
-
 void put_u32(std::string& text, std::uint32_t value) {
   for (int shift = 24; shift >= 0; shift -= 8)
     text.push_back(static_cast<char>(value >> static_cast<unsigned>(shift) & 0xffU));
@@ -25,10 +17,7 @@ void put_chunk(std::string& file, const char* type, const std::string& data) {
   const std::size_t begin = file.size();
   file += type;
   file += data;
-  std::uint32_t crc = 0xffffffffU;
-  for (std::size_t i = begin; i < file.size(); ++i)
-    crc = kCrcTable[(crc ^ static_cast<unsigned char>(file[i])) & 0xffU] ^ (crc >> 8U);
-  put_u32(file, crc ^ 0xffffffffU);
+  put_u32(file, crc32_of(std::string_view(file).substr(begin)));
 }
 
 class Bits {

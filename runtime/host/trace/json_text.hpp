@@ -1,0 +1,23 @@
+// Messages as JSON: of logs, and of programs that publish them while they run.
+#pragma once
+
+#include <cstdint>
+#include <runtime/host/trace/log_file.hpp>
+#include <string>
+#include <string_view>
+
+namespace eagerx::trace_log {
+
+/// Text of others as a string of JSON. What is no UTF-8 stays what it is.
+void append_json_string(std::string& to, std::string_view text);
+/// "[0.5,-1]" or, of a message with one number, "0.5". Numbers have the fewest digits that give the
+/// same bits; what is not finite is null.
+void append_json_values(std::string& to, const RecordedChannel& channel,
+                        const std::uint64_t* values);
+/// `{"episode":0,"tick":3,"value":0.5}`
+void append_json_message(std::string& to, const RecordedChannel& channel, std::uint32_t episode,
+                         std::uint64_t tick, const std::uint64_t* values);
+/// JSON Schema of such a message.
+std::string json_schema(const RecordedChannel& channel);
+
+}  // namespace eagerx::trace_log

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <eagerx/trace.hpp>
+#include <targets/linux-sim/elements.hpp>
+#include <targets/linux-sim/nearest.hpp>
+#include <targets/linux-sim/publish/datagrams.hpp>
+#include <targets/linux-sim/publish/publishing.hpp>
+#include <targets/linux-sim/publish/recording.hpp>
+
+namespace eagerx::linux_sim {
+namespace {
+
+constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+PublishedChannels channels_of(const GraphFacts& facts) {
+  PublishedChannels channels;
+  for (std::size_t c = 0; c < facts.channel_count; ++c) {
+    const Channel& channel = facts.channels[c];
+    channels.push_back({channel.name, *trace_log::dtype_of(channel.dtype), channel.size,
+                        channel.rate_num, channel.rate_den});
+  }
+  return channels;
+}
+
+Scalar scalar_of_dtype(trace_log::Dtype dtype) {
+  switch (dtype) {
+    case trace_log::Dtype::float64:
+      return Scalar::f64;
+    case trace_log::Dtype::int8:
+      return Scalar::i8;
+    case trace_log::Dtype::int16:
+      return Scalar::i16;
+    case trace_log::Dtype::int32:
+      return Scalar::i32;
+    case trace_log::Dtype::int64:
+      return Scalar::i64;
+    case trace_log::Dtype::uint8:
+      return Scalar::u8;
+    case trace_log::Dtype::uint16:
+      return Scalar::u16;
+    case trace_log::Dtype::uint32:
+      return Scalar::u32;
+    case trace_log::Dtype::uint64:
+      return Scalar::u64;
+    case trace_log::Dtype::boolean:
+      return Scalar::boolean;
+    case trace_log::Dtype::float32:
+      break;
+  }
+  return Scalar::f32;
+}
+
+/// Of so many one is published, so that there are at most `most_hz` a second; 0: all.
+std::uint64_t every_of(std::uint64_t num, std::uint64_t den, double most_hz) {
+  if (most_hz <= 0.0) return 1;
+  constexpr double kMost = 4e9;
+  const double rate_hz = static_cast<double>(num) / static_cast<double>(den);
+  return static_cast<std::uint64_t>(std::clamp(std::ceil(rate_hz / most_hz - 1e-9), 1.0, kMost));
+}
+
+std::string unknown_channel(const std::string& name, const PublishedChannels& channels) {
+  std::vector<std::string> known;
+  std::string list;
+  for (const auto& channel : channels) {
+    known.push_back(channel.name);
+    list += (list.empty() ? "" : ", ") + channel.name;
+  }
+  const std::string near = nearest_name(name, known);
+  return "error: this program has no channel `" + name +
+         "`\nhelp: " + (near.empty() ? "it has " + list : "did you mean `" + near + "`?");
+}
+
+}  // namespace
+
+Publishing::Publishing(const Options& options, const GraphFacts& facts)
+    : options_(options), facts_(facts), channels_(channels_of(facts)), clock_(channels_) {
+  for (const auto& channel : channels_) scalars_.push_back(scalar_of_dtype(channel.dtype));
+}
+
+Publishing::~Publishing() {
+  ends_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+std::string Publishing::open() {
+  std::string problem = choose_channels();
+  if (problem.empty()) problem = open_sinks();
+  if (problem.empty()) make_ring();
+  return problem;
+}
+
+std::string Publishing::choose_channels() {
+  wanted_.resize(channels_.size());
+  std::vector<bool> chosen(channels_.size(), options_.publish_only.empty());
+  for (const std::string& name : options_.publish_only) {
+    const auto found = std::find_if(channels_.begin(), channels_.end(),
+                                    [&](const auto& channel) { return channel.name == name; });
+    if (found == channels_.end()) return unknown_channel(name, channels_);
+    chosen[static_cast<std::size_t>(found - channels_.begin())] = true;
+  }
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const auto& channel = channels_[c];
+    const std::size_t size =
+        with_scalar(scalars_[c], [](auto zero) -> std::size_t { return sizeof(zero); });
+    wanted_[c].bytes = channel.size * size;
+    wanted_[c].words =
+        static_cast<std::uint32_t>(kHeadWords + (wanted_[c].bytes + kWord - 1) / kWord);
+    if (chosen[c])
+      wanted_[c].every = static_cast<std::uint32_t>(
+          every_of(channel.rate_num, channel.rate_den, options_.publish_rate_hz));
+  }
+  step_every_ = every_of(facts_.rate_num, facts_.rate_den, options_.publish_rate_hz);
+  return {};
+}
+
+std::string Publishing::open_sinks() {
+  for (const Destination& to : options_.publish) {
+    switch (to.kind) {
+      case Destination::Kind::udp:
+        sinks_.push_back(udp_sink(to, channels_));
+        break;
+      case Destination::Kind::teleplot:
+        sinks_.push_back(teleplot_sink(to, channels_));
+        break;
+      case Destination::Kind::mcap:
+        sinks_.push_back(mcap_sink(to, channels_));
+        break;
+    }
+    names_.push_back(to.written);
+    std::string problem = sinks_.back()->open();
+    if (!problem.empty()) return problem;
+  }
+  return {};
+}
+
+/// As the plan wants it: what there is in half a second, and no less than some steps.
+void Publishing::make_ring() {
+  constexpr double kSeconds = 0.5, kLeast = 32.0 * 1024, kMost = 8.0 * 1024 * 1024;  // words
+  std::size_t longest = kHeadWords;
+  double words_s = static_cast<double>(kHeadWords) / facts_.period_s();
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    if (wanted_[c].every == 0) continue;
+    longest = std::max<std::size_t>(longest, wanted_[c].words);
+    words_s += static_cast<double>(wanted_[c].words) * static_cast<double>(channels_[c].rate_num) /
+               static_cast<double>(channels_[c].rate_den) / wanted_[c].every;
+  }
+  ring_ = std::make_unique<PublishRing>(
+      static_cast<std::size_t>(std::clamp(words_s * kSeconds, kLeast, kMost)), longest);
+  std::size_t most_values = 1;
+  for (const auto& channel : channels_)
+    most_values = std::max<std::size_t>(most_values, channel.size);
+  values_.resize(most_values);
+}
+
+void Publishing::start() {
+  // Signals are for the thread that sleeps until the next step.
+  sigset_t all, before;
+  sigfillset(&all);
+  for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGABRT}) sigdelset(&all, crash);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { work(); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+std::string Publishing::finish(Summary& summary) {
+  ends_.store(true, std::memory_order_release);
+  if (thread_.joinable()) thread_.join();
+  std::string problem;
+  for (std::size_t i = 0; i < sinks_.size(); ++i) {
+    const std::string wrong = sinks_[i]->close();
+    if (problem.empty()) problem = wrong;
+    summary.more.emplace_back("published " + names_[i],
+                              std::to_string(sinks_[i]->sent()) + " " + sinks_[i]->unit() + ", " +
+                                  std::to_string(sinks_[i]->dropped()) + " dropped");
+  }
+  const std::uint64_t lost = dropped_.load(std::memory_order_relaxed);
+  if (lost > 0) summary.more.emplace_back("publishing dropped", std::to_string(lost));
+  return problem;
+}
+
+/// The thread. It looks at the ring often enough for a plot that runs, and nobody has to wake it.
+void Publishing::work() {
+  using namespace std::chrono_literals;
+  while (true) {
+    const bool last = ends_.load(std::memory_order_acquire);
+    take_all();
+    for (const auto& sink : sinks_) sink->idle();
+    if (last) return;
+    std::this_thread::sleep_for(2ms);
+  }
+}
+
+void Publishing::take_all() {
+  constexpr int kAtOnce = 4'096;  // sinks want to be idle() in between
+  for (int i = 1;; ++i) {
+    const std::uint64_t* const record = ring_->front();
+    if (record == nullptr) return;
+    ring_->pop(take(record));
+    if (i % kAtOnce == 0)
+      for (const auto& sink : sinks_) sink->idle();
+  }
+}
+
+/// Sends a record; returns its words.
+std::size_t Publishing::take(const std::uint64_t* record) {
+  const auto channel = static_cast<std::uint32_t>(record[0]);
+  const auto episode = static_cast<std::uint32_t>(record[0] >> kEpisodeShift);
+  if (channel == kStep) {
+    const std::int64_t time_ns = clock_.in_log_of_other_ns(
+        episode, trace_log::time_of_tick(record[1], facts_.rate_num, facts_.rate_den));
+    for (const auto& sink : sinks_) sink->step({episode, record[1], time_ns});
+    return kHeadWords;
+  }
+  const auto& known = channels_[channel];
+  with_elements(scalars_[channel], static_cast<const void*>(record + kHeadWords),
+                [&](const auto* elements) {
+                  for (std::size_t i = 0; i < known.size; ++i)
+                    values_[i] = canonical_bits(elements[i]);
+                });
+  const std::int64_t time_ns =
+      clock_.in_log_ns(episode, trace_log::time_of_tick(record[1], known.rate_num, known.rate_den));
+  const PublishedMessage message{channel, episode, record[1], time_ns, values_.data()};
+  for (const auto& sink : sinks_) sink->message(message);
+  return wanted_[channel].words;
+}
+
+}  // namespace eagerx::linux_sim
