@@ -1,3 +1,5 @@
+#include <pthread.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -183,6 +185,10 @@ std::string Publishing::finish(Summary& summary) {
 /// The thread. It looks at the ring often enough for a plot that runs, and nobody has to wake it.
 void Publishing::work() {
   using namespace std::chrono_literals;
+  // When it wakes, it takes no processor away from the thread that steps. A real-time priority that
+  // the program was started with is not its own, either.
+  const sched_param none{};
+  pthread_setschedparam(pthread_self(), SCHED_BATCH, &none);
   while (true) {
     const bool last = ends_.load(std::memory_order_acquire);
     take_all();
