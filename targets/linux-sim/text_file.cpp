@@ -9,9 +9,9 @@
 #include <cerrno>
 #include <chrono>
 #include <climits>
-#include <csignal>
 #include <cstring>
 #include <ctime>
+#include <targets/linux-sim/background.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -77,14 +77,7 @@ void TextFile::start(Writing writing) {
   for (Buffer& buffer : buffers_) buffer.text = std::make_unique<char[]>(kBufferBytes);
   if (in_background) {
     empty_.release(kBackgroundBuffers - 1);  // all but the one that is being filled
-    // Signals are for the thread that sleeps until the next step.
-    sigset_t all, before;
-    sigfillset(&all);
-    for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGABRT})
-      sigdelset(&all, crash);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
-    writer_ = std::thread([this] { write_in_background(); });
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    writer_ = thread_without_signals([this] { write_in_background(); });
   }
 }
 

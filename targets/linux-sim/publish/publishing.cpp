@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <eagerx/trace.hpp>
+#include <targets/linux-sim/background.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/datagrams.hpp>
@@ -157,13 +157,7 @@ void Publishing::make_ring() {
 }
 
 void Publishing::start() {
-  // Signals are for the thread that sleeps until the next step.
-  sigset_t all, before;
-  sigfillset(&all);
-  for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGABRT}) sigdelset(&all, crash);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { work(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  thread_ = thread_without_signals([this] { work(); });
 }
 
 std::string Publishing::finish(Summary& summary) {
