@@ -5,6 +5,7 @@
 #include <cmath>
 #include <eagerx/trace.hpp>
 #include <targets/linux-sim/background.hpp>
+#include <targets/linux-sim/dds/dds_sink.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/datagrams.hpp>
@@ -128,6 +129,9 @@ std::string Publishing::open_sinks() {
         break;
       case Destination::Kind::mcap:
         sinks_.push_back(mcap_sink(to, channels_));
+        break;
+      case Destination::Kind::dds:
+        sinks_.push_back(dds::topic_sink(to, channels_, facts_));
         break;
     }
     names_.push_back(to.written);
