@@ -11,9 +11,11 @@ namespace {
 
 class DdsSink final : public PublishSink {
  public:
-  DdsSink(Destination to, const PublishedChannels& channels, const GraphFacts& facts)
+  DdsSink(Destination to, const PublishedChannels& channels, const GraphFacts& facts,
+          std::vector<bool> chosen)
       : to_(std::move(to)),
         channels_(channels),
+        chosen_(std::move(chosen)),
         topics_(topics_of(facts)),
         reset_topic_(topic_of_environment(facts.name, "reset", "")) {}
 
@@ -75,7 +77,7 @@ class DdsSink final : public PublishSink {
     layouts_.resize(channels_.size());
     names_.resize(channels_.size());
     for (std::size_t c = 0; c < channels_.size(); ++c) {
-      writers_.push_back(add(type_of(c), topics_[c].name, Promise::sensor_data));
+      writers_.push_back(!chosen_[c] ? -1 : add(type_of(c), topics_[c].name, Promise::sensor_data));
       if (topics_[c].form == Form::array) layouts_[c] = dimensions_of(topics_[c].shape);
       if (topics_[c].form >= Form::position) names_[c].make(topics_[c].frame, channels_[c].size);
     }
@@ -190,6 +192,7 @@ class DdsSink final : public PublishSink {
 
   Destination to_;
   const PublishedChannels& channels_;
+  const std::vector<bool> chosen_;
   const std::vector<Topic> topics_;
   const std::string reset_topic_;
   std::string nothing_;
@@ -205,8 +208,8 @@ class DdsSink final : public PublishSink {
 }  // namespace
 
 std::unique_ptr<PublishSink> topic_sink(const Destination& to, const PublishedChannels& channels,
-                                        const GraphFacts& facts) {
-  return std::make_unique<DdsSink>(to, channels, facts);
+                                        const GraphFacts& facts, std::vector<bool> chosen) {
+  return std::make_unique<DdsSink>(to, channels, facts, std::move(chosen));
 }
 
 }  // namespace eagerx::linux_sim::dds

@@ -1,4 +1,7 @@
 #include <dirent.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -10,6 +13,7 @@
 #include <set>
 #include <targets/linux-sim/background.hpp>
 #include <targets/linux-sim/dds/participant.hpp>
+#include <vector>
 
 namespace eagerx::linux_sim::dds {
 namespace {
@@ -32,19 +36,40 @@ bool is_loopback(std::string_view interface) {
   return interface.empty() || interface == "lo" || interface.starts_with("127.");
 }
 
-/// This machine has no multicast of its own: everybody is asked, by the ports that DDS gives to the
-/// participants of a machine.
-constexpr const char* kThisMachine =
-    "<General><Interfaces><NetworkInterface address=\"127.0.0.1\"/></Interfaces>"
-    "<AllowMulticast>false</AllowMulticast></General>"
-    "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
-    "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
-    "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>";
+/// The interfaces of this machine that are up, the loopback first, as the library wants to be told
+/// them; it has at most 4. Others of this machine say that they are at one of these addresses.
+std::string interfaces() {
+  constexpr std::size_t kMost = 4;
+  std::vector<std::string> names{"lo"};
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) return names[0];
+  for (const ifaddrs* each = all; each != nullptr; each = each->ifa_next) {
+    const bool is_known = std::find(names.begin(), names.end(), each->ifa_name) != names.end();
+    if (each->ifa_addr != nullptr && each->ifa_addr->sa_family == AF_INET &&
+        (each->ifa_flags & IFF_RUNNING) != 0 && !is_known && is_interface(each->ifa_name))
+      names.emplace_back(each->ifa_name);
+  }
+  freeifaddrs(all);
+  names.resize(std::min(names.size(), kMost));
+  std::string text;
+  for (const std::string& name : names) text += "<NetworkInterface name=\"" + name + "\"/>";
+  return text;
+}
+
+/// Nobody is told by multicast: those of this machine are asked, by the ports that DDS gives to its
+/// participants.
+std::string this_machine() {
+  return "<General><Interfaces>" + interfaces() +
+         "</Interfaces><AllowMulticast>false</AllowMulticast></General>"
+         "<Discovery><ParticipantIndex>auto</ParticipantIndex>"
+         "<MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+         "<Peers><Peer address=\"127.0.0.1\"/></Peers></Discovery>";
+}
 
 std::string config_of(const Network& network) {
   const std::string& to = network.interface;
   const std::string settings = is_loopback(to)
-                                   ? kThisMachine
+                                   ? this_machine()
                                    : "<General><Interfaces><NetworkInterface " +
                                          std::string(is_address(to) ? "address" : "name") + "=\"" +
                                          to + "\"/></Interfaces></General>";
@@ -61,15 +86,16 @@ std::set<int> descriptors() {
   closedir(folder);
   return found;
 }
-/// The library's sockets hear every interface, whichever one it is told. Those that were not there
-/// before hear this machine only from now on. 0, or an errno.
+/// The library hears every interface, whichever one it is told. Its sockets, those that were not
+/// there before, hear this machine only from now on. 0, or an errno.
 int hear_this_machine(const std::set<int>& before) {
   constexpr char kLoopback[] = "lo";
   for (const int each : descriptors()) {
-    int type = 0;
-    socklen_t size = sizeof(type);
-    if (before.contains(each) || getsockopt(each, SOL_SOCKET, SO_TYPE, &type, &size) != 0 ||
-        type != SOCK_DGRAM)
+    sockaddr_in address{};
+    socklen_t size = sizeof(address);
+    if (before.contains(each) ||
+        getsockname(each, reinterpret_cast<sockaddr*>(&address), &size) != 0 ||
+        address.sin_family != AF_INET || address.sin_addr.s_addr != INADDR_ANY)
       continue;
     if (setsockopt(each, SOL_SOCKET, SO_BINDTODEVICE, kLoopback, sizeof(kLoopback)) != 0)
       return errno;

@@ -131,7 +131,7 @@ std::string Publishing::open_sinks() {
         sinks_.push_back(mcap_sink(to, channels_));
         break;
       case Destination::Kind::dds:
-        sinks_.push_back(dds::topic_sink(to, channels_, facts_));
+        sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
         break;
     }
     names_.push_back(to.written);
@@ -139,6 +139,13 @@ std::string Publishing::open_sinks() {
     if (!problem.empty()) return problem;
   }
   return {};
+}
+
+/// [channels] whether it is published.
+std::vector<bool> Publishing::chosen_channels() const {
+  std::vector<bool> chosen;
+  for (const Wanted& wanted : wanted_) chosen.push_back(wanted.every != 0);
+  return chosen;
 }
 
 /// As the plan wants it: what there is in half a second, and no less than some steps.
