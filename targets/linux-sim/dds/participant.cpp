@@ -73,7 +73,9 @@ std::string config_of(const Network& network) {
                                    : "<General><Interfaces><NetworkInterface " +
                                          std::string(is_address(to) ? "address" : "name") + "=\"" +
                                          to + "\"/></Interfaces></General>";
-  return "<CycloneDDS><Domain Id=\"any\">" + settings + "</Domain></CycloneDDS>";
+  return "<CycloneDDS><Domain Id=\"any\">" + settings +
+         // It would say so for each message of somebody else that is none.
+         "<Tracing><Verbosity>severe</Verbosity></Tracing></Domain></CycloneDDS>";
 }
 
 /// All file descriptors.

@@ -51,6 +51,8 @@ RemoteAgent::RemoteAgent(const Options& options, const GraphFacts& facts, const 
 }
 
 std::string RemoteAgent::open() {
+  if (inputs_.empty())
+    return "error: this graph has no action that `--agent dds` could give\nhelp: leave it out";
   std::vector<std::string> names;
   for (const Input& input : inputs_) names.push_back(input.topic);
   for (const Output& output : outputs_) names.push_back(output.topic);
@@ -110,7 +112,7 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
   const std::int64_t began = now_ns();
   if (!in_real_time) until_ns = began + static_cast<std::int64_t>(options_.agent_timeout_s * 1e9);
   frame_ = std::to_string(episode_) + "/" + std::to_string(step);
-  now_ = ros::time_of(trace_log::time_of_tick(written_++, facts_.rate_num, facts_.rate_den));
+  now_ = ros::time_of(trace_log::time_of_tick(++written_, facts_.rate_num, facts_.rate_den));
   for (Input& input : inputs_) input.has_come = false;
   write(observations);
   std::int64_t again = began + kSlice;

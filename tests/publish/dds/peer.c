@@ -162,15 +162,38 @@ static void write_nonsense(dds_entity_t writer, const Joints* to) {
   answer(writer, to, wrong, columns, 0);
 }
 
+/// A writer that says it writes actions, and writes something else.
+static void lie(dds_entity_t me, const char* topic, const dds_qos_t* q) {
+  const dds_topic_descriptor_t* other = &std_msgs_msg_dds__Float32MultiArray__desc;
+  const dds_topic_descriptor_t type = {.m_size = other->m_size,
+                                       .m_align = other->m_align,
+                                       .m_typename = sensor_msgs_msg_dds__JointState__desc.m_typename,
+                                       .m_nops = other->m_nops,
+                                       .m_ops = other->m_ops,
+                                       .m_meta = ""};
+  float numbers[64];
+  memset(numbers, 0x7f, sizeof numbers);
+  std_msgs_msg_dds__Float32MultiArray_ message;
+  memset(&message, 0, sizeof message);
+  message.data_._buffer = numbers;
+  message.layout_.data_offset_ = 0x7fffffff;
+  const dds_entity_t writer = checked(dds_create_writer(me, checked(dds_create_topic(me, &type, topic, NULL, NULL)), q, NULL));
+  for (int i = 0; i < 50; ++i) {
+    message.data_._length = message.data_._maximum = i;
+    checked(dds_write(writer, &message));
+    dds_sleepfor(DDS_MSECS(2));
+  }
+}
+
 static int be_agent(dds_domainid_t domain, dds_entity_t me, char** arguments, int is_nonsense) {
   dds_qos_t* q = quality(DDS_RELIABILITY_RELIABLE, DDS_DURABILITY_VOLATILE, 0);
   const dds_topic_descriptor_t* type = &sensor_msgs_msg_dds__JointState__desc;
   read_rows(arguments[2]);
-  if (is_nonsense) {
-    const dds_entity_t other = checked(dds_create_participant(domain, NULL, NULL));
+  const dds_entity_t other = checked(dds_create_participant(domain, NULL, NULL));
+  const dds_entity_t third = checked(dds_create_participant(domain, NULL, NULL));
+  if (is_nonsense)
     checked(dds_create_writer(
-        other, checked(dds_create_topic(other, &std_msgs_msg_dds__Float64__desc, arguments[1], NULL, NULL)), q, NULL));
-  }
+        third, checked(dds_create_topic(third, &std_msgs_msg_dds__Float64__desc, arguments[1], NULL, NULL)), q, NULL));
   const dds_entity_t writer =
       checked(dds_create_writer(me, checked(dds_create_topic(me, type, arguments[1], NULL, NULL)), q, NULL));
   const dds_entity_t reader =
@@ -189,6 +212,7 @@ static int be_agent(dds_domainid_t domain, dds_entity_t me, char** arguments, in
       if (info.valid_data) {
         const int step = atoi(strchr(seen->header_.frame_id_, '/') + 1);
         if (is_nonsense) write_nonsense(writer, seen);
+        if (is_nonsense && answers == 0) lie(other, arguments[1], q);
         answer(writer, seen, rows[step], columns, 0);
         if (answers++ == 0) puts("answered");
         fflush(stdout);
