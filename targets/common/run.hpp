@@ -45,8 +45,8 @@ constexpr RunPlan default_plan() {
   return plan;
 }
 
-/// Where actions come from. `csv` exists on targets with files only, `dds` where another process can
-/// be the agent; graphs do not name it.
+/// Where actions come from. `csv` exists on targets with files only, `dds` where another process
+/// can be the agent; graphs do not name it.
 enum class Agent : std::uint8_t { policy, zero, random, csv, dds };
 
 /// The agent called `name` in graphs and on command lines; false if there is none.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <runtime/host/trace/log_clock.hpp>
 #include <targets/linux-sim/dds/remote_agent.hpp>
 #include <targets/linux-sim/dds/topics.hpp>
 #include <targets/linux-sim/elements.hpp>
