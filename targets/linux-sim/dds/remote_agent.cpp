@@ -115,7 +115,8 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
   frame_ = std::to_string(episode_) + "/" + std::to_string(step);
   now_ = ros::time_of(trace_log::time_of_tick(++written_, facts_.rate_num, facts_.rate_den));
   for (Input& input : inputs_) input.has_come = false;
-  write(observations);
+  for (Output& output : outputs_) output.is_written = false;
+  bool is_written = write(observations);
   std::int64_t again = began + kSlice;
   while (!take_all()) {
     stop_if_told();
@@ -132,10 +133,13 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
     }
     // An agent that has only now found all topics did not see the first ones.
     if (!has_answered_ && now >= again) {
-      write(observations);
+      for (Output& output : outputs_) output.is_written = false;
       again = now + kSlice;
+      is_written = false;
     }
-    participant_.functions().waitset_wait(waitset_, nullptr, 0, std::min(until_ns - now, kSlice));
+    if (!is_written) is_written = write(observations);
+    participant_.functions().waitset_wait(waitset_, nullptr, 0,
+                                          std::min(until_ns - now, is_written ? kSlice : kMsInNs));
   }
   has_answered_ = true;
   missed_in_a_row_ = 0;
@@ -144,9 +148,11 @@ const void* RemoteAgent::act(Seq step, ObservationRow observations, std::int64_t
   return action_.data();
 }
 
-void RemoteAgent::write(ObservationRow observations) {
+bool RemoteAgent::write(ObservationRow observations) {
+  bool complete = true;
   for (std::size_t o = 0; o < outputs_.size(); ++o) {
     Output& output = outputs_[o];
+    if (output.is_written) continue;
     const MessageType& type = output.field->type;
     output.numbers.clear();
     for (std::uint32_t w = 0; w < observations.sizes[o]; ++w) {
@@ -159,8 +165,10 @@ void RemoteAgent::write(ObservationRow observations) {
     // Names are those of one message: all arrays have as many elements, or none.
     if (observations.sizes[o] == 1) out.name = output.names.sequence();
     out.position = ros::sequence(output.numbers.data(), output.numbers.size());
-    participant_.functions().write(output.writer, &out);
+    output.is_written = participant_.functions().write(output.writer, &out) >= 0;
+    complete = complete && output.is_written;
   }
+  return complete;
 }
 
 bool RemoteAgent::take_all() {

@@ -51,13 +51,16 @@ class RemoteAgent {
     const Field* field;
     std::string topic;
     Entity writer = -1;
+    bool is_written = false;
     std::vector<double> numbers{};  // [most][size]
     ros::Names names{};
   };
 
   std::string make_topics();
   bool is_there() const;
-  void write(ObservationRow observations);
+  /// Those of this step that are not written. False: there is no room for one, as long as earlier
+  /// ones are on their way.
+  bool write(ObservationRow observations);
   /// Takes what has come. True: all actions are there.
   bool take_all();
   void take(Input& input);
