@@ -30,6 +30,7 @@ struct Options {
   std::string graph;
   std::string output;                               // empty: generated/<name of the graph>
   std::vector<std::string> targets;                 // empty: linux-sim
+  std::string variant;                              // empty: the graph as it is written
   std::string engine, real;                         // empty: the graph's
   std::vector<std::string> split;                   // NAMES=BOARD; empty: the graph's placement
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
@@ -50,6 +51,7 @@ struct Options {
   std::vector<std::string> channels;                // plot
   std::string episode;                              // plot
   std::string entity;                               // info, new
+  bool flat = false;                                // info
   std::string kind;                                 // new
   std::string code;                                 // explain
   bool missing = false;                             // import

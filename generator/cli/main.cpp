@@ -128,14 +128,20 @@ Command info(Options& options) {
           .about = "list entities and targets, or explain one or a graph",
           .examples = {{"list what there is", "eagerx-gen info"},
                        {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
-                       {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"}},
+                       {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
+                       {"what becomes of its composites, arrays and variants",
+                        "eagerx-gen info robot.yaml --variant real --flat"}},
           .arguments = joined(
               {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
                            "ENTITY|GRAPH.yaml")),
+                variant(options),
                 text("--engine", options.engine, "run the graph on this engine instead of its own",
                      "NAME")},
                rates(options),
                {library(options),
+                flag("--flat", options.flat,
+                     "print the graph that composites, arrays and variants become, and where its "
+                     "lines are from"),
                 flag("--json", options.json_output, "print JSON (for graphs only)")}}),
           .run = [&options] { return info_command(options); }};
 }
@@ -159,7 +165,8 @@ Command picture(Options& options) {
           {{graph(options), std::move(output),
             flag("--engine-graph", options.engine_graph,
                  "draw what runs on the engine: the nodes of each object instead of one box")},
-           {text("--engine", options.engine, "run the graph on this engine instead of its own",
+           {variant(options),
+            text("--engine", options.engine, "run the graph on this engine instead of its own",
                  "NAME")},
            rates(options),
            {library(options)},
@@ -206,7 +213,8 @@ Command report(Options& options) {
                  "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
                  "into "
                  "the page: reset, step, play, by the policy or by hand")},
-           {text("--engine", options.engine, "run the graph on this engine instead of its own",
+           {variant(options),
+            text("--engine", options.engine, "run the graph on this engine instead of its own",
                  "NAME")},
            rates(options),
            {library(options)},
@@ -298,6 +306,7 @@ Command size(Options& options) {
                        "also check the image against this graph's `budget:`", "GRAPH.yaml")),
             folder(text("--build", options.build,
                         "build folder of the image (default: the folder that it lies in)", "DIR")),
+            variant(options),
             text("--engine", options.engine,
                  "engine that the image was generated with, if not the graph's", "NAME"),
             library(options),
