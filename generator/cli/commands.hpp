@@ -50,6 +50,7 @@ struct Options {
   std::string sensors, horizon_s, longest_delay_s;  // identify
   std::vector<std::string> channels;                // plot
   std::string episode;                              // plot
+  std::string second_graph, second_variant;         // diff
   std::string entity;                               // info, new
   bool flat = false;                                // info
   std::string kind;                                 // new
@@ -80,6 +81,8 @@ int train_command(const Options& options);
 /// Makes the graph's library of environments, and becomes the program that runs many episodes.
 int campaign_command(const Options& options);
 int check_command(const Options& options);
+/// Prints how two graphs, or two variants of one, differ; kProblems if they do.
+int diff_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
 /// Writes a picture of the graph.

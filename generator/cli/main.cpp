@@ -146,6 +146,23 @@ Command info(Options& options) {
           .run = [&options] { return info_command(options); }};
 }
 
+Command diff(Options& options) {
+  return {.name = "diff",
+          .about = "how two graphs differ, or two variants of one: exit code 0 if they do not, 1 if "
+                   "they do, 2 if one of them has problems",
+          .examples = {{"two files", "eagerx-gen diff robot.yaml other.yaml"},
+                       {"two variants", "eagerx-gen diff robot.yaml --variant sim --to real"}},
+          .arguments = joined(
+              {{graph(options),
+                reads(text("second", options.second_graph,
+                           "the graph to compare with (default: the same file)", "OTHER.yaml")),
+                text("--variant", options.variant, "variant of the first graph", "NAME"),
+                text("--to", options.second_variant, "variant of the second graph", "NAME"),
+                library(options)},
+               diagnostics(options)}),
+          .run = [&options] { return diff_command(options); }};
+}
+
 Command picture(Options& options) {
   Argument output =
       writes(text("-o,--output", options.output,
@@ -395,6 +412,7 @@ CommandLine command_line(Options& options) {
                            campaign_commands(options),
                            check(options),
                            info(options),
+                           diff(options),
                            picture(options),
                            report(options),
                            explain(options),

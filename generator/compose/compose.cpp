@@ -188,6 +188,7 @@ class Composer {
     const std::string full = outer.prefix + name;
     const YamlValue& type = *settings.find("type");
     changed_ = true;
+    entity_of_[full] = nullptr;  // after a problem nothing is said of its ports
     if (!enters(outer, type, entity)) return;
     const bool object = entity.kind == EntityKind::object;
     if (!check(settings, object ? *object_format() : *composite_node_format(), diagnostics_))
@@ -212,6 +213,7 @@ class Composer {
     expand(*inside.find("graph"), scope);
     bind(inside, written, receiving, scope, ports);
     bind_sources(inside, sending, scope, ports);
+    entity_of_.erase(full);
     ends_.add(full, std::move(ports));
   }
 
@@ -357,27 +359,56 @@ class Composer {
     return scope.around.empty() || is_of_environment(port) ? port : scope.prefix + port;
   }
 
+  /// Ports of what is inside, as bindings name them without its name; nullopt where they are not
+  /// known.
+  std::optional<std::vector<std::string>> ports_inside(const PortName& name, bool sends) const {
+    std::vector<std::string> known;
+    if (const CompositePorts* ports = ends_.find(name.owner)) {
+      for (const auto& [port, source] : ports->sources)
+        if (sends) known.push_back(port);
+      for (const auto& [port, sinks] : ports->sinks)
+        if (!sends) known.push_back(port);
+      return known;
+    }
+    const auto found = entity_of_.find(name.owner);
+    if (found == entity_of_.end()) return known;
+    if (found->second == nullptr) return std::nullopt;
+    const Entity& entity = *found->second;
+    for (const auto* ports : {sends ? &entity.outputs : &entity.inputs,
+                              sends ? &entity.sensors : &entity.actuators})
+      for (const auto& port : *ports) known.push_back(port.name.value);
+    return known;
+  }
+
   /// Whether what a composite is bound to is there. Of entities that are unknown nothing is said.
   bool is_there(const Spanned<std::string>& bound, const std::string& port, bool sends) {
     const PortName name = parse_port(port);
-    if (ends_.find(name.owner) != nullptr) {
-      const CompositePorts& ports = *ends_.find(name.owner);
-      if (sends ? ports.sources.contains(name.name) : ports.sinks.contains(name.name)) return true;
-    } else {
-      const auto found = entity_of_.find(name.owner);
-      const Entity* entity = found == entity_of_.end() ? nullptr : found->second;
-      if (found != entity_of_.end() && entity == nullptr) return true;
-      const bool other = name.section == "targets" || name.section == "feedthroughs";
-      if (entity != nullptr &&
-          (sends ? entity->output(name.name) != nullptr || entity->sensor(name.name) != nullptr
-                 : other || entity->input(name.name) != nullptr ||
-                       entity->actuator(name.name) != nullptr))
-        return true;
-    }
-    diagnostics_
-        .error("E0390", bound.span,
-               fmt::format("there is no {} `{}` inside", sends ? "output" : "input", bound.value))
-        .help = "a port of a composite is bound to `NAME.PORT` of its own graph";
+    const auto known = ports_inside(name, sends);
+    if (!known || contains(*known, name.name) || name.section == "targets" ||
+        name.section == "feedthroughs")
+      return true;
+    auto& problem = diagnostics_.error(
+        "E0390", bound.span,
+        fmt::format("there is no {} `{}` inside", sends ? "output" : "input", bound.value));
+    const std::string near = nearest(name.name, *known);
+    problem.help = near.empty()
+                       ? "a port of a composite is bound to `NAME.PORT` of its own graph"
+                       : fmt::format("did you mean `{}.{}`?", parse_port(bound.value).owner, near);
+    return false;
+  }
+
+  /// Whether the graph itself names a port that a composite has.
+  bool has_port(const Spanned<std::string>& written, const std::string& port, bool sends) {
+    const PortName name = parse_port(port);
+    if (ends_.find(name.owner) == nullptr) return true;
+    const auto known = ports_inside(name, sends);
+    if (contains(*known, name.name)) return true;
+    auto& problem = diagnostics_.error(
+        "E0307", written.span,
+        fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
+    const std::string near = nearest(name.name, *known);
+    problem.help = near.empty() ? fmt::format("it has {}", fmt::join(*known, ", "))
+                                : fmt::format("did you mean `{}.{}`?", name.owner, near);
     return false;
   }
 
@@ -452,8 +483,10 @@ class Composer {
       }
       const Spanned<std::string> source{from->text, from->span}, sink{to->text, to->span};
       for (const auto& one : connections_of(source, sink, scope)) {
-        const Spanned<std::string> sender{ends_.source(full_name(one.from.port, scope)),
-                                          source.span};
+        const std::string from_port = full_name(one.from.port, scope);
+        const bool sends = has_port(source, from_port, true);
+        if (!has_port(sink, full_name(one.to.port, scope), false) || !sends) continue;
+        const Spanned<std::string> sender{ends_.source(from_port), source.span};
         YamlValue each = one.from.element
                              ? with_element(connection, *one.from.element, source.span)
                              : connection;

@@ -39,6 +39,9 @@ class SourceMap {
   FileId add_use(FileId file, Use use);
   /// nullptr for what is not used by another file.
   [[nodiscard]] const Use* use(FileId file) const;
+  /// Where in `file` somebody uses, over others or at once, what is written at `span`; line 0:
+  /// nowhere.
+  [[nodiscard]] Span place_in(FileId file, Span span) const;
 
  private:
   struct File {

@@ -35,6 +35,12 @@ const SourceMap::Use* SourceMap::use(FileId file) const {
   return used ? &files_[index_of(file)].use : nullptr;
 }
 
+Span SourceMap::place_in(FileId file, Span span) const {
+  for (const Use* by = use(span.file); by != nullptr && span.file != file; by = use(span.file))
+    span = by->place;
+  return span.file == file ? span : Span{};
+}
+
 const SourceMap::File* SourceMap::file(FileId id) const {
   if (index_of(id) >= files_.size()) return nullptr;
   const File& file = files_[index_of(id)];
