@@ -148,8 +148,9 @@ Command info(Options& options) {
 
 Command diff(Options& options) {
   return {.name = "diff",
-          .about = "how two graphs differ, or two variants of one: exit code 0 if they do not, 1 if "
-                   "they do, 2 if one of them has problems",
+          .about =
+              "how two graphs differ, or two variants of one: exit code 0 if they do not, 1 if "
+              "they do, 2 if one of them has problems",
           .examples = {{"two files", "eagerx-gen diff robot.yaml other.yaml"},
                        {"two variants", "eagerx-gen diff robot.yaml --variant sim --to real"}},
           .arguments = joined(
@@ -182,9 +183,8 @@ Command picture(Options& options) {
           {{graph(options), std::move(output),
             flag("--engine-graph", options.engine_graph,
                  "draw what runs on the engine: the nodes of each object instead of one box")},
-           {variant(options),
-            text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME")},
+           {variant(options), text("--engine", options.engine,
+                                   "run the graph on this engine instead of its own", "NAME")},
            rates(options),
            {library(options)},
            diagnostics(options)}),
@@ -230,9 +230,8 @@ Command report(Options& options) {
                  "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
                  "into "
                  "the page: reset, step, play, by the policy or by hand")},
-           {variant(options),
-            text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME")},
+           {variant(options), text("--engine", options.engine,
+                                   "run the graph on this engine instead of its own", "NAME")},
            rates(options),
            {library(options)},
            diagnostics(options)}),

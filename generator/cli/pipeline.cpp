@@ -69,8 +69,9 @@ std::vector<Spanned<std::string>> library_folders(const YamlValue& graph, const 
   for (const auto& folder : library->items) {
     if (!folder.is_scalar()) continue;
     // One without a name is none, and not the graph's own.
-    folders.push_back({folder.text.empty() ? "" : (fs::path(path).parent_path() / folder.text).string(),
-                       folder.span});
+    folders.push_back(
+        {folder.text.empty() ? "" : (fs::path(path).parent_path() / folder.text).string(),
+         folder.span});
   }
   return folders;
 }

@@ -101,7 +101,8 @@ class FactCollector {
 
   void states(const std::string& owner, const std::vector<State>& states) {
     for (const State& state : states)
-      if (state.settable) facts_[fmt::format("{}.states.{}", owner, state.name)] = text_of(state.random);
+      if (state.settable)
+        facts_[fmt::format("{}.states.{}", owner, state.name)] = text_of(state.random);
   }
 
   void node(const std::string& owner, const GraphNode& node) {
@@ -130,7 +131,8 @@ class FactCollector {
       if (node.role == NodeRole::engine) continue;
       std::string text = name_of_source(graph_, input);
       if (input.window != 1) text += fmt::format(", window {}", input.window);
-      if (input.delay_s != Rational()) text += fmt::format(", delay {} s", input.delay_s.to_string());
+      if (input.delay_s != Rational())
+        text += fmt::format(", delay {} s", input.delay_s.to_string());
       if (input.random_delay) text += ", delay " + text_of(input.random_delay);
       if (input.skip) text += ", skip";
       if (input.processor) text += ", " + text_of(*input.processor);
@@ -154,9 +156,10 @@ class FactCollector {
   void safety() {
     const Safety& safety = graph_.safety;
     if (!safety.declared) return;
-    facts_["safety"] = fmt::format("late {}, missed {}, recover {}, max_lateness {} s, {}, {}", safety.late,
-                                   safety.missed, safety.recover, safety.max_lateness_s.to_string(),
-                                   safety.clips ? "clip" : "safe", safety.holds ? "hold" : "safe");
+    facts_["safety"] =
+        fmt::format("late {}, missed {}, recover {}, max_lateness {} s, {}, {}", safety.late,
+                    safety.missed, safety.recover, safety.max_lateness_s.to_string(),
+                    safety.clips ? "clip" : "safe", safety.holds ? "hold" : "safe");
     for (std::size_t a = 0; a < safety.actions.size(); ++a)
       facts_["safety.actions." + graph_.environment().outputs[a].name] =
           fmt::format("{}", safety.actions[a]);

@@ -16,8 +16,7 @@ const Format& count_format() {
 }
 
 /// Replaces every `{each: […]}` by the value of this element; false after a problem.
-bool choose_each(YamlValue& yaml, std::size_t index, std::int64_t count,
-                 Diagnostics& diagnostics) {
+bool choose_each(YamlValue& yaml, std::size_t index, std::int64_t count, Diagnostics& diagnostics) {
   const YamlValue* each = yaml.is_map() && yaml.entries.size() == 1 ? yaml.find(kEach) : nullptr;
   if (each != nullptr) {
     if (!each->is_sequence() || each->items.size() != static_cast<std::size_t>(count)) {

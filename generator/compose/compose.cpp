@@ -138,8 +138,7 @@ class Composer {
     }
     if (!scope.around.empty())
       name_files_from(*scope.around.back(), sources_.name(root_.span.file), settings);
-    entity_of_[scope.prefix + name] =
-        found == library_.entities.end() ? nullptr : &found->second;
+    entity_of_[scope.prefix + name] = found == library_.entities.end() ? nullptr : &found->second;
     (section == Section::objects ? objects_ : nodes_)
         .push_back({scope.prefix + name, entry.key_span, std::move(settings)});
   }
@@ -167,9 +166,9 @@ class Composer {
       for (const Entity* each : scope.around) names.push_back(each->id.value);
       names.push_back(entity.id.value);
       diagnostics_
-          .error("E0393", type.span,
-                 fmt::format("`{}` is made of itself: {}", entity.id.value,
-                             fmt::join(names, " → ")))
+          .error(
+              "E0393", type.span,
+              fmt::format("`{}` is made of itself: {}", entity.id.value, fmt::join(names, " → ")))
           .help = "a composite cannot be a part of what it is made of";
       return false;
     }
@@ -201,9 +200,10 @@ class Composer {
     scope.around.push_back(&entity);
     if (!take_parameters(written, entity, type.span, scope)) return;
     YamlValue inside = *entity.composite;
-    move_file(inside, sources_.add_use(inside.span.file,
-                                       {entry.key_span, fmt::format("`{}` is a `{}`, as written here",
-                                                                    full, entity.id.value)}));
+    move_file(inside,
+              sources_.add_use(inside.span.file,
+                               {entry.key_span, fmt::format("`{}` is a `{}`, as written here", full,
+                                                            entity.id.value)}));
     take_states(written, scope);
     CompositePorts ports;
     const char* receiving = object ? "actuators" : "inputs";
@@ -241,9 +241,8 @@ class Composer {
                  fmt::format("missing key `rate`: nodes in `{}` run at it", entity.id.value))
           .help = "add `rate:`, its rate in Hz";
     }
-    check_requirements(entity, config,
-                       rate != nullptr ? Rational::parse(rate->text) : std::nullopt, span,
-                       diagnostics_);
+    check_requirements(entity, config, rate != nullptr ? Rational::parse(rate->text) : std::nullopt,
+                       span, diagnostics_);
     return diagnostics_.error_count() == errors_before;
   }
 
@@ -257,7 +256,8 @@ class Composer {
         diagnostics_
             .error("E0390", entry.key_span,
                    fmt::format("`{}` is no state of an entity inside", entry.key))
-            .help = fmt::format("a composite has the states of what is inside: `NAME.{}`", entry.key);
+            .help =
+            fmt::format("a composite has the states of what is inside: `NAME.{}`", entry.key);
         continue;
       }
       scope.states[entry.key.substr(0, dot)].push_back(
@@ -298,7 +298,7 @@ class Composer {
     for (const auto& [name, span] : names) {
       if (contains(known, name)) continue;
       auto& problem = diagnostics_.error(
-          "E0306", span,
+          "E0307", span,
           fmt::format("`{}` has no {} `{}`", entity.id.value,
                       std::string_view(key).substr(0, std::string_view(key).size() - 1), name));
       const std::string near = nearest(name, known);
@@ -374,8 +374,8 @@ class Composer {
     if (found == entity_of_.end()) return known;
     if (found->second == nullptr) return std::nullopt;
     const Entity& entity = *found->second;
-    for (const auto* ports : {sends ? &entity.outputs : &entity.inputs,
-                              sends ? &entity.sensors : &entity.actuators})
+    for (const auto* ports :
+         {sends ? &entity.outputs : &entity.inputs, sends ? &entity.sensors : &entity.actuators})
       for (const auto& port : *ports) known.push_back(port.name.value);
     return known;
   }
@@ -425,7 +425,8 @@ class Composer {
           if (!is_there(text, port, false)) continue;
           for (Sink sink : ends_.sinks(port)) {
             sink.settings.insert(sink.settings.begin(), settings_of(entry.value, scope));
-            if (of_use != nullptr && of_use->is_map() && scope.around.back()->kind == EntityKind::node)
+            if (of_use != nullptr && of_use->is_map() &&
+                scope.around.back()->kind == EntityKind::node)
               sink.settings.insert(sink.settings.begin(), settings_of(*of_use, {}));
             sinks.push_back(std::move(sink));
           }
@@ -487,9 +488,8 @@ class Composer {
         const bool sends = has_port(source, from_port, true);
         if (!has_port(sink, full_name(one.to.port, scope), false) || !sends) continue;
         const Spanned<std::string> sender{ends_.source(from_port), source.span};
-        YamlValue each = one.from.element
-                             ? with_element(connection, *one.from.element, source.span)
-                             : connection;
+        YamlValue each = one.from.element ? with_element(connection, *one.from.element, source.span)
+                                          : connection;
         const std::string receiver = full_name(one.to.port, scope);
         if (!one.to.element) {
           connect(each, sender, {receiver, sink.span});

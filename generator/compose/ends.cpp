@@ -47,8 +47,7 @@ std::vector<Sink> Ends::sinks(const std::string& port) const {
   const bool takes =
       name.section.empty() || name.section == "inputs" || name.section == "actuators";
   const auto found = composite->sinks.find(name.name);
-  return takes && found != composite->sinks.end() ? found->second
-                                                  : std::vector<Sink>{{port, {}}};
+  return takes && found != composite->sinks.end() ? found->second : std::vector<Sink>{{port, {}}};
 }
 
 void set_entry(YamlValue& map, const std::string& key, Span span, YamlValue value) {

@@ -26,8 +26,8 @@ class Writer {
       } else if (value.is_map() && !value.entries.empty()) {
         line(key, entry.key_span);
         entries(value, indent + 2);
-      } else if (value.is_sequence() && !value.items.empty() &&
-                 (indent == 0 || !short_enough) && !value.items.front().is_scalar()) {
+      } else if (value.is_sequence() && !value.items.empty() && (indent == 0 || !short_enough) &&
+                 !value.items.front().is_scalar()) {
         line(key, entry.key_span);
         for (const auto& item : value.items)
           line(fmt::format("{:{}}- {}", "", indent + 2, in_one_line(item)), place_of(item));
@@ -62,8 +62,8 @@ class Writer {
     const bool elsewhere = span.file != FileId::none && span.file != file_ && span.line > 0;
     if (elsewhere) {
       const std::string& name = sources_.name(span.file);
-      text += fmt::format("{:{}}  # {}:{}", "",
-                          kColumn - std::min(text.size(), kColumn), name, span.line);
+      text += fmt::format("{:{}}  # {}:{}", "", kColumn - std::min(text.size(), kColumn), name,
+                          span.line);
     }
     text_ += text + "\n";
   }

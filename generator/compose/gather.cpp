@@ -78,17 +78,16 @@ std::optional<Gathered> gather(const Spanned<std::string>& to,
         next.push_back(std::move(parts[begin]));
         continue;
       }
-      const std::string name =
-          result.nodes.empty() && parts.size() <= kInputsOfMux.size()
-              ? base
-              : fmt::format("{}/part[{}]", base, result.nodes.size());
+      const std::string name = result.nodes.empty() && parts.size() <= kInputsOfMux.size()
+                                   ? base
+                                   : fmt::format("{}/part[{}]", base, result.nodes.size());
       std::size_t size = 0;
       for (std::size_t i = 0; i < count; ++i) {
         Part& part = parts[begin + i];
         size += part.size;
-        result.connections.push_back(
-            joined(part.connection, part.from,
-                   {fmt::format("{}.{}", name, kInputsOfMux[i]), to.span}, {}));
+        result.connections.push_back(joined(part.connection, part.from,
+                                            {fmt::format("{}.{}", name, kInputsOfMux[i]), to.span},
+                                            {}));
       }
       result.nodes.push_back({name, to.span, mux(count, size, rate, to.span)});
       next.push_back({{name + ".y", to.span}, made_map(to.span), size});

@@ -37,8 +37,8 @@ void lay_over_connections(YamlValue& base, YamlValue over) {
 void lay_over(YamlValue& base, YamlValue over, bool top) {
   const std::string type = text_at(base, "type");
   const std::string other = text_at(over, "type");
-  const bool merge = base.is_map() && over.is_map() &&
-                     (type.empty() || other.empty() || type == other);
+  const bool merge =
+      base.is_map() && over.is_map() && (type.empty() || other.empty() || type == other);
   if (!merge) {
     base = std::move(over);
     return;
@@ -72,9 +72,8 @@ bool take_away(YamlValue& yaml, std::string_view path, bool top) {
   if (found == yaml.entries.end()) return false;
   const std::string_view rest = path.substr(dot + 1);
   if (top && key == kConnections)
-    return std::erase_if(found->value.items, [&](const YamlValue& each) {
-             return text_at(each, "to") == rest;
-           }) > 0;
+    return std::erase_if(found->value.items,
+                         [&](const YamlValue& each) { return text_at(each, "to") == rest; }) > 0;
   return take_away(found->value, rest, false);
 }
 
@@ -107,8 +106,8 @@ void remove_named(YamlValue& graph, const YamlValue& list, Diagnostics& diagnost
       set_entry(gone, item.text, item.span, made_scalar("", item.span));
       continue;
     }
-    auto& problem = diagnostics.error("E0395", item.span,
-                                      fmt::format("there is no `{}` to remove", item.text));
+    auto& problem =
+        diagnostics.error("E0395", item.span, fmt::format("there is no `{}` to remove", item.text));
     const std::string near = nearest(item.text, names_beside(graph, item.text));
     problem.help = near.empty() ? "write the keys that lead to it, with dots: `nodes.filter`; a "
                                   "connection by where it goes: `connections.motor.u`"
@@ -135,18 +134,18 @@ void check_removed(const YamlValue& graph, Diagnostics& diagnostics) {
       if (port == nullptr) continue;
       const PortName name = parse_port(port->text);
       for (const char* section : {"nodes", "objects"}) {
-        const auto gone = std::ranges::find(removed->entries, fmt::format("{}.{}", section, name.owner),
-                                            &YamlValue::Entry::key);
+        const auto gone = std::ranges::find(
+            removed->entries, fmt::format("{}.{}", section, name.owner), &YamlValue::Entry::key);
         const YamlValue* now = graph.find(section);
         if (gone == removed->entries.end() || (now != nullptr && now->find(name.owner) != nullptr))
           continue;
-        auto& problem =
-            diagnostics.error("E0395", gone->key_span,
-                              fmt::format("`{}` is removed, but still used", name.owner));
+        auto& problem = diagnostics.error(
+            "E0395", gone->key_span, fmt::format("`{}` is removed, but still used", name.owner));
         problem.notes.push_back({"by this connection", port->span, ""});
-        problem.help = fmt::format("remove the connection, too (`connections.{}`), or connect "
-                                   "something else there",
-                                   text_at(connection, "to"));
+        problem.help = fmt::format(
+            "remove the connection, too (`connections.{}`), or connect "
+            "something else there",
+            text_at(connection, "to"));
       }
     }
   }

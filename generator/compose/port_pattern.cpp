@@ -133,15 +133,16 @@ class Ranges {
     if (index.name.empty()) {
       if (index.offset >= 0 && index.offset < count) return true;
       diagnostics_
-          .error("E0392", pattern.span,
-                 fmt::format("`{}` has no element {}", array, index.offset))
+          .error("E0392", pattern.span, fmt::format("`{}` has no element {}", array, index.offset))
           .help = fmt::format("it has {}: 0 to {}", count, count - 1);
       return false;
     }
     Range& range = ranges_[index.name];
     const bool all = index.name.starts_with('*');
     if (all && range.high && *range.high != count) {
-      diagnostics_.error("E0391", pattern.span, fmt::format("the counts do not fit: {}, `{}` has {}", range.from, array, count))
+      diagnostics_
+          .error("E0391", pattern.span,
+                 fmt::format("the counts do not fit: {}, `{}` has {}", range.from, array, count))
           .help = "with `*` on both sides they are connected one by one";
       return false;
     }
@@ -206,8 +207,8 @@ std::optional<PortPattern> parse_pattern(const Spanned<std::string>& port,
   for (std::size_t open = rest.find('['); open != std::string_view::npos; open = rest.find('[')) {
     const std::size_t close = std::min(rest.find(']', open), rest.size());
     const std::string_view inside = rest.substr(open + 1, std::max(close, open + 1) - open - 1);
-    const auto index = trimmed(inside) == "*" ? PatternIndex{fmt::format("*{}", stars++), 0}
-                                              : parse_index(inside);
+    const auto index =
+        trimmed(inside) == "*" ? PatternIndex{fmt::format("*{}", stars++), 0} : parse_index(inside);
     if (!index || close == rest.size()) {
       diagnostics
           .error("E0392", port.span, fmt::format("`{}` has no index in its brackets", port.value))
@@ -227,7 +228,8 @@ std::vector<IndexedPort> indexed_ports(const PortPattern& pattern, const CountOf
   std::vector<IndexedPort> result;
   Ranges ranges(count_of, diagnostics);
   if (ranges.add(pattern))
-    ranges.for_each(pattern, [&](const Values& values) { result.push_back(port_of(pattern, values)); });
+    ranges.for_each(pattern,
+                    [&](const Values& values) { result.push_back(port_of(pattern, values)); });
   return result;
 }
 
@@ -238,8 +240,9 @@ std::vector<IndexedConnection> indexed_connections(const PortPattern& from, cons
   Ranges ranges(count_of, diagnostics);
   if (!ranges.add(from) || !ranges.add(to)) return {};
   for (const PatternIndex& index : from.indices) {
-    const bool shared = index.name.empty() ||
-                        std::ranges::find(to.indices, index.name, &PatternIndex::name) != to.indices.end();
+    const bool shared =
+        index.name.empty() ||
+        std::ranges::find(to.indices, index.name, &PatternIndex::name) != to.indices.end();
     if (shared || ranges.count(index.name) == 1) continue;
     diagnostics
         .error("E0391", from.span,

@@ -88,8 +88,7 @@ class Chooser {
         return root;
       }
       if (std::ranges::find(names, name) != names.end()) {
-        diagnostics_.error("E0394", found->span,
-                           fmt::format("variant `{}` extends itself", name));
+        diagnostics_.error("E0394", found->span, fmt::format("variant `{}` extends itself", name));
         return root;
       }
       names.push_back(name);
@@ -104,9 +103,9 @@ class Chooser {
     for (auto layer = layers.rbegin(); layer != layers.rend(); ++layer) {
       if (layer->is_null()) continue;  // a name for the graph as it is
       if (!layer->is_map()) {
-        diagnostics_.error("E0203", layer->span,
-                           fmt::format("expected a mapping for a variant, found {}",
-                                       describe(*layer)));
+        diagnostics_.error(
+            "E0203", layer->span,
+            fmt::format("expected a mapping for a variant, found {}", describe(*layer)));
         return root;
       }
       const Span place = root.span;
@@ -128,9 +127,10 @@ class Chooser {
       files_.push_back(next);
       return true;
     }
-    diagnostics_.error("E0394", span,
-                       circle ? fmt::format("`{}` extends itself", next.filename().string())
-                              : fmt::format("graphs that extend graphs, more than {} deep", kMostFiles));
+    diagnostics_.error(
+        "E0394", span,
+        circle ? fmt::format("`{}` extends itself", next.filename().string())
+               : fmt::format("graphs that extend graphs, more than {} deep", kMostFiles));
     failed_ = true;
     return false;
   }

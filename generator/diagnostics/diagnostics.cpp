@@ -35,9 +35,9 @@ Diagnostic& Diagnostics::note(Span span, std::string message) {
 void Diagnostics::drop_repeats() {
   std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t, std::string>> seen;
   std::erase_if(all_, [&](const Diagnostic& d) {
-    const bool repeated = d.span.line > 0 && !seen.emplace(d.code, d.span.file, d.span.line,
-                                                           d.span.column, d.message)
-                                                  .second;
+    const bool repeated =
+        d.span.line > 0 &&
+        !seen.emplace(d.code, d.span.file, d.span.line, d.span.column, d.message).second;
     if (repeated && d.severity == Severity::error) --errors_;
     return repeated;
   });

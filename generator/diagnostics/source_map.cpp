@@ -30,8 +30,7 @@ FileId SourceMap::add_use(FileId file, Use use) {
 }
 
 const SourceMap::Use* SourceMap::use(FileId file) const {
-  const bool used =
-      index_of(file) < files_.size() && files_[index_of(file)].same != FileId::none;
+  const bool used = index_of(file) < files_.size() && files_[index_of(file)].same != FileId::none;
   return used ? &files_[index_of(file)].use : nullptr;
 }
 

@@ -349,8 +349,7 @@ std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics
                      : fmt::format("did you mean `{}`?", near);
     return std::nullopt;
   }
-  const Format* composite =
-      root.find("graph") != nullptr ? composite_format(kind->text) : nullptr;
+  const Format* composite = root.find("graph") != nullptr ? composite_format(kind->text) : nullptr;
   const Format& format = composite != nullptr ? *composite : *manifest_format(kind->text);
   return check(root, format, diagnostics) ? std::optional(in_base_units(root, format))
                                           : std::nullopt;

@@ -340,14 +340,14 @@ const Format* composite_format(std::string_view kind) {
                                          {"outputs", bound_ports("outputs", sending()), false,
                                           "outputs, each the output of one inside"},
                                          inner_graph()})},
-      {"object", format::record(
-                     "an object made of a graph",
-                     common("object") + config() +
-                         Fields{{"sensors", bound_ports("sensors", sending()), false,
-                                 "sensors, each the sensor or output of one inside"},
-                                {"actuators", bound_ports("actuators", receiving()), false,
-                                 "actuators, each the actuator or input of one or several inside"},
-                                inner_graph()})}};
+      {"object",
+       format::record("an object made of a graph",
+                      common("object") + config() +
+                          Fields{{"sensors", bound_ports("sensors", sending()), false,
+                                  "sensors, each the sensor or output of one inside"},
+                                 {"actuators", bound_ports("actuators", receiving()), false,
+                                  "actuators, each the actuator or input of one or several inside"},
+                                 inner_graph()})}};
   const auto found = kFormats.find(kind);
   return found == kFormats.end() ? nullptr : found->second.get();
 }

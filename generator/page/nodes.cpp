@@ -87,7 +87,6 @@ Json json_of(const std::optional<Random>& random) {
               {"choices", std::move(choices)}};
 }
 
-
 const char* name_of(NodeRole role) {
   switch (role) {
     case NodeRole::environment:

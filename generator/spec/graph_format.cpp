@@ -77,9 +77,9 @@ FormatPtr states_format() {
   const FormatPtr drawn = format::record(
       "how a state gets its value",
       with(random_fields(format::number("a number")), {space_field(), processor_field()}));
-  Format states = *format::map(
-      "states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
-                               {drawn, format::keyword({"uniform"})}));
+  Format states =
+      *format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
+                                            {drawn, format::keyword({"uniform"})}));
   states.dotted_names = true;  // of a composite: `position.integral`
   return std::make_shared<const Format>(std::move(states));
 }
@@ -112,7 +112,6 @@ std::vector<Field> delay_settings() {
   }
   return fields;
 }
-
 
 std::vector<Field> policy_settings() {
   return {
@@ -157,7 +156,6 @@ FormatPtr node_policy_format() {
       "a weight file, or a mapping with its `file`",
       {format::record("a policy", with({file}, policy_settings())), format::text("a file name")});
 }
-
 
 FormatPtr agent_format() {
   return format::one_of(
@@ -380,7 +378,8 @@ FormatPtr make_graph_format(GraphForm form) {
        {"safety", safety_format(), false,
         "which actions are safe, and when they take the agent's place"},
        {"placement",
-        format::inner_map("names of nodes, `agent` or `controller`", format::text("a board")), false,
+        format::inner_map("names of nodes, `agent` or `controller`", format::text("a board")),
+        false,
         "what runs on a board while the rest runs on Linux: nodes, `agent`, or `controller` for "
         "the "
         "agent and all nodes"},

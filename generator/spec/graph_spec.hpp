@@ -158,7 +158,8 @@ const std::vector<SafetyDefault>& safety_defaults();
 /// Typed form of a tree; all problems are reported. nullopt if the tree does not have the form of
 /// the table; after other problems (E0206) there is still enough to look for more.
 std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::string& path,
-                                         Diagnostics& diagnostics, GraphForm form = GraphForm::written);
+                                         Diagnostics& diagnostics,
+                                         GraphForm form = GraphForm::written);
 /// A manifest in place of a graph: E0210.
 bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics);
 

@@ -84,8 +84,7 @@ Json schema_of(const Format& format) {
     case Format::Kind::name:
       return {{"type", "string"}, {"pattern", kIdentifier}};
     case Format::Kind::port:
-      return {{"type", "string"},
-              {"pattern", fmt::format("^{0}(\\.{0}){{1,2}}$", kPart)}};
+      return {{"type", "string"}, {"pattern", fmt::format("^{0}(\\.{0}){{1,2}}$", kPart)}};
     case Format::Kind::path:
       return {{"type", "string"}, {"pattern", "^[A-Za-z0-9_./+-]+$"}};
     case Format::Kind::boolean:
@@ -111,7 +110,9 @@ Json schema_of(const Format& format) {
       Json schema = {{"type", object_type(true)}};
       if (!format.file_names)
         schema["propertyNames"] =
-            Json{{"pattern", format.dotted_names ? kDotted : format.inner_names ? kInner : std::string(kIdentifier)}};
+            Json{{"pattern", format.dotted_names  ? kDotted
+                             : format.inner_names ? kInner
+                                                  : std::string(kIdentifier)}};
       schema["additionalProperties"] = schema_of(*format.item);
       return schema;
     }

@@ -41,10 +41,14 @@ def renamed(text, names):
     """The names, and in C++ what is made of them."""
     new = identifiers(names)
     forms = {}
+    for name in names:  # arrays of equal nodes are called by what their names have in common
+        for end in [found.start() for found in re.finditer(r"[/[]", name)]:
+            base = re.split("[/[]", name)[0]
+            forms.update({camel(name[:end]): camel(base), snake(name[:end]): base})
     for name, flat in new.items():
         forms.update({camel(name): camel(flat), snake(name): flat, name: flat})
     for form in sorted(forms, key=len, reverse=True):
-        text = re.sub(r"(?<![A-Za-z0-9_/])(k?)" + re.escape(form) + r"(?![0-9a-z]|_[0-9])", lambda found: found.group(1) + forms[form], text)
+        text = re.sub(r"(?<![A-Za-z0-9_/])(k(?:NamesOf|ChannelOf)?)?" + re.escape(form) + r"(?![0-9a-z]|_[0-9])", lambda found: (found.group(1) or "") + forms[form], text)
     return text
 
 

@@ -40,7 +40,8 @@ TEST(PortPattern, ConnectsOneByOne) {
 }
 
 TEST(PortPattern, ConnectsEachToTheNextAsFarAsBothGo) {
-  EXPECT_EQ(connections("leg[i].y", "leg[i + 1].x"), (Texts{"leg[0].y leg[1].x", "leg[1].y leg[2].x"}));
+  EXPECT_EQ(connections("leg[i].y", "leg[i + 1].x"),
+            (Texts{"leg[0].y leg[1].x", "leg[1].y leg[2].x"}));
   EXPECT_EQ(connections("leg[i-2].y", "arm[i - 1].x"), (Texts{"leg[0].y arm[1].x"}));
 }
 
@@ -52,8 +53,10 @@ TEST(PortPattern, HasSeveralIndices) {
 }
 
 TEST(PortPattern, TakesElementsOfMessages) {
-  EXPECT_EQ(connections("robot.q[*]", "arm[*].x"), (Texts{"robot.q#0 arm[0].x", "robot.q#1 arm[1].x"}));
-  EXPECT_EQ(connections("arm[i].y", "robot.u[i + 3]"), (Texts{"arm[0].y robot.u#3", "arm[1].y robot.u#4"}));
+  EXPECT_EQ(connections("robot.q[*]", "arm[*].x"),
+            (Texts{"robot.q#0 arm[0].x", "robot.q#1 arm[1].x"}));
+  EXPECT_EQ(connections("arm[i].y", "robot.u[i + 3]"),
+            (Texts{"arm[0].y robot.u#3", "arm[1].y robot.u#4"}));
 }
 
 TEST(PortPattern, RefusesWhatDoesNotFit) {
@@ -66,7 +69,8 @@ TEST(PortPattern, RefusesWhatDoesNotFit) {
 }
 
 TEST(PortPattern, RefusesWhatIsNoIndex) {
-  for (const char* text : {"a[", "a[].x", "a[x", "a[1 2].x", "a[i*2].x", "a[i + -1].x", "a[i+99999999].x", "a[new].x"}) {
+  for (const char* text : {"a[", "a[].x", "a[x", "a[1 2].x", "a[i*2].x", "a[i + -1].x",
+                           "a[i+99999999].x", "a[new].x"}) {
     Diagnostics diagnostics;
     EXPECT_FALSE(parse_pattern({text, {}}, diagnostics)) << text;
     EXPECT_EQ(diagnostics.error_count(), 1U) << text;
