@@ -97,7 +97,7 @@ class GraphWatch {
     if (watch_.agent() < target::Agent::csv)
       return target::act<Graph>(watch_.agent(), key, step, observation, program);
     if (watch_.agent() == target::Agent::dds) show(observation);
-    const void* const row = watch_.action_of_others(step);
+    const void* const row = watch_.given_action(step);
     return row != nullptr ? *static_cast<const Action*>(row) : Graph::zero();
   }
   [[gnu::noinline, gnu::cold]] void show(const Observation& observation) {

@@ -41,7 +41,7 @@ class RunWatch : public Watch {
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
   void state_column_names() final;
   void state_columns() final;
-  const void* action_of_others(Seq step) override;
+  const void* given_action(Seq step) override;
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
   ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }

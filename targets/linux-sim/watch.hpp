@@ -38,7 +38,7 @@ class Watch {
   virtual void state_columns() = 0;
 
   /// The action of a file, null behind its end, or of another process, which sees observations().
-  virtual const void* action_of_others(Seq step) = 0;
+  virtual const void* given_action(Seq step) = 0;
 
   bool has_faults() const { return has_faults_; }
   /// Memory for what an agent would see without them, or sees in another process.

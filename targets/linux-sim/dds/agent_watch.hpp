@@ -23,7 +23,7 @@ class AgentWatch final : public Base {
     agent_.begin(episode);
     Base::reset(episode);
   }
-  const void* action_of_others(Seq step) override {
+  const void* given_action(Seq step) override {
     return agent_.act(step, this->observations(), this->pacer().in_time_until_ns());
   }
 
