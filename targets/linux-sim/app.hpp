@@ -96,12 +96,14 @@ class GraphWatch {
   Action wanted(EpisodeKey key, Seq step, const Observation& observation, Program& program) {
     if (watch_.agent() < target::Agent::csv)
       return target::act<Graph>(watch_.agent(), key, step, observation, program);
-    if (watch_.agent() == target::Agent::dds) show(observation);
+    return given(step, observation);
+  }
+  /// The action of a file, or of another process.
+  [[gnu::noinline, gnu::cold]] Action given(Seq step, const Observation& observation) {
+    if (watch_.agent() == target::Agent::dds)
+      copy_observation<Graph>(observation, watch_.observations());
     const void* const row = watch_.given_action(step);
     return row != nullptr ? *static_cast<const Action*>(row) : Graph::zero();
-  }
-  [[gnu::noinline, gnu::cold]] void show(const Observation& observation) {
-    copy_observation<Graph>(observation, watch_.observations());
   }
   [[gnu::noinline, gnu::cold]] void row(TableWriter& table, std::uint32_t episode, Seq step,
                                         const Observation& observation, const Action* action,
