@@ -130,6 +130,7 @@ void add_tunable_states(Entity& entity) {
     if (parameter.type == Parameter::Type::numbers)
       shape.push_back(made_scalar(fmt::format("$(size {})", parameter.name.value), span));
     state.space.shape = made_list(std::move(shape), span);
+    state.optional = true;
     state.space.low = bound(parameter.low);
     state.space.high = bound(parameter.high);
     entity.states.push_back(std::move(state));
