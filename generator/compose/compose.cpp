@@ -20,7 +20,7 @@ namespace eagerx::gen {
 namespace {
 
 // What composites of arrays of composites may become: a graph of a million nodes is a slip.
-constexpr std::size_t kMostEntities = 100'000;
+constexpr std::size_t kMostEntities = 20'000;
 constexpr std::size_t kDeepest = 16;
 
 /// What a composite says of its inner entities, by their names: entries of `states:`, `sensors:` …
