@@ -1,6 +1,7 @@
 // From a graph to programs that are built.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ struct Generated {
 /// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in
 /// `run`; then `code` is the least that the exit code may be.
 std::optional<Generated> generate_graph(Run& run, const Options& options, int& code);
+
+/// The hash of the program of a graph that was made, of both of a split one. Nothing if there is a
+/// problem, which is in `run`.
+std::optional<std::uint64_t> graph_hash(Run& run, const Options& options);
 
 /// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
 /// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).

@@ -295,6 +295,21 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   return generated;
 }
 
+std::optional<std::uint64_t> graph_hash(Run& run, const Options& options) {
+  // It is equal for all targets and outputs.
+  auto targets = find_targets_and_others(run, options);
+  if (!targets) return std::nullopt;
+  EmitOptions emit_options;
+  emit_options.templates = (fs::path(run.root) / "templates").string();
+  emit_options.targets = std::move(*targets);
+  emit_options.version = EAGERX_GEN_VERSION;
+  emit_options.builtin_root = run.root;
+  emit_options.output = fs::current_path().string();
+  const auto files =
+      run.graph->placement ? emit_parts(run, emit_options) : emit_part(run, emit_options);
+  return files ? hash_in(*files) : std::nullopt;
+}
+
 int generate_command(const Options& options) {
   Run run;
   int code = kDone;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "generator/emit/names.hpp"
@@ -17,6 +18,8 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kEqualsHash = " = 0x";  // what is between the name of a hash and its digits
 
 class Emitter {
  public:
@@ -181,7 +184,7 @@ class Emitter {
 
   void put_hash(const std::string& constant, std::uint64_t hash) {
     std::string& text = files_.front().text;
-    const std::string begin = constant + " = 0x";
+    const std::string begin = constant + kEqualsHash;
     const std::string digits = fmt::format("{:016x}", hash);
     if (const auto at = text.find(begin); at != std::string::npos)
       text.replace(at + begin.size(), digits.size(), digits);
@@ -289,6 +292,18 @@ std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
     }
   }
   return hash;
+}
+
+std::optional<std::uint64_t> hash_in(const std::vector<GeneratedFile>& files) {
+  constexpr int kHexadecimal = 16;
+  const std::string begin = std::string("kGraphHash") + kEqualsHash;
+  for (const GeneratedFile& file : files) {
+    if (!file.path.ends_with("/messages.hpp")) continue;
+    const std::size_t at = file.text.find(begin);
+    if (at == std::string::npos) continue;
+    return std::strtoull(file.text.c_str() + at + begin.size(), nullptr, kHexadecimal);
+  }
+  return std::nullopt;
 }
 
 std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,

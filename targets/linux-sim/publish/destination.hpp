@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/publish/address.hpp>
 #include <string>
 #include <string_view>
 
@@ -10,10 +11,9 @@ namespace eagerx::linux_sim {
 struct Destination {
   enum class Kind : std::uint8_t { udp, teleplot, mcap };
   Kind kind = Kind::udp;
-  std::string host;  // of udp, teleplot
-  std::string port;
-  std::string file;     // of mcap
-  std::string written;  // the whole text
+  publish::Address address;  // of udp, teleplot
+  std::string file;          // of mcap
+  std::string written;       // the whole text
 };
 
 /// False if the text is none of `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`. A host with
