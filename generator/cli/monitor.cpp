@@ -2,10 +2,12 @@
 #include "generator/monitor/monitor.hpp"
 
 #include <cstdlib>
+#include <utility>
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -28,7 +30,8 @@ Argument seconds(std::string name, double& value, std::string about) {
 int monitor_command(const Options& options) {
   if (options.graph.empty()) return watch(options.monitor, nullptr);
   Run run;
-  const auto hash = make(run, options) ? graph_hash(run, options) : std::nullopt;
+  auto hash = make(run, options) ? graph_hash(run, options) : std::nullopt;
+  if (hash && !are_different({}, {}, run.diagnostics)) hash.reset();
   const int code = finish(run, options);
   if (!hash || code != kDone) return code;
   const WatchedGraph graph{&*run.plan, options.graph, *hash};
@@ -37,16 +40,34 @@ int monitor_command(const Options& options) {
 
 Command monitor_commands(Options& options) {
   MonitorOptions& monitor = options.monitor;
+  Argument record = writes(text("--record", monitor.record,
+                                "also write the messages into a file .mcap (Foxglove), or of a "
+                                "source with all messages .trace",
+                                "FILE"));
+  record.check = [](const std::string& path) {
+    return is_recording(path) ? std::string() : path + " ends in none of .mcap, .trace, .log";
+  };
+  Argument forward = texts("--forward", monitor.forward,
+                           "also send the messages on: udp:HOST:PORT (PlotJuggler) or "
+                           "teleplot:HOST:PORT; may be repeated",
+                           "KIND");
+  forward.check = [](const std::string& to) {
+    return is_destination(to) ? std::string()
+                              : to + " is neither udp:HOST:PORT nor teleplot:HOST:PORT";
+  };
   return {
       .name = "monitor",
       .about = "watch the messages of a program while it runs",
       .examples = {{"what a program sends that was started with --publish udp:127.0.0.1:9870",
                     "eagerx-gen monitor udp:9870 --graph pendulum.yaml"},
                    {"a trace that grows", "eagerx-gen monitor run.log"},
+                   {"and recorded for Foxglove",
+                    "eagerx-gen monitor udp:9870 --graph pendulum.yaml --record run.mcap"},
                    {"once, for a script", "eagerx-gen monitor udp:9870 --once"}},
       .arguments = joined(
-          {{required(text("source", monitor.source,
-                          "udp:[HOST:]PORT, or the file of a trace, which may grow", "SOURCE")),
+          {{required(
+                reads(text("source", monitor.source,
+                           "udp:[HOST:]PORT, or the file of a trace, which may grow", "SOURCE"))),
             reads(text("--graph", options.graph,
                        "the graph of the program: planned rates, limits, safe actions; the stream "
                        "of another graph is refused",
@@ -54,6 +75,7 @@ Command monitor_commands(Options& options) {
             flag("--once", monitor.once, "print one table of lines, then end"),
             flag("--lines", monitor.lines,
                  "print tables of lines instead of a screen; so does a pipe"),
+            std::move(record), std::move(forward),
             seconds("--every", monitor.every_s,
                     "time between tables, of the first one from the first message on (default: 1)"),
             seconds("--timeout", monitor.timeout_s,

@@ -16,6 +16,7 @@
 #include "generator/monitor/expected.hpp"
 #include "generator/monitor/lines.hpp"
 #include "generator/monitor/numbers.hpp"
+#include "generator/monitor/recording.hpp"
 #include "generator/monitor/screen.hpp"
 #include "generator/monitor/source.hpp"
 
@@ -43,15 +44,57 @@ std::int64_t ns_of(double seconds) {
   return static_cast<std::int64_t>(std::min(seconds, kMost) * static_cast<double>(kNsPerSec));
 }
 
+/// What is shown is also recorded, as soon as the stream was accepted.
+class Both final : public StreamListener {
+ public:
+  Both(Model& model, Recording& recording) : model_(model), recording_(recording) {}
+  bool begin(const StreamFacts& facts) override {
+    return model_.begin(facts) && recording_.begin(facts);
+  }
+  void message(const StreamMessage& message) override {
+    model_.message(message);
+    recording_.message(message);
+  }
+  void step(const StreamStep& step) override {
+    model_.step(step);
+    recording_.step(step);
+  }
+  void fault(StreamFault fault, std::uint64_t count) override { model_.fault(fault, count); }
+
+ private:
+  Model& model_;
+  Recording& recording_;
+};
+
 class Watching {
  public:
   Watching(const MonitorOptions& options, const Expected* expected, std::unique_ptr<Source> source)
-      : options_(options), source_(std::move(source)), model_(expected) {}
+      : options_(options), source_(std::move(source)), model_(expected), recording_(expected) {
+    if (!options.record.empty()) recording_.record(options.record);
+    for (const std::string& to : options.forward) recording_.forward(to);
+  }
 
+  int run(Screen* screen) {
+    int code = screen == nullptr ? lines() : this->screen(*screen);
+    std::string problem = recording_.finish();
+    if (problem.empty() && screen != nullptr && state_ == State::failed)
+      problem = source_->problem();
+    if (!problem.empty()) {
+      last_words_ = problem;
+      code = std::max<int>(code, kInputOutput);
+    } else if (recording_.left_out() > 0) {
+      last_words_ = fmt::format("note: {} messages were not recorded: they do not fit their types",
+                                recording_.left_out());
+    }
+    return code;
+  }
+  /// To be told once the terminal is as it was; empty: nothing.
+  [[nodiscard]] const std::string& last_words() const { return last_words_; }
+
+ private:
   int lines();
   int screen(Screen& screen);
 
- private:
   using State = Source::State;
 
   void wait(std::int64_t until_ns, bool with_keys);
@@ -64,7 +107,10 @@ class Watching {
   const MonitorOptions& options_;
   std::unique_ptr<Source> source_;
   Model model_;
+  Recording recording_;
+  Both both_{model_, recording_};
   State state_ = State::open;
+  std::string last_words_;
 };
 
 /// Until there is something to read, a key was pressed, or the time has come.
@@ -83,7 +129,8 @@ void Watching::read() {
   if (is_over()) return;
   const std::int64_t now_ns = now();
   model_.now(now_ns);
-  state_ = source_->read(now_ns, model_);
+  state_ = source_->read(now_ns, both_);
+  recording_.idle();
 }
 
 std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
@@ -134,6 +181,7 @@ int Watching::lines() {
     wait(next_ns != 0 ? next_ns : began_ns + ns_of(options_.timeout_s), false);
     read();
     if (const auto code = gives_up(began_ns)) return *code;
+    if (!recording_.problem().empty()) return kInputOutput;
     if (!model_.has_messages()) continue;
     const std::int64_t now_ns = now();
     if (next_ns == 0) next_ns = now_ns + ns_of(options_.every_s);
@@ -154,7 +202,7 @@ int Watching::screen(Screen& screen) {
   ScreenView view;
   std::optional<Model> paused;
   std::int64_t draw_ns = 0;
-  while (interrupts == 0 && !view.ends) {
+  while (interrupts == 0 && !view.ends && recording_.problem().empty()) {
     wait(draw_ns, true);
     read();
     const Model& shown = paused ? *paused : model_;
@@ -201,7 +249,10 @@ int watch(const MonitorOptions& options, const WatchedGraph* graph) {
   }
   end_at_signals();
   Watching watching(options, expected ? &*expected : nullptr, std::move(source));
-  return screen == nullptr ? watching.lines() : watching.screen(*screen);
+  const int code = watching.run(screen.get());
+  screen.reset();
+  if (!watching.last_words().empty()) complain("{}\n", watching.last_words());
+  return code;
 }
 
 }  // namespace eagerx::gen

@@ -19,6 +19,10 @@ struct MonitorOptions {
   double timeout_s = 10.0;           // for the first message; of lines also between messages
 };
 
+/// Whether `record` may have this name, and `forward` this destination.
+bool is_recording(const std::string& path);
+bool is_destination(const std::string& text);
+
 /// The graph of the program that is watched.
 struct WatchedGraph {
   const Plan* plan = nullptr;

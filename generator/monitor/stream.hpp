@@ -35,7 +35,7 @@ struct StreamMessage {
   const std::uint64_t* bits = nullptr;  // of all of them, as the trace hashes them; null: not known
   std::uint64_t elements = 0;           // that the message has
   std::uint32_t episode = 0;
-  std::optional<std::uint64_t> seq = {};  // of the channel
+  std::optional<std::uint64_t> seq = {};  // of the channel, or the step where nobody says it
   std::int64_t time_ns = 0;  // of the graph's clock, without steps back between episodes
   /// When it was sent or came, by a clock of real time; nothing if nobody knows.
   std::optional<std::int64_t> real_ns = {};

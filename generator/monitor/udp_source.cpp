@@ -75,6 +75,7 @@ class UdpSource final : public Source {
                         .values = message.values,
                         .elements = message.elements,
                         .episode = datagram.episode,
+                        .seq = datagram.step,
                         .time_ns = time_ns,
                         .real_ns = now_ns});
     }
