@@ -93,7 +93,7 @@ ScreenLine element_line(const WatchedChannel& channel, std::size_t i, const Scre
 }  // namespace
 
 TableColumns table_columns(std::size_t columns) {
-  constexpr std::size_t kValue = 12, kRate = 12, kAge = 7, kLimit = 12;
+  constexpr std::size_t kValue = 12, kRate = 9, kAge = 7, kLimit = 12;
   constexpr std::size_t kName = 20, kMostName = 44, kPlot = 8;
   TableColumns widths;
   std::size_t left = columns - 1;  // the mark of the selected row
