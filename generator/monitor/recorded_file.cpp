@@ -47,8 +47,10 @@ class GrowingFile : public publish::PublishSink {
   /// What is kept together is complete.
   virtual void end_part() {}
   void write(const std::string& bytes) {
-    if (bytes.empty() || file_ == nullptr || error_ != 0) return;
-    if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size()) error_ = errno;
+    if (bytes.empty() || file_ == nullptr) return;
+    if (error_ == 0 && std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size())
+      error_ = errno;
+    if (error_ != 0) ++dropped_;
   }
 
  private:

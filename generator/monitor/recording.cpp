@@ -96,6 +96,7 @@ class Recording::Destinations {
     } else if (!path.empty()) {
       sinks_.push_back(mcap_file(path, channels_));
     }
+    // The file, if there is one, is the first.
     for (const std::string& to : forwards) sinks_.push_back(sink_to(to, hash));
     std::string problem;
     for (const auto& sink : sinks_) {
@@ -125,8 +126,10 @@ class Recording::Destinations {
     for (const auto& sink : sinks_)
       sink->step({step.episode, step.step, in_all_runs(step.time_ns)});
   }
-  void idle() {
+  /// False: the file takes no more.
+  bool idle() {
     for (const auto& sink : sinks_) sink->idle();
+    return path.empty() || sinks_.empty() || sinks_.front()->dropped() == 0;
   }
   std::string close() {
     std::string problem;
@@ -204,7 +207,7 @@ void Recording::step(const StreamStep& step) {
   destinations_->step(step);
 }
 void Recording::idle() {
-  destinations_->idle();
+  if (!destinations_->idle() && problem_.empty()) problem_ = destinations_->close();
 }
 std::string Recording::finish() {
   const std::string wrong = destinations_->close();
