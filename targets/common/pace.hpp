@@ -46,7 +46,7 @@ class PacedTrace : public HashTrace {
  public:
   static constexpr bool kSlots = true;
 
-  [[no_unique_address]] IdleWork idle_work;
+  [[no_unique_address]] IdleWork idle_work{};
 
   void set_pace(Pace pace, std::int64_t max_lateness_ns) {
     constexpr std::uint64_t kNsPerSecond = 1'000'000'000;

@@ -21,7 +21,7 @@ class TelemetryWork {
  public:
   static constexpr bool kWorks = true;
 
-  link::Telemetry<Layout> telemetry;
+  link::Telemetry<Layout> telemetry{};
 
   void until(std::uint64_t deadline, std::uint64_t late_slots) {
     telemetry.set_late(late_slots);
