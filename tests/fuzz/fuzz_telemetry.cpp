@@ -52,7 +52,10 @@ void decode(const telemetry::Layout& layout, const std::vector<std::uint8_t>& li
 void add_frame(std::vector<std::uint8_t>& line, std::uint8_t kind, const std::uint8_t* bytes,
                std::size_t size, std::uint32_t crc_start) {
   auto frame = std::make_unique<link::ByteFrame<link::kMostRecordBytes>>();
-  frame->begin(kind, static_cast<std::uint32_t>(line.size()), crc_start);
+  frame->begin(crc_start);
+  std::uint8_t header[link::kHeaderBytes] = {kind};
+  link::write_as(header + 1, static_cast<std::uint32_t>(line.size()));
+  for (const std::uint8_t byte : header) frame->add(byte);
   for (std::size_t i = 0; i < size; ++i) frame->add(bytes[i]);
   frame->finish();
   while (!frame->offer([&](std::uint8_t byte) { return line.push_back(byte), true; })) {

@@ -1,5 +1,5 @@
 // What a board sent, against the trace of the same run:
-//   telemetry_check telemetry.json CAPTURE TRACE [lossy | damage COUNT]
+//   telemetry_check telemetry.json CAPTURE TRACE [lossy | damage COUNT SEED]
 // Every value that the decoder shows must be that of the trace, and there must be all of them; `lossy`: some may be
 // missing; `damage`: so many frames are damaged first, and exactly these must be missing. Prints what was counted.
 #include <fmt/format.h>
@@ -87,8 +87,8 @@ class Comparing : public telemetry::Listener {
 };
 
 /// One bit, a byte less or a byte more, in `count` frames chosen at random, but for the first.
-std::string damaged(const std::string& line, std::uint64_t count) {
-  std::mt19937 random(1);
+std::string damaged(const std::string& line, std::uint64_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
   std::vector<std::string> pieces;
   for (std::size_t at = 0; at < line.size();) {
     const std::size_t end = std::min(line.find('\0', at), line.size());
@@ -121,11 +121,11 @@ int main(int count, char** arguments) {
   if (!layout) return fmt::print("FAIL: {}: {}\n", arguments[1], problem), 1;
   const auto log = trace_log::read_log_file(arguments[3], problem);
   if (!log) return fmt::print("FAIL: {}\n", problem), 1;
-  const bool damages = count > 5 && std::strcmp(arguments[4], "damage") == 0;
+  const bool damages = count > 6 && std::strcmp(arguments[4], "damage") == 0;
   const std::uint64_t frames = damages ? std::strtoull(arguments[5], nullptr, 10) : 0;
   const bool lossy = count > 4;
   std::string line = read(arguments[2]);
-  if (damages) line = damaged(line, frames);
+  if (damages) line = damaged(line, frames, std::strtoull(arguments[6], nullptr, 10));
   Comparing comparing(*layout, *log);
   const auto decoder = std::make_unique<telemetry::Decoder>(*layout);
   decoder->take(reinterpret_cast<const std::uint8_t*>(line.data()), line.size(), comparing);

@@ -49,8 +49,8 @@ inline Greeting telemetry_greeting(std::uint64_t graph) {
   return greeting;
 }
 
-/// Makes frames, a byte of the payload at a time, and hands them out, a byte at a time. All zero at
-/// the start.
+/// Makes frames, a byte of header and payload at a time, and hands them out, a byte at a time. All
+/// zero at the start.
 template <std::size_t Payload>
 class ByteFrame {
  public:
@@ -58,17 +58,13 @@ class ByteFrame {
   /// Whether finish() was called and not everything is sent.
   bool is_ready() const { return ready_; }
 
-  void begin(std::uint8_t kind, std::uint32_t number, std::uint32_t crc_start) {
+  void begin(std::uint32_t crc_start) {
     bytes_[0] = 0;
     code_ = 1;
     used_ = 2;
     run_ = 1;
     sent_ = 0;
     crc_ = crc_start;
-    std::uint8_t header[kHeaderBytes];
-    header[0] = kind;
-    write_as(header + 1, number);
-    for (const std::uint8_t byte : header) add(byte);
   }
   void add(std::uint8_t byte) {
     crc_ = crc32c(&byte, 1, crc_);
@@ -174,7 +170,7 @@ class Telemetry {
   bool step(Put&& put) {
     if (frame_.is_ready()) return frame_.offer(put), true;
     if (frame_.empty()) return begin_frame();
-    if (at_ < size_) return frame_.add(source_[at_++]), true;
+    if (at_ < kHeaderBytes + size_) return add_byte(), true;
     frame_.finish();
     if (source_ != greeting_) free_record();
     return true;
@@ -239,8 +235,6 @@ class Telemetry {
     write_as(record.bytes, low);
     record.bytes[4] = group;
     record.bytes[5] = static_cast<std::uint8_t>(episode_);
-    // What is not there is 0.
-    std::memset(record.bytes + kRecordHeaderBytes, 0, kCellBytes - kRecordHeaderBytes);
     open.record = &record;
     open.mask = 0;
     return true;
@@ -270,7 +264,7 @@ class Telemetry {
     const Record& record = cell(sent_);
     source_ = record.bytes;
     size_ = Layout::kGroups[record.bytes[4]].bytes;
-    frame_.begin(kTelemetryValues, record.number, crc_start_);
+    write_header(kTelemetryValues, record.number, crc_start_);
     return true;
   }
   void make_greeting() {
@@ -280,12 +274,22 @@ class Telemetry {
     write_as(greeting_ + Greeting::kBytes + 8, late_);
     source_ = greeting_;
     size_ = sizeof greeting_;
-    frame_.begin(kTelemetryGreeting, sent_ != made_ ? cell(sent_).number : number_, 0);
+    write_header(kTelemetryGreeting, sent_ != made_ ? cell(sent_).number : number_, 0);
+  }
+  void write_header(std::uint8_t kind, std::uint32_t number, std::uint32_t crc_start) {
+    header_[0] = kind;
+    write_as(header_ + 1, number);
+    frame_.begin(crc_start);
+  }
+  void add_byte() {
+    frame_.add(at_ < kHeaderBytes ? header_[at_] : source_[at_ - kHeaderBytes]);
+    ++at_;
   }
 
   Record cells_[kCells];
   Open open_[kGroups];
   ByteFrame<(kCellBytes > kTelemetryGreetingBytes ? kCellBytes : kTelemetryGreetingBytes)> frame_;
+  std::uint8_t header_[kHeaderBytes];
   std::uint8_t greeting_[kTelemetryGreetingBytes];
   const std::uint8_t* source_;  // of the frame that is being made
   std::size_t size_, at_;
