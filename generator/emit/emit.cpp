@@ -281,7 +281,7 @@ class Emitter {
   std::string why_no_packs_;
   std::string program_alone_;  // program.hpp without what packs need of it
   std::vector<GeneratedFile> files_;
-  std::uint64_t hash_ = 0;     // of the graph
+  std::uint64_t hash_ = 0;  // of the graph
   bool failed_ = false;
 };
 

@@ -118,10 +118,10 @@ struct TelemetryPlan {
   std::vector<TelemetryGroup> groups;  // fastest first
   Rational share;                      // of the line that it may take
   std::uint32_t baud = 0;
-  std::uint32_t greet_every = 1;               // records, so that there is a greeting a second
-  std::size_t cells = 0;                       // records that the ring has room for
-  double bytes_per_s = 0.0;                    // on the line
-  std::optional<double> wanted_bytes_per_s;    // if that was too much: before it was made less
+  std::uint32_t greet_every = 1;             // records, so that there is a greeting a second
+  std::size_t cells = 0;                     // records that the ring has room for
+  double bytes_per_s = 0.0;                  // on the line
+  std::optional<double> wanted_bytes_per_s;  // if that was too much: before it was made less
   [[nodiscard]] double baud_needed() const { return 10.0 * bytes_per_s; }
 };
 

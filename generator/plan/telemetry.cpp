@@ -61,7 +61,8 @@ class Teller {
               .error("E0426", channel.span,
                      fmt::format("a message of `{}` has {} bytes, more than telemetry takes",
                                  channel.port, bytes))
-              .help = fmt::format("telemetry takes up to {} bytes", kMostRecordBytes - kHeaderBytes);
+              .help =
+              fmt::format("telemetry takes up to {} bytes", kMostRecordBytes - kHeaderBytes);
           fits = false;
           continue;
         }
@@ -119,7 +120,8 @@ class Teller {
     const Rational fastest = rate_of(result_.groups.front());
     const std::int64_t slowest = std::max<std::int64_t>(fastest.floor(), 1);
     std::int64_t least = 1;
-    if (telemetry_.rate_hz) least = std::max<std::int64_t>((fastest / *telemetry_.rate_hz).ceil(), 1);
+    if (telemetry_.rate_hz)
+      least = std::max<std::int64_t>((fastest / *telemetry_.rate_hz).ceil(), 1);
     const auto fits = [&](std::int64_t n) {
       set_rate(fastest / Rational(n));
       return load() <= allowed();

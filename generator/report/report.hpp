@@ -58,8 +58,8 @@ Json task_json(const Graph& graph);
 /// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
 Json report_json(const PlanReport& report);
 
-/// The keys `age`, `link` and `telemetry` of a graph's `budget:`. Exceeded: E0420, with the connection that adds
-/// the most.
+/// The keys `age`, `link` and `telemetry` of a graph's `budget:`. Exceeded: E0420, with the
+/// connection that adds the most.
 void check_plan_budget(const PlanReport& report, const YamlValue& budget, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -1,7 +1,8 @@
+#include "generator/plan/telemetry.hpp"
+
 #include <fmt/format.h>
 
 #include "generator/plan/link.hpp"
-#include "generator/plan/telemetry.hpp"
 #include "generator/report/report.hpp"
 
 namespace eagerx::gen {

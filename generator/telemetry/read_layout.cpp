@@ -82,9 +82,9 @@ bool read_runtime(const std::string& text, std::uint16_t& runtime) {
 bool read_members(const Json& json, telemetry::Layout& layout) {
   layout.graph = text_of(member(&json, "graph"));
   const std::string hash = text_of(member(&json, "hash"));
-  const auto number =
-      hash.starts_with("0x") ? number_in<std::uint64_t>(std::string_view(hash).substr(2), 16)
-                             : std::nullopt;
+  const auto number = hash.starts_with("0x")
+                          ? number_in<std::uint64_t>(std::string_view(hash).substr(2), 16)
+                          : std::nullopt;
   layout.hash = number.value_or(0);
   if (!number || !read_runtime(text_of(member(&json, "runtime")), layout.runtime) ||
       !read_whole(member(&json, "baud"), layout.baud))

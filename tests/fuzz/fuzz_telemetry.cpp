@@ -22,7 +22,8 @@ struct Listener : telemetry::Listener {
     if (message.group >= layout.groups.size()) std::abort();
     const telemetry::Group& group = layout.groups[message.group];
     if (message.channel >= group.channels.size()) std::abort();
-    for (std::uint64_t i = 0; i < group.channels[message.channel].size; ++i) sum += message.values[i];
+    for (std::uint64_t i = 0; i < group.channels[message.channel].size; ++i)
+      sum += message.values[i];
   }
   void text(std::string_view text) override {
     for (const char letter : text) sum += static_cast<std::uint64_t>(letter);
@@ -33,7 +34,10 @@ struct Listener : telemetry::Listener {
 
 telemetry::Layout usual() {
   telemetry::Layout layout{"fuzzed", 1, 1, 115'200, {}};
-  layout.groups.push_back({1000, 1, 2, 24,
+  layout.groups.push_back({1000,
+                           1,
+                           2,
+                           24,
                            {{"a/x", "a.x", trace_log::Dtype::float32, {3}, 3, 8},
                             {"a/on", "a.on", trace_log::Dtype::boolean, {}, 1, 20}}});
   layout.groups.push_back({100, 1, 1, 16, {{"b/n", "b.n", trace_log::Dtype::int64, {}, 1, 8}}});
@@ -87,7 +91,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::size_t length = data[at] < rest ? data[at] : rest;
     const std::uint8_t kind =
         length == sizeof hello ? link::kTelemetryGreeting : link::kTelemetryValues;
-    add_frame(line, kind, data + at + 1, length, kind == link::kTelemetryValues ? greeting.crc_start() : 0);
+    add_frame(line, kind, data + at + 1, length,
+              kind == link::kTelemetryValues ? greeting.crc_start() : 0);
     at += 1 + length;
   }
   decode(layout, line);

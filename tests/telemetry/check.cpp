@@ -1,7 +1,8 @@
 // What a board sent, against the trace of the same run:
 //   telemetry_check telemetry.json CAPTURE TRACE [lossy | damage COUNT SEED]
-// Every value that the decoder shows must be that of the trace, and there must be all of them; `lossy`: some may be
-// missing; `damage`: so many frames are damaged first, and exactly these must be missing. Prints what was counted.
+// Every value that the decoder shows must be that of the trace, and there must be all of them;
+// `lossy`: some may be missing; `damage`: so many frames are damaged first, and exactly these must
+// be missing. Prints what was counted.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -54,7 +55,8 @@ class Comparing : public telemetry::Listener {
     for (const auto& row : log_.rows) {
       const std::string& name = log_.channels[row.channel].name;
       for (const auto& group : layout_.groups) {
-        if (std::ranges::find(group.channels, name, &telemetry::Channel::name) != group.channels.end())
+        if (std::ranges::find(group.channels, name, &telemetry::Channel::name) !=
+            group.channels.end())
           expected[name] += row.seq % group.every == 0 ? 1 : 0;
       }
     }
@@ -73,7 +75,8 @@ class Comparing : public telemetry::Listener {
   }
 
  private:
-  void fail(const telemetry::Channel& channel, const telemetry::Message& message, const char* what) {
+  void fail(const telemetry::Channel& channel, const telemetry::Message& message,
+            const char* what) {
     if (++wrong_ > 5) return;
     fmt::print("FAIL: message {} of `{}` in episode {} {}\n", message.seq, channel.name,
                message.episode, what);
@@ -103,9 +106,12 @@ std::string damaged(const std::string& line, std::uint64_t count, std::uint64_t 
     std::string& piece = pieces[i];
     const std::size_t place = random() % piece.size();
     const auto bit = static_cast<char>(1U << random() % 7);
-    if (random() % 3 == 0) piece.erase(place, 1);
-    else if (random() % 2 == 0) piece.insert(place, 1, 'U');
-    else piece[place] = static_cast<char>(piece[place] == bit ? bit + 1 : piece[place] ^ bit);
+    if (random() % 3 == 0)
+      piece.erase(place, 1);
+    else if (random() % 2 == 0)
+      piece.insert(place, 1, 'U');
+    else
+      piece[place] = static_cast<char>(piece[place] == bit ? bit + 1 : piece[place] ^ bit);
   }
   std::string result;
   for (const auto& piece : pieces) (result += '\0').append(piece) += '\0';
@@ -130,11 +136,13 @@ int main(int count, char** arguments) {
   const auto decoder = std::make_unique<telemetry::Decoder>(*layout);
   decoder->take(reinterpret_cast<const std::uint8_t*>(line.data()), line.size(), comparing);
   const telemetry::Counts& counts = decoder->counts();
-  fmt::print("messages {} missing {} records {} greetings {} damaged {} lost {} dropped {} late {}\n",
-             comparing.shown(), comparing.missing(), counts.records, counts.greetings,
-             counts.damaged, counts.lost, counts.dropped, counts.late);
+  fmt::print(
+      "messages {} missing {} records {} greetings {} damaged {} lost {} dropped {} late {}\n",
+      comparing.shown(), comparing.missing(), counts.records, counts.greetings, counts.damaged,
+      counts.lost, counts.dropped, counts.late);
   if (!decoder->refusal().empty()) return fmt::print("FAIL: {}\n", decoder->refusal()), 1;
-  if (comparing.wrong() > 0) return fmt::print("FAIL: {} messages are wrong\n", comparing.wrong()), 1;
+  if (comparing.wrong() > 0)
+    return fmt::print("FAIL: {} messages are wrong\n", comparing.wrong()), 1;
   if (counts.damaged != frames)
     return fmt::print("FAIL: {} damaged frames, and {} were damaged\n", counts.damaged, frames), 1;
   if (!lossy && comparing.missing() > 0) return fmt::print("FAIL: messages are missing\n"), 1;

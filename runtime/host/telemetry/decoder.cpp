@@ -162,10 +162,9 @@ bool Decoder::take_record(const std::uint8_t* payload, std::size_t size, std::ui
   // The number that is nearest to the last one.
   const auto low = link::read_as<std::uint32_t>(payload);
   const auto step = static_cast<std::int32_t>(low - static_cast<std::uint32_t>(seqs_[g]));
-  const std::uint64_t seq =
-      step < 0 && seqs_[g] < static_cast<std::uint64_t>(-std::int64_t{step})
-          ? low
-          : seqs_[g] + static_cast<std::uint64_t>(std::int64_t{step});
+  const std::uint64_t seq = step < 0 && seqs_[g] < static_cast<std::uint64_t>(-std::int64_t{step})
+                                ? low
+                                : seqs_[g] + static_cast<std::uint64_t>(std::int64_t{step});
   seqs_[g] = seq;
   Message message{static_cast<std::uint32_t>(g), 0, episode, seq, values_.data()};
   for (std::uint32_t i = 0; i < group.channels.size(); ++i) {

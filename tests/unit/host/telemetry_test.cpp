@@ -29,7 +29,10 @@ struct Sent {
 
 Layout layout_of_sent() {
   Layout layout{"sent", Sent::kGraph, kVersionMajor * 256 + kVersionMinor, 115'200, {}};
-  layout.groups.push_back({1000, 1, 2, 24,
+  layout.groups.push_back({1000,
+                           1,
+                           2,
+                           24,
                            {{"a/x", "a.x", trace_log::Dtype::float32, {3}, 3, 8},
                             {"a/on", "a.on", trace_log::Dtype::boolean, {}, 1, 20}}});
   layout.groups.push_back({100, 1, 1, 16, {{"b/n", "b.n", trace_log::Dtype::int64, {}, 1, 8}}});
@@ -321,7 +324,9 @@ TEST(Telemetry, LayoutsThatDoNotFit) {
   EXPECT_NE(problem([](Layout& layout) { layout.groups[0].bytes = 1'000'000; }), "");
   EXPECT_NE(problem([](Layout& layout) { layout.groups[0].channels[0].offset = 13; }), "");
   EXPECT_NE(problem([](Layout& layout) { layout.groups[0].channels[0].offset = SIZE_MAX; }), "");
-  EXPECT_NE(problem([](Layout& layout) { layout.groups[0].channels[0].shape = {1ULL << 63U, 2}; }),
+  EXPECT_NE(problem([](Layout& layout) {
+              layout.groups[0].channels[0].shape = {1ULL << 63U, 2};
+            }),
             "");
   EXPECT_NE(problem([](Layout& layout) { layout.groups[0].channels.resize(17); }), "");
   EXPECT_NE(problem([](Layout& layout) { layout.groups[0].every = 0; }), "");
