@@ -29,3 +29,9 @@ eagerx_compiled_library(
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_trace
   OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_telemetry UNITY
+  SOURCES ${eagerx_host_folder}/telemetry/decoder.cpp ${eagerx_host_folder}/telemetry/layout.cpp
+  FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
+  LINK eagerx_trace
+  OPTIONS ${eagerx_host_options})
