@@ -24,9 +24,14 @@ struct Generated {
 /// `run`; then `code` is the least that the exit code may be.
 std::optional<Generated> generate_graph(Run& run, const Options& options, int& code);
 
-/// The hash of the program of a graph that was made, of both of a split one. Nothing if there is a
+/// What a program says of itself to those who watch it.
+struct ProgramFacts {
+  std::uint64_t hash = 0;  // of the graph
+  std::string telemetry;   // the text of telemetry.json; empty: it sends none
+};
+/// Of the program of a graph that was made, or of both of a split one. Nothing if there is a
 /// problem, which is in `run`.
-std::optional<std::uint64_t> graph_hash(Run& run, const Options& options);
+std::optional<ProgramFacts> facts_of_program(Run& run, const Options& options);
 
 /// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
 /// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).

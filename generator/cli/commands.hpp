@@ -65,6 +65,7 @@ struct Options {
   std::optional<double> tolerance;                  // policy
   bool int8 = false, said_too_often = false;        // policy
   MonitorOptions monitor;                           // monitor
+  std::string layout;                               // monitor
   bool json = false;                                // --diagnostics=json
   bool quiet = false;
   bool warnings_as_errors = false;

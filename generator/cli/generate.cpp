@@ -317,7 +317,7 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   return generated;
 }
 
-std::optional<std::uint64_t> graph_hash(Run& run, const Options& options) {
+std::optional<ProgramFacts> facts_of_program(Run& run, const Options& options) {
   // It is equal for all targets and outputs.
   auto targets = find_targets_and_others(run, options);
   if (!targets) return std::nullopt;
@@ -329,7 +329,13 @@ std::optional<std::uint64_t> graph_hash(Run& run, const Options& options) {
   emit_options.output = fs::current_path().string();
   const auto files =
       run.graph->placement ? emit_parts(run, emit_options) : emit_part(run, emit_options);
-  return files ? hash_in(*files) : std::nullopt;
+  const auto hash = files ? hash_in(*files) : std::nullopt;
+  if (!hash) return std::nullopt;
+  ProgramFacts facts{*hash, {}};
+  for (const GeneratedFile& file : *files) {
+    if (file.path.ends_with("/telemetry.json")) facts.telemetry = file.text;
+  }
+  return facts;
 }
 
 int generate_command(const Options& options) {

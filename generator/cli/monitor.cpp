@@ -2,12 +2,14 @@
 #include "generator/monitor/monitor.hpp"
 
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/read/text.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -25,25 +27,43 @@ Argument seconds(std::string name, double& value, std::string about) {
   return argument;
 }
 
+/// The text of the file, or nothing; then it has been told why.
+std::optional<std::string> read_layout(const std::string& path) {
+  constexpr std::size_t kMostBytes = 1 << 20;
+  LoadedFile file = load_file(path, kMostBytes);
+  if (file.status == LoadedFile::Status::loaded) return std::move(file.bytes);
+  complain("error: cannot read `{}`: {}\n", path,
+           file.status == LoadedFile::Status::too_large ? "it is too large" : file.reason);
+  return std::nullopt;
+}
+
 }  // namespace
 
 int monitor_command(const Options& options) {
-  if (options.graph.empty()) return watch(options.monitor, nullptr);
+  MonitorOptions monitor = options.monitor;
+  if (!options.layout.empty()) {
+    const auto layout = read_layout(options.layout);
+    if (!layout) return kInputOutput;
+    monitor.layout = *layout;
+  }
+  if (options.graph.empty()) return watch(monitor, nullptr);
   Run run;
-  auto hash = make(run, options) ? graph_hash(run, options) : std::nullopt;
-  if (hash && !are_different({}, {}, run.diagnostics)) hash.reset();
+  auto facts = make(run, options) ? facts_of_program(run, options) : std::nullopt;
+  if (facts && !are_different({}, {}, run.diagnostics)) facts.reset();
   const int code = finish(run, options);
-  if (!hash || code != kDone) return code;
-  const WatchedGraph graph{&*run.plan, options.graph, *hash};
-  return watch(options.monitor, &graph);
+  if (!facts || code != kDone) return code;
+  if (monitor.layout.empty()) monitor.layout = facts->telemetry;
+  const WatchedGraph graph{&*run.plan, options.graph, facts->hash};
+  return watch(monitor, &graph);
 }
 
 Command monitor_commands(Options& options) {
   MonitorOptions& monitor = options.monitor;
-  Argument record = writes(text("--record", monitor.record,
-                                "also write the messages into a file .mcap (Foxglove), or of a "
-                                "source with all messages .trace",
-                                "FILE"));
+  Argument record =
+      writes(text("--record", monitor.record,
+                  "also write the messages into a file .mcap (Foxglove), or, not of udp, "
+                  ".trace",
+                  "FILE"));
   record.check = [](const std::string& path) {
     return is_recording(path) ? std::string() : path + " ends in none of .mcap, .trace, .log";
   };
@@ -60,6 +80,8 @@ Command monitor_commands(Options& options) {
       .about = "watch the messages of a program while it runs",
       .examples = {{"what a program sends that was started with --publish udp:127.0.0.1:9870",
                     "eagerx-gen monitor udp:9870 --graph pendulum.yaml"},
+                   {"the telemetry of a board",
+                    "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml"},
                    {"a trace that grows", "eagerx-gen monitor run.log"},
                    {"and recorded for Foxglove",
                     "eagerx-gen monitor udp:9870 --graph pendulum.yaml --record run.mcap"},
@@ -67,11 +89,16 @@ Command monitor_commands(Options& options) {
       .arguments = joined(
           {{required(
                 reads(text("source", monitor.source,
-                           "udp:[HOST:]PORT, or the file of a trace, which may grow", "SOURCE"))),
+                           "udp:[HOST:]PORT, serial:DEVICE, or the file of a trace, which may grow",
+                           "SOURCE"))),
             reads(text("--graph", options.graph,
                        "the graph of the program: planned rates, limits, safe actions; the stream "
                        "of another graph is refused",
                        "GRAPH.yaml")),
+            reads(text("--layout", options.layout,
+                       "what a board sends, in place of what the graph says: the file "
+                       "telemetry.json beside its program",
+                       "FILE")),
             flag("--once", monitor.once, "print one table of lines, then end"),
             flag("--lines", monitor.lines,
                  "print tables of lines instead of a screen; so does a pipe"),

@@ -26,8 +26,9 @@ std::string stream_line(const Model& model) {
   std::string text = fmt::format("# graph {}", graph.empty() ? "-" : graph);
   if (facts.hash) text += fmt::format(" 0x{:016x}", *facts.hash);
   const StreamStep& step = model.last_step();
-  text += fmt::format(", episode {}, step {}, time {} s", step.episode, step.step,
-                      seconds(step.time_ns));
+  text += fmt::format(", episode {}", step.episode);
+  if (step.step) text += fmt::format(", step {}", *step.step);
+  text += fmt::format(", time {} s", seconds(step.time_ns));
   for (std::size_t i = 0; i < kStreamFaults; ++i) {
     const auto fault = static_cast<StreamFault>(i);
     if (model.faults(fault) > 0)

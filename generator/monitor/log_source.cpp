@@ -5,29 +5,19 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <optional>
 #include <runtime/host/trace/log_clock.hpp>
 #include <utility>
 
 #include "generator/monitor/source.hpp"
+#include "generator/monitor/written_number.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 constexpr std::size_t kAtOnce = 1 << 18;       // bytes
 constexpr std::size_t kLongestLine = 1 << 24;  // bytes
-
-/// The number that the file has written: of a float32 the double with the same digits, as JSON has.
-double written_number(trace_log::Dtype dtype, std::uint64_t bits) {
-  double number = trace_log::number_of(dtype, bits);
-  if (dtype != trace_log::Dtype::float32 || !std::isfinite(number)) return number;
-  const std::string text = trace_log::text_of(dtype, bits);
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
 
 /// A file that grows, or a pipe or device that gives the same text.
 class LogSource final : public Source {
@@ -79,8 +69,14 @@ class LogSource final : public Source {
   bool begin(StreamListener& listener) {
     const trace_log::Log& log = reader_.log();
     clock_.emplace(log.channels);
-    StreamFacts facts{log.graph, log.engine,      log.agent,    {},
-                      log.seed,  log.environment, log.channels, log.timed};
+    StreamFacts facts;
+    facts.graph = log.graph;
+    facts.engine = log.engine;
+    facts.agent = log.agent;
+    facts.seed = log.seed;
+    facts.environment = log.environment;
+    facts.channels = log.channels;
+    facts.timed_by_sender = log.timed;
     return listener.begin(facts);
   }
 
@@ -150,7 +146,8 @@ std::unique_ptr<Source> open_log_source(const std::string& path, std::string& pr
     const int why = file < 0 ? errno : EISDIR;
     if (file >= 0) ::close(file);
     problem = fmt::format("error: cannot read `{}`: {}", path, std::strerror(why));
-    if (why == ENOENT) problem += "\nhelp: a source is `udp:PORT`, or the file of a trace";
+    if (why == ENOENT)
+      problem += "\nhelp: a source is `udp:PORT`, `serial:DEVICE`, or the file of a trace";
     return nullptr;
   }
   return std::make_unique<LogSource>(path, file, S_ISREG(status.st_mode));

@@ -39,6 +39,10 @@ const char* text_of(StreamFault fault) {
       return "lost";
     case StreamFault::crowded_out:
       return "too many";
+    case StreamFault::dropped:
+      return "dropped";
+    case StreamFault::late_slots:
+      return "late slots";
   }
   return "";
 }
@@ -85,7 +89,8 @@ void Model::add_expected() {
 void Model::forget() {
   channels_.clear();
   places_.clear();
-  add_expected();
+  // What comes is known, which may be a part of the graph; or it is not.
+  if (facts_.channels.empty()) add_expected();
   step_ = {};
   steps_ = {};
   speed_ = {};
@@ -129,6 +134,8 @@ WatchedChannel& Model::add(std::string name) {
     const auto said = std::ranges::find(facts_.channels, name, &trace_log::RecordedChannel::name);
     if (said != facts_.channels.end()) channel.planned_hz = hz(*said);
   }
+  if (channel.planned_hz && channels_.size() <= facts_.every.size())
+    *channel.planned_hz /= static_cast<double>(facts_.every[channels_.size() - 1]);
   channel.name = std::move(name);
   return channel;
 }

@@ -76,12 +76,13 @@ class Watching {
 
   int run(Screen* screen) {
     int code = screen == nullptr ? lines() : this->screen(*screen);
-    std::string problem = recording_.finish();
-    if (problem.empty() && screen != nullptr && state_ == State::failed)
-      problem = source_->problem();
+    const std::string problem = recording_.finish();
     if (!problem.empty()) {
       last_words_ = problem;
-      code = std::max<int>(code, kInputOutput);
+      code = kInputOutput;
+    } else if (screen != nullptr && has_failed()) {
+      last_words_ = source_->problem();
+      code = this->code();
     } else if (recording_.left_out() > 0) {
       last_words_ = fmt::format("note: {} messages were not recorded: they do not fit their types",
                                 recording_.left_out());
@@ -99,7 +100,12 @@ class Watching {
 
   void wait(std::int64_t until_ns, bool with_keys);
   void read();
-  [[nodiscard]] bool is_over() const { return state_ == State::ended || state_ == State::failed; }
+  [[nodiscard]] bool is_over() const { return state_ == State::ended || has_failed(); }
+  [[nodiscard]] bool has_failed() const {
+    return state_ == State::failed || state_ == State::refused;
+  }
+  /// The exit code then.
+  [[nodiscard]] int code() const { return state_ == State::refused ? kProblems : kInputOutput; }
   /// Why there is nothing to show and never will be; nothing: there may be.
   [[nodiscard]] std::optional<int> gives_up(std::int64_t began_ns) const;
   bool print();
@@ -134,9 +140,9 @@ void Watching::read() {
 }
 
 std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
-  if (state_ == State::failed && model_.refusal().empty()) {
+  if (has_failed() && model_.refusal().empty()) {
     complain("{}\n", source_->problem());
-    return kInputOutput;
+    return code();
   }
   if (model_.has_messages()) return std::nullopt;
   if (!model_.refusal().empty()) {
@@ -217,7 +223,7 @@ int Watching::screen(Screen& screen) {
     model_.now(now_ns);
     std::string note;
     if (state_ == State::ended) note = "the stream has ended";
-    if (state_ == State::failed) note = source_->problem();
+    if (has_failed()) note = source_->problem();
     screen.draw(
         screen_lines(paused ? *paused : model_, view, screen.size(), options_.source, note));
     draw_ns = now_ns + kDrawNs;
@@ -231,7 +237,7 @@ int watch(const MonitorOptions& options, const WatchedGraph* graph) {
   std::optional<Expected> expected;
   if (graph != nullptr) expected = expected_of(*graph->plan, graph->file, graph->hash);
   std::string problem;
-  std::unique_ptr<Source> source = open_source(options.source, problem);
+  std::unique_ptr<Source> source = open_source(options.source, options.layout, problem);
   if (source == nullptr) {
     complain("{}\n", problem);
     return kInputOutput;

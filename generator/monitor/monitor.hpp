@@ -11,6 +11,7 @@ namespace eagerx::gen {
 
 struct MonitorOptions {
   std::string source;
+  std::string layout;                // the text of a board's telemetry.json; empty: not known
   std::string record;                // a file that gets the messages; empty: none
   std::vector<std::string> forward;  // where else they go
   bool once = false;                 // one table of lines, then the end

@@ -124,7 +124,8 @@ class Recording::Destinations {
   }
   void step(const StreamStep& step) {
     for (const auto& sink : sinks_)
-      sink->step({step.episode, step.step, in_all_runs(step.time_ns)});
+      sink->step({step.episode, step.step.value_or(steps_), in_all_runs(step.time_ns)});
+    ++steps_;
   }
   /// False: the file takes no more.
   bool idle() {
@@ -174,6 +175,7 @@ class Recording::Destinations {
   std::vector<std::unique_ptr<publish::PublishSink>> sinks_;
   std::vector<std::uint64_t> bits_;
   std::int64_t base_ns_ = 0, last_ns_ = 0;
+  std::uint64_t steps_ = 0;  // so far, where nobody says their numbers
 };
 
 Recording::Recording(const Expected* expected)

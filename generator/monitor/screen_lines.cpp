@@ -36,9 +36,11 @@ ScreenLine title_line(const Model& model, const std::string& source, std::size_t
 
 ScreenLine step_line(const Model& model, std::size_t columns) {
   const StreamStep& step = model.last_step();
-  std::string text = fmt::format(" episode {}  step {}  {:.2f} s", step.episode, step.step,
-                                 static_cast<double>(step.time_ns) / kNsInSecond);
-  if (const auto hz = model.steps_hz()) text += fmt::format("  {} steps/s", rate_text(*hz));
+  std::string text = fmt::format(" episode {}", step.episode);
+  if (step.step) text += fmt::format("  step {}", *step.step);
+  text += fmt::format("  {:.2f} s", static_cast<double>(step.time_ns) / kNsInSecond);
+  if (const auto hz = model.steps_hz(); hz && step.step)
+    text += fmt::format("  {} steps/s", rate_text(*hz));
   if (const auto speed = model.speed()) text += fmt::format("  x{:.3g}", *speed);
   text += fmt::format("  late {}, worst {}",
                       duration_text(static_cast<double>(model.late_ns()) / kNsInSecond),
@@ -52,7 +54,7 @@ ScreenLine status_line(const Model& model, const ScreenView& view, const std::st
   std::string text;
   const auto add = [&](const std::string& part) { text += (text.empty() ? " " : ", ") + part; };
   if (view.paused) add("PAUSED");
-  if (!note.empty()) add(note);
+  if (!note.empty()) add(note.substr(0, note.find('\n')));
   if (!model.refusal().empty()) add(model.refusal());
   if (!model.has_messages() && note.empty()) add("waiting for messages");
   if (const auto age = model.age_s(); age && *age > kLongS && note.empty())

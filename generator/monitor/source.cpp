@@ -2,10 +2,13 @@
 
 namespace eagerx::gen {
 
-std::unique_ptr<Source> open_source(const std::string& name, std::string& problem) {
-  constexpr std::string_view kUdp = "udp:";
+std::unique_ptr<Source> open_source(const std::string& name, const std::string& layout,
+                                    std::string& problem) {
+  constexpr std::string_view kUdp = "udp:", kSerial = "serial:";
   if (name.starts_with(kUdp))
     return open_udp_source(name, std::string_view(name).substr(kUdp.size()), problem);
+  if (name.starts_with(kSerial))
+    return open_serial_source(name.substr(kSerial.size()), layout, problem);
   return open_log_source(name, problem);
 }
 

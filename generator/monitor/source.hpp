@@ -16,6 +16,7 @@ class Source {
     more,    // there is more to read at once
     ended,   // nothing more will come
     failed,  // problem() says why
+    refused  // the same: it is the stream of another graph
   };
 
   virtual ~Source() = default;
@@ -30,14 +31,19 @@ class Source {
   [[nodiscard]] virtual std::string warning() const { return {}; }
 };
 
-/// Opens what the user calls `name`: `udp:[HOST:]PORT`, or the file of a trace. Null: `problem`
-/// says why.
-std::unique_ptr<Source> open_source(const std::string& name, std::string& problem);
+/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `serial:DEVICE`, or the file of a trace.
+/// `layout`: the text of the board's `telemetry.json`, or empty. Null: `problem` says why.
+std::unique_ptr<Source> open_source(const std::string& name, const std::string& layout,
+                                    std::string& problem);
 
 // The kinds.
 /// Listens at `[HOST:]PORT`, on the loopback interface unless HOST says another.
 std::unique_ptr<Source> open_udp_source(const std::string& name, std::string_view address,
                                         std::string& problem);
+/// The serial line of a board that sends telemetry, as `layout` (the text of its `telemetry.json`)
+/// says; also a pipe, or a file of what one has given.
+std::unique_ptr<Source> open_serial_source(const std::string& path, const std::string& layout,
+                                           std::string& problem);
 /// The file of a trace, which may grow.
 std::unique_ptr<Source> open_log_source(const std::string& path, std::string& problem);
 

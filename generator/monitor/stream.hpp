@@ -25,8 +25,9 @@ struct StreamFacts {
   std::uint64_t seed = 0;
   std::uint32_t environment = 0;
   std::vector<trace_log::RecordedChannel> channels;
-  bool timed_by_sender = false;     // StreamMessage::real_ns is of the sender's clock
-  bool one_message_a_step = false;  // of each channel, the last one
+  std::vector<std::uint64_t> every;  // of so many messages of a channel one comes; empty: all
+  bool timed_by_sender = false;      // StreamMessage::real_ns is of the sender's clock
+  bool one_message_a_step = false;   // of each channel, the last one
 };
 
 struct StreamMessage {
@@ -43,20 +44,22 @@ struct StreamMessage {
 
 struct StreamStep {
   std::uint32_t episode = 0;
-  std::uint64_t step = 0;
+  std::optional<std::uint64_t> step;  // where it is known
   std::int64_t time_ns = 0;
   std::optional<std::int64_t> real_ns = {};
 };
 
-/// What is wrong with a stream and does not end it.
+/// What is wrong with a stream, or with who sends it, and does not end it.
 enum class StreamFault : std::uint8_t {
-  damaged,     // no datagram, line or frame of eagerx-gen
-  foreign,     // of another graph
-  late,        // older than what came before
-  lost,        // steps that did not come
-  crowded_out  // channels and elements beyond the bounds
+  damaged,      // no datagram, line or frame of eagerx-gen
+  foreign,      // of another graph
+  late,         // older than what came before
+  lost,         // steps or records that did not come
+  crowded_out,  // channels and elements beyond the bounds
+  dropped,      // records for which the sender had no room, as it says
+  late_slots    // that began after their deadline, as the sender says
 };
-inline constexpr std::size_t kStreamFaults = 5;
+inline constexpr std::size_t kStreamFaults = 7;
 
 class StreamListener {
  public:
