@@ -9,6 +9,7 @@
 #include "generator/cli/built.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/files/files.hpp"
 #include "generator/read/text.hpp"
 
 namespace eagerx::gen {
@@ -46,8 +47,14 @@ int monitor_command(const Options& options) {
     if (!layout) return kInputOutput;
     monitor.layout = *layout;
   }
-  if (options.graph.empty()) return watch(monitor, nullptr);
+  constexpr std::string_view kSerial = "serial:";
+  if (monitor.source.starts_with(kSerial))
+    remember_input(monitor.source.substr(kSerial.size()), monitor.source);
   Run run;
+  if (options.graph.empty()) {
+    const bool may_write = are_different({}, {}, run.diagnostics);
+    return may_write ? watch(monitor, nullptr) : finish(run, options);
+  }
   auto facts = make(run, options) ? facts_of_program(run, options) : std::nullopt;
   if (facts && !are_different({}, {}, run.diagnostics)) facts.reset();
   const int code = finish(run, options);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <optional>
 #include <runtime/host/trace/log_clock.hpp>
 #include <utility>
@@ -23,7 +24,10 @@ constexpr std::size_t kLongestLine = 1 << 24;  // bytes
 class LogSource final : public Source {
  public:
   LogSource(std::string path, int file, bool is_regular)
-      : path_(std::move(path)), file_(file), is_regular_(is_regular), reader_(path_) {}
+      : path_(std::move(path)),
+        file_(file),
+        is_regular_(is_regular),
+        reader_(std::make_unique<trace_log::LogReader>(path_)) {}
   ~LogSource() override { ::close(file_); }
   LogSource(const LogSource&) = delete;
   LogSource& operator=(const LogSource&) = delete;
@@ -32,7 +36,7 @@ class LogSource final : public Source {
   [[nodiscard]] std::string problem() const override { return problem_; }
 
   State read(std::int64_t now_ns, StreamListener& listener) override {
-    if (is_regular_ && was_cut()) return fail("it was made shorter while it was read");
+    if (is_regular_ && was_cut()) begin_anew();
     const std::size_t before = text_.size();
     text_.resize(before + kAtOnce);
     const ssize_t size = ::read(file_, text_.data() + before, kAtOnce);
@@ -49,15 +53,15 @@ class LogSource final : public Source {
  private:
   State take(std::int64_t now_ns, StreamListener& listener) {
     std::string_view rest = text_;
-    const bool is_right = reader_.read(rest);
+    const bool is_right = reader_->read(rest);
     text_.erase(0, text_.size() - rest.size());
-    const trace_log::Log& log = reader_.log();
+    const trace_log::Log& log = reader_->log();
     if (log.channels.size() > kMostStreamChannels)
       return fail(fmt::format("it has more than {} channels", kMostStreamChannels));
-    if (is_right && reader_.has_head() && !clock_ && !begin(listener)) return State::failed;
+    if (is_right && reader_->has_head() && !clock_ && !begin(listener)) return State::failed;
     tell_rows(now_ns, listener);
     if (!is_right) {
-      problem_ = reader_.problem();
+      problem_ = reader_->problem();
       return State::failed;
     }
     if (log.complete) return State::ended;
@@ -67,7 +71,7 @@ class LogSource final : public Source {
   }
 
   bool begin(StreamListener& listener) {
-    const trace_log::Log& log = reader_.log();
+    const trace_log::Log& log = reader_->log();
     clock_.emplace(log.channels);
     StreamFacts facts;
     facts.graph = log.graph;
@@ -81,7 +85,7 @@ class LogSource final : public Source {
   }
 
   void tell_rows(std::int64_t now_ns, StreamListener& listener) {
-    trace_log::Log& log = reader_.log();
+    trace_log::Log& log = reader_->log();
     if (!clock_) return;
     for (const trace_log::Row& row : log.rows) tell(log, row, now_ns, listener);
     log.rows.clear();
@@ -114,6 +118,16 @@ class LogSource final : public Source {
     if (steps_ == row.channel) listener.step({row.episode, row.seq + 1, time_ns, real_ns});
   }
 
+  /// Another run writes into the same file.
+  void begin_anew() {
+    static_cast<void>(lseek(file_, 0, SEEK_SET));
+    reader_ = std::make_unique<trace_log::LogReader>(path_);
+    clock_.reset();
+    steps_.reset();
+    text_.clear();
+    offset_ = 0;
+    live_ = false;
+  }
   [[nodiscard]] bool was_cut() const {
     struct stat status {};
     return fstat(file_, &status) == 0 && status.st_size < offset_;
@@ -126,7 +140,7 @@ class LogSource final : public Source {
   const std::string path_;
   const int file_;
   const bool is_regular_;
-  trace_log::LogReader reader_;
+  std::unique_ptr<trace_log::LogReader> reader_;
   std::optional<trace_log::LogClock> clock_;
   std::optional<std::uint32_t> steps_;  // the channel that counts them
   std::string text_;                    // the beginning of a line

@@ -106,6 +106,7 @@ bool Model::begin(const StreamFacts& facts) {
     const std::string why = refusal_of(facts, *expected_);
     if (!why.empty()) return refusal_ = why, false;
   }
+  refusal_.clear();
   facts_ = facts;
   forget();
   for (const auto& channel : facts_.channels) {

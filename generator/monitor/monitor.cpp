@@ -80,6 +80,8 @@ class Watching {
     if (!problem.empty()) {
       last_words_ = problem;
       code = kInputOutput;
+    } else if (screen != nullptr && is_refused()) {
+      last_words_ = refusal();
     } else if (screen != nullptr && has_failed()) {
       last_words_ = source_->problem();
       code = this->code();
@@ -106,6 +108,16 @@ class Watching {
   }
   /// The exit code then.
   [[nodiscard]] int code() const { return state_ == State::refused ? kProblems : kInputOutput; }
+  /// Before anything was shown: later ones change nothing.
+  [[nodiscard]] bool is_refused() const {
+    return !model_.has_messages() && !model_.refusal().empty();
+  }
+  [[nodiscard]] std::string refusal() const {
+    return fmt::format(
+        "error: {}\nhelp: build the program of this graph again, or name the graph that it was "
+        "built of, with the options that it was built with",
+        model_.refusal());
+  }
   /// Why there is nothing to show and never will be; nothing: there may be.
   [[nodiscard]] std::optional<int> gives_up(std::int64_t began_ns) const;
   bool print();
@@ -145,11 +157,8 @@ std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
     return code();
   }
   if (model_.has_messages()) return std::nullopt;
-  if (!model_.refusal().empty()) {
-    complain(
-        "error: {}\nhelp: build the program of this graph again, or name the graph that it "
-        "was built of, with the options that it was built with\n",
-        model_.refusal());
+  if (is_refused()) {
+    complain("{}\n", refusal());
     return kProblems;
   }
   if (state_ == State::ended) {
@@ -211,6 +220,7 @@ int Watching::screen(Screen& screen) {
   while (interrupts == 0 && !view.ends && recording_.problem().empty()) {
     wait(draw_ns, true);
     read();
+    if (is_refused()) return kProblems;
     const Model& shown = paused ? *paused : model_;
     while (const auto key = screen.key()) {
       press(*key, shown, view);
@@ -244,7 +254,8 @@ int watch(const MonitorOptions& options, const WatchedGraph* graph) {
   }
   if (const std::string warning = source->warning(); !warning.empty())
     complain("note: {}\n", warning);
-  const bool in_lines = options.lines || options.once || isatty(STDOUT_FILENO) == 0;
+  const bool has_terminal = isatty(STDOUT_FILENO) == 1 && isatty(STDIN_FILENO) == 1;
+  const bool in_lines = options.lines || options.once || !has_terminal;
   std::unique_ptr<Screen> screen;
   if (!in_lines) {
     screen = open_screen(problem);

@@ -7,6 +7,7 @@ bool parse_destination(std::string_view text, Destination& destination) {
   if (colon == std::string_view::npos) return false;
   const std::string_view kind = text.substr(0, colon), rest = text.substr(colon + 1);
   destination.written = text;
+  destination.said = "--publish " + destination.written;
   if (kind == "mcap") {
     destination.kind = Kind::mcap;
     destination.file = rest;
@@ -19,8 +20,7 @@ bool parse_destination(std::string_view text, Destination& destination) {
   } else {
     return false;
   }
-  destination.address.said = "--publish " + destination.written;
-  return publish::parse_address(rest, destination.address);
+  return publish::parse_address(rest, destination);
 }
 
 }  // namespace eagerx::linux_sim

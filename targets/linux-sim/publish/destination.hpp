@@ -8,12 +8,12 @@
 
 namespace eagerx::linux_sim {
 
-struct Destination {
+/// With an address, if it has one: udp, teleplot.
+struct Destination : publish::Address {
   enum class Kind : std::uint8_t { udp, teleplot, mcap };
   Kind kind = Kind::udp;
-  publish::Address address;  // of udp, teleplot
-  std::string file;          // of mcap
-  std::string written;       // the whole text
+  std::string file;     // of mcap
+  std::string written;  // the whole text
 };
 
 /// False if the text is none of `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`. A host with

@@ -121,10 +121,10 @@ std::string Publishing::open_sinks() {
   for (const Destination& to : options_.publish) {
     switch (to.kind) {
       case Destination::Kind::udp:
-        sinks_.push_back(publish::udp_sink(to.address, channels_, facts_.graph_hash));
+        sinks_.push_back(publish::udp_sink(to, channels_, facts_.graph_hash));
         break;
       case Destination::Kind::teleplot:
-        sinks_.push_back(publish::teleplot_sink(to.address, channels_));
+        sinks_.push_back(publish::teleplot_sink(to, channels_));
         break;
       case Destination::Kind::mcap:
         sinks_.push_back(mcap_sink(to, channels_));
