@@ -56,9 +56,9 @@ class NcursesScreen final : public Screen {
       move(static_cast<int>(row), 0);
       for (const InkedText& part : lines[row]) {
         const attr_t attributes = attributes_of(part.ink);
-        attron(attributes);
+        attr_on(attributes, nullptr);
         addnstr(part.text.data(), static_cast<int>(part.text.size()));
-        attroff(attributes);
+        attr_off(attributes, nullptr);
       }
     }
     refresh();
@@ -76,7 +76,9 @@ class NcursesScreen final : public Screen {
   static constexpr int kEscapeMs = 25;
 
   [[nodiscard]] attr_t attributes_of(Ink ink) const {
-    const auto pair = [&](Pair number) { return colours_ ? COLOR_PAIR(number) : attr_t{A_NORMAL}; };
+    const auto pair = [&](Pair number) {
+      return colours_ ? static_cast<attr_t>(COLOR_PAIR(number)) : attr_t{A_NORMAL};
+    };
     switch (ink) {
       case Ink::title:
         return A_BOLD | pair(kTitlePair);
