@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/cli/pipeline.hpp"
+#include "generator/compose/flat_text.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/library/schema.hpp"
 #include "generator/plausibility/plausibility.hpp"
@@ -210,7 +211,12 @@ std::string profile_text(const GraphSpec& spec) {
 int graph_info(Options options) {
   options.graph = options.entity;
   Run run;
-  if (!make(run, options)) return finish(run, options);
+  const bool made = make(run, options);
+  if (options.flat && !run.flat.is_null()) {
+    say("{}", flat_text(run.flat, run.sources));
+    return finish(run, options);
+  }
+  if (!made) return finish(run, options);
   const PlanReport report = report_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (options.json_output)
@@ -225,8 +231,9 @@ int graph_info(Options options) {
 
 int info_command(const Options& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
-  if (options.json_output) {
-    complain("error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
+  if (options.json_output || options.flat) {
+    complain("error: `{}` is for graphs\nhelp: give a file GRAPH.yaml\n",
+             options.flat ? "--flat" : "--json");
     return kWrongUsage;
   }
   Run run;

@@ -226,7 +226,12 @@ Json manifest_schema() {
   for (const std::string& kind : manifest_kinds()) {
     const Json is_kind = {{"properties", Json{{"kind", Json{{"const", kind}}}}},
                           {"required", Json::List{"kind"}}};
-    branches.push_back(Json{{"if", is_kind}, {"then", schema_of(*manifest_format(kind))}});
+    Json form = schema_of(*manifest_format(kind));
+    if (const Format* composite = composite_format(kind)) {
+      const Json has_graph = {{"required", Json::List{"graph"}}};
+      form = Json{{"if", has_graph}, {"then", schema_of(*composite)}, {"else", std::move(form)}};
+    }
+    branches.push_back(Json{{"if", is_kind}, {"then", std::move(form)}});
   }
   Json kind;
   kind["enum"] = manifest_kinds();
