@@ -167,8 +167,9 @@ void Model::take_values(WatchedChannel& channel, const StreamMessage& message) {
 
 void Model::take_time(WatchedChannel& channel, const StreamMessage& message) {
   // A reset may take its time.
-  if (episode_ != message.episode) least_ns_.reset();
+  if (episode_ != message.episode || part_ != message.part) least_ns_.reset();
   episode_ = message.episode;
+  part_ = message.part;
   if (!message.real_ns) return;
   real_ns_ = std::max(real_ns_.value_or(*message.real_ns), *message.real_ns);
   channel.meter.add(*message.real_ns);

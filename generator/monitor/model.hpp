@@ -121,6 +121,7 @@ class Model final : public StreamListener {
   // How much a message is behind the graph's clock, at the least in this episode.
   std::optional<std::int64_t> least_ns_;
   std::optional<std::uint32_t> episode_;
+  std::uint32_t part_ = 0;
   std::int64_t late_ns_ = 0, worst_ns_ = 0;
 };
 

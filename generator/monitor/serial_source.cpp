@@ -91,17 +91,16 @@ class SerialSource final : public Source, private telemetry::Listener {
     const trace_log::RecordedChannel& channel = facts_.channels[place];
     const std::int64_t in_episode_ns =
         trace_log::time_of_tick(message.seq, channel.rate_num, channel.rate_den);
-    // The board begins anew where its messages do, within the same episode.
-    const bool again = begun_ && message.episode == episode_ && in_episode_ns < last_ns_[place];
-    if (!begun_ || again) {
-      begun_ = accepted_ = listener_->begin(facts_);
-      clock_ = trace_log::LogClock(facts_.channels);
+    if (!begun_) begun_ = accepted_ = listener_->begin(facts_);
+    if (!accepted_) return;
+    // Numbers begin anew with an episode, behind a reset routine, and where the board was reset.
+    if (message.episode != episode_ || in_episode_ns < last_ns_[place]) {
+      ++part_;
+      last_ns_.assign(last_ns_.size(), 0);
     }
-    if (message.episode != episode_ || again) last_ns_.assign(last_ns_.size(), 0);
     episode_ = message.episode;
     last_ns_[place] = in_episode_ns;
-    if (!accepted_) return;
-    const std::int64_t time_ns = clock_.in_log_ns(message.episode, in_episode_ns);
+    const std::int64_t time_ns = clock_.in_log_ns(part_, in_episode_ns);
     values_.clear();
     for (std::size_t i = 0; i < std::min<std::uint64_t>(channel.size, kMostStreamElements); ++i)
       values_.push_back(written_number(channel.dtype, message.values[i]));
@@ -109,7 +108,7 @@ class SerialSource final : public Source, private telemetry::Listener {
     const std::optional<std::int64_t> real_ns =
         live_ || !grows_ ? std::optional(now_ns_) : std::nullopt;
     listener_->message({channel.name, values_, message.values, channel.size, message.episode,
-                        message.seq, time_ns, real_ns});
+                        message.seq, time_ns, real_ns, part_});
     listener_->step({message.episode, {}, time_ns, real_ns});
   }
 
@@ -143,7 +142,7 @@ class SerialSource final : public Source, private telemetry::Listener {
   std::vector<double> values_;
   StreamListener* listener_ = nullptr;  // of the call
   std::int64_t now_ns_ = 0;
-  std::uint32_t episode_ = 0;
+  std::uint32_t episode_ = 0, part_ = 0;
   bool begun_ = false, accepted_ = false, live_ = false;
   std::string problem_;
 };

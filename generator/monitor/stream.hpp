@@ -40,6 +40,7 @@ struct StreamMessage {
   std::int64_t time_ns = 0;  // of the graph's clock, without steps back between episodes
   /// When it was sent or came, by a clock of real time; nothing if nobody knows.
   std::optional<std::int64_t> real_ns = {};
+  std::uint32_t part = 0;  // of the episode, where its times begin anew within it
 };
 
 struct StreamStep {

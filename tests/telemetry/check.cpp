@@ -34,18 +34,23 @@ class Comparing : public telemetry::Listener {
   Comparing(const telemetry::Layout& layout, const trace_log::Log& log)
       : layout_(layout), log_(log) {
     for (const auto& row : log.rows)
-      values_[{log.channels[row.channel].name, row.episode, row.seq}] = log.values_of(row);
+      values_.insert({{log.channels[row.channel].name, row.episode, row.seq}, log.values_of(row)});
   }
 
   void message(const telemetry::Message& message) override {
     const telemetry::Group& group = layout_.groups[message.group];
     const telemetry::Channel& channel = group.channels[message.channel];
     ++seen_[channel.name];
-    const auto found = values_.find({channel.name, message.episode, message.seq});
-    if (message.seq % group.every != 0 || found == values_.end()) {
+    const auto [begin, end] = values_.equal_range({channel.name, message.episode, message.seq});
+    const auto found = std::find_if(begin, end, [&](const auto& one) {
+      return std::equal(message.values, message.values + channel.size, one.second);
+    });
+    if (message.seq % group.every != 0 || begin == end) {
       fail(channel, message, "is not in the trace");
-    } else if (!std::equal(message.values, message.values + channel.size, found->second)) {
+    } else if (found == end) {
       fail(channel, message, "has other values than in the trace");
+    } else {
+      values_.erase(found);  // each is there once
     }
   }
 
@@ -84,7 +89,9 @@ class Comparing : public telemetry::Listener {
 
   const telemetry::Layout& layout_;
   const trace_log::Log& log_;
-  std::map<std::tuple<std::string, std::uint32_t, std::uint64_t>, const std::uint64_t*> values_;
+  // After a reset routine numbers begin anew, so there may be two of a kind.
+  std::multimap<std::tuple<std::string, std::uint32_t, std::uint64_t>, const std::uint64_t*>
+      values_;
   std::map<std::string, std::uint64_t> seen_;
   std::uint64_t wrong_ = 0;
 };

@@ -155,10 +155,9 @@ class Telemetry {
     if (place.group == kNoGroup || !is_on_) return;
     Open& open = open_[place.group];
     const auto low = static_cast<std::uint32_t>(seq);
-    if (open.seq != low || open.record == nullptr) {
-      if (static_cast<std::int32_t>(low - open.seq) < 0) return;  // its turn has not come
-      if (!begin(open, place.group, low)) return;
-    }
+    const auto ahead = static_cast<std::int32_t>(low - open.seq);
+    if (ahead < 0 && low != 0) return;  // its turn has not come
+    if ((ahead != 0 || open.record == nullptr || low == 0) && !begin(channel, low)) return;
     std::memcpy(open.record->bytes + place.offset, &message, sizeof message);
     open.mask |= std::uint32_t{1} << place.bit;
     if (open.mask == Layout::kGroups[place.group].mask) end(open, place.group);
@@ -210,10 +209,19 @@ class Telemetry {
 
   Record& cell(std::uint32_t index) { return cells_[index & (kCells - 1)]; }
 
-  /// False if this message is not one that is sent, or there is no room for it.
-  [[gnu::noinline]] bool begin(Open& open, std::uint8_t group, std::uint32_t low) {
-    const std::uint32_t every = Layout::kGroups[group].every;
-    if (open.record != nullptr) {  // not all of its channels had a message, as in a reset routine
+  /// False if this message is not one that is sent.
+  [[gnu::noinline]] bool begin(std::uint32_t channel, std::uint32_t low) {
+    const TelemetryPlace place = Layout::kPlaces[channel];
+    Open& open = open_[place.group];
+    const std::uint32_t every = Layout::kGroups[place.group].every;
+    if (low == 0) {
+      // After a reset routine numbers begin anew.
+      const bool again = open.seq != 0 || (open.mask >> place.bit & 1U) != 0;
+      if (open.record != nullptr && !again) return true;
+      close(open);
+      open.seq = 0;
+    } else if (open.record != nullptr) {
+      // Not all of its channels had a message, as in a reset routine.
       close(open);
       open.seq += every;
     }
@@ -223,20 +231,16 @@ class Telemetry {
       open.seq += (behind + every - 1) / every * every;
       if (open.seq != low) return false;
     }
-    const std::uint32_t number = number_++;
-    if (made_ - sent_ == kCells) {
-      ++dropped_;
-      open.seq += every;
-      return false;
-    }
-    Record& record = cell(made_++);
-    record.number = number;
+    const bool full = made_ - sent_ == kCells;
+    dropped_ += full ? 1 : 0;
+    // What finds no room is copied all the same, to where nobody reads it.
+    Record& record = full ? spare_ : cell(made_++);
+    record.number = number_++;
     record.closed = false;
     write_as(record.bytes, low);
-    record.bytes[4] = group;
+    record.bytes[4] = place.group;
     record.bytes[5] = static_cast<std::uint8_t>(episode_);
     open.record = &record;
-    open.mask = 0;
     return true;
   }
   void end(Open& open, std::uint8_t group) {
@@ -248,6 +252,7 @@ class Telemetry {
     write_as(open.record->bytes + 6, static_cast<std::uint16_t>(open.mask));
     open.record->closed = true;
     open.record = nullptr;
+    open.mask = 0;
   }
   void free_record() { ++sent_; }
 
@@ -286,7 +291,7 @@ class Telemetry {
     ++at_;
   }
 
-  Record cells_[kCells];
+  Record cells_[kCells], spare_;
   Open open_[kGroups];
   ByteFrame<(kCellBytes > kTelemetryGreetingBytes ? kCellBytes : kTelemetryGreetingBytes)> frame_;
   std::uint8_t header_[kHeaderBytes];

@@ -25,7 +25,7 @@ class TelemetryWork {
 
   void until(std::uint64_t deadline, std::uint64_t late_slots) {
     telemetry.set_late(late_slots);
-    // A step takes less than a tenth of this on a core of 25 MHz.
+    // A step is some 100 instructions; a core of 25 MHz does 500 in this time.
     constexpr std::uint64_t kMarginsPerSecond = 50'000;  // 20 us
     const std::uint64_t margin = clock_hz() / kMarginsPerSecond + 1;
     while (clock_ticks() + margin < deadline) {

@@ -279,6 +279,50 @@ TEST(Telemetry, WhatOnlySomeChannelsSendIsSentWithAMask) {
   EXPECT_EQ((checking.seqs[{0, 1}].size()), 0U);
 }
 
+/// Which messages of the first channel come out.
+std::vector<std::uint64_t> seqs_of(const Bytes& line) {
+  struct Seen : Listener {
+    std::vector<std::uint64_t> seqs;
+    void message(const Message& message) override {
+      if (message.group == 0 && message.channel == 0) seqs.push_back(message.seq);
+    }
+  } seen;
+  const Layout layout = layout_of_sent();
+  const auto decoder = std::make_unique<Decoder>(layout);
+  decoder->take(line.data(), line.size(), seen);
+  EXPECT_EQ(decoder->counts().lost, 0U);
+  return seen.seqs;
+}
+
+TEST(Telemetry, AResetRoutineGoesOnFromTheEpisodeBeforeAndNumbersBeginAnew) {
+  const auto sender = board();
+  Bytes line;
+  const auto slots = [&](std::uint64_t from, std::uint64_t to) {
+    for (std::uint64_t seq = from; seq < to; ++seq) {
+      slot(*sender, seq);
+      send(*sender, line);
+    }
+  };
+  slots(0, 1);
+  slots(0, 5);  // the first episode: set, then the routine, then it begins
+  sender->episode(1);
+  slots(5, 8);
+  slots(0, 3);
+  sender->end_run();
+  send(*sender, line);
+  EXPECT_EQ(seqs_of(line), (std::vector<std::uint64_t>{0, 0, 2, 4, 6, 0, 2}));
+}
+
+TEST(Telemetry, NumbersThatBeginAnewWithinARecord) {
+  const auto sender = board();
+  Bytes line;
+  sender->take(0, 0, values_of(0));  // and the action never comes
+  sender->take(0, 0, values_of(0));
+  sender->take(1, 0, true);
+  send(*sender, line);
+  EXPECT_EQ(seqs_of(line), (std::vector<std::uint64_t>{0, 0}));
+}
+
 TEST(Telemetry, NumbersBeyond32Bits) {
   const auto sender = board();
   Bytes line;
