@@ -408,7 +408,23 @@ FormatPtr make_graph_format(GraphForm form) {
         "limits for memory, instructions and the age of data; `build`, `run` and `size` check "
         "those of an image"},
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
-        false, "warnings that are not given for this graph"}});
+        false, "warnings that are not given for this graph"},
+       // What compose/ takes away before anything is checked.
+       {"tunable",
+        format::list("a list of parameters", format::port("`node.parameter`")), false,
+        "parameters that a reset may set, as states: `controller.kp`"},
+       {"extends",
+        format::one_of("a graph file, or a mapping with its `file` and `variant`",
+                       {format::record("what is extended",
+                                       {{"file", format::text("a graph file"), true, "a graph file"},
+                                        {"variant", format::name("a variant"), false,
+                                         "a variant in that file"}}),
+                        format::text("a graph file")}),
+        false, "the graph that this one is laid over"},
+       {"variants", format::map("variants", format::any("what a variant says")), false,
+        "graphs that are laid over this one, chosen with `--variant`"},
+       {"remove", format::list("a list of paths", format::text("a path such as `nodes.filter`")),
+        false, "what the graph below has and this one has not"}});
 }
 
 }  // namespace
