@@ -12,13 +12,14 @@ function(eagerx_linux_sim_libraries)
         options pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary
         table_writer task_record text_file)
     list(APPEND names publish/datagrams publish/destination publish/publishing publish/recording)
+    list(APPEND names dds/dds_sink dds/library dds/messages dds/participant dds/remote_agent dds/topics)
     list(TRANSFORM names PREPEND ${here}/)
     list(TRANSFORM names APPEND .cpp)
     eagerx_compiled_library(
       eagerx_linux_sim UNITY
       SOURCES ${names} ${here}/../common/fault.cpp
       FOLDERS ${folders}
-      LINK eagerx::runtime eagerx_trace eagerx_identify
+      LINK eagerx::runtime eagerx_trace eagerx_identify ${CMAKE_DL_LIBS}
       OPTIONS ${options})
   endif()
   # A library of its own: nothing of it is in the program of a graph that shows nothing.

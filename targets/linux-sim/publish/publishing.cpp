@@ -5,6 +5,7 @@
 #include <cmath>
 #include <eagerx/trace.hpp>
 #include <targets/linux-sim/background.hpp>
+#include <targets/linux-sim/dds/dds_sink.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/datagrams.hpp>
@@ -129,12 +130,22 @@ std::string Publishing::open_sinks() {
       case Destination::Kind::mcap:
         sinks_.push_back(mcap_sink(to, channels_));
         break;
+      case Destination::Kind::dds:
+        sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
+        break;
     }
     names_.push_back(to.written);
     std::string problem = sinks_.back()->open();
     if (!problem.empty()) return problem;
   }
   return {};
+}
+
+/// [channels] whether it is published.
+std::vector<bool> Publishing::chosen_channels() const {
+  std::vector<bool> chosen;
+  for (const Wanted& wanted : wanted_) chosen.push_back(wanted.every != 0);
+  return chosen;
 }
 
 /// As the plan wants it: what there is in half a second, and no less than some steps.

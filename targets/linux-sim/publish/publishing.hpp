@@ -84,6 +84,7 @@ class Publishing {
 
   std::string choose_channels();
   std::string open_sinks();
+  std::vector<bool> chosen_channels() const;
   void make_ring();
   void work();
   void take_all();
