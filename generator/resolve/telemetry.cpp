@@ -28,6 +28,7 @@ std::vector<TelemetryChannel> published(const Draft& draft) {
 void report_unknown(Draft& draft, const Spanned<std::string>& name,
                     const std::vector<TelemetryChannel>& all) {
   std::vector<std::string> known;
+  known.reserve(all.size());
   for (const auto& channel : all) known.push_back(channel.port);
   auto& problem = draft.diagnostics.error(
       "E0307", name.span, fmt::format("nothing sends `{}` in this graph", name.value));

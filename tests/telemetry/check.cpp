@@ -144,9 +144,10 @@ int main(int count, char** arguments) {
   decoder->take(reinterpret_cast<const std::uint8_t*>(line.data()), line.size(), comparing);
   const telemetry::Counts& counts = decoder->counts();
   fmt::print(
-      "messages {} missing {} records {} greetings {} damaged {} lost {} dropped {} late {}\n",
+      "messages {} missing {} records {} greetings {} damaged {} lost {} dropped {} late {} text "
+      "{}\n",
       comparing.shown(), comparing.missing(), counts.records, counts.greetings, counts.damaged,
-      counts.lost, counts.dropped, counts.late);
+      counts.lost, counts.dropped, counts.late, counts.text);
   if (!decoder->refusal().empty()) return fmt::print("FAIL: {}\n", decoder->refusal()), 1;
   if (comparing.wrong() > 0)
     return fmt::print("FAIL: {} messages are wrong\n", comparing.wrong()), 1;

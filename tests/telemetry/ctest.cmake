@@ -6,3 +6,6 @@ foreach(board mps2-an386 riscv32-virt)
                                            ${CMAKE_CURRENT_BINARY_DIR}/telemetry.${board} ${board})
   set_tests_properties(telemetry.${board} PROPERTIES COST 20)
 endforeach()
+add_test(NAME telemetry.resets COMMAND ${CMAKE_CURRENT_LIST_DIR}/run ${PROJECT_BINARY_DIR}
+                                       ${CMAKE_CURRENT_BINARY_DIR}/telemetry.resets mps2-an386 resets)
+set_tests_properties(telemetry.resets PROPERTIES COST 20)

@@ -8,7 +8,7 @@ namespace {
 constexpr std::size_t kMostGroups = link::kNoGroup;
 
 std::string problem_with(const Channel& channel, std::size_t record_bytes) {
-  const std::string name = trace_log::problem_with_channel_name(channel.name);
+  std::string name = trace_log::problem_with_channel_name(channel.name);
   if (!name.empty()) return name;
   std::uint64_t size = 1;
   for (const std::uint64_t length : channel.shape) {
@@ -57,7 +57,7 @@ std::string problem_with(const Layout& layout) {
       return "a record has no channels, or too many";
     if (group.rate_num == 0 || group.rate_den == 0 || group.every == 0) return "a rate is none";
     for (const Channel& channel : group.channels) {
-      const std::string problem = problem_with(channel, group.bytes);
+      std::string problem = problem_with(channel, group.bytes);
       if (!problem.empty()) return problem;
     }
   }

@@ -259,12 +259,13 @@ inline std::uint64_t ns(std::uint64_t ticks) {
   return ticks / hz * kNsPerSecond + ticks % hz * kNsPerSecond / hz;
 }
 
-/// Telemetry has the serial port for itself while a run keeps to the clock: text in between would
-/// wait for the line, and fall into frames.
+/// Whether text and telemetry go over the same line.
+inline bool shares_serial_port(const Options& options) {
+  return options.pace == target::Pace::paced && (kStartsAlone || options.output == Output::uart);
+}
+/// Telemetry has that line for itself during the run: text would wait for it, and fall into frames.
 inline int check_serial_port(const Options& options) {
-  const bool prints = options.csv || options.trace;
-  const bool to_port = kStartsAlone || options.output == Output::uart;
-  if (options.pace != target::Pace::paced || !prints || !to_port) return kDone;
+  if (!shares_serial_port(options) || !(options.csv || options.trace)) return kDone;
   return wrong_usage("the serial port is taken by telemetry, so no table can be printed to it", "");
 }
 
@@ -362,6 +363,9 @@ int run(const char* board) {
   console.hex(program.trace.hash());
   console.text("\n");
   console.flush();
+  if constexpr (HasTelemetry<Graph>) {
+    if (shares_serial_port(options)) uart_write('\0');  // ends the text for who reads frames
+  }
   return too_late ? kTooLate : kDone;
 }
 
