@@ -54,6 +54,14 @@ class RunWatch : public Watch {
   bool has_begun() const { return episodes_ > 0; }
   void finish(Summary& summary);
 
+ protected:
+  /// Puts what is told into the states that an episode begins with. False: nothing.
+  virtual bool set_states(EpisodeKey key, StateRow states) {
+    return told_.settings.apply(key, states);
+  }
+  /// Between two steps.
+  void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
+
  private:
   std::uint64_t lateness() const final { return pacer_.late_in_a_row(); }
   void hand_on(bool now);

@@ -11,6 +11,7 @@
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
+#include <targets/linux-sim/publish/remote_watch.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/session.hpp>
@@ -90,6 +91,12 @@ class Session {
       return problem;
     }
     begin();
+    if (publishing_ && publishing_->remote() != nullptr) {
+      RemoteWatch watch(program_, told_, csv_, trace_, *publishing_, *publishing_->remote());
+      publishing_->start();
+      step_all(watch);
+      return end(watch);
+    }
     if (publishing_) {
       PublishWatch watch(program_, told_, csv_, trace_, *publishing_);
       publishing_->start();
@@ -112,7 +119,7 @@ class Session {
     std::string unseen = problem_of_scenes(options_, facts_);
     if (unseen.empty()) unseen = open_pictures(options_, program_);
     if (unseen.empty() && !options_.publish.empty()) {
-      publishing_.emplace(options_, facts_);
+      publishing_.emplace(options_, program_, told_.fields);
       // Again: by now there are files that were not there before.
       unseen = problem_with_files(options_);
       if (unseen.empty()) unseen = publishing_->open();

@@ -8,16 +8,16 @@
 namespace eagerx::linux_sim {
 
 struct Destination {
-  enum class Kind : std::uint8_t { udp, teleplot, mcap };
+  enum class Kind : std::uint8_t { udp, teleplot, mcap, foxglove };
   Kind kind = Kind::udp;
-  std::string host;  // of udp, teleplot
+  std::string host;  // of udp, teleplot, foxglove
   std::string port;
   std::string file;     // of mcap
   std::string written;  // the whole text
 };
 
-/// False if the text is none of `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`. A host with
-/// colons is in brackets.
+/// False if the text is none of `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`,
+/// `foxglove:[HOST:]PORT`. A host with colons is in brackets.
 bool parse_destination(std::string_view text, Destination& destination);
 
 }  // namespace eagerx::linux_sim

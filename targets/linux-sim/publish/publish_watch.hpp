@@ -7,7 +7,7 @@
 namespace eagerx::linux_sim {
 
 /// Tells others where steps end, too.
-class PublishWatch final : public RunWatch {
+class PublishWatch : public RunWatch {
  public:
   PublishWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
                Publishing& publishing)
