@@ -2,7 +2,6 @@
 import base64
 import json
 import os
-import select
 import socket
 import struct
 import time
@@ -46,21 +45,24 @@ class WebSocket:
                 self.read_more()
         except (ConnectionError, TimeoutError) as error:
             raise Refused() from error
-        head, self.buffer = self.buffer.split(b"\r\n\r\n", 1)
+        head, self.buffer = bytes(self.buffer).split(b"\r\n\r\n", 1)
+        self.at = 0  # of the buffer: what comes before is taken
         if b" 101 " not in head.split(b"\r\n")[0]:
             raise Refused(head)
 
     def read_more(self):
-        more = self.socket.recv(1 << 20)
+        more = self.socket.recv(1 << 16)
         if not more:
             raise ConnectionError("closed")
         self.buffer += more
 
     def read(self, size):
-        while len(self.buffer) < size:
-            self.read_more()
-        taken, self.buffer = self.buffer[:size], self.buffer[size:]
-        return taken
+        if len(self.buffer) - self.at < size:
+            self.buffer, self.at = self.buffer[self.at :], 0
+            while len(self.buffer) < size:
+                self.read_more()
+        self.at += size
+        return self.buffer[self.at - size : self.at]
 
     def receive(self):
         """(opcode, bytes) of the next message; ConnectionError when there is none."""
@@ -102,13 +104,15 @@ class WebSocket:
     def is_closed_within(self, seconds):
         """Whatever else comes."""
         give_up = time.monotonic() + seconds
-        while time.monotonic() < give_up:
-            if select.select([self.socket], [], [], 0.05)[0]:
-                try:
-                    if not self.socket.recv(1 << 16):
-                        return True
-                except ConnectionError:
-                    return True
+        self.socket.settimeout(seconds)
+        try:
+            while time.monotonic() < give_up:
+                self.receive()
+        except ConnectionError:
+            self.close()
+            return True
+        except TimeoutError:
+            pass
         return False
 
     def close(self):

@@ -27,7 +27,7 @@ bool is_loopback(const sockaddr* address) {
 }  // namespace
 
 std::string listen_on(const std::string& host, const std::string& port, Listener& listener) {
-  constexpr int kWaiting = 16, kOn = 1;
+  constexpr int kWaiting = 128, kOn = 1;
   addrinfo hints{}, *found = nullptr;
   hints.ai_socktype = SOCK_STREAM;
   hints.ai_flags = AI_NUMERICSERV | AI_PASSIVE;

@@ -151,7 +151,7 @@ class LwsServer final : public WebSocketServer {
   std::map<::lws*, Connection> connections_;
   std::map<ClientId, ::lws*> clients_;
   ClientId last_client_ = 0;
-  std::uint64_t refused_ = 0, disconnected_ = 0;
+  std::uint64_t written_ = 0, refused_ = 0, disconnected_ = 0;
 };
 
 // Idle clients are asked whether they are there.
@@ -164,6 +164,7 @@ bool LwsServer::open() {
   for (std::size_t i = 0; i < 2; ++i) {
     protocols_[i].callback = on_event;
     protocols_[i].rx_buffer_size = 4096;
+    protocols_[i].tx_packet_size = 1 << 20;  // a message in one piece, if the socket takes it
   }
   lws_context_creation_info info{};
   info.port = CONTEXT_PORT_NO_LISTEN_SERVER;
@@ -181,11 +182,17 @@ bool LwsServer::open() {
 }
 
 void LwsServer::service() {
+  constexpr int kAtOnce = 16;
   accept_all();
   look_at_clocks();
-  for (auto& [wsi, connection] : connections_)
-    if (!connection.queue.empty()) lws.callback_on_writable(wsi);
-  lws.service(context_, -1);  // below 0: it does not wait
+  // Each time there is a call for every socket that takes something.
+  for (int i = 0; i < kAtOnce; ++i) {
+    const std::uint64_t before = written_;
+    for (auto& [wsi, connection] : connections_)
+      if (!connection.queue.empty()) lws.callback_on_writable(wsi);
+    lws.service(context_, -1);  // below 0: it does not wait
+    if (written_ == before) break;
+  }
 }
 
 void LwsServer::accept_all() {
@@ -198,8 +205,8 @@ void LwsServer::accept_all() {
       ::close(fd);
       continue;
     }
-    ::lws* const wsi = lws.adopt_socket_vhost(vhost_, fd);  // or it is closed
-    if (wsi != nullptr) connections_[wsi].since = Clock::now();
+    // It may be gone before this returns: event() knows.
+    static_cast<void>(lws.adopt_socket_vhost(vhost_, fd));
   }
 }
 
@@ -224,6 +231,8 @@ void LwsServer::end(::lws* wsi, Connection& connection) {
 int LwsServer::event(::lws* wsi, lws_callback_reasons reason, const void* in, std::size_t size) {
   if (reason == LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION) return admit(wsi);
   if (reason == LWS_CALLBACK_HTTP) return -1;  // there are no pages
+  if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED)
+    return connections_[wsi].since = Clock::now(), 0;
   if (reason == LWS_CALLBACK_CLOSED || reason == LWS_CALLBACK_WSI_DESTROY) return forget(wsi), 0;
   const auto found = connections_.find(wsi);
   if (found == connections_.end()) return 0;
@@ -284,6 +293,7 @@ int LwsServer::write(::lws* wsi, Connection& to) {
       return -1;
     to.queued -= message.bytes.size();
     to.queue.pop_front();
+    ++written_;
     to.since = Clock::now();
   }
   return 0;
