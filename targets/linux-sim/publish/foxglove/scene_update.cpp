@@ -66,7 +66,9 @@ class Primitives {
   }
 
  private:
+  /// What came out of bounds while it was placed has no text in JSON.
   static std::string number(float value) {
+    if (!std::isfinite(value)) return "0";
     std::array<char, 32> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
   }
