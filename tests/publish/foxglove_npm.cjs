@@ -52,7 +52,7 @@ client.on("advertiseServices", async (list) => {
   for (const topic of Object.keys(messages)) messages[topic] = [];
   await call("/reset", {});
   const place = await call("/step", { steps });
-  if (place.step !== steps) throw new Error(JSON.stringify(place));
+  if (place.step !== steps && place.episode < 2) throw new Error(JSON.stringify(place));
   const all = await parameters((id) => client.getParameters([], id), "all");
   const state = all.find((each) => !each.name.startsWith("environment/") && each.value != undefined);
   let parameter = "no parameters";
