@@ -1,5 +1,5 @@
-// Any bytes as a message of a client of Foxglove's protocol, in text and in binary: no crash, and either one that is
-// complete or a reason. What is JSON stays within its bounds.
+// Any bytes as a message of a client of Foxglove's protocol, in text and in binary: no crash, and
+// either one that is complete or a reason. What is JSON stays within its bounds.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

@@ -30,11 +30,37 @@ TEST(JsonReader, ReadsWhatRfc8259Says) {
 }
 
 TEST(JsonReader, RefusesAllElse) {
-  for (const char* wrong :
-       {"", " ", "{", "[1,]", "[1 2]", "{\"a\"}", "{\"a\":}", "{a:1}", "01", "-", ".5", "5.", "1e",
-        "+1", "inf", "nan", "NaN", "1e999", "tru", "nullx", "\"", "\"\n\"", "\"\\x\"",
-        "\"\\u12\"", "\"\\u12g4\"", "\"\\ud800\"", "\"\\ud800\\u0041\"", "\"\\udc00\"", "1 1",
-        "'a'", "[1]]"})
+  for (const char* wrong : {"",
+                            " ",
+                            "{",
+                            "[1,]",
+                            "[1 2]",
+                            "{\"a\"}",
+                            "{\"a\":}",
+                            "{a:1}",
+                            "01",
+                            "-",
+                            ".5",
+                            "5.",
+                            "1e",
+                            "+1",
+                            "inf",
+                            "nan",
+                            "NaN",
+                            "1e999",
+                            "tru",
+                            "nullx",
+                            "\"",
+                            "\"\n\"",
+                            "\"\\x\"",
+                            "\"\\u12\"",
+                            "\"\\u12g4\"",
+                            "\"\\ud800\"",
+                            "\"\\ud800\\u0041\"",
+                            "\"\\udc00\"",
+                            "1 1",
+                            "'a'",
+                            "[1]]"})
     EXPECT_FALSE(read_json(wrong)) << wrong;
   const auto nested = [](int depth) {
     return std::string(static_cast<std::size_t>(depth), '[') +
