@@ -19,8 +19,8 @@ void require(bool holds) {
 std::size_t count(const Json& value, int depth) {
   require(depth <= eagerx::linux_sim::kDeepestJson);
   std::size_t values = 1;
+  require(value.names.empty() || value.names.size() == value.items.size());
   for (const Json& each : value.items) values += count(each, depth + 1);
-  for (const auto& member : value.members) values += count(member.second, depth + 1);
   return values;
 }
 

@@ -25,12 +25,11 @@ void require(bool holds) {
 const Library& library() {
   static SourceMap sources;
   static Diagnostics diagnostics;
-  static const Library kLibrary = load_library(
-      {{kRoot + "/models", {}},
-       {kRoot + "/targets", {}},
-       {kRoot + "/tests/data/library", {}},
-       {kRoot + "/tests/compose/entities", {}}},
-      sources, diagnostics);
+  static const Library kLibrary = load_library({{kRoot + "/models", {}},
+                                                {kRoot + "/targets", {}},
+                                                {kRoot + "/tests/data/library", {}},
+                                                {kRoot + "/tests/compose/entities", {}}},
+                                               sources, diagnostics);
   require(!diagnostics.has_errors());
   return kLibrary;
 }

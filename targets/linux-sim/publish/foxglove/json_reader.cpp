@@ -76,9 +76,10 @@ class Reader {
     text_.remove_prefix(1);
     if (take_after_space('}')) return true;
     do {
-      auto& [name, member] = to.members.emplace_back();
       skip_space();
-      if (!string(name) || !take_after_space(':') || !value(member, depth + 1)) return false;
+      if (!string(to.names.emplace_back()) || !take_after_space(':') ||
+          !value(to.items.emplace_back(), depth + 1))
+        return false;
     } while (take_after_space(','));
     return take("}");
   }
@@ -172,8 +173,8 @@ class Reader {
 }  // namespace
 
 const Json* Json::find(std::string_view name) const {
-  for (const auto& [key, value] : members)
-    if (key == name) return &value;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (names[i] == name) return &items[i];
   return nullptr;
 }
 

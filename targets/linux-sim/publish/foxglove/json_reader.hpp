@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace eagerx::linux_sim {
@@ -16,8 +15,8 @@ struct Json {
   bool boolean = false;
   double number = 0.0;
   std::string text;
-  std::vector<Json> items;                            // of an array
-  std::vector<std::pair<std::string, Json>> members;  // of an object, in order
+  std::vector<Json> items;         // of an array or an object
+  std::vector<std::string> names;  // [items] of an object
 
   /// The first of this name; null if there is none, or this is no object.
   const Json* find(std::string_view name) const;
