@@ -375,6 +375,11 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
                       "give one of them a file"};
   }
   if (const auto idle = find_idle_option(given)) return *idle;
+  const auto is_server = [](const Destination& to) {
+    return to.kind == Destination::Kind::foxglove;
+  };
+  if (!options.publish_key.empty() && std::ranges::none_of(options.publish, is_server))
+    return UsageError{"`--publish-key` does nothing without `--publish foxglove:`", "leave it out"};
   return options;
 }
 

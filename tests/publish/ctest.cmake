@@ -10,4 +10,4 @@ add_test(NAME publish COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/che
 eagerx_add_graph(TARGET publish_without_websockets GRAPH ${PROJECT_SOURCE_DIR}/examples/pendulum_swing_up/graph.yaml)
 target_sources(publish_without_websockets PRIVATE ${PROJECT_SOURCE_DIR}/targets/linux-sim/publish/foxglove/no_web_socket.cpp)
 add_test(NAME publish.foxglove COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/foxglove $<TARGET_FILE:replay_swing_up>
-                                       $<TARGET_FILE:publish_without_websockets>)
+                                       $<TARGET_FILE:publish_without_websockets> ${guarded})

@@ -101,7 +101,7 @@ class FoxgloveSink final : public PublishSink, private WebSocketOwner {
   std::uint64_t done_ = 0, told_version_ = 0;
   PublishedStep step_{};
   std::int64_t time_ns_ = 0, told_time_ns_ = -1;
-  Clock::time_point told_time_;
+  Clock::time_point told_time_, told_parameters_;
   std::uint64_t clients_in_all_ = 0;
   std::unique_ptr<WebSocketServer> server_;  // the last, for it still tells who is gone
 };
@@ -268,13 +268,16 @@ void FoxgloveSink::set_parameters(ClientId id, const ClientMessage& message) {
 
 /// Those who want to know; without names all parameters may have changed.
 void FoxgloveSink::tell_parameters(const std::vector<std::string>& names) {
-  for (const auto& [id, client] : clients_) {
+  for (const auto& each : clients_) {
+    const Client& client = each.second;
     if (!client.wants_all_parameters && client.parameters.empty()) continue;
     auto values = parameters_->values(names);
     if (!client.wants_all_parameters)
       std::erase_if(values,
-                    [&](const auto& each) { return !client.parameters.contains(each.name); });
-    if (!values.empty()) answer(id, parameter_values_text(values, ""));
+                    [&](const auto& value) { return !client.parameters.contains(value.name); });
+    // Who is behind is told of the next change.
+    if (!values.empty() && server_->has_room(each.first))
+      answer(each.first, parameter_values_text(values, ""));
   }
 }
 
@@ -336,8 +339,10 @@ void FoxgloveSink::idle() {
   if (parameters_) {
     if (parameters_->release(Parameters::kNobody)) tell_parameters({});
     const std::uint64_t version = run_.remote->version();
-    if (version != told_version_ && version % 2 == 0) {
+    const Clock::time_point now = Clock::now();
+    if (version != told_version_ && version % 2 == 0 && now - told_parameters_ > 50ms) {
       told_version_ = version;
+      told_parameters_ = now;
       tell_parameters({});
     }
   }
