@@ -11,6 +11,7 @@
 #include "generator/compose/gather.hpp"
 #include "generator/compose/inner_files.hpp"
 #include "generator/compose/port_pattern.hpp"
+#include "generator/compose/tunable.hpp"
 #include "generator/resolve/config.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
@@ -611,7 +612,9 @@ class Composer {
 
 FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sources,
                   Diagnostics& diagnostics) {
-  return Composer(root, library, sources, diagnostics).run();
+  FlatGraph flat = Composer(root, library, sources, diagnostics).run();
+  take_tunable(flat.root, library, diagnostics);
+  return flat;
 }
 
 std::vector<std::string> entities_of_patterns(const YamlValue& root) {

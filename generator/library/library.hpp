@@ -43,6 +43,7 @@ struct Parameter {
   std::string cpp_class;             // keyword: the C++ enumeration
   std::string engine;                // model: the engine whose model of an object it is
   std::string eagerx;                // its name in EAGERx
+  bool tunable = false;              // a state, too, where a graph says so
 };
 
 /// What parameters, ports and the rate must fulfil together.

@@ -96,6 +96,47 @@ void refuse_bounds_without_numbers(const YamlValue::Entry& parameter, Parameter:
   }
 }
 
+/// A state is a number or a list of them, and only nodes take those of their parameters.
+void check_tunable(const Parameter& parameter, const YamlValue& root, Diagnostics& diagnostics) {
+  const bool number =
+      parameter.type == Parameter::Type::number || parameter.type == Parameter::Type::numbers;
+  const bool node = text_at(root, "kind") == "node" && root.find("graph") == nullptr;
+  const YamlValue* states = root.find("states");
+  const bool twice = states != nullptr && states->find(parameter.name.value) != nullptr;
+  if (!parameter.tunable || (number && node && !twice)) return;
+  diagnostics.error(
+      "E0206", parameter.name.span,
+      twice ? fmt::format("`{}` is a state of its own and cannot be tunable", parameter.name.value)
+            : fmt::format("`{}` cannot be tunable: only numbers of nodes with a class are",
+                          parameter.name.value));
+}
+
+/// Tunable parameters are states that a graph need not name.
+void add_tunable_states(Entity& entity) {
+  for (const Parameter& parameter : entity.config) {
+    if (!parameter.tunable) continue;
+    const Span span = parameter.name.span;
+    const auto bound = [&](const std::optional<ConditionNumber>& value) {
+      return value ? std::optional(made_scalar(to_string(*value), span)) : std::nullopt;
+    };
+    PortManifest state;
+    state.name = parameter.name;
+    state.unit = parameter.unit;
+    state.about = parameter.about;
+    state.eagerx = parameter.name.value;
+    state.space.span = span;
+    state.space.dtype = Spanned<std::string>{"float32", span};
+    std::vector<YamlValue> shape;
+    if (parameter.type == Parameter::Type::numbers)
+      shape.push_back(made_scalar(fmt::format("$(size {})", parameter.name.value), span));
+    state.space.shape = made_list(std::move(shape), span);
+    state.optional = true;
+    state.space.low = bound(parameter.low);
+    state.space.high = bound(parameter.high);
+    entity.states.push_back(std::move(state));
+  }
+}
+
 std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagnostics) {
   std::vector<Parameter> result;
   const YamlValue* map = root.find("config");
@@ -132,6 +173,8 @@ std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagn
                         fmt::format("`{}`: a parameter of an object cannot be a model", entry.key));
     }
     refuse_bounds_without_numbers(entry, parameter.type, diagnostics);
+    parameter.tunable = text_at(entry.value, "tunable") == "true";
+    check_tunable(parameter, root, diagnostics);
     result.push_back(std::move(parameter));
   }
   return result;
@@ -385,6 +428,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
   complete_tick(entity.inputs, root, diagnostics);
   entity.outputs = read_ports(root, "outputs", diagnostics);
   entity.states = read_ports(root, "states", diagnostics);
+  add_tunable_states(entity);
   entity.sensors = read_ports(root, "sensors", diagnostics);
   entity.actuators = read_ports(root, "actuators", diagnostics);
   entity.reset_targets = read_ports(root, "targets", diagnostics);

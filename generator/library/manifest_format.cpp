@@ -42,6 +42,9 @@ FormatPtr parameter_format() {
         "value if none is given; without a default, a value must be given"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
+       {"tunable", format::boolean(), false,
+        "whether a reset may set it where a graph says so: the class takes a state of this name "
+        "(nodes only; default: false)"},
        {"options", texts(), false, "the choices of an enum"},
        {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"},
        {"engine", format::name("the id of an engine"), false,

@@ -204,11 +204,11 @@ std::vector<State> read_states(Draft& draft, const Entity& entity, const EntityS
 }
 
 /// The class of a node has a member for each of its states, also for those that the graph leaves
-/// alone.
+/// alone. Tunable parameters are then the constants that they were.
 void add_unnamed_states(GraphNode& node, const std::vector<Setting>& config,
                         Diagnostics& diagnostics) {
   for (const auto& port : node.entity->states) {
-    if (find_named(node.states, port.name.value) != nullptr) continue;
+    if (port.optional || find_named(node.states, port.name.value) != nullptr) continue;
     const auto space = state_space(port, references_of(*node.entity, config), diagnostics);
     if (!space) continue;
     State state;

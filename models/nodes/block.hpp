@@ -146,4 +146,24 @@ struct ResetNumber {
   }
 };
 
+/// A parameter that a graph may make `tunable:`. If it does, Io::States has a state of this name,
+/// `Settable`, and a reset may set the number; else it is the constant, and nothing is stored.
+/// `Number` tells the parameters of a class apart, so that none of them takes memory.
+template <class Real, bool Settable, int Number>
+struct Tunable {
+  ResetNumber<Real> number{};
+
+  template <class State>
+  void reset(const State& state, const Real& constant, std::size_t i = 0) {
+    number.reset(constant);
+    if (state) number.set(static_cast<Real>(element(*state, i)));
+  }
+  [[nodiscard]] const Real& or_constant(const Real& /*constant*/) const { return number.value; }
+};
+
+template <class Real, int Number>
+struct Tunable<Real, false, Number> {
+  [[nodiscard]] static Real or_constant(const Real& constant) { return constant; }
+};
+
 }  // namespace eagerx::models

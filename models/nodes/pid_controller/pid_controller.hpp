@@ -12,16 +12,21 @@ namespace eagerx::models {
 template <class Io>
 class PidController {
  public:
-  void reset(const typename Io::States& /*states*/) {
+  void reset([[maybe_unused]] const typename Io::States& states) {
     sum_ = {};
     last_ = {};
     has_last_ = {};
+    if constexpr (requires { states.kp; }) kp_.reset(states.kp, constant<Real>(Config::kp));
+    if constexpr (requires { states.ki; }) ki_.reset(states.ki, constant<Real>(Config::ki));
+    if constexpr (requires { states.kd; }) kd_.reset(states.kd, constant<Real>(Config::kd));
+    if constexpr (requires { states.setpoint; })
+      setpoint_.reset(states.setpoint, constant<Real>(Config::setpoint));
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     const Real nan(FloatFormat<LaneOf<Real>>::nan);
     const Real measured = newest<Real>(in.measured, 0, nan);
-    Real setpoint(constant<Real>(Config::setpoint));
+    Real setpoint = setpoint_.or_constant(constant<Real>(Config::setpoint));
     if constexpr (requires { in.setpoint; }) setpoint = newest<Real>(in.setpoint, 0, setpoint);
     Real forward(0);
     if constexpr (requires { in.feed_forward; }) forward = newest<Real>(in.feed_forward, 0);
@@ -58,12 +63,12 @@ class PidController {
   Real output(const Truth& right, const Real& error, const Real& derivative, const Real& forward) {
     constexpr auto kPeriod = constant<Real>(Io::Rate::period_s);
     const Real sum = sum_ + error * Real(kPeriod);
-    Real wanted =
-        (Real(constant<Real>(Config::kp)) * error + Real(constant<Real>(Config::ki)) * sum) -
-        Real(constant<Real>(Config::kd)) * derivative;
+    const Real ki = ki_.or_constant(constant<Real>(Config::ki));
+    Real wanted = (kp_.or_constant(constant<Real>(Config::kp)) * error + ki * sum) -
+                  kd_.or_constant(constant<Real>(Config::kd)) * derivative;
     // Not even zero is added without it: −0 would become 0.
     if constexpr (HasForward) wanted += forward;
-    const Real sum_term = Real(constant<Real>(Config::ki)) * error;
+    const Real sum_term = ki * error;
     const auto winds_up =
         (wanted > Real(kHigh) && sum_term > Real(0)) || (wanted < Real(kLow) && sum_term < Real(0));
     sum_ = select(right && !winds_up, sum, sum_);
@@ -73,6 +78,12 @@ class PidController {
   Real sum_{};       // of the errors, in their unit times seconds
   Real last_{};      // measured, a tick ago
   Real has_last_{};  // 1 after the first measured
+
+  using States = typename Io::States;
+  [[no_unique_address]] Tunable<Real, requires(States s) { s.kp; }, 0> kp_;
+  [[no_unique_address]] Tunable<Real, requires(States s) { s.ki; }, 1> ki_;
+  [[no_unique_address]] Tunable<Real, requires(States s) { s.kd; }, 2> kd_;
+  [[no_unique_address]] Tunable<Real, requires(States s) { s.setpoint; }, 3> setpoint_;
 };
 
 }  // namespace eagerx::models

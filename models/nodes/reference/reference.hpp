@@ -23,13 +23,16 @@ enum class ReferenceShape : std::uint8_t { step, ramp, sine, chirp, table };
 template <class Io>
 class Reference {
  public:
-  void reset(const typename Io::States& /*states*/) {}
+  void reset([[maybe_unused]] const typename Io::States& states) {
+    if constexpr (requires { states.amplitude; }) amplitude_.reset(states.amplitude, kAmplitude);
+    if constexpr (requires { states.offset; }) offset_.reset(states.offset, kOffset);
+  }
 
   template <class AnyTick = Tick>
   void callback(const AnyTick& tick, const typename Io::Inputs& /*in*/, typename Io::Outputs& out) {
     const auto now = seconds_at<typename Io::Rate, Real>(tick);
-    const Real offset(kOffset);
-    const Real shaped = offset + Real(kAmplitude) * shape(now - Real(kStart));
+    const Real offset = offset_.or_constant(kOffset);
+    const Real shaped = offset + amplitude_.or_constant(kAmplitude) * shape(now - Real(kStart));
     put(out.y, 0, select(now < Real(kStart), offset, shaped));
   }
 
@@ -90,6 +93,10 @@ class Reference {
     const Real phase = turns + Real(constant<Real>(Config::phase));
     return eagerx::sin(Real(Lane(2) * std::numbers::pi_v<Lane>) * (phase - eagerx::floor(phase)));
   }
+
+  using States = typename Io::States;
+  [[no_unique_address]] Tunable<Real, requires(States s) { s.amplitude; }, 0> amplitude_;
+  [[no_unique_address]] Tunable<Real, requires(States s) { s.offset; }, 1> offset_;
 };
 
 }  // namespace eagerx::models
