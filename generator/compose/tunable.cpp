@@ -41,7 +41,8 @@ void take(YamlValue& nodes, const YamlValue& item, const Library& library,
     const std::string near = nearest_node(nodes, name);
     report(item, fmt::format("there is no node `{}`", name),
            inside != nodes.entries.end()
-               ? fmt::format("of a composite, name the parameter of a node inside: `{}.…`", inside->key)
+               ? fmt::format("of a composite, name the parameter of a node inside: `{}.…`",
+                             inside->key)
            : near.empty() ? "tunable are parameters of nodes: `controller.kp`"
                           : fmt::format("did you mean `{}.{}`?", near, parameter),
            diagnostics);

@@ -80,10 +80,14 @@ class PidController {
   Real has_last_{};  // 1 after the first measured
 
   using States = typename Io::States;
-  [[no_unique_address]] Tunable<Real, requires(States s) { s.kp; }, 0> kp_;
-  [[no_unique_address]] Tunable<Real, requires(States s) { s.ki; }, 1> ki_;
-  [[no_unique_address]] Tunable<Real, requires(States s) { s.kd; }, 2> kd_;
-  [[no_unique_address]] Tunable<Real, requires(States s) { s.setpoint; }, 3> setpoint_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.kp; }
+  , 0 > kp_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.ki; }
+  , 1 > ki_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.kd; }
+  , 2 > kd_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.setpoint; }
+  , 3 > setpoint_;
 };
 
 }  // namespace eagerx::models

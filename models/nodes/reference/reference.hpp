@@ -95,8 +95,10 @@ class Reference {
   }
 
   using States = typename Io::States;
-  [[no_unique_address]] Tunable<Real, requires(States s) { s.amplitude; }, 0> amplitude_;
-  [[no_unique_address]] Tunable<Real, requires(States s) { s.offset; }, 1> offset_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.amplitude; }
+  , 0 > amplitude_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.offset; }
+  , 1 > offset_;
 };
 
 }  // namespace eagerx::models

@@ -14,10 +14,9 @@ struct Member {
 std::string object(std::initializer_list<Member> members) {
   std::string properties, required;
   for (const auto& [name, schema] : members) {
-    const std::string quoted = "\"" + std::string(name) + "\"";
-    const char* const between = properties.empty() ? "" : ",";
-    properties += between + quoted + ":" + schema;
-    required += between + quoted;
+    const std::string quoted = (properties.empty() ? "\"" : ",\"") + std::string(name) + "\"";
+    properties.append(quoted).append(":").append(schema);
+    required += quoted;
   }
   return R"({"type":"object","properties":{)" + properties + "},\"required\":[" + required + "]}";
 }

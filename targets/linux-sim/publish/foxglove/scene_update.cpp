@@ -166,6 +166,7 @@ class Drawing {
   }
   void outline(const std::vector<Point2>& points, const Ink& ink, int type) {
     std::vector<Point3> placed;
+    placed.reserve(points.size());
     for (const Point2& each : points) placed.push_back(at(each));
     done.line(placed, line_of(ink, type), ink);
   }
