@@ -21,7 +21,8 @@ class GraphView {
         network_(network),
         node_policies_(node_policies) {
     constants_.unique("kName");
-    for (const char* taken : {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels"})
+    for (const char* taken :
+         {"kEngine", "kDefaultAgent", "kAgentCsv", "kHasPolicy", "kChannels", "kShapes"})
       constants_.unique(taken);
   }
 
@@ -101,8 +102,8 @@ class GraphView {
   }
 
   void add_channels() {
-    View channels = list(), bounds = list();
-    std::size_t first = 0;
+    View channels = list(), bounds = list(), shapes = list();
+    std::size_t first = 0, number = 0;
     for (const auto& channel : plan_.channels) {
       const GraphNode& node = graph_.nodes[channel.node];
       const Space& space = node.outputs[channel.output].space;
@@ -131,8 +132,17 @@ class GraphView {
       } else {
         item["bounded"] = View(false);
       }
+      if (!space.shape.empty()) {
+        View line = object();
+        line.set("place", fmt::format("{{{}, \"{}\"}}", number, fmt::join(space.shape, "x")));
+        line.set("channel", channel.name);
+        shapes.push_back(line);
+      }
       channels.push_back(item);
+      ++number;
     }
+    view_.set("has_shapes", shapes.is_non_empty_list());
+    view_["shapes"] = std::move(shapes);
     view_.set("has_bounds", bounds.is_non_empty_list());
     view_["bounds"] = std::move(bounds);
     view_["channels"] = std::move(channels);

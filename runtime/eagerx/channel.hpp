@@ -21,6 +21,12 @@ struct Channel {
   std::uint32_t first = 0, bounds = 0;
 };
 
+/// Of a channel whose messages are not one number.
+struct ChannelShape {
+  std::uint32_t channel;
+  const char* sizes;  // "4x3"
+};
+
 /// Inclusive, as in a Space. float32 is exact here; an int64 beyond 2^53 is rounded.
 struct Bounds {
   double low, high;

@@ -45,8 +45,9 @@ constexpr RunPlan default_plan() {
   return plan;
 }
 
-/// Where actions come from. `csv` exists on targets with files only.
-enum class Agent : std::uint8_t { policy, zero, random, csv };
+/// Where actions come from. `csv` exists on targets with files only, `dds` where another process
+/// can be the agent; graphs do not name it.
+enum class Agent : std::uint8_t { policy, zero, random, csv, dds };
 
 /// The agent called `name` in graphs and on command lines; false if there is none.
 constexpr bool agent_of(std::string_view name, Agent& agent) {
@@ -66,6 +67,7 @@ constexpr std::string_view name_of(Agent agent) {
     case Agent::random:
       return "random";
     case Agent::csv:
+    case Agent::dds:
       break;
   }
   return "csv";

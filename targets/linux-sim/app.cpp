@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <eagerx/version.hpp>
+#include <optional>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/describe.hpp>
@@ -62,15 +63,34 @@ int self_test(const GraphProgram& program) {
              : kBadFile;
 }
 
+/// What another process must not decide, or nothing.
+std::string problem_of_agent(const Options& options, const GraphProgram& program) {
+  if (options.agent != target::Agent::dds) return {};
+  if (program.is_real() || program.facts().board != nullptr)
+    return "error: `--agent dds` moves no real hardware: DDS does not say who sends an action\n"
+           "help: try the agent in simulation, then give its policy to the graph";
+  if (!options.replay.empty() || !options.identify.empty())
+    return "error: `--agent dds` does nothing with a log\nhelp: leave it out";
+  if (options.real_time_factor > 0.0 && !program.facts().safety.declared)
+    return "error: in real time `--agent dds` needs `safety:` in the graph, which says what "
+           "becomes "
+           "of a late action\nhelp: leave out `--real-time-factor`, and each step waits for its "
+           "action";
+  return {};
+}
+
 /// What is wrong with options that the graph decides about, or nothing.
-std::string problem_of(const Options& options, const Fields& fields, const GraphFacts& facts,
+std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
                        StateSettings& settings, AgentFaults& faults) {
+  const GraphFacts& facts = program.facts();
   if (options.agent == target::Agent::policy && !facts.has_policy)
     return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
            "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions";
   if (facts.board != nullptr && !options.settings.empty())
     return "error: the board draws its states itself\nhelp: leave out `--set`";
   std::string problem = settings.read(options.settings);
+  if (!problem.empty()) return problem;
+  problem = problem_of_agent(options, program);
   if (!problem.empty()) return problem;
   if (facts.board_decides && !options.faults.empty())
     return "error: the board sees and decides itself\nhelp: leave out `--fault`";
@@ -88,7 +108,7 @@ int run_with(const Options& options, GraphProgram& program) {
   const Fields fields(program);
   StateSettings settings(fields.states);
   AgentFaults faults(fields);
-  const std::string problem = problem_of(options, fields, facts, settings, faults);
+  const std::string problem = problem_of(options, fields, program, settings, faults);
   if (!problem.empty()) return fail(problem, kBadUsage);
 
   std::vector<std::max_align_t> zero(program.action_bytes() / sizeof(std::max_align_t) + 1);
@@ -123,7 +143,10 @@ int run_with(const Options& options, GraphProgram& program) {
     const std::string unconnected = connect(*program.link(), options);
     if (!unconnected.empty()) return fail(unconnected, kBadFile);
   }
-  return run_told({options, fields, table, settings, faults}, program);
+  std::optional<dds::RemoteAgent> agent;
+  if (options.agent == target::Agent::dds)
+    agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
+  return run_told({options, fields, table, settings, faults}, program, agent ? &*agent : nullptr);
 }
 
 }  // namespace

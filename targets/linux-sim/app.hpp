@@ -94,9 +94,15 @@ class GraphWatch {
 
   template <class Program>
   Action wanted(EpisodeKey key, Seq step, const Observation& observation, Program& program) {
-    if (watch_.agent() != target::Agent::csv)
+    if (watch_.agent() < target::Agent::csv)
       return target::act<Graph>(watch_.agent(), key, step, observation, program);
-    const void* const row = watch_.action_of_file(step);
+    return given(step, observation);
+  }
+  /// The action of a file, or of another process.
+  [[gnu::noinline, gnu::cold]] Action given(Seq step, const Observation& observation) {
+    if (watch_.agent() == target::Agent::dds)
+      copy_observation<Graph>(observation, watch_.observations());
+    const void* const row = watch_.given_action(step);
     return row != nullptr ? *static_cast<const Action*>(row) : Graph::zero();
   }
   [[gnu::noinline, gnu::cold]] void row(TableWriter& table, std::uint32_t episode, Seq step,
@@ -223,6 +229,10 @@ class ProgramOf final : public GraphProgram {
     facts.safety = Graph::kSafety;
     facts.channels = Graph::kChannels;
     facts.channel_count = sizeof(Graph::kChannels) / sizeof(Channel);
+    if constexpr (requires { Graph::kShapes; }) {
+      facts.shapes = Graph::kShapes;
+      facts.shape_count = sizeof(Graph::kShapes) / sizeof(ChannelShape);
+    }
     if constexpr (requires { Graph::kBounds; }) facts.bounds = Graph::kBounds;
     facts.waits_in_resets = requires {
       untraced().reset_timeouts();

@@ -33,6 +33,8 @@ struct GraphFacts {
   Safety safety;
   const Channel* channels;
   std::size_t channel_count;
+  const ChannelShape* shapes;  // of channels whose messages are not one number
+  std::size_t shape_count;
   const Bounds* bounds;  // null: no channel has some
   bool waits_in_resets;  // reset nodes
   bool is_shown;         // `render:`

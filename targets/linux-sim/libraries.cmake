@@ -32,13 +32,14 @@ function(eagerx_linux_sim_libraries)
     foreach(name access client_message foxglove json_reader listener parameters scene_schema scene_update server_text)
       list(APPEND names publish/foxglove/${name})
     endforeach()
+    list(APPEND names dds/dds_sink dds/library dds/messages dds/participant dds/remote_agent dds/topics)
     list(TRANSFORM names PREPEND ${here}/)
     list(TRANSFORM names APPEND .cpp)
     eagerx_compiled_library(
       eagerx_linux_sim UNITY
       SOURCES ${names} ${here}/../common/fault.cpp
       FOLDERS ${folders}
-      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_web_sockets
+      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_web_sockets ${CMAKE_DL_LIBS}
       OPTIONS ${options})
   endif()
   # A library of its own: nothing of it is in the program of a graph that shows nothing.

@@ -40,12 +40,23 @@ bool set_agent(Options& options, std::string_view value) {
     options.action_file = value;
     return true;
   }
+  if (value.starts_with("dds")) {
+    dds::Network network;
+    if (!dds::parse_network(value.substr(3), network) || !network.interface.empty()) return false;
+    options.agent = Agent::dds;
+    options.agent_domain = network.domain;
+    return true;
+  }
   Agent agent{};
   if (!target::agent_of(value, agent)) return false;
   // `csv` alone is the file that the graph names.
   if (agent == Agent::csv && options.action_file.empty()) return false;
   options.agent = agent;
   return true;
+}
+bool set_agent_timeout(Options& options, std::string_view value) {
+  constexpr double kLongest = 1e6;
+  return parse_number(value, 0.001, options.agent_timeout_s) && options.agent_timeout_s <= kLongest;
 }
 bool set_csv(Options& options, std::string_view value) {
   options.csv = value;
@@ -198,8 +209,14 @@ constexpr std::array kOptions{
            "seed of everything that is random", set_seed},
     Option{"--environment", "K", "a whole number from 0 to 4294967295",
            "number of the environment; each one has random numbers of its own", set_environment},
-    Option{"--agent", "AGENT", "`policy`, `zero`, `random` or a file ending in `.csv`",
-           "policy, zero, random or FILE.csv", set_agent},
+    Option{"--agent", "AGENT",
+           "`policy`, `zero`, `random`, a file ending in `.csv`, or `dds[:DOMAIN]` with a domain "
+           "from 0 to 232",
+           "policy, zero, random, FILE.csv, or dds[:DOMAIN]: another process on this machine",
+           set_agent},
+    Option{"--agent-timeout", "S", "a number from 0.001 to 1000000",
+           "end the run after so many seconds without an action of `--agent dds` (10)",
+           set_agent_timeout},
     Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, one row a step",
            set_csv},
     Option{"--csv-states", "", "", "add columns with the states that each episode begins with",
@@ -234,11 +251,14 @@ constexpr std::array kOptions{
            set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
-    Option{"--publish", "KIND",
-           "`foxglove:[HOST:]PORT`, `udp:HOST:PORT`, `teleplot:HOST:PORT` or `mcap:FILE`",
-           "let others see the messages while it runs: foxglove:[HOST:]PORT, udp:HOST:PORT "
-           "(PlotJuggler), teleplot:HOST:PORT or mcap:FILE; may be repeated",
-           set_publish},
+    Option{
+        "--publish", "KIND",
+        "`foxglove:[HOST:]PORT`, `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`, or "
+        "`dds[:DOMAIN][@INTERFACE]` with a domain from 0 to 232",
+        "let others see the messages while it runs: foxglove:[HOST:]PORT, udp:HOST:PORT "
+        "(PlotJuggler), teleplot:HOST:PORT, mcap:FILE or dds[:DOMAIN][@INTERFACE] (ROS 2); may be "
+        "repeated",
+        set_publish},
     Option{"--publish-only", "CHANNEL", "the name of a channel, such as `pendulum/theta`",
            "publish only this channel of the trace (all); may be repeated", set_publish_only},
     Option{"--publish-rate", "HZ", "a number from 0.000001 to 1000000000",
@@ -374,13 +394,18 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
     return UsageError{"both `--csv` and `--trace` want the standard output",
                       "give one of them a file"};
   }
+  if (options.agent != Agent::dds &&
+      std::find(given.begin(), given.end(), "--agent-timeout") != given.end())
+    return UsageError{"`--agent-timeout` does nothing without `--agent dds`", "leave it out"};
   if (const auto idle = find_idle_option(given)) return *idle;
-  const auto is_server = [](const Destination& to) {
-    return to.kind == Destination::Kind::foxglove;
-  };
-  if (!options.publish_key.empty() && std::ranges::none_of(options.publish, is_server))
+  if (!options.publish_key.empty() &&
+      std::ranges::count(options.publish, Destination::Kind::foxglove, &Destination::kind) == 0)
     return UsageError{"`--publish-key` does nothing without `--publish foxglove:`", "leave it out"};
   return options;
+}
+
+std::string_view agent_name(const Options& options) {
+  return options.agent == Agent::dds ? "dds" : target::name_of(options.agent);
 }
 
 std::string options_help(const Options& defaults) {

@@ -33,9 +33,11 @@ struct Options {
   target::RunPlan plan;
   target::Agent agent = target::Agent::zero;
   bool self_test = false;
-  std::string action_file;  // of Agent::csv
-  std::string csv;          // empty: none; "-": standard output
-  std::string trace;        // the same
+  std::string action_file;         // of Agent::csv
+  std::uint32_t agent_domain = 0;  // of Agent::dds
+  double agent_timeout_s = 10.0;   // the same
+  std::string csv;                 // empty: none; "-": standard output
+  std::string trace;               // the same
   bool trace_time = false, trace_scenes = false;
   std::string replay;  // a log; empty: none
   std::string replay_given = "actions,sensors";
@@ -67,6 +69,9 @@ struct Options {
   bool help = false;
   bool version = false;
 };
+
+/// The agent, as `--agent` has it.
+std::string_view agent_name(const Options& options);
 
 /// What was wrong with the command line, and what to do.
 struct UsageError {

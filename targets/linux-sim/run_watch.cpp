@@ -91,7 +91,7 @@ void RunWatch::state_columns() {
   if (told_.options.csv_states) record_.columns(csv_);
 }
 
-const void* RunWatch::action_of_file(Seq step) const {
+const void* RunWatch::given_action(Seq step) {
   return step < told_.table.size() ? told_.table[step] : nullptr;
 }
 

@@ -34,14 +34,14 @@ class RunWatch : public Watch {
   virtual ~RunWatch() = default;
 
   bool go_on() override;
-  bool ends_early() const final;
+  bool ends_early() const override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
   StateRow states() final { return states_.row(); }
   void reset(std::uint32_t episode) override;
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
   void state_column_names() final;
   void state_columns() final;
-  const void* action_of_file(Seq step) const final;
+  const void* given_action(Seq step) override;
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
   ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }
@@ -61,9 +61,10 @@ class RunWatch : public Watch {
   }
   /// Between two steps.
   void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
+  std::uint64_t lateness() const override { return pacer_.late_in_a_row(); }
+  const Pacer& pacer() const { return pacer_; }
 
  private:
-  std::uint64_t lateness() const final { return pacer_.late_in_a_row(); }
   void hand_on(bool now);
 
   const GraphFacts& facts_;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <targets/linux-sim/dds/agent_watch.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/interrupt.hpp>
@@ -79,8 +80,12 @@ std::string close_pictures(Pictures* pictures, Summary& summary) {
 
 class Session {
  public:
-  Session(const Told& told, GraphProgram& program)
-      : options_(told.options), told_(told), program_(program), facts_(program.facts()) {}
+  Session(const Told& told, GraphProgram& program, dds::RemoteAgent* agent)
+      : options_(told.options),
+        told_(told),
+        program_(program),
+        facts_(program.facts()),
+        agent_(agent) {}
 
   int run() {
     const int problem = open();
@@ -91,24 +96,27 @@ class Session {
       return problem;
     }
     begin();
-    if (publishing_ && publishing_->remote() != nullptr) {
-      RemoteWatch watch(program_, told_, csv_, trace_, *publishing_, *publishing_->remote());
-      publishing_->start();
+    if (!publishing_) return run_watched<RunWatch>();
+    publishing_->start();
+    if (publishing_->remote() != nullptr)
+      return run_watched<RemoteWatch>(*publishing_, *publishing_->remote());
+    return run_watched<PublishWatch>(*publishing_);
+  }
+
+ private:
+  /// By a `Watch`, or one that asks another process for actions, too.
+  template <class Watch, class... Arguments>
+  int run_watched(Arguments&... arguments) {
+    if (agent_ == nullptr) {
+      Watch watch(program_, told_, csv_, trace_, arguments...);
       step_all(watch);
       return end(watch);
     }
-    if (publishing_) {
-      PublishWatch watch(program_, told_, csv_, trace_, *publishing_);
-      publishing_->start();
-      step_all(watch);
-      return end(watch);
-    }
-    RunWatch watch(program_, told_, csv_, trace_);
+    dds::AgentWatch<Watch> watch(*agent_, program_, told_, csv_, trace_, arguments...);
     step_all(watch);
     return end(watch);
   }
 
- private:
   int open() {
     const bool in_real_time = options_.real_time_factor > 0.0 || program_.is_real();
     const Writing writing = in_real_time ? Writing::real_time : Writing::background;
@@ -124,13 +132,16 @@ class Session {
       unseen = problem_with_files(options_);
       if (unseen.empty()) unseen = publishing_->open();
     }
-    return unseen.empty() ? kDone : fail(unseen, kBadUsage);
+    if (unseen.empty() && agent_ != nullptr) unseen = agent_->open();
+    if (!unseen.empty()) return fail(unseen, kBadUsage);
+    const std::string alone = agent_ != nullptr ? agent_->wait_for_agent() : "";
+    return alone.empty() ? kDone : fail(alone, kBadFile);
   }
 
   void begin() {
     summary_.graph = facts_.name;
     summary_.engine = facts_.engine;
-    summary_.agent = std::string(target::name_of(options_.agent));
+    summary_.agent = std::string(agent_name(options_));
     summary_.seed = options_.plan.seed;
     if (facts_.has_fast_policy)
       summary_.more.emplace_back("profile", "fast: the hash holds for this build only");
@@ -143,7 +154,7 @@ class Session {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
       TraceText<TextFile>::head(trace_, graph, options_.plan.seed, options_.plan.environment,
-                                target::name_of(options_.agent), options_.trace_time);
+                                agent_name(options_), options_.trace_time);
       recorder_of_run.write_to(&trace_, options_.trace_time);
       if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
     }
@@ -162,9 +173,10 @@ class Session {
   int end(RunWatch& watch) {
     spaces_of_run.list(faults_);
     watch.finish(summary_);
+    if (agent_ != nullptr) agent_->finish(summary_);
     const std::string problem_of_pictures = close_pictures(program_.pictures(), summary_);
     const std::string unpublished = publishing_ ? publishing_->finish(summary_) : "";
-    const std::string broken = end_link();
+    const std::string broken = agent_ != nullptr ? agent_->problem() : end_link();
     if (!watch.has_begun()) {
       csv_.discard();
       trace_.discard();
@@ -219,6 +231,7 @@ class Session {
   const Told& told_;
   GraphProgram& program_;
   const GraphFacts& facts_;
+  dds::RemoteAgent* const agent_;
   TextFile csv_, trace_;
   std::optional<Publishing> publishing_;
   Summary summary_;
@@ -228,8 +241,8 @@ class Session {
 
 }  // namespace
 
-int run_told(const Told& told, GraphProgram& program) {
-  return Session(told, program).run();
+int run_told(const Told& told, GraphProgram& program, dds::RemoteAgent* agent) {
+  return Session(told, program, agent).run();
 }
 
 }  // namespace eagerx::linux_sim

@@ -1,12 +1,14 @@
 // One run of a program: files, summary, what ends it.
 #pragma once
 
+#include <targets/linux-sim/dds/remote_agent.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 
 namespace eagerx::linux_sim {
 
-/// Runs with everything checked and read; writes files and summary. Returns the exit code.
-int run_told(const Told& told, GraphProgram& program);
+/// Runs with everything checked and read; writes files and summary. `agent`: null, or where actions
+/// come from. Returns the exit code.
+int run_told(const Told& told, GraphProgram& program, dds::RemoteAgent* agent);
 
 }  // namespace eagerx::linux_sim

@@ -27,7 +27,7 @@ constexpr std::string_view kLoadAnew =
 bool board_knows(const GraphFacts& facts, target::Agent agent) {
   if (!facts.board_decides) return true;
   if (agent == target::Agent::random) return facts.board_knows_random;
-  return agent != target::Agent::csv;
+  return agent < target::Agent::csv;
 }
 
 std::string problem_of(SplitLink& link) {

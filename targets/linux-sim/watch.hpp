@@ -37,11 +37,11 @@ class Watch {
   virtual void state_column_names() = 0;
   virtual void state_columns() = 0;
 
-  /// The action of a file in a step; null behind its end.
-  virtual const void* action_of_file(Seq step) const = 0;
+  /// The action of a file, null behind its end, or of another process, which sees observations().
+  virtual const void* given_action(Seq step) = 0;
 
   bool has_faults() const { return has_faults_; }
-  /// Memory for what an agent would see without them.
+  /// Memory for what an agent would see without them, or sees in another process.
   virtual ObservationRow observations() = 0;
   /// What it sees of them; valid until the next call.
   virtual ObservationRow seen(Seq step) = 0;

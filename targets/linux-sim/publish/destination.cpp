@@ -31,6 +31,11 @@ bool parse_address(std::string_view text, Destination& destination) {
 
 bool parse_destination(std::string_view text, Destination& destination) {
   using Kind = Destination::Kind;
+  if (text.starts_with("dds")) {
+    destination.kind = Kind::dds;
+    destination.written = text;
+    return dds::parse_network(text.substr(3), destination.network);
+  }
   const std::size_t colon = text.find(':');
   if (colon == std::string_view::npos) return false;
   const std::string_view kind = text.substr(0, colon), rest = text.substr(colon + 1);

@@ -4,20 +4,22 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <targets/linux-sim/dds/participant.hpp>
 
 namespace eagerx::linux_sim {
 
 struct Destination {
-  enum class Kind : std::uint8_t { udp, teleplot, mcap, foxglove };
+  enum class Kind : std::uint8_t { udp, teleplot, mcap, foxglove, dds };
   Kind kind = Kind::udp;
   std::string host;  // of udp, teleplot, foxglove
   std::string port;
-  std::string file;     // of mcap
-  std::string written;  // the whole text
+  std::string file;      // of mcap
+  dds::Network network;  // of dds
+  std::string written;   // the whole text
 };
 
 /// False if the text is none of `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`,
-/// `foxglove:[HOST:]PORT`. A host with colons is in brackets.
+/// `foxglove:[HOST:]PORT`, `dds[:DOMAIN][@INTERFACE]`. A host with colons is in brackets.
 bool parse_destination(std::string_view text, Destination& destination);
 
 }  // namespace eagerx::linux_sim

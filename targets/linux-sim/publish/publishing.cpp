@@ -5,6 +5,7 @@
 #include <cmath>
 #include <eagerx/trace.hpp>
 #include <targets/linux-sim/background.hpp>
+#include <targets/linux-sim/dds/dds_sink.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/datagrams.hpp>
@@ -140,6 +141,9 @@ std::string Publishing::open_sinks() {
       case Destination::Kind::foxglove:
         sinks_.push_back(foxglove_sink_of(to));
         break;
+      case Destination::Kind::dds:
+        sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
+        break;
     }
     names_.push_back(to.written);
     std::string problem = sinks_.back()->open();
@@ -149,13 +153,18 @@ std::string Publishing::open_sinks() {
 }
 
 std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to) {
-  std::vector<bool> chosen;
-  for (const Wanted& wanted : wanted_) chosen.push_back(wanted.every != 0);
   if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
   // A board draws its states itself, and does not wait.
   if (facts_.board == nullptr && !remote_) remote_ = std::make_unique<Remote>(fields_);
-  return foxglove_sink(to, {facts_, fields_, channels_, chosen, program_.is_real(), remote_.get(),
-                            options_.publish_key});
+  return foxglove_sink(to, {facts_, fields_, channels_, chosen_channels(), program_.is_real(),
+                            remote_.get(), options_.publish_key});
+}
+
+/// [channels] whether it is published.
+std::vector<bool> Publishing::chosen_channels() const {
+  std::vector<bool> chosen;
+  for (const Wanted& wanted : wanted_) chosen.push_back(wanted.every != 0);
+  return chosen;
 }
 
 /// As the plan wants it: what there is in half a second, and no less than some steps.

@@ -8,7 +8,7 @@ namespace eagerx::linux_sim {
 
 /// Does between two steps what they ask for. A run that is paused waits there, and before the first
 /// step of an episode; nothing else waits for anybody.
-class RemoteWatch final : public PublishWatch {
+class RemoteWatch : public PublishWatch {
  public:
   RemoteWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
               Publishing& publishing, Remote& remote);

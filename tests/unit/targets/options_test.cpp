@@ -57,6 +57,18 @@ TEST(LinuxSimOptions, AgentFromAFile) {
   EXPECT_EQ(options.action_file, "runs/actions.csv");
 }
 
+TEST(LinuxSimOptions, AgentInAnotherProcess) {
+  const Options options = options_of({"--agent", "dds:7", "--agent-timeout", "0.5"});
+  EXPECT_EQ(options.agent, target::Agent::dds);
+  EXPECT_EQ(options.agent_domain, 7U);
+  EXPECT_EQ(options.agent_timeout_s, 0.5);
+  EXPECT_EQ(agent_name(options), "dds");
+  EXPECT_EQ(options_of({"--agent", "dds"}).agent_domain, 0U);
+  EXPECT_NE(error_of({"--agent", "dds:7@eth0"}), "no error");
+  EXPECT_EQ(error_of({"--agent", "zero", "--agent-timeout", "1"}),
+            "`--agent-timeout` does nothing without `--agent dds` / leave it out");
+}
+
 TEST(LinuxSimOptions, TheLastOneCounts) {
   EXPECT_EQ(options_of({"--steps", "1", "--steps", "2"}).plan.steps, 2U);
 }
@@ -85,8 +97,8 @@ TEST(LinuxSimOptions, MistakesComeWithHelp) {
   EXPECT_EQ(error_of({"--csv"}), "`--csv` needs a value / it is a file name or `-`");
   EXPECT_EQ(
       error_of({"--agent", "csv"}),
-      "`csv` is not a value of `--agent` / it is `policy`, `zero`, `random` or a file ending in "
-      "`.csv`");
+      "`csv` is not a value of `--agent` / it is `policy`, `zero`, `random`, a file ending in "
+      "`.csv`, or `dds[:DOMAIN]` with a domain from 0 to 232");
   EXPECT_EQ(error_of({"--csv", "-", "--trace", "-"}),
             "both `--csv` and `--trace` want the standard output / give one of them a file");
 }

@@ -131,6 +131,19 @@ TEST(Pacer, TimeThatStoodStillMakesNothingLate) {
   EXPECT_EQ(pacer.overruns(), 0U);
 }
 
+TEST(Pacer, KnowsUntilWhenAnActionIsInTime) {
+  for (const std::int64_t max_lateness_ms : {5, 250}) {
+    FakePacer pacer(0.1, 1.0, max_lateness_ms * kNsPerMs);
+    pacer.start();
+    pacer.wait_for(1);
+    FakeNs::now = pacer.in_time_until_ns();
+    EXPECT_EQ(pacer.late_in_a_row(), 0U);
+    FakeNs::now += 1;
+    EXPECT_EQ(pacer.late_in_a_row(), 1U);
+  }
+  EXPECT_EQ(FakePacer(0.1, 0.0, kNsPerMs).in_time_until_ns(), 0) << "always";
+}
+
 TEST(Pacer, WithoutPaceNothingIsLate) {
   FakePacer pacer(0.1, 0.0, 5 * kNsPerMs);
   pacer.start();

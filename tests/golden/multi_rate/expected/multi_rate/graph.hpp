@@ -60,6 +60,19 @@ struct Graph : Limits {
           "right/x.observation"},
       {"slow/filtered", "float32", 1, 20, 1, eagerx::Publisher::node, "slow.filtered", 10, 1},
   };
+  /// Shapes of the published messages that are not one number.
+  static constexpr eagerx::ChannelShape kShapes[] = {
+      {1, "1"},  // environment/push
+      {2, "1"},  // environment/voltage
+      {3, "1"},  // fast/filtered
+      {6, "1"},  // left/u/action_applied
+      {7, "1"},  // left/u_applied/action_applied
+      {8, "2"},  // left/x/observation
+      {10, "1"},  // right/u/action_applied
+      {11, "1"},  // right/u_applied/action_applied
+      {12, "2"},  // right/x/observation
+      {13, "1"},  // slow/filtered
+  };
   /// Bounds of the published messages, where they have some.
   static constexpr eagerx::Bounds kBounds[] = {
       {-1.0, 1.0},  // environment/push

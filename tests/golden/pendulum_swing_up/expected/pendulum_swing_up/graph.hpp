@@ -55,6 +55,14 @@ struct Graph : Limits {
           "pendulum/x.observation"},
       {"smooth/filtered", "float32", 1, 30, 1, eagerx::Publisher::node, "smooth.filtered", 5, 1},
   };
+  /// Shapes of the published messages that are not one number.
+  static constexpr eagerx::ChannelShape kShapes[] = {
+      {1, "1"},  // environment/voltage
+      {4, "1"},  // pendulum/u/action_applied
+      {5, "1"},  // pendulum/u_applied/action_applied
+      {6, "2"},  // pendulum/x/observation
+      {7, "1"},  // smooth/filtered
+  };
   /// Bounds of the published messages, where they have some.
   static constexpr eagerx::Bounds kBounds[] = {
       {-2.0, 2.0},  // environment/voltage

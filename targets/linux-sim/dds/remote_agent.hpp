@@ -1,0 +1,90 @@
+// --agent dds: another process is the agent.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <targets/linux-sim/dds/messages.hpp>
+#include <targets/linux-sim/dds/participant.hpp>
+#include <targets/linux-sim/dds/ros_values.hpp>
+#include <targets/linux-sim/fields.hpp>
+#include <targets/linux-sim/graph_program.hpp>
+#include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/summary.hpp>
+#include <vector>
+
+namespace eagerx::linux_sim::dds {
+
+/// Writes the observations of a step, with a time that no other step has, and waits for the actions
+/// with this time. What is not an action is refused and counted.
+class RemoteAgent {
+ public:
+  /// `zero`: an action of `bytes` that does nothing.
+  RemoteAgent(const Options& options, const GraphFacts& facts, const Fields& fields,
+              const void* zero, std::size_t bytes);
+
+  /// Empty, or what is wrong.
+  std::string open();
+  /// Until there is an agent. Empty, also after a signal, or what is wrong.
+  std::string wait_for_agent();
+
+  void begin(std::uint32_t episode) { episode_ = episode; }
+  /// The action of step `step` (from 0). Waits until `until_ns` of the monotonic clock if that is
+  /// not 0, and then the last action stays; otherwise for as long as the agent may take.
+  const void* act(Seq step, ObservationRow observations, std::int64_t until_ns);
+  /// Steps in a row, up to the last, without an action in time.
+  std::uint64_t missed_in_a_row() const { return missed_in_a_row_; }
+
+  bool failed() const { return !problem_.empty(); }
+  const std::string& problem() const { return problem_; }
+  /// Tells what was refused.
+  void finish(Summary& summary);
+
+ private:
+  /// An action, and what is known of it in this step.
+  struct Input {
+    const Field* field;
+    std::string topic;
+    Entity reader = -1;
+    bool has_come = false;
+  };
+  struct Output {
+    const Field* field;
+    std::string topic;
+    Entity writer = -1;
+    bool is_written = false;
+    std::vector<double> numbers{};  // [most][size]
+    ros::Names names{};
+  };
+
+  std::string make_topics();
+  bool is_there() const;
+  /// Those of this step that are not written. False: there is no room for one, as long as earlier
+  /// ones are on their way.
+  bool write(ObservationRow observations);
+  /// Takes what has come. True: all actions are there.
+  bool take_all();
+  void take(Input& input);
+  void judge(Input& input, const ros::JointState& message);
+  /// Null, or what is wrong with its numbers.
+  std::uint64_t* wrong_with(const Field& field, const Sequence<double>& numbers);
+  void look_for_strangers();
+  std::string silence(const std::string& what) const;
+
+  const Options& options_;
+  const GraphFacts& facts_;
+  const Fields& fields_;
+  Participant participant_;
+  Entity waitset_ = -1, publications_ = -1;
+  std::vector<Input> inputs_;
+  std::vector<Output> outputs_;
+  std::vector<std::max_align_t> action_, wanted_;  // Action objects
+  std::uint32_t episode_ = 0;
+  std::uint64_t written_ = 0;  // observations, of all episodes
+  ros::Time now_{}, before_{};
+  bool has_answered_ = false;
+  std::string frame_, problem_, stranger_;
+  std::uint64_t missed_in_a_row_ = 0, missed_ = 0, late_ = 0, others_ = 0;
+  std::uint64_t lengths_ = 0, not_finite_ = 0, beyond_ = 0, not_whole_ = 0, strangers_ = 0;
+};
+
+}  // namespace eagerx::linux_sim::dds
