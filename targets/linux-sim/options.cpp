@@ -134,6 +134,10 @@ bool set_publish_rate(Options& options, std::string_view value) {
   constexpr double kFastest = 1e9;
   return parse_number(value, 1e-6, options.publish_rate_hz) && options.publish_rate_hz <= kFastest;
 }
+bool set_publish_key(Options& options, std::string_view value) {
+  options.publish_key = value;
+  return !value.empty();
+}
 bool set_link(Options& options, std::string_view value) {
   options.link = value;
   return !value.empty();
@@ -247,17 +251,20 @@ constexpr std::array kOptions{
            set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
-    Option{"--publish", "KIND",
-           "`udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`, or `dds[:DOMAIN][@INTERFACE]` with "
-           "a domain "
-           "from 0 to 232",
-           "let others see the messages while it runs: udp:HOST:PORT (PlotJuggler), "
-           "teleplot:HOST:PORT, mcap:FILE or dds[:DOMAIN][@INTERFACE] (ROS 2); may be repeated",
-           set_publish},
+    Option{
+        "--publish", "KIND",
+        "`foxglove:[HOST:]PORT`, `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`, or "
+        "`dds[:DOMAIN][@INTERFACE]` with a domain from 0 to 232",
+        "let others see the messages while it runs: foxglove:[HOST:]PORT, udp:HOST:PORT "
+        "(PlotJuggler), teleplot:HOST:PORT, mcap:FILE or dds[:DOMAIN][@INTERFACE] (ROS 2); may be "
+        "repeated",
+        set_publish},
     Option{"--publish-only", "CHANNEL", "the name of a channel, such as `pendulum/theta`",
            "publish only this channel of the trace (all); may be repeated", set_publish_only},
     Option{"--publish-rate", "HZ", "a number from 0.000001 to 1000000000",
            "publish at most so many messages of a channel in a simulated second", set_publish_rate},
+    Option{"--publish-key", "FILE", "a file name",
+           "who has the key in FILE may change the run over foxglove:", set_publish_key},
     Option{"--link", "LINE", "a serial line, HOST:PORT or unix:PATH",
            "where the board is: a serial line (ours alone), HOST:PORT or unix:PATH", set_link,
            true},
@@ -290,13 +297,14 @@ constexpr std::array kOptions{
 };
 
 /// The first option does nothing without the second.
-constexpr std::array<std::array<std::string_view, 2>, 11> kNeeds{{
+constexpr std::array<std::array<std::string_view, 2>, 12> kNeeds{{
     {"--csv-states", "--csv"},
     {"--trace-time", "--trace"},
     {"--trace-scenes", "--trace"},
     {"--size", "--render"},
     {"--publish-only", "--publish"},
     {"--publish-rate", "--publish"},
+    {"--publish-key", "--publish"},
     {"--replay-given", "--replay"},
     {"--identify-out", "--identify"},
     {"--identify-sensors", "--identify"},
@@ -390,6 +398,9 @@ std::variant<Options, UsageError> parse_options(int count, const char* const* ar
       std::find(given.begin(), given.end(), "--agent-timeout") != given.end())
     return UsageError{"`--agent-timeout` does nothing without `--agent dds`", "leave it out"};
   if (const auto idle = find_idle_option(given)) return *idle;
+  if (!options.publish_key.empty() &&
+      std::ranges::count(options.publish, Destination::Kind::foxglove, &Destination::kind) == 0)
+    return UsageError{"`--publish-key` does nothing without `--publish foxglove:`", "leave it out"};
   return options;
 }
 

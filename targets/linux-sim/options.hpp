@@ -52,6 +52,7 @@ struct Options {
   std::vector<Destination> publish;
   std::vector<std::string> publish_only;  // channels; empty: all
   double publish_rate_hz = 0.0;           // at most; 0: as they are
+  std::string publish_key;                // a file; empty: none
   bool split = false;  // whether a part of the graph runs elsewhere: the next three exist
   std::string link;
   std::uint32_t baud = kDefaultBaud;

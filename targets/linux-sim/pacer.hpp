@@ -55,7 +55,10 @@ class PacerOn {
   }
 
   /// Time has stood still for so long.
-  void pause(std::int64_t ns) { start_ns_ += ns; }
+  void pause(std::int64_t ns) {
+    start_ns_ += ns;
+    due_ns_ += ns;
+  }
   /// 2^`power` times as fast as it was told, from step `n` on.
   void set_speed(std::uint64_t n, int power) {
     if (power == speed_) return;

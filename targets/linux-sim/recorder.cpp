@@ -59,7 +59,9 @@ bool Recorder::runs_engine() const {
 }
 
 void Recorder::scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene) {
-  scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
+  if (publishing_ != nullptr) publishing_->scene(episode_, tick, scene);
+  if (scene_file_ != nullptr)
+    scenes_of_run->write(*scene_file_, {episode_, rate_num, rate_den, tick}, scene);
 }
 
 void Recorder::write_to(TextFile* file, bool timed) {
@@ -72,6 +74,7 @@ void Recorder::write_to(TextFile* file, bool timed) {
 void Recorder::keep_scenes(TextFile* file) {
   scenes_of_run.emplace(facts_->scene_rows);
   scene_file_ = file;
+  keeps_scenes_ = true;
 }
 
 void Recorder::decide() {
@@ -82,6 +85,7 @@ void Recorder::decide() {
 
 void Recorder::publish(Publishing* publishing) {
   publishing_ = publishing;
+  keeps_scenes_ = keeps_scenes_ || publishing->wants_scenes();
   decide();
 }
 

@@ -35,7 +35,7 @@ class Recorder {
   bool experiments() const { return experiment_ != nullptr; }
   void simulator(const char* object, Seq tick, const identification::SimulatorView& simulator);
   bool runs_engine() const;
-  bool keeps_scenes() const { return scene_file_ != nullptr; }
+  bool keeps_scenes() const { return keeps_scenes_; }
   void scene(std::uint64_t rate_num, std::uint64_t rate_den, Seq tick, const float* scene);
 
   void graph_is(const GraphFacts& facts) { facts_ = &facts; }
@@ -70,6 +70,7 @@ class Recorder {
   bool keeps_ = false;
   bool only_publishes_ = false;
   bool measures_ = false;
+  bool keeps_scenes_ = false;
 };
 
 extern Recorder recorder_of_run;

@@ -35,7 +35,7 @@ bool RunWatch::ends_early() const {
 }
 
 bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
-  const bool changed = told_.settings.apply(key, states);
+  const bool changed = set_states(key, states);
   record_.begin(states);
   task_record_.end_episode();
   if (measures_of_run.is_used()) {

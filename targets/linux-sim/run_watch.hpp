@@ -55,6 +55,12 @@ class RunWatch : public Watch {
   void finish(Summary& summary);
 
  protected:
+  /// Puts what is told into the states that an episode begins with. False: nothing.
+  virtual bool set_states(EpisodeKey key, StateRow states) {
+    return told_.settings.apply(key, states);
+  }
+  /// Between two steps.
+  void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
   std::uint64_t lateness() const override { return pacer_.late_in_a_row(); }
   const Pacer& pacer() const { return pacer_; }
 

@@ -12,6 +12,7 @@
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
+#include <targets/linux-sim/publish/remote_watch.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <targets/linux-sim/session.hpp>
@@ -97,6 +98,8 @@ class Session {
     begin();
     if (!publishing_) return run_watched<RunWatch>();
     publishing_->start();
+    if (publishing_->remote() != nullptr)
+      return run_watched<RemoteWatch>(*publishing_, *publishing_->remote());
     return run_watched<PublishWatch>(*publishing_);
   }
 
@@ -124,7 +127,7 @@ class Session {
     std::string unseen = problem_of_scenes(options_, facts_);
     if (unseen.empty()) unseen = open_pictures(options_, program_);
     if (unseen.empty() && !options_.publish.empty()) {
-      publishing_.emplace(options_, facts_);
+      publishing_.emplace(options_, program_, told_.fields);
       // Again: by now there are files that were not there before.
       unseen = problem_with_files(options_);
       if (unseen.empty()) unseen = publishing_->open();

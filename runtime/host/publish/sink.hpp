@@ -1,6 +1,7 @@
 // Where messages are published.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <runtime/host/trace/log_file.hpp>
 #include <string>
@@ -21,6 +22,13 @@ struct PublishedStep {
   std::int64_t time_ns;
 };
 
+struct PublishedScene {
+  std::uint32_t episode;
+  std::int64_t time_ns;
+  const float* rows;  // [count][kSceneColumns]
+  std::size_t count;
+};
+
 /// One `--publish`. Only the thread that publishes calls it, but for open() and what is const. No
 /// call may wait for a reader.
 class PublishSink {
@@ -30,6 +38,8 @@ class PublishSink {
   virtual std::string open() = 0;
   virtual void message(const PublishedMessage& message) = 0;
   virtual void step(const PublishedStep& step) = 0;
+  /// What `render:` shows.
+  virtual void scene(const PublishedScene& /*scene*/) {}
   /// Called every few milliseconds.
   virtual void idle() {}
   /// Behind the last message. Empty, or what is wrong.
@@ -40,6 +50,8 @@ class PublishSink {
   std::uint64_t sent() const { return sent_; }
   /// Of the summary: "datagrams"
   virtual const char* unit() const = 0;
+  /// … and what else there is to tell: ", 2 clients"
+  virtual std::string more() const { return {}; }
 
  protected:
   std::uint64_t dropped_ = 0, sent_ = 0;

@@ -18,6 +18,13 @@ bool parse_destination(std::string_view text, Destination& destination) {
     destination.file = rest;
     return !rest.empty() && rest != "-";
   }
+  if (kind == "foxglove") {
+    destination.kind = Kind::foxglove;
+    if (rest.find(':') != std::string_view::npos) return publish::parse_address(rest, destination);
+    destination.host = "127.0.0.1";
+    destination.port = rest;
+    return publish::is_port(rest);
+  }
   if (kind == "udp") {
     destination.kind = Kind::udp;
   } else if (kind == "teleplot") {

@@ -9,9 +9,9 @@
 
 namespace eagerx::linux_sim {
 
-/// With an address, if it has one: udp, teleplot.
+/// With an address, if it has one: udp, teleplot, foxglove.
 struct Destination : publish::Address {
-  enum class Kind : std::uint8_t { udp, teleplot, mcap, dds };
+  enum class Kind : std::uint8_t { udp, teleplot, mcap, foxglove, dds };
   Kind kind = Kind::udp;
   std::string file;      // of mcap
   dds::Network network;  // of dds
@@ -19,7 +19,7 @@ struct Destination : publish::Address {
 };
 
 /// False if the text is none of `udp:HOST:PORT`, `teleplot:HOST:PORT`, `mcap:FILE`,
-/// `dds[:DOMAIN][@INTERFACE]`. A host with colons is in brackets.
+/// `foxglove:[HOST:]PORT`, `dds[:DOMAIN][@INTERFACE]`. A host with colons is in brackets.
 bool parse_destination(std::string_view text, Destination& destination);
 
 }  // namespace eagerx::linux_sim

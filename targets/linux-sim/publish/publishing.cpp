@@ -9,6 +9,7 @@
 #include <targets/linux-sim/dds/dds_sink.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
+#include <targets/linux-sim/publish/foxglove/foxglove.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
 
@@ -77,8 +78,13 @@ std::string unknown_channel(const std::string& name, const PublishedChannels& ch
 
 }  // namespace
 
-Publishing::Publishing(const Options& options, const GraphFacts& facts)
-    : options_(options), facts_(facts), channels_(channels_of(facts)), clock_(channels_) {
+Publishing::Publishing(const Options& options, const GraphProgram& program, const Fields& fields)
+    : options_(options),
+      program_(program),
+      fields_(fields),
+      facts_(program.facts()),
+      channels_(channels_of(facts_)),
+      clock_(channels_) {
   for (const auto& channel : channels_) scalars_.push_back(scalar_of_dtype(channel.dtype));
 }
 
@@ -115,6 +121,8 @@ std::string Publishing::choose_channels() {
           every_of(channel.rate_num, channel.rate_den, options_.publish_rate_hz));
   }
   step_every_ = every_of(facts_.rate_num, facts_.rate_den, options_.publish_rate_hz);
+  if (facts_.is_scene)
+    scene_every_ = every_of(facts_.render_num, facts_.render_den, options_.publish_rate_hz);
   return {};
 }
 
@@ -130,6 +138,9 @@ std::string Publishing::open_sinks() {
       case Destination::Kind::mcap:
         sinks_.push_back(mcap_sink(to, channels_));
         break;
+      case Destination::Kind::foxglove:
+        sinks_.push_back(foxglove_sink_of(to));
+        break;
       case Destination::Kind::dds:
         sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
         break;
@@ -139,6 +150,14 @@ std::string Publishing::open_sinks() {
     if (!problem.empty()) return problem;
   }
   return {};
+}
+
+std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to) {
+  if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
+  // A board draws its states itself, and does not wait.
+  if (facts_.board == nullptr && !remote_) remote_ = std::make_unique<Remote>(fields_);
+  return foxglove_sink(to, {facts_, fields_, channels_, chosen_channels(), program_.is_real(),
+                            remote_.get(), options_.publish_key});
 }
 
 /// [channels] whether it is published.
@@ -159,6 +178,12 @@ void Publishing::make_ring() {
     words_s += static_cast<double>(wanted_[c].words) * static_cast<double>(channels_[c].rate_num) /
                static_cast<double>(channels_[c].rate_den) / wanted_[c].every;
   }
+  if (scene_rows_ > 0) {
+    const std::size_t words = kSceneHeadWords + scene_rows_ * kRowWords;
+    longest = std::max(longest, words);
+    words_s += static_cast<double>(words) * static_cast<double>(facts_.render_num) /
+               static_cast<double>(facts_.render_den) / static_cast<double>(scene_every_);
+  }
   ring_ = std::make_unique<PublishRing>(
       static_cast<std::size_t>(std::clamp(words_s * kSeconds, kLeast, kMost)), longest);
   std::size_t most_values = 1;
@@ -178,9 +203,10 @@ std::string Publishing::finish(Summary& summary) {
   for (std::size_t i = 0; i < sinks_.size(); ++i) {
     const std::string wrong = sinks_[i]->close();
     if (problem.empty()) problem = wrong;
-    summary.more.emplace_back("published " + names_[i],
-                              std::to_string(sinks_[i]->sent()) + " " + sinks_[i]->unit() + ", " +
-                                  std::to_string(sinks_[i]->dropped()) + " dropped");
+    summary.more.emplace_back("published " + names_[i], std::to_string(sinks_[i]->sent()) + " " +
+                                                            sinks_[i]->unit() + ", " +
+                                                            std::to_string(sinks_[i]->dropped()) +
+                                                            " dropped" + sinks_[i]->more());
   }
   const std::uint64_t lost = dropped_.load(std::memory_order_relaxed);
   if (lost > 0) summary.more.emplace_back("publishing dropped", std::to_string(lost));
@@ -218,12 +244,8 @@ void Publishing::take_all() {
 std::size_t Publishing::take(const std::uint64_t* record) {
   const auto channel = static_cast<std::uint32_t>(record[0]);
   const auto episode = static_cast<std::uint32_t>(record[0] >> kEpisodeShift);
-  if (channel == kStep) {
-    const std::int64_t time_ns = clock_.in_log_of_other_ns(
-        episode, trace_log::time_of_tick(record[1], facts_.rate_num, facts_.rate_den));
-    for (const auto& sink : sinks_) sink->step({episode, record[1], time_ns});
-    return kHeadWords;
-  }
+  if (channel == kStep) return take_step(episode, record);
+  if (channel == kScene) return take_scene(episode, record);
   const auto& known = channels_[channel];
   with_elements(scalars_[channel], static_cast<const void*>(record + kHeadWords),
                 [&](const auto* elements) {
@@ -235,6 +257,36 @@ std::size_t Publishing::take(const std::uint64_t* record) {
   const PublishedMessage message{channel, episode, record[1], time_ns, values_.data()};
   for (const auto& sink : sinks_) sink->message(message);
   return wanted_[channel].words;
+}
+
+std::size_t Publishing::take_step(std::uint32_t episode, const std::uint64_t* record) {
+  const std::int64_t time_ns = clock_.in_log_of_other_ns(
+      episode, trace_log::time_of_tick(record[1], facts_.rate_num, facts_.rate_den));
+  for (const auto& sink : sinks_) sink->step({episode, record[1], time_ns});
+  return kHeadWords;
+}
+
+std::size_t Publishing::take_scene(std::uint32_t episode, const std::uint64_t* record) {
+  const std::int64_t time_ns = clock_.in_log_of_other_ns(
+      episode, trace_log::time_of_tick(record[1], facts_.render_num, facts_.render_den));
+  const std::size_t rows = record[kHeadWords];
+  scene_.resize(rows * kSceneColumns);
+  std::memcpy(scene_.data(), record + kSceneHeadWords, rows * kSceneColumns * sizeof(float));
+  for (const auto& sink : sinks_) sink->scene({episode, time_ns, scene_.data(), rows});
+  return kSceneHeadWords + rows * kRowWords;
+}
+
+void Publishing::scene(std::uint32_t episode, Seq tick, const float* scene) {
+  if (scene_rows_ == 0 || tick % scene_every_ != 0) return;
+  std::size_t rows = 0;
+  while (rows < scene_rows_ && scene[rows * kSceneColumns] != 0.0F) ++rows;
+  std::uint64_t* const at = ring_->begin(kSceneHeadWords + rows * kRowWords);
+  if (at == nullptr) return drop();
+  at[0] = std::uint64_t{episode} << kEpisodeShift | kScene;
+  at[1] = tick;
+  at[kHeadWords] = rows;
+  std::memcpy(at + kSceneHeadWords, scene, rows * kSceneColumns * sizeof(float));
+  ring_->commit(kSceneHeadWords + rows * kRowWords);
 }
 
 }  // namespace eagerx::linux_sim

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <eagerx/scene.hpp>
 #include <memory>
 #include <runtime/host/trace/log_clock.hpp>
 #include <string>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/publish/remote.hpp>
 #include <targets/linux-sim/publish/ring.hpp>
 #include <targets/linux-sim/publish/sink.hpp>
 #include <targets/linux-sim/summary.hpp>
@@ -22,7 +24,7 @@ namespace eagerx::linux_sim {
 /// counted. One thread takes it from there and sends it to all destinations.
 class Publishing {
  public:
-  Publishing(const Options& options, const GraphFacts& facts);
+  Publishing(const Options& options, const GraphProgram& program, const Fields& fields);
   Publishing(const Publishing&) = delete;
   Publishing& operator=(const Publishing&) = delete;
   ~Publishing();
@@ -32,6 +34,9 @@ class Publishing {
   void start();
   /// Sends what is left. Empty, or what is wrong.
   std::string finish(Summary& summary);
+  /// What others want of the run; null: they only look on.
+  Remote* remote() const { return remote_.get(); }
+  bool wants_scenes() const { return scene_rows_ > 0; }
 
   // Of the loop, from here on.
 
@@ -61,11 +66,16 @@ class Publishing {
     at[1] = step;
     ring_->commit(kHeadWords);
   }
+  /// Of [rows][kSceneColumns] those up to the first that is none.
+  void scene(std::uint32_t episode, Seq tick, const float* scene);
 
  private:
   static constexpr unsigned kEpisodeShift = 32;
   static constexpr std::size_t kHeadWords = 2;
-  static constexpr std::uint32_t kStep = 0xffff'ffff;
+  static constexpr std::uint32_t kStep = 0xffff'ffff, kScene = kStep - 1;
+  /// A scene has its number of rows behind its head.
+  static constexpr std::size_t kSceneHeadWords = kHeadWords + 1;
+  static constexpr std::size_t kRowWords = kSceneColumns * sizeof(float) / sizeof(std::uint64_t);
 
   struct Wanted {
     std::uint32_t every = 0;  // of so many messages one; 0: none
@@ -84,22 +94,30 @@ class Publishing {
 
   std::string choose_channels();
   std::string open_sinks();
+  std::unique_ptr<PublishSink> foxglove_sink_of(const Destination& to);
   std::vector<bool> chosen_channels() const;
   void make_ring();
   void work();
   void take_all();
   std::size_t take(const std::uint64_t* record);
+  std::size_t take_step(std::uint32_t episode, const std::uint64_t* record);
+  std::size_t take_scene(std::uint32_t episode, const std::uint64_t* record);
 
   const Options& options_;
+  const GraphProgram& program_;
+  const Fields& fields_;
   const GraphFacts& facts_;
   PublishedChannels channels_;
   std::vector<Wanted> wanted_;
   std::vector<Scalar> scalars_;  // of channels
-  std::uint64_t step_every_ = 1;
+  std::uint64_t step_every_ = 1, scene_every_ = 1;
+  std::size_t scene_rows_ = 0;  // 0: nobody wants scenes
+  std::unique_ptr<Remote> remote_;
   std::unique_ptr<PublishRing> ring_;
   std::vector<std::unique_ptr<PublishSink>> sinks_;
   std::vector<std::string> names_;  // of sinks, as they are written
   std::vector<std::uint64_t> values_;
+  std::vector<float> scene_;
   trace_log::LogClock clock_;
   std::atomic<std::uint64_t> dropped_ = 0;
   std::atomic<bool> ends_ = false;

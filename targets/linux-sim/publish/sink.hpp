@@ -7,6 +7,7 @@ namespace eagerx::linux_sim {
 
 using publish::PublishedChannels;
 using publish::PublishedMessage;
+using publish::PublishedScene;
 using publish::PublishedStep;
 using publish::PublishSink;
 

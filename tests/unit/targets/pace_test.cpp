@@ -118,6 +118,19 @@ TEST(Pacer, AStepThatBeginsLaterThanDeclaredIsLate) {
   EXPECT_EQ(pacer.late_in_a_row(), 0U) << "an action has a period";
 }
 
+TEST(Pacer, TimeThatStoodStillMakesNothingLate) {
+  FakePacer pacer(0.1, 1.0, 5 * kNsPerMs);
+  pacer.start();
+  pacer.wait_for(1);
+  FakeNs::now += 5000 * kNsPerMs;
+  pacer.pause(5000 * kNsPerMs);
+  EXPECT_EQ(pacer.late_in_a_row(), 0U);
+  const std::int64_t before = FakeNs::now;
+  pacer.wait_for(2);
+  EXPECT_EQ(FakeNs::now - before, 100 * kNsPerMs);
+  EXPECT_EQ(pacer.overruns(), 0U);
+}
+
 TEST(Pacer, KnowsUntilWhenAnActionIsInTime) {
   for (const std::int64_t max_lateness_ms : {5, 250}) {
     FakePacer pacer(0.1, 1.0, max_lateness_ms * kNsPerMs);

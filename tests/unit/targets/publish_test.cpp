@@ -85,8 +85,14 @@ TEST(Destination, IsReadStrictly) {
   EXPECT_EQ(to.host, "::1");
   ASSERT_TRUE(parse_destination("mcap:a:b.mcap", to));
   EXPECT_EQ(to.file, "a:b.mcap");
-  for (const char* wrong : {"", "udp", "udp:", "udp:1234", "udp::1234", "udp:a:", "udp:a:0",
-                            "udp:a:65536", "udp:a:1x", "udp:::1:80", "mcap:", "mcap:-", "rtp:a:1"})
+  ASSERT_TRUE(parse_destination("foxglove:8765", to));
+  EXPECT_EQ(to.host, "127.0.0.1");
+  EXPECT_EQ(to.port, "8765");
+  ASSERT_TRUE(parse_destination("foxglove:[::]:8765", to));
+  EXPECT_EQ(to.host, "::");
+  for (const char* wrong : {"foxglove:", "foxglove::1", "foxglove:0", "foxglove:x", "", "udp",
+                            "udp:", "udp:1234", "udp::1234", "udp:a:", "udp:a:0", "udp:a:65536",
+                            "udp:a:1x", "udp:::1:80", "mcap:", "mcap:-", "rtp:a:1"})
     EXPECT_FALSE(parse_destination(wrong, to)) << wrong;
 }
 

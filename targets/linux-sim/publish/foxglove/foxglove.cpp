@@ -1,0 +1,383 @@
+#include <algorithm>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <optional>
+#include <random>
+#include <runtime/host/trace/json_text.hpp>
+#include <set>
+#include <targets/linux-sim/publish/foxglove/access.hpp>
+#include <targets/linux-sim/publish/foxglove/client_message.hpp>
+#include <targets/linux-sim/publish/foxglove/foxglove.hpp>
+#include <targets/linux-sim/publish/foxglove/listener.hpp>
+#include <targets/linux-sim/publish/foxglove/parameters.hpp>
+#include <targets/linux-sim/publish/foxglove/scene_update.hpp>
+#include <targets/linux-sim/publish/foxglove/server_text.hpp>
+#include <targets/linux-sim/publish/foxglove/web_socket.hpp>
+#include <targets/linux-sim/say.hpp>
+#include <thread>
+
+namespace eagerx::linux_sim {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+using Said = ClientMessage::Kind;
+
+enum ServerOp : std::uint8_t { kMessageData = 1, kTime = 2, kCallResponse = 3 };
+
+/// Little-endian.
+template <class T>
+void append(std::string& to, T value) {
+  for (std::size_t i = 0; i < sizeof(T); ++i)
+    to += static_cast<char>(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+class FoxgloveSink final : public PublishSink, private WebSocketOwner {
+ public:
+  FoxgloveSink(Destination to, const FoxgloveRun& run)
+      : to_(std::move(to)), run_(run), subscribers_(run.channels.size() + 1) {
+    if (run.remote != nullptr) parameters_.emplace(run.fields, *run.remote);
+  }
+
+  std::string open() override;
+  void message(const PublishedMessage& message) override;
+  void scene(const PublishedScene& scene) override;
+  void step(const PublishedStep& step) override {
+    step_ = step;
+    time_ns_ = step.time_ns;
+  }
+  void idle() override;
+  std::string close() override;
+  const char* unit() const override { return "messages"; }
+  std::string more() const override;
+
+ private:
+  struct Client {
+    bool may_change = false;
+    int wrong = 0;  // messages
+    bool wants_all_parameters = false;
+    std::set<std::string> parameters;  // whose values it wants to know
+  };
+  struct Subscriber {
+    ClientId client;
+    std::uint32_t id;
+  };
+  struct Call {
+    ClientId client;
+    std::uint32_t service, id;
+    std::uint64_t number;  // of the request
+  };
+
+  bool admit(const Handshake& handshake) override { return access_.may_read(handshake); }
+  void opened(ClientId id, const Handshake& handshake) override;
+  bool received(ClientId id, std::string_view message, bool is_text) override;
+  void closed(ClientId id) override;
+
+  bool has_services() const { return run_.remote != nullptr && !run_.is_real; }
+  void answer(ClientId client, const std::string& text);
+  void say_wrong(ClientId client, const std::string& problem) {
+    answer(client, status_text(StatusLevel::error, problem));
+  }
+  /// `frame_` has the beginning of a message, and what comes behind the subscription's number.
+  void send_to(std::vector<Subscriber>& subscribers);
+  void begin_frame(std::int64_t time_ns);
+  void subscribe(ClientId client, const ClientMessage& message);
+  void set_parameters(ClientId client, const ClientMessage& message);
+  void tell_parameters(const std::vector<std::string>& names);
+  void call(ClientId client, const ClientMessage& message);
+  void answer_calls();
+  void send_time();
+
+  Destination to_;
+  const FoxgloveRun run_;
+  Access access_;
+  std::optional<Parameters> parameters_;
+  std::string session_;
+  std::map<ClientId, Client> clients_;
+  std::vector<std::vector<Subscriber>> subscribers_;  // by channel; of the scene behind them
+  std::string frame_;
+  std::deque<Call> calls_;
+  std::uint64_t done_ = 0, told_version_ = 0;
+  PublishedStep step_{};
+  std::int64_t time_ns_ = 0, told_time_ns_ = -1;
+  Clock::time_point told_time_, told_parameters_;
+  std::uint64_t clients_in_all_ = 0;
+  std::unique_ptr<WebSocketServer> server_;  // the last, for it still tells who is gone
+};
+
+std::string FoxgloveSink::open() {
+  const std::string about = "error: `--publish " + to_.written + "`: ";
+  if (!run_.key_file.empty()) {
+    std::string problem = read_key(run_.key_file, access_.key);
+    if (!problem.empty()) return problem;
+  }
+  Listener listener;
+  std::string problem = listen_on(to_.host, to_.port, listener);
+  if (!problem.empty()) return about + problem;
+  server_ = web_socket_server(*this, listener.socket, kFoxgloveProtocol, {}, problem);
+  if (!server_) return about + problem;
+  access_.is_loopback = listener.is_loopback;
+  access_.is_real = run_.is_real;
+  std::random_device random;
+  session_ = std::to_string(random()) + std::to_string(random());
+  if (!listener.is_loopback)
+    fail("note: `--publish " + to_.written + "` listens beyond this machine: everybody reads it, " +
+             (access_.key.empty() ? "and nobody changes the run"
+                                  : "and who has the key changes the run"),
+         0);
+  return {};
+}
+
+void FoxgloveSink::opened(ClientId id, const Handshake& handshake) {
+  ++clients_in_all_;
+  Client& client = clients_[id];
+  client.may_change = run_.remote != nullptr && access_.may_change(handshake);
+  const bool has_services = client.may_change && this->has_services();
+  answer(id, server_info_text(std::string("eagerx ") + run_.facts.name, has_services, session_,
+                              {{"graph", run_.facts.name},
+                               {"engine", run_.facts.engine},
+                               {"may_change", client.may_change ? "true" : "false"}}));
+  answer(id, advertise_text(run_.channels, run_.chosen, run_.facts.is_scene));
+  if (has_services) answer(id, advertise_services_text());
+}
+
+void FoxgloveSink::closed(ClientId id) {
+  clients_.erase(id);
+  for (auto& list : subscribers_)
+    std::erase_if(list, [&](const Subscriber& each) { return each.client == id; });
+  std::erase_if(calls_, [&](const Call& each) { return each.client == id; });
+  if (parameters_ && parameters_->release(id)) tell_parameters({});
+}
+
+/// Whoever does not take answers is no client for long.
+void FoxgloveSink::answer(ClientId client, const std::string& text) {
+  if (!server_->send(client, true, true, text)) server_->disconnect(client);
+}
+
+void FoxgloveSink::begin_frame(std::int64_t time_ns) {
+  frame_.clear();
+  frame_ += static_cast<char>(kMessageData);
+  append(frame_, std::uint32_t{0});  // of the subscription
+  append(frame_, static_cast<std::uint64_t>(time_ns));
+}
+
+void FoxgloveSink::send_to(std::vector<Subscriber>& subscribers) {
+  for (const Subscriber& each : subscribers) {
+    for (std::size_t i = 0; i < sizeof(each.id); ++i)
+      frame_[1 + i] = static_cast<char>(static_cast<std::uint8_t>(each.id >> (8 * i)));
+    ++(server_->send(each.client, false, false, frame_) ? sent_ : dropped_);
+  }
+}
+
+void FoxgloveSink::message(const PublishedMessage& message) {
+  time_ns_ = message.time_ns;
+  auto& subscribers = subscribers_[message.channel];
+  if (subscribers.empty()) return;
+  begin_frame(message.time_ns);
+  append_json_message(frame_, run_.channels[message.channel], message.episode, message.seq,
+                      message.values);
+  send_to(subscribers);
+}
+
+void FoxgloveSink::scene(const PublishedScene& scene) {
+  auto& subscribers = subscribers_.back();
+  if (subscribers.empty()) return;
+  begin_frame(scene.time_ns);
+  frame_ += scene_update(scene.rows, scene.count, scene.time_ns);
+  send_to(subscribers);
+}
+
+bool FoxgloveSink::received(ClientId id, std::string_view bytes, bool is_text) {
+  constexpr int kPatience = 16;
+  const ClientMessage message = is_text ? read_client_text(bytes) : read_client_bytes(bytes);
+  Client& client = clients_[id];
+  switch (message.kind) {
+    case Said::wrong:
+      say_wrong(id, message.problem);
+      return ++client.wrong < kPatience;
+    case Said::unsupported:
+      answer(id, status_text(StatusLevel::warning, message.problem));
+      break;
+    case Said::subscribe:
+      subscribe(id, message);
+      break;
+    case Said::unsubscribe:
+      for (auto& list : subscribers_)
+        std::erase_if(list, [&](const Subscriber& each) {
+          return each.client == id &&
+                 std::find(message.ids.begin(), message.ids.end(), each.id) != message.ids.end();
+        });
+      break;
+    case Said::get_parameters:
+      answer(id, parameter_values_text(parameters_ ? parameters_->values(message.names)
+                                                   : std::vector<ParameterValue>(),
+                                       message.id));
+      break;
+    case Said::set_parameters:
+      set_parameters(id, message);
+      break;
+    case Said::subscribe_parameters:
+      client.wants_all_parameters = client.wants_all_parameters || message.names.empty();
+      for (const std::string& name : message.names)
+        if (parameters_ && parameters_->has(name)) client.parameters.insert(name);
+      break;
+    case Said::unsubscribe_parameters:
+      if (message.names.empty()) client.parameters.clear();
+      client.wants_all_parameters = client.wants_all_parameters && !message.names.empty();
+      for (const std::string& name : message.names) client.parameters.erase(name);
+      break;
+    case Said::call:
+      call(id, message);
+      break;
+  }
+  return true;
+}
+
+void FoxgloveSink::subscribe(ClientId id, const ClientMessage& message) {
+  for (const auto& [subscription, channel] : message.subscriptions) {
+    const std::size_t index = std::size_t{channel} - 1;
+    const bool is_scene = channel == subscribers_.size() && run_.facts.is_scene;
+    if (channel == 0 || (!is_scene && (index >= run_.chosen.size() || !run_.chosen[index]))) {
+      say_wrong(id, "there is no channel " + std::to_string(channel));
+      continue;
+    }
+    auto& list = subscribers_[index];
+    // One a channel, so that a client costs no more than that.
+    const bool has = std::any_of(list.begin(), list.end(),
+                                 [&](const Subscriber& each) { return each.client == id; });
+    has ? say_wrong(id, "channel " + std::to_string(channel) + " is subscribed to already")
+        : list.push_back({id, subscription});
+  }
+}
+
+void FoxgloveSink::set_parameters(ClientId id, const ClientMessage& message) {
+  std::vector<std::string> names;
+  for (const ClientMessage::Parameter& each : message.parameters) {
+    names.push_back(each.name);
+    const std::string problem = !clients_[id].may_change || !parameters_
+                                    ? "this client may read and change nothing"
+                                    : parameters_->set(id, each);
+    if (!problem.empty()) say_wrong(id, problem);
+  }
+  if (!parameters_ || names.empty()) return;
+  if (!message.id.empty())
+    answer(id, parameter_values_text(parameters_->values(names), message.id));
+  tell_parameters(names);
+}
+
+/// Those who want to know; without names all parameters may have changed.
+void FoxgloveSink::tell_parameters(const std::vector<std::string>& names) {
+  for (const auto& each : clients_) {
+    const Client& client = each.second;
+    if (!client.wants_all_parameters && client.parameters.empty()) continue;
+    auto values = parameters_->values(names);
+    if (!client.wants_all_parameters)
+      std::erase_if(values,
+                    [&](const auto& value) { return !client.parameters.contains(value.name); });
+    // Who is behind is told of the next change.
+    if (!values.empty() && server_->has_room(each.first))
+      answer(each.first, parameter_values_text(values, ""));
+  }
+}
+
+void FoxgloveSink::call(ClientId id, const ClientMessage& message) {
+  constexpr std::size_t kMostCalls = 64;
+  constexpr Remote::Wish kWishes[] = {Remote::Wish::reset, Remote::Wish::pause,
+                                      Remote::Wish::resume, Remote::Wish::step};
+  const auto refuse = [&](const std::string& why) {
+    answer(id, call_failure_text(message.service, message.call_id, why));
+  };
+  if (!clients_[id].may_change || !has_services()) return refuse("this client may not do that");
+  if (message.service == 0 || message.service > kServices)
+    return refuse("there is no such service");
+  if (message.encoding != "json") return refuse("the encoding is not `json`");
+  const Remote::Wish wish = kWishes[message.service - 1];
+  std::uint32_t steps = 0;
+  if (wish == Remote::Wish::step) {
+    steps = steps_of_request(message.request);
+    if (steps == 0) return refuse("it takes `{\"steps\":N}`, from 1 on");
+  }
+  const std::uint64_t number = calls_.size() < kMostCalls ? run_.remote->ask(wish, steps) : 0;
+  if (number == 0) return refuse("the run is busy");
+  calls_.push_back({id, message.service, message.call_id, number});
+}
+
+/// What was done before the latest idle(): the messages of that are sent by now.
+void FoxgloveSink::answer_calls() {
+  while (!calls_.empty() && calls_.front().number <= done_) {
+    const Call& call = calls_.front();
+    constexpr std::string_view kEncoding = "json";
+    std::string text;
+    text += static_cast<char>(kCallResponse);
+    append(text, call.service);
+    append(text, call.id);
+    append(text, static_cast<std::uint32_t>(kEncoding.size()));
+    text += kEncoding;
+    text += "{\"episode\":" + std::to_string(step_.episode) +
+            ",\"step\":" + std::to_string(step_.step) + "}";
+    if (!server_->send(call.client, false, true, text)) server_->disconnect(call.client);
+    calls_.pop_front();
+  }
+  if (run_.remote != nullptr) done_ = run_.remote->done();
+}
+
+void FoxgloveSink::send_time() {
+  const Clock::time_point now = Clock::now();
+  if (time_ns_ == told_time_ns_ || now - told_time_ < 20ms) return;
+  told_time_ = now;
+  told_time_ns_ = time_ns_;
+  std::string text;
+  text += static_cast<char>(kTime);
+  append(text, static_cast<std::uint64_t>(time_ns_));
+  for (const auto& each : clients_) server_->send(each.first, false, false, text);
+}
+
+void FoxgloveSink::idle() {
+  answer_calls();
+  send_time();
+  if (parameters_) {
+    if (parameters_->release(Parameters::kNobody)) tell_parameters({});
+    const std::uint64_t version = run_.remote->version();
+    const Clock::time_point now = Clock::now();
+    if (version != told_version_ && version % 2 == 0 && now - told_parameters_ > 50ms) {
+      told_version_ = version;
+      told_parameters_ = now;
+      tell_parameters({});
+    }
+  }
+  server_->service();
+}
+
+/// Who reads gets the rest; nobody is waited for for long.
+std::string FoxgloveSink::close() {
+  const Clock::time_point end = Clock::now() + 500ms;
+  if (run_.remote != nullptr) done_ = run_.remote->done();
+  answer_calls();
+  for (const Call& call : calls_)
+    answer(call.client, call_failure_text(call.service, call.id, "the run is over"));
+  calls_.clear();
+  do {
+    server_->service();
+    if (server_->is_empty()) break;
+    std::this_thread::sleep_for(1ms);
+  } while (Clock::now() < end);
+  return {};
+}
+
+std::string FoxgloveSink::more() const {
+  std::string text =
+      ", " + std::to_string(clients_in_all_) + (clients_in_all_ == 1 ? " client" : " clients");
+  if (server_->refused() > 0) text += ", " + std::to_string(server_->refused()) + " refused";
+  if (server_->disconnected() > 0)
+    text += ", " + std::to_string(server_->disconnected()) + " disconnected";
+  return text;
+}
+
+}  // namespace
+
+std::unique_ptr<PublishSink> foxglove_sink(const Destination& to, const FoxgloveRun& run) {
+  return std::make_unique<FoxgloveSink>(to, run);
+}
+
+}  // namespace eagerx::linux_sim

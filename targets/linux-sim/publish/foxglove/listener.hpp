@@ -1,0 +1,16 @@
+// A socket that others connect to.
+#pragma once
+
+#include <string>
+
+namespace eagerx::linux_sim {
+
+struct Listener {
+  int socket = -1;  // of whoever called listen_on()
+  bool is_loopback = false;
+};
+
+/// Empty, or what is wrong.
+std::string listen_on(const std::string& host, const std::string& port, Listener& listener);
+
+}  // namespace eagerx::linux_sim

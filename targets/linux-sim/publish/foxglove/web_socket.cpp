@@ -1,0 +1,378 @@
+// With libwebsockets: its headers where a program is built, since its structs are others in each
+// version, and the library where it runs, if it listens.
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <libwebsockets.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <targets/linux-sim/publish/foxglove/web_socket.hpp>
+#include <utility>
+
+namespace eagerx::linux_sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct Functions {
+  decltype(&lws_get_library_version) get_library_version;
+  decltype(&lws_set_log_level) set_log_level;
+  decltype(&lws_create_context) create_context;
+  decltype(&lws_create_vhost) create_vhost;
+  decltype(&lws_context_destroy) context_destroy;
+  decltype(&lws_context_user) context_user;
+  decltype(&lws_get_context) get_context;
+  decltype(&lws_adopt_socket_vhost) adopt_socket_vhost;
+  decltype(&lws_service) service;
+  decltype(&lws_write) write;
+  decltype(&lws_callback_on_writable) callback_on_writable;
+  decltype(&lws_send_pipe_choked) send_pipe_choked;
+  decltype(&lws_hdr_copy) hdr_copy;
+  decltype(&lws_hdr_copy_fragment) hdr_copy_fragment;
+  decltype(&lws_is_final_fragment) is_final_fragment;
+  decltype(&lws_remaining_packet_payload) remaining_packet_payload;
+  decltype(&lws_frame_is_binary) frame_is_binary;
+  decltype(&lws_close_reason) close_reason;
+  decltype(&lws_set_timeout) set_timeout;
+};
+Functions lws{};  // of the one library
+
+template <class F>
+bool find(void* library, const char* name, F& function) {
+  function = reinterpret_cast<F>(dlsym(library, name));
+  return function != nullptr;
+}
+
+bool find_all(void* library) {
+  return find(library, "lws_get_library_version", lws.get_library_version) &&
+         find(library, "lws_set_log_level", lws.set_log_level) &&
+         find(library, "lws_create_context", lws.create_context) &&
+         find(library, "lws_create_vhost", lws.create_vhost) &&
+         find(library, "lws_context_destroy", lws.context_destroy) &&
+         find(library, "lws_context_user", lws.context_user) &&
+         find(library, "lws_get_context", lws.get_context) &&
+         find(library, "lws_adopt_socket_vhost", lws.adopt_socket_vhost) &&
+         find(library, "lws_service", lws.service) && find(library, "lws_write", lws.write) &&
+         find(library, "lws_callback_on_writable", lws.callback_on_writable) &&
+         find(library, "lws_send_pipe_choked", lws.send_pipe_choked) &&
+         find(library, "lws_hdr_copy", lws.hdr_copy) &&
+         find(library, "lws_hdr_copy_fragment", lws.hdr_copy_fragment) &&
+         find(library, "lws_is_final_fragment", lws.is_final_fragment) &&
+         find(library, "lws_remaining_packet_payload", lws.remaining_packet_payload) &&
+         find(library, "lws_frame_is_binary", lws.frame_is_binary) &&
+         find(library, "lws_close_reason", lws.close_reason) &&
+         find(library, "lws_set_timeout", lws.set_timeout);
+}
+
+/// Its version of the headers, and no other.
+const std::string kVersion =
+    std::to_string(LWS_LIBRARY_VERSION_MAJOR) + "." + std::to_string(LWS_LIBRARY_VERSION_MINOR);
+
+std::string load() {
+  // Versions 4.0, 4.1 and so on; a later one has the name that programs are linked with.
+  constexpr std::array kNames = {"libwebsockets.so.16", "libwebsockets.so.17",
+                                 "libwebsockets.so.18", "libwebsockets.so.19"};
+  const bool is_known = LWS_LIBRARY_VERSION_MAJOR == 4 && LWS_LIBRARY_VERSION_MINOR < 4;
+  const char* const name =
+      is_known ? kNames[LWS_LIBRARY_VERSION_MINOR % kNames.size()] : "libwebsockets.so";
+  void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr || !find_all(library) ||
+      std::string(lws.get_library_version()).rfind(kVersion + ".", 0) != 0)
+    return "this needs the library libwebsockets " + kVersion +
+           ", with which the program was built\nhelp: apt install libwebsockets-dev";
+  return {};
+}
+
+class LwsServer final : public WebSocketServer {
+ public:
+  LwsServer(WebSocketOwner& owner, int listening, std::string_view protocol,
+            const WebSocketLimits& limits)
+      : owner_(owner), listening_(listening), protocol_(protocol), limits_(limits) {}
+  LwsServer(const LwsServer&) = delete;
+  LwsServer& operator=(const LwsServer&) = delete;
+  ~LwsServer() override {
+    if (context_ != nullptr) lws.context_destroy(context_);
+    ::close(listening_);
+  }
+
+  bool open();
+  void service() override;
+  bool send(ClientId client, bool is_text, bool is_answer, std::string_view message) override;
+  bool has_room(ClientId client) const override;
+  void disconnect(ClientId client) override;
+  bool is_empty() const override;
+  std::uint64_t refused() const override { return refused_; }
+  std::uint64_t disconnected() const override { return disconnected_; }
+
+ private:
+  struct Message {
+    bool is_text;
+    std::string bytes;  // behind LWS_PRE of the library's own
+  };
+  struct Connection {
+    ClientId client = 0;  // 0: it is none yet
+    Handshake handshake;
+    Clock::time_point since;  // the last good thing that it did
+    std::string received;
+    bool is_admitted = false, is_binary = false, is_ended = false;
+    std::deque<Message> queue;
+    std::size_t queued = 0;  // bytes
+  };
+
+  static int on_event(::lws* wsi, lws_callback_reasons reason, void* /*user*/, void* in,
+                      std::size_t size) {
+    auto* const server = static_cast<LwsServer*>(lws.context_user(lws.get_context(wsi)));
+    return server != nullptr ? server->event(wsi, reason, in, size) : 0;
+  }
+  int event(::lws* wsi, lws_callback_reasons reason, const void* in, std::size_t size);
+  int admit(::lws* wsi);
+  int receive(::lws* wsi, Connection& from, const void* in, std::size_t size);
+  int write(::lws* wsi, Connection& to);
+  int close_with(::lws* wsi, lws_close_status status);
+  void forget(::lws* wsi);
+  void accept_all();
+  void look_at_clocks();
+  void end(::lws* wsi, Connection& connection);
+  std::string header(::lws* wsi, lws_token_indexes which) const;
+  std::string key_of(::lws* wsi) const;
+
+  WebSocketOwner& owner_;
+  int listening_;
+  const std::string protocol_;
+  const WebSocketLimits limits_;
+  std::array<lws_protocols, 3> protocols_{};
+  lws_context* context_ = nullptr;
+  lws_vhost* vhost_ = nullptr;
+  std::map<::lws*, Connection> connections_;
+  std::map<ClientId, ::lws*> clients_;
+  ClientId last_client_ = 0;
+  std::uint64_t written_ = 0, refused_ = 0, disconnected_ = 0;
+};
+
+// Idle clients are asked whether they are there.
+constexpr lws_retry_bo_t kAliveness{nullptr, 0, 0, 10, 30, 0};
+
+bool LwsServer::open() {
+  // Who asks for no protocol, or another one, gets the first.
+  protocols_[0].name = "none";
+  protocols_[1].name = protocol_.c_str();
+  for (std::size_t i = 0; i < 2; ++i) {
+    protocols_[i].callback = on_event;
+    protocols_[i].rx_buffer_size = 4096;
+    protocols_[i].tx_packet_size = 1 << 20;  // a message in one piece, if the socket takes it
+  }
+  lws_context_creation_info info{};
+  info.port = CONTEXT_PORT_NO_LISTEN_SERVER;
+  info.protocols = protocols_.data();
+  info.user = this;
+  info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS | LWS_SERVER_OPTION_VALIDATE_UTF8;
+  info.fd_limit_per_thread = static_cast<unsigned>(limits_.connections) + 16;
+  info.max_http_header_pool = static_cast<unsigned short>(limits_.connections);
+  info.retry_and_idle_policy = &kAliveness;
+  info.server_string = "eagerx";
+  lws.set_log_level(0, nullptr);
+  context_ = lws.create_context(&info);
+  if (context_ != nullptr) vhost_ = lws.create_vhost(context_, &info);
+  return vhost_ != nullptr;
+}
+
+void LwsServer::service() {
+  constexpr int kAtOnce = 16;
+  accept_all();
+  look_at_clocks();
+  // Each time there is a call for every socket that takes something.
+  for (int i = 0; i < kAtOnce; ++i) {
+    const std::uint64_t before = written_;
+    for (auto& [wsi, connection] : connections_)
+      if (!connection.queue.empty()) lws.callback_on_writable(wsi);
+    lws.service(context_, -1);  // below 0: it does not wait
+    if (written_ == before) break;
+  }
+}
+
+void LwsServer::accept_all() {
+  constexpr int kAtOnce = 16;
+  for (int i = 0; i < kAtOnce; ++i) {
+    const int fd = ::accept4(listening_, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (fd < 0) return;
+    if (connections_.size() >= limits_.connections) {
+      ++refused_;
+      ::close(fd);
+      continue;
+    }
+    // It may be gone before this returns: event() knows.
+    static_cast<void>(lws.adopt_socket_vhost(vhost_, fd));
+  }
+}
+
+void LwsServer::look_at_clocks() {
+  const Clock::time_point now = Clock::now();
+  for (auto& [wsi, connection] : connections_) {
+    const double s = std::chrono::duration<double>(now - connection.since).count();
+    if (connection.client == 0 ? s > limits_.handshake_s
+                               : !connection.queue.empty() && s > limits_.silence_s)
+      end(wsi, connection);
+  }
+}
+
+/// At the next service(), whatever the client does.
+void LwsServer::end(::lws* wsi, Connection& connection) {
+  if (connection.is_ended) return;
+  connection.is_ended = true;
+  ++disconnected_;
+  lws.set_timeout(wsi, PENDING_TIMEOUT_KILLED_BY_PARENT, LWS_TO_KILL_ASYNC);
+}
+
+int LwsServer::event(::lws* wsi, lws_callback_reasons reason, const void* in, std::size_t size) {
+  if (reason == LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION) return admit(wsi);
+  if (reason == LWS_CALLBACK_HTTP) return -1;  // there are no pages
+  if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED)
+    return connections_[wsi].since = Clock::now(), 0;
+  if (reason == LWS_CALLBACK_CLOSED || reason == LWS_CALLBACK_WSI_DESTROY) return forget(wsi), 0;
+  const auto found = connections_.find(wsi);
+  if (found == connections_.end()) return 0;
+  Connection& connection = found->second;
+  switch (reason) {
+    case LWS_CALLBACK_ESTABLISHED:
+      if (!connection.is_admitted) return -1;
+      connection.client = ++last_client_;
+      connection.since = Clock::now();
+      clients_[connection.client] = wsi;
+      owner_.opened(connection.client, connection.handshake);
+      return 0;
+    case LWS_CALLBACK_RECEIVE:
+      return receive(wsi, connection, in, size);
+    case LWS_CALLBACK_SERVER_WRITEABLE:
+      return write(wsi, connection);
+    default:
+      return 0;
+  }
+}
+
+int LwsServer::admit(::lws* wsi) {
+  const auto found = connections_.find(wsi);
+  if (found == connections_.end()) return -1;
+  Connection& connection = found->second;
+  connection.handshake = {key_of(wsi), header(wsi, WSI_TOKEN_ORIGIN)};
+  connection.is_admitted = header(wsi, WSI_TOKEN_PROTOCOL).find(protocol_) != std::string::npos &&
+                           owner_.admit(connection.handshake);
+  if (connection.is_admitted) return 0;
+  ++refused_;
+  return -1;
+}
+
+int LwsServer::receive(::lws* wsi, Connection& from, const void* in, std::size_t size) {
+  if (from.received.empty()) from.is_binary = lws.frame_is_binary(wsi) != 0;
+  const std::size_t rest = lws.remaining_packet_payload(wsi);
+  if (from.received.size() + size + rest > limits_.message_bytes)
+    return close_with(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE);
+  from.received.append(static_cast<const char*>(in), size);
+  if (rest > 0 || lws.is_final_fragment(wsi) == 0) return 0;
+  const std::string message = std::exchange(from.received, {});
+  if (owner_.received(from.client, message, !from.is_binary)) return 0;
+  return close_with(wsi, LWS_CLOSE_STATUS_POLICY_VIOLATION);
+}
+
+int LwsServer::close_with(::lws* wsi, lws_close_status status) {
+  ++disconnected_;
+  lws.close_reason(wsi, status, nullptr, 0);
+  return -1;
+}
+
+int LwsServer::write(::lws* wsi, Connection& to) {
+  while (!to.queue.empty() && lws.send_pipe_choked(wsi) == 0) {
+    Message& message = to.queue.front();
+    const std::size_t size = message.bytes.size() - LWS_PRE;
+    auto* const begin = reinterpret_cast<unsigned char*>(message.bytes.data()) + LWS_PRE;
+    if (lws.write(wsi, begin, size, message.is_text ? LWS_WRITE_TEXT : LWS_WRITE_BINARY) < 0)
+      return -1;
+    to.queued -= message.bytes.size();
+    to.queue.pop_front();
+    ++written_;
+    to.since = Clock::now();
+  }
+  return 0;
+}
+
+void LwsServer::forget(::lws* wsi) {
+  const auto found = connections_.find(wsi);
+  if (found == connections_.end()) return;
+  const ClientId client = found->second.client;
+  connections_.erase(found);
+  if (client == 0) return;
+  clients_.erase(client);
+  owner_.closed(client);
+}
+
+bool LwsServer::has_room(ClientId client) const {
+  const auto found = clients_.find(client);
+  return found != clients_.end() &&
+         connections_.find(found->second)->second.queued < limits_.queue_bytes;
+}
+
+bool LwsServer::send(ClientId client, bool is_text, bool is_answer, std::string_view message) {
+  const auto found = clients_.find(client);
+  if (found == clients_.end()) return false;
+  Connection& to = connections_.find(found->second)->second;
+  const std::size_t bytes = LWS_PRE + message.size();
+  const std::size_t most = limits_.queue_bytes + (is_answer ? limits_.queue_bytes / 4 : 0);
+  // A message that is larger than everything there is room for goes alone.
+  if (to.queued + bytes > most && (!to.queue.empty() || !is_answer)) return false;
+  if (to.queue.empty()) to.since = Clock::now();
+  to.queue.push_back({is_text, std::string(LWS_PRE, '\0')});
+  to.queue.back().bytes += message;
+  to.queued += bytes;
+  return true;
+}
+
+void LwsServer::disconnect(ClientId client) {
+  const auto found = clients_.find(client);
+  if (found != clients_.end()) end(found->second, connections_.find(found->second)->second);
+}
+
+bool LwsServer::is_empty() const {
+  return std::all_of(connections_.begin(), connections_.end(),
+                     [](const auto& each) { return each.second.queue.empty(); });
+}
+
+/// Empty, too, if there is more of it than is good.
+std::string LwsServer::header(::lws* wsi, lws_token_indexes which) const {
+  std::array<char, 1024> text{};
+  const int size = lws.hdr_copy(wsi, text.data(), static_cast<int>(text.size()), which);
+  return size > 0 ? std::string(text.data(), static_cast<std::size_t>(size)) : std::string();
+}
+
+std::string LwsServer::key_of(::lws* wsi) const {
+  constexpr int kMostArguments = 16;
+  constexpr std::string_view kName = "key=", kBearer = "Bearer ";
+  std::array<char, 1024> text{};
+  for (int i = 0; i < kMostArguments; ++i) {
+    const int size = lws.hdr_copy_fragment(wsi, text.data(), static_cast<int>(text.size()),
+                                           WSI_TOKEN_HTTP_URI_ARGS, i);
+    if (size < 0) break;
+    const std::string_view argument(text.data(), static_cast<std::size_t>(size));
+    if (argument.starts_with(kName)) return std::string(argument.substr(kName.size()));
+  }
+  const std::string authorization = header(wsi, WSI_TOKEN_HTTP_AUTHORIZATION);
+  return authorization.starts_with(kBearer) ? authorization.substr(kBearer.size()) : std::string();
+}
+
+}  // namespace
+
+std::unique_ptr<WebSocketServer> web_socket_server(WebSocketOwner& owner, int listening,
+                                                   std::string_view protocol,
+                                                   const WebSocketLimits& limits,
+                                                   std::string& problem) {
+  auto server = std::make_unique<LwsServer>(owner, listening, protocol, limits);
+  problem = load();
+  if (problem.empty() && !server->open()) problem = "libwebsockets does not start";
+  if (!problem.empty()) return nullptr;
+  return server;
+}
+
+}  // namespace eagerx::linux_sim
