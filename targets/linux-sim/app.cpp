@@ -65,6 +65,15 @@ int self_test(const GraphProgram& program) {
 /// What is wrong with options that the graph decides about, or nothing.
 std::string problem_of(const Options& options, const Fields& fields, const GraphFacts& facts,
                        StateSettings& settings, AgentFaults& faults) {
+  if (options.agent == target::Agent::outside) {
+    if (facts.board != nullptr)
+      return "error: a part of this graph runs on " + std::string(facts.board) +
+             "\nhelp: an agent outside is for a program that is not split";
+    if (!options.replay.empty() || !options.identify.empty())
+      return "error: a log is repeated without an agent outside\nhelp: leave out `--agent`";
+    if (!options.faults.empty())
+      return "error: an agent outside sees observations as they are\nhelp: leave out `--fault`";
+  }
   if (options.agent == target::Agent::policy && !facts.has_policy)
     return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
            "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions";

@@ -27,9 +27,13 @@ std::atomic<bool> dying = false;
 std::atomic<void (*)(void*)> make_safe = nullptr;
 std::atomic<void*> made_safe = nullptr;
 
+}  // namespace
+
 void make_safe_now() {
   if (auto* const f = make_safe.load()) f(made_safe.load());
 }
+
+namespace {
 
 void set_default(int signal) {
   struct sigaction usual {};

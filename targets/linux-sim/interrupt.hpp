@@ -18,6 +18,9 @@ bool interrupted();
 /// second Ctrl-C. nullptr: there are none.
 void on_stop(void (*make_safe)(void*), void* context);
 
+/// Does so now, for the main thread.
+void make_safe_now();
+
 /// Whether a signal wants the program to stop, and go on later.
 bool is_told_to_stop();
 /// If so: makes safe and stops; returns when the program goes on. For the main thread, where

@@ -34,6 +34,7 @@ struct Options {
   target::Agent agent = target::Agent::zero;
   bool self_test = false;
   std::string action_file;  // of Agent::csv
+  int agent_socket = -1;    // of Agent::outside
   std::string csv;          // empty: none; "-": standard output
   std::string trace;        // the same
   bool trace_time = false, trace_scenes = false;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/run_watch.hpp>
@@ -24,18 +25,41 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
   has_faults_ = !told.faults.empty();
 }
 
+void RunWatch::listen_to(OutsideAgent& agent) {
+  outside_ = &agent;
+  paces_ = true;
+}
+
 bool RunWatch::go_on() {
   stop_if_told();
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
-  return !interrupted() && !csv_.failed() && !trace_.failed() && !left_space();
+  if (interrupted() || csv_.failed() || trace_.failed() || left_space()) return false;
+  if (outside_ == nullptr) return true;
+  const bool goes_on = outside_->go_on();
+  is_over_ = is_over_ || outside_->wants_reset();
+  return goes_on;
 }
 
 bool RunWatch::ends_early() const {
-  return has_begun() && (interrupted() || left_space());
+  const bool leaves_something = outside_ != nullptr && outside_->leaves_something();
+  return has_begun() && (interrupted() || left_space() || leaves_something);
+}
+
+EpisodeKey RunWatch::key(EpisodeKey planned) {
+  return outside_ != nullptr ? outside_->key(planned) : planned;
+}
+
+std::uint64_t RunWatch::lateness() const {
+  const std::uint64_t late = pacer_.late_in_a_row();
+  return outside_ != nullptr ? std::max(late, outside_->late_in_a_row()) : late;
 }
 
 bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
-  const bool changed = told_.settings.apply(key, states);
+  bool changed = told_.settings.apply(key, states);
+  if (outside_ != nullptr) {
+    changed = outside_->apply_states(states) || changed;
+    is_over_ = false;
+  }
   record_.begin(states);
   task_record_.end_episode();
   if (measures_of_run.is_used()) {
@@ -66,6 +90,7 @@ void RunWatch::reset(std::uint32_t episode) {
     is_over_ = measures_of_run.is_over();
   }
   hand_on(pacer_.is_slow());
+  if (outside_ != nullptr) outside_->reset(episode);
 }
 
 void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
@@ -75,7 +100,10 @@ void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
     measures_of_run.step(step, facts_.seconds(step));
     is_over_ = measures_of_run.is_over();
   }
-  hand_on(step == plan_.steps || is_over_ || has_ended || pacer_.is_slow());
+  const bool is_longest = step == plan_.steps;
+  has_ended = has_ended || is_longest || is_over_;
+  if (outside_ != nullptr) outside_->step(step, has_ended, is_longest, outcome);
+  hand_on(has_ended || pacer_.is_slow());
   progress_.step(steps_);
   if (pictures_ != nullptr) {
     pacer_.pause(pictures_->take_paused_ns());
@@ -91,7 +119,8 @@ void RunWatch::state_columns() {
   if (told_.options.csv_states) record_.columns(csv_);
 }
 
-const void* RunWatch::action_of_file(Seq step) const {
+const void* RunWatch::given_action(Seq step) const {
+  if (outside_ != nullptr) return outside_->action();
   return step < told_.table.size() ? told_.table[step] : nullptr;
 }
 

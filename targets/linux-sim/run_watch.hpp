@@ -7,6 +7,7 @@
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
@@ -33,6 +34,9 @@ class RunWatch : public Watch {
   RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
   virtual ~RunWatch() = default;
 
+  /// Before the run, if its agent is outside.
+  void listen_to(OutsideAgent& agent);
+
   bool go_on() override;
   bool ends_early() const final;
   bool begin_episode(EpisodeKey key, StateRow states) override;
@@ -41,7 +45,10 @@ class RunWatch : public Watch {
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
   void state_column_names() final;
   void state_columns() final;
-  const void* action_of_file(Seq step) const final;
+  const void* given_action(Seq step) const final;
+  ObservationRow outside_observation() final { return outside_->observation(); }
+  void applied(const void* action) final { outside_->applied(action); }
+  EpisodeKey key(EpisodeKey planned) final;
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
   ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }
@@ -55,12 +62,13 @@ class RunWatch : public Watch {
   void finish(Summary& summary);
 
  private:
-  std::uint64_t lateness() const final { return pacer_.late_in_a_row(); }
+  std::uint64_t lateness() const final;
   void hand_on(bool now);
 
   const GraphFacts& facts_;
   const Told& told_;
   Pictures* pictures_;
+  OutsideAgent* outside_ = nullptr;
   StateMemory states_;
   MessageRows observations_;
   std::vector<std::uint32_t> sizes_;  // [observations]
