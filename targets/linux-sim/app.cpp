@@ -63,9 +63,12 @@ int self_test(const GraphProgram& program) {
 }
 
 /// What is wrong with options that the graph decides about, or nothing.
-std::string problem_of(const Options& options, const Fields& fields, const GraphFacts& facts,
+std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
                        StateSettings& settings, AgentFaults& faults) {
+  const GraphFacts& facts = program.facts();
   if (options.agent == target::Agent::outside) {
+    if (program.is_real() && options.real_time_factor != 1.0)
+      return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
     if (facts.board != nullptr)
       return "error: a part of this graph runs on " + std::string(facts.board) +
              "\nhelp: an agent outside is for a program that is not split";
@@ -97,7 +100,7 @@ int run_with(const Options& options, GraphProgram& program) {
   const Fields fields(program);
   StateSettings settings(fields.states);
   AgentFaults faults(fields);
-  const std::string problem = problem_of(options, fields, facts, settings, faults);
+  const std::string problem = problem_of(options, fields, program, settings, faults);
   if (!problem.empty()) return fail(problem, kBadUsage);
 
   std::vector<std::max_align_t> zero(program.action_bytes() / sizeof(std::max_align_t) + 1);

@@ -18,7 +18,8 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
       task_record_(told.fields.outcomes),
       csv_(csv),
       trace_(trace),
-      pacer_(facts_.period_s(), told.options.real_time_factor, facts_.safety.max_lateness_ns),
+      pacer_(facts_.period_s(), program.is_real() ? 0.0 : told.options.real_time_factor,
+             facts_.safety.max_lateness_ns),
       progress_(plan_.episodes * plan_.steps, !told.options.quiet) {
   writes_ = csv.is_open();
   paces_ = pacer_.paces();
