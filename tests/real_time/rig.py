@@ -2,6 +2,7 @@
 import os
 import pathlib
 import sys
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -13,9 +14,9 @@ import eagerx_gen  # noqa: E402
 
 PERIOD_S = 0.01
 LATE = 3  # of robot.yaml
-# Declared: from the last action in time on, the step of that action and LATE steps without one; then a transfer, before
-# which an answer of the adapter may have been waited for, as in tests/ftdi.
-LIMIT_S = (1 + LATE) * PERIOD_S + 0.013
+# Declared: the LATE-th step in a row without an action is safe, so it is 0 V before so many steps after the last observation
+# that the agent was given are over.
+LIMIT_S = LATE * PERIOD_S
 FULL = np.float32([2.0])
 
 
@@ -39,10 +40,12 @@ def commands_in(path):
     return np.array([(int(end) * 1e-9, float(volts)) for _, end, volts in rows]).reshape(-1, 2)
 
 
-def last_push_s(commands, until_s=np.inf):
-    """When the motor was last told something else than 0 V before then."""
-    pushes = commands[(commands[:, 1] != 0.0) & (commands[:, 0] < until_s), 0]
-    return pushes[-1] if len(pushes) else 0.0
+def safe_s(commands, from_s, until_s=np.inf):
+    """How long after `from_s` the motor was told 0 V for good, or until then; infinite if it was not."""
+    commands = commands[commands[:, 0] < until_s]
+    pushes = np.flatnonzero(commands[:, 1])
+    first = pushes[-1] + 1 if len(pushes) else 0
+    return max(commands[first, 0] - from_s, 0.0) if first < len(commands) else np.inf
 
 
 def is_gone(process):
@@ -75,5 +78,30 @@ def agent(how, emulator, program, folder):
             print(info["late"], info["applied"][0], info["time_s"], flush=True)
 
 
+def careless_agent(emulator, program, folder, episodes, seed):
+    """Episodes in each of which it is late once, and says so; then it says when it saw something last, and waits to be ended."""
+    rig = Rig(emulator, program, folder)
+    generator = np.random.default_rng(int(seed))
+    for _ in range(int(episodes)):
+        rig.env.reset(seed=int(generator.integers(2**32)))
+        late_at, truncated, step = int(generator.integers(0, 1000)), False, 0
+        while not truncated:
+            *_, truncated, info = rig.env.step(FULL)
+            if step == late_at and not truncated:
+                time.sleep(generator.exponential(0.04))
+                begun = info["time_s"]
+                *_, truncated, info = rig.env.step(FULL)
+                print("late", info["late"], begun, info["time_s"], flush=True)
+            step += 1
+        print("episode", step, flush=True)
+    rig.env.reset()
+    for _ in range(int(generator.integers(1, 300))):
+        info = rig.env.step(FULL)[4]
+    print("waits", rig.env.environments.process, info["time_s"], flush=True)
+    how = sys.stdin.readline().strip()
+    if how == "raise":
+        raise RuntimeError("the agent's own mistake")
+
+
 if __name__ == "__main__":
-    agent(*sys.argv[1:])
+    (careless_agent if sys.argv[1] == "careless" else agent)(*sys.argv[1 + (sys.argv[1] == "careless"):])

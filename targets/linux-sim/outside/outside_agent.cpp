@@ -22,7 +22,7 @@
 namespace eagerx::linux_sim {
 namespace {
 
-constexpr double kNsPerSecond = 1e9;
+constexpr double kNsInSecond = 1e9;
 // Of the time until something of the graph is due next; the rest is for what is done before.
 constexpr double kPatience = 0.8;
 // Between episodes the safe action is sent again so often: an adapter may have been plugged in
@@ -48,7 +48,7 @@ std::int64_t patience_ns(const Options& options, const GraphFacts& facts, bool i
   } else if (options.real_time_factor > 0.0 && facts.safety.declared) {
     period_s = facts.period_s() / options.real_time_factor;
   }
-  return static_cast<std::int64_t>(period_s * kPatience * kNsPerSecond);
+  return static_cast<std::int64_t>(period_s * kPatience * kNsInSecond);
 }
 
 std::size_t terms_of(const Fields& fields) {
@@ -338,7 +338,7 @@ std::string OutsideAgent::description() const {
          "\", \"graph\": " + quoted(facts_.name) + ", \"engine\": " + quoted(facts_.engine) +
          ", \"rate_hz\": " + number_text(1.0 / facts_.period_s()) +
          ", \"real\": " + (is_real_ ? "true" : "false") + ", \"patience_s\": " +
-         (patience_ns_ > 0 ? number_text(static_cast<double>(patience_ns_) / kNsPerSecond)
+         (patience_ns_ > 0 ? number_text(static_cast<double>(patience_ns_) / kNsInSecond)
                            : "null") +
          ", \"observations\": " + rows_.describe_observations() +
          ", \"actions\": " + rows_.describe_actions() + ", \"states\": " + rows_.describe_states() +
