@@ -14,6 +14,11 @@ void catch_interrupts();
 /// True after a signal that ends the run.
 bool interrupted();
 
+/// What else ends a reset that waits for something: whoever decides is gone. nullptr: nothing.
+void on_gone(bool (*is_gone)(void*), void* context);
+/// For resets: whether the run is to end, or to stop.
+bool ends_reset();
+
 /// How actuators are made safe outside of a step: before the program is stopped, in a crash, at a
 /// second Ctrl-C. nullptr: there are none.
 void on_stop(void (*make_safe)(void*), void* context);

@@ -59,7 +59,9 @@ def is_gone(process):
 
 def agent(how, emulator, program, folder):
     """A process of its own: pushes for 50 steps, says when and to whom, and fails."""
-    rig = Rig(emulator, program, folder)
+    rig = Rig(emulator, program, folder, clock="real" if how == "resets" else "emulated")
+    if how == "resets":
+        print(0.0, rig.env.environments.process, flush=True)
     rig.env.reset(seed=1)
     for _ in range(50):
         info = rig.env.step(FULL)[4]

@@ -93,6 +93,10 @@ OutsideAgent::OutsideAgent(const Options& options, const Fields& fields, GraphPr
   program_.draw({0, 0, 0}, drawn_.row());  // the same states for every key
 }
 
+OutsideAgent::~OutsideAgent() {
+  on_gone(nullptr, nullptr);
+}
+
 std::string OutsideAgent::open() {
   int type = 0;
   socklen_t size = sizeof type;
@@ -111,7 +115,13 @@ std::string OutsideAgent::open() {
     return "error: a row of this graph has " + std::to_string(longest) + " bytes, and " +
            std::to_string(kLongestRow) + " go to an agent outside at most\nhelp: make the graph's "
            "observations smaller";
+  on_gone([](void* agent) { return static_cast<OutsideAgent*>(agent)->is_gone(); }, this);
   return {};
+}
+
+bool OutsideAgent::is_gone() const {
+  pollfd ready{socket_, POLLIN, 0};
+  return poll(&ready, 1, 0) > 0 && (ready.revents & POLLHUP) != 0;
 }
 
 void OutsideAgent::reset(std::uint32_t episode) {

@@ -21,6 +21,10 @@ class OutsideAgent {
   /// `traced`: which of the two programs runs.
   OutsideAgent(const Options& options, const Fields& fields, GraphProgram& program, bool traced);
 
+  OutsideAgent(const OutsideAgent&) = delete;
+  OutsideAgent& operator=(const OutsideAgent&) = delete;
+  ~OutsideAgent();
+
   /// Looks at the socket. Empty, or what is wrong.
   std::string open();
 
@@ -56,6 +60,7 @@ class OutsideAgent {
  private:
   enum class Got : std::uint8_t { request, nothing, end };
 
+  bool is_gone() const;
   Got receive(std::int64_t until_ns);
   bool serve();
   bool take_reset();
