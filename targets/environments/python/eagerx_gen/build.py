@@ -122,11 +122,11 @@ def options_of(engine, paths):
 
 
 def is_program(path):
-    """Whether it is a program that is built already."""
+    """Whether it is a program that is built already, or a script that starts one."""
     if path.endswith(".so") or not (os.path.isfile(path) and os.access(path, os.X_OK)):
         return False
     with open(path, "rb") as file:
-        return file.read(4) == b"\x7fELF"
+        return file.read(4).startswith((b"\x7fELF", b"#!"))
 
 
 def moves_hardware(graph, engine, paths):
