@@ -9,6 +9,7 @@ or the variable EAGERX_GEN), its Python package, stable-baselines3 with torch, a
 fine_tuned): policy.zip, curve.csv, curve.svg. Exit code 1: the policy has not become better.
 """
 import argparse
+import copy
 import pathlib
 import sys
 
@@ -24,6 +25,9 @@ import eagerx_gen
 HERE = pathlib.Path(__file__).resolve().parent
 SHIPPED = HERE.parent / "pendulum_swing_up/swing_up.onnx"
 TRIED = 10  # episodes without noise, before and after
+WARM_UP = 8  # episodes from which the critics learn alone
+ENOUGH = 10  # successes in a row end the training
+SCALE = 0.1  # of rewards: critics learn small numbers faster
 
 
 class BeginWhenTold(gymnasium.Wrapper):
@@ -48,15 +52,15 @@ class BeginWhenTold(gymnasium.Wrapper):
         self.observation, reward, terminated, truncated, info = self.env.step(action)
         self.late += info["late"]
         self.reward += reward
-        return self.observation, reward, terminated, truncated, info
+        return self.observation, SCALE * reward, terminated, truncated, info
 
 
 class Episodes(BaseCallback):
-    """Begins each episode, and keeps what came of it."""
+    """Begins each episode, keeps what came of it, and which policy was the best: of five episodes together."""
 
     def __init__(self, robot):
         super().__init__()
-        self.robot, self.rows = robot, []
+        self.robot, self.rows, self.best, self.best_return = robot, [], None, -np.inf
 
     def _on_rollout_start(self):
         self.model._last_obs = self.robot.begin()[None]
@@ -64,7 +68,11 @@ class Episodes(BaseCallback):
     def _on_step(self):
         if self.locals["dones"][0]:
             self.rows.append((self.robot.reward, self.locals["infos"][0]["success"], self.robot.late))
-        return True
+            last_five = np.mean([row[0] for row in self.rows[-5:]])
+            if len(self.rows) > WARM_UP + 5 and last_five > self.best_return:
+                self.best_return, self.best = last_five, copy.deepcopy(self.model.policy.state_dict())
+            print(f"episode {len(self.rows)}: return {self.robot.reward:.1f}, {'a success' if self.rows[-1][1] else 'no success'}", flush=True)
+        return len(self.rows) < ENOUGH or not all(row[1] for row in self.rows[-ENOUGH:])
 
 
 def take_weights(policy):
@@ -126,15 +134,17 @@ def main():
     robot = BeginWhenTold(eagerx_gen.make(options.program, flatten=True, normalize_actions=True, real_time_factor=1))
     robot.env.reset(seed=options.seed)
     # Updates between episodes only; none of the actor before the critics know something.
-    model = stable_baselines3.SAC("MlpPolicy", robot, learning_rate=3e-4, train_freq=(1, "episode"), gradient_steps=300, learning_starts=0,
-                                  ent_coef=0.02, policy_kwargs={"net_arch": [64, 64]}, seed=options.seed, device="cpu")
+    model = stable_baselines3.SAC("MlpPolicy", robot, learning_rate=LR, train_freq=(1, "episode"), gradient_steps=300, learning_starts=0,
+                                  ent_coef=0.005, policy_kwargs={"net_arch": [64, 64]}, seed=options.seed, device="cpu")
     take_weights(model.policy)
     before, good_before = tried(model, robot)
     print(f"before: mean return {before.mean():.1f}, {good_before} of {TRIED} episodes succeed", flush=True)
     episodes = Episodes(robot)
-    for phase, count in (("critics", options.episodes // 6), ("all", options.episodes - options.episodes // 6)):
+    for phase, count in (("critics", WARM_UP), ("all", options.episodes - WARM_UP)):
         model.actor.requires_grad_(phase == "all")
         model.learn(300 * count, callback=episodes, reset_num_timesteps=False)
+    if episodes.best is not None:
+        model.policy.load_state_dict(episodes.best)
     after, good_after = tried(model, robot)
     print(f"after:  mean return {after.mean():.1f}, {good_after} of {TRIED} episodes succeed; "
           f"{len(episodes.rows)} episodes, {sum(row[2] for row in episodes.rows)} late steps", flush=True)

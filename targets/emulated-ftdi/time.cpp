@@ -74,8 +74,8 @@ int clock_nanosleep(clockid_t clock, int flags, const timespec* until, timespec*
   return 0;
 }
 
-// Waiting for another process takes emulated time only if it does not answer: as long as it was waited
-// for. It has as much of the machine's time for its answer.
+// Waiting for another process takes emulated time only if it does not answer: as long as it was
+// waited for. It has as much of the machine's time for its answer.
 int ppoll(pollfd* sockets, nfds_t count, const timespec* timeout, const sigset_t* signals) {
   timespec left = timeout != nullptr ? *timeout : timespec{};
   constexpr std::size_t kSignalBytes = 8;  // of the kernel's sigset_t

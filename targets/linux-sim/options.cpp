@@ -200,7 +200,8 @@ constexpr std::array kOptions{
     Option{"--environment", "K", "a whole number from 0 to 4294967295",
            "number of the environment; each one has random numbers of its own", set_environment},
     Option{"--agent", "AGENT", "`policy`, `zero`, `random`, a file ending in `.csv`, or `fd:N`",
-           "policy, zero, random, FILE.csv, or fd:N, a process at the other end of socket N", set_agent},
+           "policy, zero, random, FILE.csv, or fd:N, a process at the other end of socket N",
+           set_agent},
     Option{"--csv", "FILE", "a file name or `-`", "write observations and actions, one row a step",
            set_csv},
     Option{"--csv-states", "", "", "add columns with the states that each episode begins with",
@@ -230,10 +231,11 @@ constexpr std::array kOptions{
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
-    Option{"--render", "TO", "`window`, a film, pictures such as `frames/%04d.png`, `hash` or `asked`",
-           "show what the graph's `render:` says: window, FILM.mp4, frames/%04d.png, hash, or asked "
-           "(pictures for an agent that asks)",
-           set_render},
+    Option{
+        "--render", "TO", "`window`, a film, pictures such as `frames/%04d.png`, `hash` or `asked`",
+        "show what the graph's `render:` says: window, FILM.mp4, frames/%04d.png, hash, or asked "
+        "(pictures for an agent that asks)",
+        set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
     Option{"--publish", "KIND", "`udp:HOST:PORT`, `teleplot:HOST:PORT` or `mcap:FILE`",

@@ -1,4 +1,5 @@
-// Whatever an agent in another process sends to a program: datagrams, each with its length before it.
+// Whatever an agent in another process sends to a program: datagrams, each with its length before
+// it.
 #include <sys/socket.h>
 #include <unistd.h>
 

@@ -102,18 +102,21 @@ std::string OutsideAgent::open() {
   socklen_t size = sizeof type;
   if (getsockopt(socket_, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_SEQPACKET)
     return "error: " + std::to_string(socket_) +
-           " is no socket of type SOCK_SEQPACKET\nhelp: `--agent fd:N` is for a program that starts "
+           " is no socket of type SOCK_SEQPACKET\nhelp: `--agent fd:N` is for a program that "
+           "starts "
            "this one with an end of a socketpair, such as Python's `eagerx_gen.make(…, "
            "real_time_factor=1)`";
   fcntl(socket_, F_SETFD, FD_CLOEXEC);  // not for ffmpeg
   if (is_real_ && !facts_.safety.declared)
     return "error: this program moves real hardware, and its graph does not say what is done when "
-           "the agent is late\nhelp: write `safety: {late: 3}` into the graph, or how many steps in "
+           "the agent is late\nhelp: write `safety: {late: 3}` into the graph, or how many steps "
+           "in "
            "a row may be without an action";
   const std::size_t longest = sizeof(float) * std::max(row_.size(), given_.size());
   if (longest > kLongestRow)
     return "error: a row of this graph has " + std::to_string(longest) + " bytes, and " +
-           std::to_string(kLongestRow) + " go to an agent outside at most\nhelp: make the graph's "
+           std::to_string(kLongestRow) +
+           " go to an agent outside at most\nhelp: make the graph's "
            "observations smaller";
   on_gone([](void* agent) { return static_cast<OutsideAgent*>(agent)->is_gone(); }, this);
   return {};
@@ -186,8 +189,8 @@ OutsideAgent::Got OutsideAgent::receive(std::int64_t until_ns) {
     stop_if_told();
     if (count == 0) return Got::nothing;
     if (count < 0) continue;
-    std::array<iovec, 2> parts{{{&request_, sizeof request_},
-                                {given_.data(), given_.size() * sizeof(float)}}};
+    std::array<iovec, 2> parts{
+        {{&request_, sizeof request_}, {given_.data(), given_.size() * sizeof(float)}}};
     msghdr message{};
     message.msg_iov = parts.data();
     message.msg_iovlen = parts.size();
@@ -338,11 +341,12 @@ std::string OutsideAgent::description() const {
     if (!std::exchange(is_first, false))
       terms += (terms.empty() ? "" : ", ") + quoted(each.name.c_str());
   }
-  const std::string render =
-      facts_.is_shown ? "{\"rate_hz\": " + number_text(static_cast<double>(facts_.render_num) /
-                                                       static_cast<double>(facts_.render_den)) +
-                            "}"
-                      : "null";
+  const std::string render = facts_.is_shown
+                                 ? "{\"rate_hz\": " +
+                                       number_text(static_cast<double>(facts_.render_num) /
+                                                   static_cast<double>(facts_.render_den)) +
+                                       "}"
+                                 : "null";
   return "{\"version\": " + std::to_string(kOutsideVersion) + ", \"generator\": \"" +
          std::to_string(kVersionMajor) + "." + std::to_string(kVersionMinor) +
          "\", \"graph\": " + quoted(facts_.name) + ", \"engine\": " + quoted(facts_.engine) +

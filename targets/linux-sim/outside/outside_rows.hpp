@@ -45,7 +45,9 @@ class OutsideRows {
 
   /// Lists of JSON, as eagerx_describe() of target environments has them.
   std::string describe_actions() const { return describe(fields_.actions, actions_); }
-  std::string describe_observations() const { return describe(fields_.observations, observations_); }
+  std::string describe_observations() const {
+    return describe(fields_.observations, observations_);
+  }
   std::string describe_states() const { return describe(fields_.states, states_); }
 
  private:

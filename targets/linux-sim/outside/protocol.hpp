@@ -52,7 +52,7 @@ inline constexpr std::size_t kLongestPiece = std::size_t{1} << 16U;
 
 /// What is wrong with a datagram of `bytes`, or null. `request` is its beginning.
 constexpr const char* problem_of_request(const Request& request, std::size_t bytes,
-                                      std::size_t action_numbers, std::size_t state_numbers) {
+                                         std::size_t action_numbers, std::size_t state_numbers) {
   if (bytes < sizeof(Request)) return "it is shorter than a request";
   const std::size_t row = bytes - sizeof(Request);
   switch (request.ask) {

@@ -21,7 +21,8 @@ namespace {
 
 constexpr int kWidest = 4096;
 constexpr std::uint8_t kWhite = 255;
-constexpr std::size_t kMostKept = std::size_t{1} << 16U;  // numbers of a scene without an allocation
+constexpr std::size_t kMostKept = std::size_t{1}
+                                  << 16U;  // numbers of a scene without an allocation
 
 /// `frames/%04d.png` with the number of the picture in it; without a `%` one file for the last.
 struct FileNames {
@@ -58,8 +59,8 @@ struct Studio {
   std::vector<std::uint8_t> pixels;
   int width = 0, height = 0;
   bool to_files = false, to_film = false, to_window = false;
-  bool is_asked = false;      // whether somebody asks for pictures
-  std::vector<float> scene;   // the last one, if so
+  bool is_asked = false;     // whether somebody asks for pictures
+  std::vector<float> scene;  // the last one, if so
   std::size_t scene_rows = 0;
   FileNames names;
   Film film;

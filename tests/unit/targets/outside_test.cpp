@@ -31,10 +31,11 @@ TEST(OutsideRows, ColumnsAreInTheOrderOfNames) {
   std::array<float, 4> again{};
   rows.write_action(&action, again.data());
   EXPECT_EQ(again, (std::array<float, 4>{7.0F, 1.0F, 0.5F, -0.5F}));
-  EXPECT_EQ(rows.describe_actions(),
-            R"([{"name": "choice", "shape": [], "dtype": "int64", "window": 1, "low": [null], "high": [null], "first": 0}, )"
-            R"({"name": "on", "shape": [], "dtype": "bool", "window": 1, "low": [null], "high": [null], "first": 1}, )"
-            R"({"name": "push", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -2], "high": [1, 2], "first": 2}])");
+  EXPECT_EQ(
+      rows.describe_actions(),
+      R"([{"name": "choice", "shape": [], "dtype": "int64", "window": 1, "low": [null], "high": [null], "first": 0}, )"
+      R"({"name": "on", "shape": [], "dtype": "bool", "window": 1, "low": [null], "high": [null], "first": 1}, )"
+      R"({"name": "push", "shape": [2], "dtype": "float32", "window": 1, "low": [-1, -2], "high": [1, 2], "first": 2}])");
 }
 
 TEST(OutsideRows, MessagesThatAreNotThereAreNoNumbers) {
@@ -63,8 +64,7 @@ TEST(OutsideRows, StatesAreCheckedAndReadAsTheirDecimals) {
     return rows.problem_of_states(row.data(), drawn);
   };
   EXPECT_EQ(problem({kNone, kNone, kNone}), "");
-  EXPECT_EQ(problem({1.0F, kNone, kNone}),
-            "`at` is not drawn: set all of its elements, or none");
+  EXPECT_EQ(problem({1.0F, kNone, kNone}), "`at` is not drawn: set all of its elements, or none");
   EXPECT_EQ(problem({kNone, kNone, 0.6F}), "`delay` is out of its space: element 0 is 0.6");
   const std::array<float, 3> row{kNone, kNone, 0.1F};
   ASSERT_EQ(rows.problem_of_states(row.data(), drawn), "");

@@ -11,7 +11,8 @@ Gymnasium and Stable-Baselines3 are imported when they are needed. `Environments
 import os
 import sys
 
-from .build import build, checked, is_program, load, moves_hardware
+from . import build
+from .build import checked, is_program, load, moves_hardware
 from .errors import Error, RewardNotFinite
 from .library import VERSION, Environments, Library
 
@@ -45,8 +46,8 @@ def _with_program(start, graph, building):
     graph, paths = checked(graph, building.get("engine"), building.get("paths", ()))
     if is_program(graph):
         return start(graph)
-    return build(graph, building.get("engine"), paths, building.get("progress", True), target="linux-sim", ending=".program",
-                 opened=lambda path: start(str(path)))
+    return build.build(graph, building.get("engine"), paths, building.get("progress", True), target="linux-sim", ending=".program",
+                       opened=lambda path: start(str(path)))
 
 
 def _is_real(graph, building):
