@@ -1,100 +1,91 @@
 #!/usr/bin/env python3
-"""Stable-Baselines3's SAC goes on learning on hardware, from the policy that pendulum_swing_up ships.
+"""Stable-Baselines3's PPO goes on learning on hardware, from the policy that policy_from_stable_baselines ships.
 
     ./fine_tune.py [PROGRAM] [--episodes N] [--seed S] [--output FOLDER]
 
 PROGRAM is a program of graph.yaml that is built already, such as build/examples/pendulum_fine_tuning.hardware.emulated on
 the emulated adapter; without it graph.yaml is built, and drives the adapter that is plugged in. Needs eagerx-gen (on PATH,
-or the variable EAGERX_GEN), its Python package, stable-baselines3 with torch, and onnx. Writes into FOLDER (default:
-fine_tuned): policy.zip, curve.csv, curve.svg. Exit code 1: the policy has not become better.
+or the variable EAGERX_GEN), its Python package, and stable-baselines3 with torch. Writes into FOLDER (default: fine_tuned):
+policy.zip, curve.csv, curve.svg. Exit code 1: the policy has not become better.
 """
 import argparse
-import copy
+import io
 import pathlib
 import sys
+import zipfile
 
 import gymnasium
 import numpy as np
-import onnx.numpy_helper
 import stable_baselines3
 import torch
 from stable_baselines3.common.callbacks import BaseCallback
+from stable_baselines3.common.vec_env import DummyVecEnv, VecNormalize
 
 import eagerx_gen
 
 HERE = pathlib.Path(__file__).resolve().parent
-SHIPPED = HERE.parent / "pendulum_swing_up/swing_up.onnx"
-TRIED = 10  # episodes without noise, before and after
-WARM_UP = 8  # episodes from which the critics learn alone
-ENOUGH = 8  # successes in ten episodes end the training
+SHIPPED = HERE.parent / "policy_from_stable_baselines"
+STEPS = 300  # of an episode: 10 s
+ROLLOUT = 4  # episodes before the policy changes
+TRIED = 20  # episodes without noise, before and after
 
 
 class BeginWhenTold(gymnasium.Wrapper):
     """An episode on hardware begins when somebody is there for it.
 
-    Stable-Baselines3 resets as soon as an episode has ended, and then learns for seconds, in which the robot would go on.
-    Such a reset does nothing here, and the robot stands still with its safe action until begin().
+    Stable-Baselines3 resets as soon as an episode has ended, and behind the last one of a rollout it learns, while the robot
+    would go on. Such a reset does nothing here, and the robot stands still with its safe action until begin().
     """
 
-    observation = None
-    late = 0
+    def __init__(self, env):
+        super().__init__(env)
+        self.observation, self.left = None, 0
 
-    def begin(self):
+    def begin(self, left=0):
+        """`left`: steps until nobody is there for a while."""
+        self.left = left or self.left
         self.observation, _ = self.env.reset()
-        self.late, self.reward = 0, 0.0
+        self.total, self.late = 0.0, 0
         return self.observation
 
     def reset(self, **keywords):
-        return (self.begin() if self.observation is None else self.observation), {}
+        return (self.observation if self.left == 0 and self.observation is not None else self.begin()), {}
 
     def step(self, action):
+        self.left -= 1
         self.observation, reward, terminated, truncated, info = self.env.step(action)
+        self.total += reward
         self.late += info["late"]
-        self.reward += reward
+        if terminated or truncated:
+            info["whole"] = (self.total, info["success"], self.late)
         return self.observation, reward, terminated, truncated, info
 
 
 class Episodes(BaseCallback):
-    """Begins each episode, keeps what came of it, and which policy was the best: of five episodes together."""
+    """Begins each rollout, and keeps what came of its episodes."""
 
-    def __init__(self, robot):
+    def __init__(self, robot, envs):
         super().__init__()
-        self.robot, self.rows, self.best, self.best_return = robot, [], None, -np.inf
+        self.robot, self.envs, self.rows = robot, envs, []
 
     def _on_rollout_start(self):
-        self.model._last_obs = self.robot.begin()[None]
+        self.model._last_obs = self.envs.normalize_obs(self.robot.begin(self.model.n_steps)[None])
 
     def _on_step(self):
-        if self.locals["dones"][0]:
-            self.rows.append((self.robot.reward, self.locals["infos"][0]["success"], self.robot.late))
-            last_five = np.mean([row[0] for row in self.rows[-5:]])
-            if len(self.rows) > WARM_UP + 5 and last_five > self.best_return:
-                self.best_return, self.best = last_five, copy.deepcopy(self.model.policy.state_dict())
-            print(f"episode {len(self.rows)}: return {self.robot.reward:.1f}, {'a success' if self.rows[-1][1] else 'no success'}", flush=True)
-        return sum(row[1] for row in self.rows[-10:]) < ENOUGH
+        self.rows += [info["whole"] for info in self.locals["infos"] if "whole" in info]
+        return True
 
 
-def take_weights(policy):
-    """The shipped actor, which is one of Stable-Baselines3's SAC, 3-64-64-1."""
-    tensors = {each.name: onnx.numpy_helper.to_array(each) for each in onnx.load(SHIPPED).graph.initializer}
-    own = policy.actor.state_dict()
-    names = {"latent_pi.0": "a.latent_pi.0", "latent_pi.2": "a.latent_pi.2", "mu": "a.mu", "log_std": "a.log_std"}
-    for ours, theirs in names.items():
-        for part in ("weight", "bias"):
-            own[f"{ours}.{part}"] = torch.as_tensor(np.array(tensors[f"{theirs}.{part}"]))
-    policy.actor.load_state_dict(own)
-
-
-def tried(model, robot):
+def tried(model, robot, envs):
     """[TRIED] returns without noise, and how many episodes succeeded."""
-    returns, successes = [], 0
+    returns, successes, robot.left = [], 0, 0
     for _ in range(TRIED):
         observation, ended = robot.begin(), False
         while not ended:
-            action, _ = model.predict(observation, deterministic=True)
+            action, _ = model.predict(envs.normalize_obs(observation), deterministic=True)
             observation, _, terminated, truncated, info = robot.step(action)
             ended = terminated or truncated
-        returns.append(robot.reward)
+        returns.append(robot.total)
         successes += info["success"]
     return np.array(returns), successes
 
@@ -124,27 +115,25 @@ def write_curve(rows, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", nargs="?", default=HERE / "graph.yaml")
-    parser.add_argument("--episodes", type=int, default=60)
+    parser.add_argument("--episodes", type=int, default=160)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", type=pathlib.Path, default=pathlib.Path("fine_tuned"))
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     torch.set_num_threads(1)
-    robot = BeginWhenTold(eagerx_gen.make(options.program, flatten=True, normalize_actions=True, real_time_factor=1))
+    robot = BeginWhenTold(eagerx_gen.make(options.program, flatten=True, real_time_factor=1))
     robot.env.reset(seed=options.seed)
-    # Updates between episodes only; none of the actor before the critics know something.
-    model = stable_baselines3.SAC("MlpPolicy", robot, learning_rate=3e-4, train_freq=(1, "episode"), gradient_steps=300, learning_starts=0,
-                                  ent_coef=0.02, policy_kwargs={"net_arch": [64, 64]}, seed=options.seed, device="cpu")
-    take_weights(model.policy)
-    before, good_before = tried(model, robot)
+    envs = VecNormalize.load(str(SHIPPED / "vecnormalize.pkl"), DummyVecEnv([lambda: robot]))
+    envs.training = False  # the statistics are those that the policy was trained with
+    model = stable_baselines3.PPO("MlpPolicy", envs, gamma=0.95, learning_rate=1e-4, n_steps=ROLLOUT * STEPS, batch_size=100, n_epochs=10,
+                                  clip_range=0.1, policy_kwargs={"net_arch": [64, 64]}, seed=options.seed, device="cpu")
+    with zipfile.ZipFile(SHIPPED / "swing_up.zip") as archive:
+        model.policy.load_state_dict(torch.load(io.BytesIO(archive.read("policy.pth")), map_location="cpu"))
+    before, good_before = tried(model, robot, envs)
     print(f"before: mean return {before.mean():.1f}, {good_before} of {TRIED} episodes succeed", flush=True)
-    episodes = Episodes(robot)
-    for phase, count in (("critics", WARM_UP), ("all", options.episodes - WARM_UP)):
-        model.actor.requires_grad_(phase == "all")
-        model.learn(300 * count, callback=episodes, reset_num_timesteps=False)
-    if episodes.best is not None:
-        model.policy.load_state_dict(episodes.best)
-    after, good_after = tried(model, robot)
+    episodes = Episodes(robot, envs)
+    model.learn(options.episodes * STEPS, callback=episodes)
+    after, good_after = tried(model, robot, envs)
     print(f"after:  mean return {after.mean():.1f}, {good_after} of {TRIED} episodes succeed; "
           f"{len(episodes.rows)} episodes, {sum(row[2] for row in episodes.rows)} late steps", flush=True)
     model.save(options.output / "policy.zip")
