@@ -6,7 +6,7 @@
 PROGRAM is a program of graph.yaml that is built already, such as build/examples/pendulum_fine_tuning.hardware.emulated on
 the emulated adapter; without it graph.yaml is built, and drives the adapter that is plugged in. Needs eagerx-gen (on PATH,
 or the variable EAGERX_GEN), its Python package, and stable-baselines3 with torch. Writes into FOLDER (default: fine_tuned):
-policy.zip, curve.csv, curve.svg. Exit code 1: the policy has not become better.
+fine_tuned.zip, fine_tuned.yaml (for this folder), curve.csv, curve.svg. Exit code 1: the policy has not become better.
 """
 import argparse
 import io
@@ -90,6 +90,17 @@ def tried(model, robot, envs):
     return np.array(returns), successes
 
 
+def save(model, folder):
+    """The policy without its optimizer, and the graph with it."""
+    model.save(folder / "whole.zip")
+    with zipfile.ZipFile(folder / "whole.zip") as whole, zipfile.ZipFile(folder / "fine_tuned.zip", "w", zipfile.ZIP_DEFLATED) as kept:
+        for name in ("data", "policy.pth", "_stable_baselines3_version"):
+            kept.writestr(zipfile.ZipInfo(name), whole.read(name), zipfile.ZIP_DEFLATED)
+    (folder / "whole.zip").unlink()
+    graph = (HERE / "graph.yaml").read_text()
+    (folder / "fine_tuned.yaml").write_text(graph.replace("# before: PPO's", "# after: PPO's").replace("../policy_from_stable_baselines/swing_up.zip", "fine_tuned.zip"))
+
+
 def write_curve(rows, folder):
     header = "episode,return,success,late_steps"
     table = [[k, *row] for k, row in enumerate(rows, 1)]
@@ -136,7 +147,7 @@ def main():
     after, good_after = tried(model, robot, envs)
     print(f"after:  mean return {after.mean():.1f}, {good_after} of {TRIED} episodes succeed; "
           f"{len(episodes.rows)} episodes, {sum(row[2] for row in episodes.rows)} late steps", flush=True)
-    model.save(options.output / "policy.zip")
+    save(model, options.output)
     write_curve(episodes.rows, options.output)
     robot.close()
     return 0 if after.mean() > before.mean() else 1
