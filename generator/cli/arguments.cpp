@@ -46,6 +46,7 @@ Arguments selection(Options& options) {
             "NAME[,NAME...]=BOARD");
   split.check = check_split;
   return {
+      variant(options),
       text("--engine", options.engine, "run the graph on this engine instead of its own", "NAME"),
       choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
              [&options](const std::string& real) { options.real = real; }),
@@ -57,6 +58,10 @@ Arguments selection(Options& options) {
 Argument agent_policy(Options& options) {
   return reads(text("--policy", options.agent_policy,
                     "weight file of a policy that decides instead of the graph's `agent`", "FILE"));
+}
+
+Argument variant(Options& options) {
+  return text("--variant", options.variant, "this one of the graph's `variants`", "NAME");
 }
 
 Arguments rates(Options& options) {
@@ -96,6 +101,7 @@ Arguments on_environments(Options& options) {
                               "folder for the library of environments (default: generated/<graph "
                               "name>-environments)",
                               "DIR")),
+                  variant(options),
                   text("--engine", options.engine,
                        "run the graph on this engine instead of its own", "NAME")},
                  rates(options),

@@ -15,9 +15,10 @@ using Arguments = std::vector<Argument>;
 Arguments joined(std::initializer_list<Arguments> parts);
 
 Argument graph(Options& options);
-/// Engine, scalar, targets and split, as against what the graph says.
+/// Variant, engine, scalar, targets and split, as against what the graph says.
 Arguments selection(Options& options);
 Argument agent_policy(Options& options);
+Argument variant(Options& options);
 Arguments rates(Options& options);
 /// Folders of the user's own entities.
 Argument library(Options& options);

@@ -31,6 +31,7 @@ std::string command_of_one_run(const Options& options) {
     if (!value.empty()) text += std::string(" ") + name + " " + quoted(value);
   };
   add("--policy", options.agent_policy);
+  add("--variant", options.variant);
   add("--engine", options.engine);
   add("--rate", options.rate_hz ? options.rate_hz->to_string() : "");
   add("--engine-rate", options.engine_rate_hz ? options.engine_rate_hz->to_string() : "");

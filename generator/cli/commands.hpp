@@ -30,6 +30,7 @@ struct Options {
   std::string graph;
   std::string output;                               // empty: generated/<name of the graph>
   std::vector<std::string> targets;                 // empty: linux-sim
+  std::string variant;                              // empty: the graph as it is written
   std::string engine, real;                         // empty: the graph's
   std::vector<std::string> split;                   // NAMES=BOARD; empty: the graph's placement
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
@@ -49,7 +50,9 @@ struct Options {
   std::string sensors, horizon_s, longest_delay_s;  // identify
   std::vector<std::string> channels;                // plot
   std::string episode;                              // plot
+  std::string second_graph, second_variant;         // diff
   std::string entity;                               // info, new
+  bool flat = false;                                // info
   std::string kind;                                 // new
   std::string code;                                 // explain
   bool missing = false;                             // import
@@ -78,6 +81,8 @@ int train_command(const Options& options);
 /// Makes the graph's library of environments, and becomes the program that runs many episodes.
 int campaign_command(const Options& options);
 int check_command(const Options& options);
+/// Prints how two graphs, or two variants of one, differ; kProblems if they do.
+int diff_command(const Options& options);
 int import_command(const Options& options);
 int info_command(const Options& options);
 /// Writes a picture of the graph.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "generator/cli/pipeline.hpp"
+#include "generator/compose/flat_text.hpp"
 #include "generator/emit/namer.hpp"
 #include "generator/library/schema.hpp"
 #include "generator/plausibility/plausibility.hpp"
@@ -112,7 +113,28 @@ std::string_view kind_of(const Entity& entity) {
   return entity.is_reset_node() ? "reset node" : to_string(entity.kind);
 }
 
-void print_entity(const Entity& entity) {
+/// What the ports of a composite are bound to, and what is inside.
+void print_inside(const Entity& entity, const SourceMap& sources) {
+  for (const char* section : {"sensors", "actuators", "inputs", "outputs"}) {
+    const YamlValue* ports = entity.composite->find(section);
+    if (ports == nullptr || ports->entries.empty()) continue;
+    say("\n{}\n", section);
+    for (const auto& entry : ports->entries) {
+      const YamlValue* from = entry.value.find("from");
+      const YamlValue& bound = from != nullptr ? *from : *entry.value.find("to");
+      std::vector<std::string> inner;
+      if (bound.is_scalar()) inner.push_back(bound.text);
+      for (const auto& item : bound.items) inner.push_back(item.text);
+      const YamlValue* unit = entry.value.find("unit");
+      say("  {:<20} {} {}{}\n", entry.key, from != nullptr ? "from" : "to", fmt::join(inner, ", "),
+          unit != nullptr ? ", " + unit->text : "");
+      if (const YamlValue* about = entry.value.find("about")) say("{:25}{}\n", "", about->text);
+    }
+  }
+  say("\ninside\n{}", flat_text(*entity.composite->find("graph"), sources));
+}
+
+void print_entity(const Entity& entity, const SourceMap& sources) {
   say("{} ({})\n{}\n", entity.id.value, kind_of(entity), entity.summary);
   if (!entity.description.empty()) say("\n{}", entity.description);
   print_eagerx_ids(entity);
@@ -131,6 +153,11 @@ void print_entity(const Entity& entity) {
     if (!implementation.description.empty()) say("{}\n", implementation.description);
   }
   print_parameters(entity.config);
+  if (entity.is_composite()) {
+    print_requirements(entity.requirements);
+    print_inside(entity, sources);
+    return;
+  }
   print_ports("sensors", entity.sensors);
   print_ports("actuators", entity.actuators);
   print_ports("inputs", entity.inputs);
@@ -210,7 +237,12 @@ std::string profile_text(const GraphSpec& spec) {
 int graph_info(Options options) {
   options.graph = options.entity;
   Run run;
-  if (!make(run, options)) return finish(run, options);
+  const bool made = make(run, options);
+  if (options.flat && !run.flat.is_null()) {
+    say("{}", flat_text(run.flat, run.sources));
+    return finish(run, options);
+  }
+  if (!made) return finish(run, options);
   const PlanReport report = report_of(*run.plan, run.spec->budget, run.diagnostics);
   allow_warnings(run.spec->allow, false, run.diagnostics);
   if (options.json_output)
@@ -225,8 +257,9 @@ int graph_info(Options options) {
 
 int info_command(const Options& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
-  if (options.json_output) {
-    complain("error: `--json` is for graphs\nhelp: give a file GRAPH.yaml\n");
+  if (options.json_output || options.flat) {
+    complain("error: `{}` is for graphs\nhelp: give a file GRAPH.yaml\n",
+             options.flat ? "--flat" : "--json");
     return kWrongUsage;
   }
   Run run;
@@ -237,7 +270,7 @@ int info_command(const Options& options) {
     return finish(run, options);
   }
   if (const Entity* entity = run.library.find(options.entity)) {
-    print_entity(*entity);
+    print_entity(*entity, run.sources);
     return finish(run, options);
   }
   if (const Target* target = run.library.find_target(options.entity)) {

@@ -128,16 +128,40 @@ Command info(Options& options) {
           .about = "list entities and targets, or explain one or a graph",
           .examples = {{"list what there is", "eagerx-gen info"},
                        {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
-                       {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"}},
+                       {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
+                       {"what becomes of its composites, arrays and variants",
+                        "eagerx-gen info robot.yaml --variant real --flat"}},
           .arguments = joined(
               {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
                            "ENTITY|GRAPH.yaml")),
+                variant(options),
                 text("--engine", options.engine, "run the graph on this engine instead of its own",
                      "NAME")},
                rates(options),
                {library(options),
+                flag("--flat", options.flat,
+                     "print the graph that composites, arrays and variants become, and where its "
+                     "lines are from"),
                 flag("--json", options.json_output, "print JSON (for graphs only)")}}),
           .run = [&options] { return info_command(options); }};
+}
+
+Command diff(Options& options) {
+  return {.name = "diff",
+          .about =
+              "how two graphs differ, or two variants of one: exit code 0 if they do not, 1 if "
+              "they do, 2 if one of them has problems",
+          .examples = {{"two files", "eagerx-gen diff robot.yaml other.yaml"},
+                       {"two variants", "eagerx-gen diff robot.yaml --variant sim --to real"}},
+          .arguments = joined(
+              {{graph(options),
+                reads(text("second", options.second_graph,
+                           "the graph to compare with (default: the same file)", "OTHER.yaml")),
+                text("--variant", options.variant, "variant of the first graph", "NAME"),
+                text("--to", options.second_variant, "variant of the second graph", "NAME"),
+                library(options)},
+               diagnostics(options)}),
+          .run = [&options] { return diff_command(options); }};
 }
 
 Command picture(Options& options) {
@@ -159,8 +183,8 @@ Command picture(Options& options) {
           {{graph(options), std::move(output),
             flag("--engine-graph", options.engine_graph,
                  "draw what runs on the engine: the nodes of each object instead of one box")},
-           {text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME")},
+           {variant(options), text("--engine", options.engine,
+                                   "run the graph on this engine instead of its own", "NAME")},
            rates(options),
            {library(options)},
            diagnostics(options)}),
@@ -206,8 +230,8 @@ Command report(Options& options) {
                  "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
                  "into "
                  "the page: reset, step, play, by the policy or by hand")},
-           {text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME")},
+           {variant(options), text("--engine", options.engine,
+                                   "run the graph on this engine instead of its own", "NAME")},
            rates(options),
            {library(options)},
            diagnostics(options)}),
@@ -298,6 +322,7 @@ Command size(Options& options) {
                        "also check the image against this graph's `budget:`", "GRAPH.yaml")),
             folder(text("--build", options.build,
                         "build folder of the image (default: the folder that it lies in)", "DIR")),
+            variant(options),
             text("--engine", options.engine,
                  "engine that the image was generated with, if not the graph's", "NAME"),
             library(options),
@@ -386,6 +411,7 @@ CommandLine command_line(Options& options) {
                            campaign_commands(options),
                            check(options),
                            info(options),
+                           diff(options),
                            picture(options),
                            report(options),
                            explain(options),

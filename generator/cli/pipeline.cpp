@@ -8,6 +8,8 @@
 #include <filesystem>
 
 #include "generator/cli/paths.hpp"
+#include "generator/compose/compose.hpp"
+#include "generator/compose/variants.hpp"
 #include "generator/diagnostics/pages.hpp"
 #include "generator/files/files.hpp"
 #include "generator/tables/tables.hpp"
@@ -52,31 +54,46 @@ Mentions mentions_of(const YamlValue& graph, const Options& options) {
   mentions.add(options.engine);
   for (const std::string& target : wanted_targets(options)) mentions.add(target);
   for (const std::string& item : options.split) mentions.add(item.substr(item.rfind('=') + 1));
+  for (const std::string& id : entities_of_patterns(graph)) mentions.add(id);
   return mentions;
 }
 
 /// How much of the library is read.
 enum class Reading : std::uint8_t { mentioned, whole };
 
+/// The folders that a graph names, whatever else is in it.
+std::vector<Spanned<std::string>> library_folders(const YamlValue& graph, const std::string& path) {
+  std::vector<Spanned<std::string>> folders;
+  const YamlValue* library = graph.find("library");
+  if (library == nullptr) return folders;
+  for (const auto& folder : library->items) {
+    if (!folder.is_scalar()) continue;
+    // One without a name is none, and not the graph's own.
+    folders.push_back(
+        {folder.text.empty() ? "" : (fs::path(path).parent_path() / folder.text).string(),
+         folder.span});
+  }
+  return folders;
+}
+
 /// The spec of a graph in our own form, with the rates of the command line, and its library.
 bool read_own_graph(Run& run, const Options& options, Reading reading) {
-  run.spec = read_graph_spec(run.tree, options.graph, run.diagnostics);
-  std::vector<Spanned<std::string>> folders;
+  const std::size_t errors_before = run.diagnostics.error_count();
+  load_library_for(
+      run, options, library_folders(run.tree, options.graph),
+      reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
+  FlatGraph flat{run.tree, GraphForm::written};
+  if (run.diagnostics.error_count() == errors_before)
+    flat = compose(run.tree, run.library, run.sources, run.diagnostics);
+  const bool composed = run.diagnostics.error_count() == errors_before;
+  run.spec = read_graph_spec(flat.root, options.graph, run.diagnostics, flat.form);
+  run.flat = std::move(flat.root);
   if (run.spec) {
-    for (const auto& folder : run.spec->library) {
-      const fs::path path = fs::path(options.graph).parent_path() / folder.value;
-      // One without a name is none, and not the graph's own.
-      folders.push_back({folder.value.empty() ? "" : path.string(), folder.span});
-    }
     if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
     if (options.engine_rate_hz && run.spec->has_engine())
       run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();
   }
-  const std::size_t errors_before = run.diagnostics.error_count();
-  load_library_for(
-      run, options, folders,
-      reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
-  return run.spec && run.diagnostics.error_count() == errors_before;
+  return run.spec && composed;
 }
 
 }  // namespace
@@ -232,12 +249,14 @@ bool make_of_tree(Run& run, const Options& options) {
 }  // namespace
 
 bool make(Run& run, const Options& options) {
-  run.tree = read_graph_file(run, options.graph);
+  run.tree = choose_variant(read_graph_file(run, options.graph), options.graph, options.variant,
+                            run.sources, run.diagnostics);
   return make_of_tree(run, options);
 }
 
 bool make_of_text(Run& run, const Options& options, const std::string& text) {
-  run.tree = read_yaml_text(options.graph, text, run.sources, run.diagnostics);
+  run.tree = choose_variant(read_yaml_text(options.graph, text, run.sources, run.diagnostics),
+                            options.graph, options.variant, run.sources, run.diagnostics);
   return make_of_tree(run, options);
 }
 
@@ -251,6 +270,7 @@ bool make_again(Run& run, const Options& options) {
 
 int finish(Run& run, const Options& options) {
   if (const auto why = flush_output()) report_output(*why, run.diagnostics);
+  run.diagnostics.drop_repeats();
   run.diagnostics.sort_by_place();
   if (options.quiet) run.diagnostics.drop_notes();
   if (options.json) {

@@ -18,7 +18,8 @@ struct Run {
   Diagnostics diagnostics;
   std::string root;  // of the built-in models, targets, templates
   Library library;
-  YamlValue tree;  // of the graph's file
+  YamlValue tree;  // of the graph's file, in the chosen variant
+  YamlValue flat;  // without composites and arrays
   std::optional<GraphSpec> spec;
   std::vector<std::string> tables;  // files with numbers of the graph
   std::optional<Graph> graph;

@@ -1,6 +1,7 @@
 #include "generator/diagnostics/diagnostics.hpp"
 
 #include <algorithm>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -29,6 +30,17 @@ Diagnostic& Diagnostics::warning(std::string code, Span span, std::string messag
 
 Diagnostic& Diagnostics::note(Span span, std::string message) {
   return all_.emplace_back(make(Severity::note, "", span, std::move(message)));
+}
+
+void Diagnostics::drop_repeats() {
+  std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t, std::string>> seen;
+  std::erase_if(all_, [&](const Diagnostic& d) {
+    const bool repeated =
+        d.span.line > 0 &&
+        !seen.emplace(d.code, d.span.file, d.span.line, d.span.column, d.message).second;
+    if (repeated && d.severity == Severity::error) --errors_;
+    return repeated;
+  });
 }
 
 void Diagnostics::drop_notes() {

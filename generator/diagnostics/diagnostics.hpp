@@ -30,12 +30,28 @@ class SourceMap {
   /// Line `line` (from 1) without its end; empty where there is none.
   [[nodiscard]] std::string_view line(FileId file, std::uint32_t line) const;
 
+  /// The place that uses what is in a file, and what it makes of it: "`arm` is a `Cascade`".
+  struct Use {
+    Span place;
+    std::string what;
+  };
+  /// The same file once more, for what one place makes of it: spans in it say who used it so.
+  FileId add_use(FileId file, Use use);
+  /// nullptr for what is not used by another file.
+  [[nodiscard]] const Use* use(FileId file) const;
+  /// Where in `file` somebody uses, over others or at once, what is written at `span`; line 0:
+  /// nowhere.
+  [[nodiscard]] Span place_in(FileId file, Span span) const;
+
  private:
   struct File {
     std::string name;
     std::string text;
     std::vector<std::size_t> line_starts;
+    FileId same = FileId::none;  // has the text
+    Use use;
   };
+  [[nodiscard]] const File* file(FileId id) const;
   std::vector<File> files_;
 };
 
@@ -77,6 +93,9 @@ class Diagnostics {
   /// Problems in the order of the file they are in, those without a place first.
   void sort_by_place();
 
+  /// Of the same problem at the same place, which several elements of an array have, leaves one.
+  void drop_repeats();
+
   /// Leaves only errors and warnings.
   void drop_notes();
 
@@ -98,6 +117,10 @@ class Diagnostics {
   std::size_t io_errors_ = 0;
   std::size_t usage_errors_ = 0;
 };
+
+/// The notes of a diagnostic, and behind them who uses the file that it is in, from the inside out.
+std::vector<Diagnostic::Note> notes_with_uses(const Diagnostic& diagnostic,
+                                              const SourceMap& sources);
 
 /// As rustc prints them; `color` adds terminal colours. Ends with a line that counts the errors. Of
 /// each severity the first hundred are shown.

@@ -22,7 +22,7 @@ const char* to_string(Severity severity) {
 
 Json to_json(const Diagnostic& diagnostic, const SourceMap& sources) {
   Json notes = Json::list();
-  for (const Diagnostic::Note& note : diagnostic.notes) {
+  for (const Diagnostic::Note& note : notes_with_uses(diagnostic, sources)) {
     notes.push_back(Json{
         {"message", note.message}, {"span", to_json(note.span, sources)}, {"label", note.label}});
   }

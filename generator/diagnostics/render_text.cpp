@@ -65,7 +65,7 @@ class TextRenderer {
                          escape_unprintable(diagnostic.message), palette_.off);
     add_place(diagnostic.span);
     add_excerpt(diagnostic.span, diagnostic.label, color);
-    for (const Diagnostic::Note& note : diagnostic.notes) add_note(note);
+    for (const Diagnostic::Note& note : notes_with_uses(diagnostic, sources_)) add_note(note);
     if (!diagnostic.help.empty()) {
       constexpr std::size_t kIndent = 6;  // under the text after "help: "
       text_ += fmt::format("{}help{}: {}\n", palette_.help, palette_.off,

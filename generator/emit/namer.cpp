@@ -27,7 +27,8 @@ std::string camel(std::string_view name) {
   std::string result;
   bool up = true;
   for (const char c : name) {
-    if (c == '_' || c == '/' || c == '.') {
+    if (c == ']') continue;
+    if (c == '_' || c == '/' || c == '.' || c == '[') {
       up = true;
       continue;
     }
@@ -39,7 +40,9 @@ std::string camel(std::string_view name) {
 
 std::string snake(std::string_view name) {
   std::string result(name);
-  std::replace(result.begin(), result.end(), '/', '_');
+  std::erase(result, ']');
+  std::ranges::replace_if(
+      result, [](char c) { return c == '/' || c == '['; }, '_');
   return result;
 }
 

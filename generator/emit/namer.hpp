@@ -24,7 +24,7 @@ class Names {
 
 /// "pendulum/u_applied" → "PendulumUApplied"
 std::string camel(std::string_view name);
-/// "pendulum/u_applied" → "pendulum_u_applied"
+/// "pendulum/u_applied" → "pendulum_u_applied", "arm/leg[2]" → "arm_leg_2"
 std::string snake(std::string_view name);
 /// 29.97 Hz → "29p97Hz", 30/7 Hz → "30over7Hz"
 std::string rate_suffix(const Rational& rate_hz);

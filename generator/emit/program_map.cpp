@@ -11,7 +11,9 @@ namespace {
 std::vector<ProgramMap::Place> places_of(const Graph& graph) {
   std::vector<ProgramMap::Place> places;
   const auto add = [&](const Span& span, const std::string& element) {
-    if (span.line > 0) places.push_back({span.line, span.column, element});
+    // What is in a composite is written in another file.
+    if (span.line > 0 && span.file == graph.span.file)
+      places.push_back({span.line, span.column, element});
   };
   const auto add_states = [&](const std::vector<State>& states, const std::string& owner) {
     for (const auto& state : states) add(state.span, owner + ".states." + state.name);

@@ -13,7 +13,10 @@ constexpr std::size_t kLongest = 8;  // nodes of a chain
 class Finder {
  public:
   Finder(const Plan& plan, Part part, const std::vector<std::size_t>& owners)
-      : plan_(plan), graph_(*plan.graph), part_(part), owners_(owners) {}
+      : plan_(plan), graph_(*plan.graph), part_(part), owners_(owners) {
+    for (const Ring& ring : plan.rings)
+      if (ring.reader_node) converted_.emplace(ring.node, ring.output);
+  }
 
   Repeats run() {
     if (graph_.asynchronous) return {};
@@ -78,9 +81,7 @@ class Finder {
   }
 
   bool is_converted(std::size_t node, std::size_t output) const {
-    return std::ranges::any_of(plan_.rings, [&](const Ring& ring) {
-      return ring.reader_node && ring.node == node && ring.output == output;
-    });
+    return converted_.contains({node, output});
   }
 
   bool crosses(std::size_t node, std::size_t output) const {
@@ -157,6 +158,7 @@ class Finder {
   const Graph& graph_;
   Part part_;
   const std::vector<std::size_t>& owners_;
+  std::set<std::pair<std::size_t, std::size_t>> converted_;  // outputs with a ring of one reader
   Repeats found_;
   std::map<std::size_t, std::size_t> array_of_;  // by ring
 };

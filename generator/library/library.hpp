@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,9 @@ struct Entity {
   std::string path;                            // of the manifest, as messages show it
   std::string include_root;                    // folder that the include is relative to
   bool own = false;                            // the user's: of a folder of `--path` or `library:`
+  // Of a composite, a graph with ports: its manifest, of which `compose/` makes what is inside. Its
+  // own ports have what their bindings say, and no spaces.
+  std::shared_ptr<const YamlValue> composite;
 
   [[nodiscard]] const PortManifest* input(std::string_view name) const;
   [[nodiscard]] const PortManifest* output(std::string_view name) const;
@@ -133,6 +137,7 @@ struct Entity {
   [[nodiscard]] const PortManifest* state(std::string_view name) const;
   [[nodiscard]] const PortManifest* reset_target(std::string_view name) const;
   [[nodiscard]] bool is_reset_node() const { return !reset_targets.empty(); }
+  [[nodiscard]] bool is_composite() const { return composite != nullptr; }
   /// Whether this engine node or state works on `engine`, or on one whose implementations that
   /// runs.
   [[nodiscard]] bool works_on(const Entity& engine) const;
@@ -206,6 +211,8 @@ std::optional<Target> read_target_manifest(const YamlValue& root, const std::str
 
 /// The table for manifests of this kind ("node", "engine", …, "target"); nullptr if there is none.
 const Format* manifest_format(std::string_view kind);
+/// The same for a manifest with `graph:`; nullptr for kinds that are no composites.
+const Format* composite_format(std::string_view kind);
 std::vector<std::string> manifest_kinds();
 
 }  // namespace eagerx::gen

@@ -349,7 +349,8 @@ std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics
                      : fmt::format("did you mean `{}`?", near);
     return std::nullopt;
   }
-  const Format& format = *manifest_format(kind->text);
+  const Format* composite = root.find("graph") != nullptr ? composite_format(kind->text) : nullptr;
+  const Format& format = composite != nullptr ? *composite : *manifest_format(kind->text);
   return check(root, format, diagnostics) ? std::optional(in_base_units(root, format))
                                           : std::nullopt;
 }
@@ -370,6 +371,7 @@ std::optional<Entity> read_entity_manifest(const YamlValue& written, const std::
   entity.summary = text_at(root, "summary");
   entity.description = text_at(root, "description");
   entity.path = path;
+  if (root.find("graph") != nullptr) entity.composite = std::make_shared<const YamlValue>(root);
   entity.cpp = read_cpp(root, folder, diagnostics);
   entity.counts = texts_at(root, "counts");
   entity.packages = texts_at(root, "pkg_config");

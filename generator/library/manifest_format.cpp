@@ -243,6 +243,43 @@ FormatPtr target_format() {
                   "{name}.elf without an operating system)"}});
 }
 
+/// Ports of a composite: what they are bound to. Spaces are those of the ports inside.
+FormatPtr bound_ports(const std::string& what, const Fields& binding) {
+  return ports(what, binding + Fields{{"unit", format::text("a unit"), false, "unit"},
+                                      {"eagerx", format::text("a name"), false,
+                                       "its name in EAGERx, if that is another one"},
+                                      {"about", format::text("a text"), false,
+                                       "what it means, in one line"}});
+}
+
+Fields receiving() {
+  const FormatPtr port = format::port("a port inside, such as `position.setpoint`");
+  return Fields{{"to",
+                 format::one_of("a port inside, or a list of them",
+                                {format::list("a list of ports", port, 1), port}),
+                 true, "the port inside that receives its messages, or several"},
+                {"processor", processor_format(), false, "converts every message"},
+                {"max_delay", delay_format(), false, "longest delay that a reset may set"}} +
+         connection_defaults();
+}
+
+Fields sending() {
+  return {{"from", format::port("a port inside, such as `current.u`"), true,
+           "the port inside that sends its messages"}};
+}
+
+/// What is inside is checked where it is used: only there its parameters have values.
+Field inner_graph() {
+  const FormatPtr entities = format::map("entities", format::any("an entity"));
+  return {"graph",
+          format::record("the graph inside",
+                         {{"objects", entities, false, "as in a graph"},
+                          {"nodes", entities, false, "as in a graph; `rate` may be `$(rate)`"},
+                          {"connections", format::list("a list of connections", format::any("")),
+                           false, "between what is inside, as in a graph"}}),
+          true, "what it is made of, in place of a class"};
+}
+
 }  // namespace
 
 std::vector<std::string> manifest_kinds() {
@@ -290,6 +327,27 @@ const Format* manifest_format(std::string_view kind) {
                                                  true, "what it gives"}})},
       {"implementation", format::record("an implementation", implementation_apart())},
       {"target", target_format()}};
+  const auto found = kFormats.find(kind);
+  return found == kFormats.end() ? nullptr : found->second.get();
+}
+
+const Format* composite_format(std::string_view kind) {
+  static const std::map<std::string, FormatPtr, std::less<>> kFormats = {
+      {"node", format::record("a node made of a graph",
+                              common("node") + config() +
+                                  Fields{{"inputs", bound_ports("inputs", receiving()), false,
+                                          "inputs, each the input of one or several inside"},
+                                         {"outputs", bound_ports("outputs", sending()), false,
+                                          "outputs, each the output of one inside"},
+                                         inner_graph()})},
+      {"object",
+       format::record("an object made of a graph",
+                      common("object") + config() +
+                          Fields{{"sensors", bound_ports("sensors", sending()), false,
+                                  "sensors, each the sensor or output of one inside"},
+                                 {"actuators", bound_ports("actuators", receiving()), false,
+                                  "actuators, each the actuator or input of one or several inside"},
+                                 inner_graph()})}};
   const auto found = kFormats.find(kind);
   return found == kFormats.end() ? nullptr : found->second.get();
 }

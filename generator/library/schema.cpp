@@ -58,6 +58,16 @@ Json table_schema() {
               {"additionalProperties", false}};
 }
 
+/// Of an element of an array: `$(0.5 * index)`, `{each: […]}`.
+Json element_schema() {
+  const Json computed{{"type", "string"}, {"pattern", "\\$\\("}};
+  const Json each{{"type", "object"},
+                  {"properties", Json{{"each", Json{{"type", "array"}}}}},
+                  {"required", Json::List{"each"}},
+                  {"additionalProperties", false}};
+  return Json{{"anyOf", Json::List{computed, each}}};
+}
+
 Json type_schema(const Library& library, EntityKind kind);
 
 /// An object, by its id or with its `config`.
@@ -100,7 +110,10 @@ Json config_schema(const Library& library, const Entity& entity) {
   Json properties = Json::object();
   Json required = Json::list();
   for (const Parameter& parameter : entity.config) {
-    properties[parameter.name.value] = parameter_schema(library, parameter);
+    const Json plain = parameter_schema(library, parameter);
+    Json property{{"anyOf", Json::List{plain, Json{{"$ref", "#/definitions/of_element"}}}}};
+    set_description(property, parameter.about, parameter.unit);
+    properties[parameter.name.value] = std::move(property);
     if (!parameter.fallback) required.push_back(parameter.name.value);
   }
   const bool any_required = !required.as<Json::List>()->empty();
@@ -162,7 +175,9 @@ void specialise(Json& schema, const Library& library, EntityKind kind) {
       add("inputs", entity.inputs, true);
       add("outputs", entity.outputs, true);
     }
-    if (kind != EntityKind::processor) add("states", entity.states, false);
+    // Those of a composite are of what is inside.
+    if (kind != EntityKind::processor && !entity.is_composite())
+      add("states", entity.states, false);
     Json then;
     then["properties"] = std::move(properties);
     const bool needs_config =
@@ -218,6 +233,7 @@ Json graph_schema(const Library& library) {
   specialise(at(properties, "engine"), library, EntityKind::engine);
   specialise(at(at(properties, "objects"), "additionalProperties"), library, EntityKind::object);
   specialise(at(at(properties, "nodes"), "additionalProperties"), library, EntityKind::node);
+  schema["definitions"] = Json{{"of_element", element_schema()}};
   return schema;
 }
 
@@ -226,7 +242,12 @@ Json manifest_schema() {
   for (const std::string& kind : manifest_kinds()) {
     const Json is_kind = {{"properties", Json{{"kind", Json{{"const", kind}}}}},
                           {"required", Json::List{"kind"}}};
-    branches.push_back(Json{{"if", is_kind}, {"then", schema_of(*manifest_format(kind))}});
+    Json form = schema_of(*manifest_format(kind));
+    if (const Format* composite = composite_format(kind)) {
+      const Json has_graph = {{"required", Json::List{"graph"}}};
+      form = Json{{"if", has_graph}, {"then", schema_of(*composite)}, {"else", std::move(form)}};
+    }
+    branches.push_back(Json{{"if", is_kind}, {"then", std::move(form)}});
   }
   Json kind;
   kind["enum"] = manifest_kinds();

@@ -87,18 +87,6 @@ Json json_of(const std::optional<Random>& random) {
               {"choices", std::move(choices)}};
 }
 
-Json json_of(const std::vector<State>& states) {
-  Json list = Json::list();
-  for (const State& state : states) {
-    if (!state.settable) continue;
-    list.push_back(Json{{"name", state.name},
-                        {"space", json_of(state.space)},
-                        {"random", json_of(state.random)},
-                        {"line", state.span.line}});
-  }
-  return list;
-}
-
 const char* name_of(NodeRole role) {
   switch (role) {
     case NodeRole::environment:
@@ -115,7 +103,8 @@ const char* name_of(NodeRole role) {
 
 class Nodes {
  public:
-  explicit Nodes(const Plan& plan) : plan_(plan), graph_(*plan.graph) {}
+  explicit Nodes(const PageContents& contents)
+      : contents_(contents), plan_(*contents.report->plan), graph_(*plan_.graph) {}
 
   void add_to(Json& page) const {
     page["schedule"] = schedule();
@@ -133,6 +122,23 @@ class Nodes {
   }
 
  private:
+  /// Of the graph's file; of what is in a composite, that of the composite.
+  std::uint32_t line_of(const Span& span) const {
+    return contents_.sources->place_in(contents_.spec->file, span).line;
+  }
+
+  Json json_of_states(const std::vector<State>& states) const {
+    Json list = Json::list();
+    for (const State& state : states) {
+      if (!state.settable) continue;
+      list.push_back(Json{{"name", state.name},
+                          {"space", json_of(state.space)},
+                          {"random", json_of(state.random)},
+                          {"line", line_of(state.span)}});
+    }
+    return list;
+  }
+
   /// Of the grid that all ticks lie on.
   Rational quantum_s() const {
     const RateClass& fastest = plan_.rates.front();
@@ -173,9 +179,9 @@ class Nodes {
               {"about", node.entity != nullptr ? node.entity->summary : std::string()},
               {"rate", node.rate_hz.to_string()},
               {"rate_class", plan_.nodes[n].rate},
-              {"line", node.span.line},
+              {"line", line_of(node.span)},
               {"config", json_of(node.config)},
-              {"states", json_of(node.states)}};
+              {"states", json_of_states(node.states)}};
     json["object"] = node.object ? Json(*node.object) : Json(nullptr);
     json["inputs"] = Json::list();
     for (std::size_t i = 0; i < node.inputs.size(); ++i) json["inputs"].push_back(input(n, i));
@@ -206,7 +212,7 @@ class Nodes {
               {"ring", reception.ring},
               {"most", reception.max_size},
               {"keep", reception.keep},
-              {"line", input.span.line}};
+              {"line", line_of(input.span)}};
     json["longest_delay"] = input.max_delay_s ? time_of(*input.max_delay_s) : Json(nullptr);
     json["hop"] = hop(n, i);
     return json;
@@ -226,7 +232,7 @@ class Nodes {
                 {"oldest", time_of(Rational(hop->oldest_bound) * quantum_s())}};
   }
 
-  static Json object_json(const Object& object) {
+  Json object_json(const Object& object) const {
     Json engine;
     if (object.implementation != nullptr) engine = object.implementation->engine.value;
     return Json{{"name", object.name},
@@ -234,8 +240,8 @@ class Nodes {
                 {"about", object.entity->summary},
                 {"engine", std::move(engine)},
                 {"config", json_of(object.config)},
-                {"states", json_of(object.states)},
-                {"line", object.span.line}};
+                {"states", json_of_states(object.states)},
+                {"line", line_of(object.span)}};
   }
   static Json ring_json(const Ring& ring) {
     Json reader;
@@ -260,7 +266,7 @@ class Nodes {
               {"link_timeout", time_of(safety.link_timeout_s)},
               {"clips", safety.clips},
               {"holds", safety.holds},
-              {"line", safety.span.line},
+              {"line", line_of(safety.span)},
               {"actions", Json::list()}};
     for (std::size_t a = 0; a < safety.actions.size(); ++a)
       json["actions"].push_back(Json{{"name", graph_.environment().outputs[a].name},
@@ -268,14 +274,15 @@ class Nodes {
     return json;
   }
 
+  const PageContents& contents_;
   const Plan& plan_;
   const Graph& graph_;
 };
 
 }  // namespace
 
-void add_nodes(const Plan& plan, Json& page) {
-  Nodes(plan).add_to(page);
+void add_nodes(const PageContents& contents, Json& page) {
+  Nodes(contents).add_to(page);
 }
 
 }  // namespace eagerx::gen

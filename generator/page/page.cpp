@@ -42,15 +42,15 @@ Json diagnostics_json(const PageContents& contents) {
     Json notes = Json::list();
     for (const auto& note : problem.notes) notes.push_back(note.message);
     // Places in other files, such as manifests, have no line here.
-    const bool here = problem.span.file == contents.spec->file;
+    const Span place = contents.sources->place_in(contents.spec->file, problem.span);
     list.push_back(Json{{"severity", name_of(problem.severity)},
                         {"code", problem.code},
                         {"message", problem.message},
                         {"help", problem.help},
                         {"notes", std::move(notes)},
-                        {"line", here ? problem.span.line : 0},
-                        {"column", problem.span.column},
-                        {"length", problem.span.length}});
+                        {"line", place.line},
+                        {"column", place.column},
+                        {"length", place.length}});
   }
   return list;
 }
@@ -77,7 +77,7 @@ Json page_json(const PageContents& contents) {
             {"agent", agent_text(plan.graph->agent)},
             {"real", plan.graph->double_precision ? "double" : "float"},
             {"drawings", drawings_json(*plan.graph)}};
-  add_nodes(plan, page);
+  add_nodes(contents, page);
   page["policies"] = policies_json(contents);
   page["source"] = source_json(contents);
   page["diagnostics"] = diagnostics_json(contents);

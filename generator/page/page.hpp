@@ -60,7 +60,7 @@ bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagno
 // The parts of page_json().
 Json drawings_json(const Graph& graph);
 /// Nodes with inputs and outputs, objects, buffers, the schedule.
-void add_nodes(const Plan& plan, Json& page);
+void add_nodes(const PageContents& contents, Json& page);
 Json policies_json(const PageContents& contents);
 
 /// As a content policy names a text that may be there.

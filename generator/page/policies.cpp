@@ -53,9 +53,9 @@ Json contract_json(const Network& network) {
 }
 
 /// What the graph feeds a policy, and what becomes of its answer.
-Json use_json(const PolicyUse& use, const Network& network) {
+Json use_json(const PolicyUse& use, const Network& network, const PageContents& contents) {
   Json json{{"rate", use.rate_hz.to_string()},
-            {"line", use.span.line},
+            {"line", contents.sources->place_in(contents.spec->file, use.span).line},
             {"kind", to_string(use.kind(network))},
             {"inputs", Json::list()},
             {"outputs", Json::list()}};
@@ -73,7 +73,8 @@ Json use_json(const PolicyUse& use, const Network& network) {
   return json;
 }
 
-Json policy_json(const std::string& name, const PolicyUse& use, const Network& network) {
+Json policy_json(const std::string& name, const PolicyUse& use, const Network& network,
+                 const PageContents& contents) {
   return Json{{"name", name},
               {"file", network.file},
               {"format", network.format},
@@ -85,7 +86,7 @@ Json policy_json(const std::string& name, const PolicyUse& use, const Network& n
               {"assumed", Json(network.assumed)},
               {"ignored", Json(network.ignored)},
               {"known_answers", network.self_test.size()},
-              {"use", use_json(use, network)}};
+              {"use", use_json(use, network, contents)}};
 }
 
 }  // namespace
@@ -94,9 +95,10 @@ Json policies_json(const PageContents& contents) {
   const Graph& graph = *contents.report->plan->graph;
   Json list = Json::list();
   if (contents.policies->agent)
-    list.push_back(policy_json("agent", agent_use(graph), *contents.policies->agent));
+    list.push_back(policy_json("agent", agent_use(graph), *contents.policies->agent, contents));
   for (const NodePolicy& policy : node_policies(*contents.spec, graph, *contents.policies))
-    list.push_back(policy_json(graph.nodes[policy.node].name, policy.use, *policy.network));
+    list.push_back(
+        policy_json(graph.nodes[policy.node].name, policy.use, *policy.network, contents));
   return list;
 }
 

@@ -21,6 +21,11 @@ Config resolve_config(const Library& library, const Entity& entity,
                       const std::vector<Setting>& settings, Span span, Diagnostics& diagnostics,
                       const References& outside = {});
 
+/// What a manifest requires of parameters alone, and of a rate: E0328.
+void check_requirements(const Entity& entity, const Config& config,
+                        const std::optional<Rational>& rate_hz, Span span,
+                        Diagnostics& diagnostics);
+
 /// The value of a parameter that is an object with a model for the parameter's engine; nullptr
 /// after a problem (those of entities, of their parameters, and of the form of the value).
 std::shared_ptr<const ModelUse> read_model(const Library& library, const Parameter& parameter,

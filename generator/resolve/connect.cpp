@@ -23,10 +23,8 @@ std::vector<std::string> names_of_inputs(const DraftNode& node) {
 /// The environment or a node of the graph by the name that connections give it.
 std::optional<std::size_t> find_node(const Draft& draft, const std::string& name, Side side) {
   if (name == (side == Side::from ? "actions" : "observations")) return Graph::kEnvironment;
-  for (std::size_t i = Graph::kEngine + 1; i < draft.nodes.size(); ++i) {
-    if (draft.nodes[i].node.name == name) return i;
-  }
-  return std::nullopt;
+  const auto found = draft.node_of_name.find(name);
+  return found == draft.node_of_name.end() ? std::nullopt : std::optional(found->second);
 }
 
 /// The ports that a name stands for; several inputs when an actuator feeds several engine nodes.
@@ -328,6 +326,8 @@ class Connector {
 }  // namespace
 
 void connect(Draft& draft) {
+  for (std::size_t n = Graph::kEngine + 1; n < draft.nodes.size(); ++n)
+    draft.node_of_name.try_emplace(draft.nodes[n].node.name, n);
   Connector(draft).run();
 }
 

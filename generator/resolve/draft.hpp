@@ -105,6 +105,7 @@ struct Draft {
   References safety = {};          // `$(safety KEY)`, in defaults of parameters
   std::optional<std::size_t> task = {};  // its node
   std::optional<std::size_t> render = {};
+  std::map<std::string, std::size_t, std::less<>> node_of_name = {};  // once all are there
 
   /// A node that no entity of the graph is: what the generator itself adds.
   [[nodiscard]] bool is_added(std::size_t node) const { return node == task || node == render; }

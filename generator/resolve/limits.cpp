@@ -144,6 +144,14 @@ void check(const Object& object, Diagnostics& diagnostics) {
 
 }  // namespace
 
+void check_requirements(const Entity& entity, const Config& config,
+                        const std::optional<Rational>& rate_hz, Span span,
+                        Diagnostics& diagnostics) {
+  Facts facts;
+  if (rate_hz) facts["rate"] = rate_hz->to_double();
+  check(entity, config, std::move(facts), span, diagnostics);
+}
+
 bool runs_in_packs(const GraphNode& node) {
   return runs_in_packs(*node.entity, node.config, facts_of(node));
 }

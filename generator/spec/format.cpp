@@ -97,6 +97,12 @@ FormatPtr file_map(std::string what) {
   return share(std::move(result));
 }
 
+FormatPtr inner_map(std::string what, FormatPtr item) {
+  Format result = *map(std::move(what), std::move(item));
+  result.inner_names = true;
+  return share(std::move(result));
+}
+
 FormatPtr path(std::string what, bool leaves) {
   Format result = make(Format::Kind::path, std::move(what));
   result.leaves = leaves;
@@ -209,6 +215,17 @@ bool is_identifier(std::string_view text) {
       text, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; });
   const bool implementation = text[0] == '_' || text.find("__") != std::string_view::npos;
   return letters && !implementation && !is_reserved_name(text);
+}
+
+bool is_inner_name(std::string_view text) {
+  while (true) {
+    const std::size_t end = std::min(text.find('/'), text.size());
+    std::string_view part = text.substr(0, end);
+    if (part.ends_with(']')) part = part.substr(0, part.find('['));
+    if (!is_identifier(part)) return false;
+    if (end == text.size()) return true;
+    text.remove_prefix(end + 1);
+  }
 }
 
 std::string describe(const YamlValue& yaml) {

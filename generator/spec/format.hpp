@@ -32,7 +32,7 @@ struct Format {
     any,   // checked later, against a manifest
     text,  // any scalar
     name,  // an identifier that is also one in C++
-    port,  // names joined by dots
+    port,  // names joined by dots, of elements of arrays and of what is inside a composite too
     path,  // names of files and folders, made of letters, digits and `_.+-`
     integer,
     memory,   // bytes, such as 64k
@@ -58,6 +58,8 @@ struct Format {
   Quantity quantity = Quantity::none;  // decimal, number: may have a unit of it
   std::size_t min_items = 0;           // list
   bool file_names = false;             // map: keys are no identifiers
+  bool inner_names = false;            // map: keys may be names within composites: `arm/leg[2]`
+  bool dotted_names = false;           // map: keys may be names joined by dots
   FormatPtr key;                       // map: what they are then; without it anything
   bool one_name = false;               // path: no folders
   bool leaves = false;                 // path: `..` is allowed
@@ -81,6 +83,8 @@ FormatPtr keyword(std::vector<std::string> words);
 FormatPtr list(std::string what, FormatPtr item, std::size_t min_items = 0);
 FormatPtr map(std::string what, FormatPtr item);
 FormatPtr file_map(std::string what);
+/// Keys may be names of what is in composites and arrays, which only `compose/` gives.
+FormatPtr inner_map(std::string what, FormatPtr item);
 /// The name of a file or folder.
 FormatPtr file_name(std::string what);
 /// A path of such names; `leaves`: also out of the folder that it begins in.
@@ -114,6 +118,8 @@ inline constexpr std::size_t kLongestPath = 255;
 inline constexpr std::size_t kLongestName = 100;
 /// True if `text` is an identifier and no C++ keyword.
 bool is_identifier(std::string_view text);
+/// True for identifiers with `/` between them, each with or without an index: `arm/leg[2]`.
+bool is_inner_name(std::string_view text);
 /// Reports what is not an identifier (E0205). True if it is one.
 bool check_name(std::string_view text, Span span, Diagnostics& diagnostics);
 /// True if `text` would be an identifier, were it not taken by C++ or by generated code.

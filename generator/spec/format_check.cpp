@@ -87,7 +87,8 @@ bool check_port(const YamlValue& yaml, const Format& format, Diagnostics& diagno
       report_bad_name(part, yaml.span, diagnostics);
       return false;
     }
-    good = good && is_identifier(part);
+    const std::size_t element = part.ends_with(']') ? part.rfind('[') : part.size();
+    good = good && is_inner_name(part.substr(0, element));
     begin = end + 1;
   }
   if (good && parts >= 2 && parts <= 3) return true;
@@ -195,6 +196,15 @@ bool check_memory(const YamlValue& yaml, const Format& format, Diagnostics& diag
   return false;
 }
 
+bool is_dotted_name(std::string_view text) {
+  while (true) {
+    const std::size_t end = std::min(text.find('.'), text.size());
+    if (!is_inner_name(text.substr(0, end))) return false;
+    if (end == text.size()) return true;
+    text.remove_prefix(end + 1);
+  }
+}
+
 bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnostics) {
   if (yaml.is_null()) return true;  // `config:` with nothing behind it
   if (!yaml.is_map()) return wrong_type(yaml, format, diagnostics);
@@ -211,7 +221,10 @@ bool check_map(const YamlValue& yaml, const Format& format, Diagnostics& diagnos
     }
     if (format.key)
       good = check(made_scalar(entry.key, entry.key_span), *format.key, diagnostics) && good;
-    if (!format.file_names && !is_identifier(entry.key)) {
+    const bool is_name = format.dotted_names  ? is_dotted_name(entry.key)
+                         : format.inner_names ? is_inner_name(entry.key)
+                                              : is_identifier(entry.key);
+    if (!format.file_names && !is_name) {
       report_bad_name(entry.key, entry.key_span, diagnostics);
       good = false;
     }

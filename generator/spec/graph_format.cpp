@@ -77,8 +77,11 @@ FormatPtr states_format() {
   const FormatPtr drawn = format::record(
       "how a state gets its value",
       with(random_fields(format::number("a number")), {space_field(), processor_field()}));
-  return format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
-                                              {drawn, format::keyword({"uniform"})}));
+  Format states =
+      *format::map("states", format::one_of("`uniform`, or a mapping such as `{value: 0.0}`",
+                                            {drawn, format::keyword({"uniform"})}));
+  states.dotted_names = true;  // of a composite: `position.integral`
+  return std::make_shared<const Format>(std::move(states));
 }
 
 Field type_field(const char* what) {
@@ -89,6 +92,10 @@ Field config_field() {
 }
 Field rate_field(bool required, const char* about) {
   return {"rate", format::rate(), required, about};
+}
+Field count_field() {
+  return {"count", format::integer("a number of elements", 1, kLongestArray), false,
+          "makes an array of so many: `leg[0]`, `leg[1]`, …"};
 }
 Field states_field() {
   return {
@@ -104,21 +111,6 @@ std::vector<Field> delay_settings() {
     if (field.name == "delay" || field.name == "max_delay") fields.push_back(field);
   }
   return fields;
-}
-
-FormatPtr object_format() {
-  return format::record(
-      "an object",
-      {type_field("the id of an object"),
-       config_field(),
-       {"sensors",
-        selection("sensors",
-                  with({rate_field(false, "its rate in Hz"), space_field(), processor_field()},
-                       delay_settings())),
-        false, "sensors to use (default: the connected ones) and their settings"},
-       {"actuators", selection("actuators", {rate_field(false, "its rate in Hz"), space_field()}),
-        false, "actuators to use (default: the connected ones) and their settings"},
-       states_field()});
 }
 
 std::vector<Field> policy_settings() {
@@ -165,24 +157,6 @@ FormatPtr node_policy_format() {
       {format::record("a policy", with({file}, policy_settings())), format::text("a file name")});
 }
 
-FormatPtr node_format() {
-  return format::record(
-      "a node",
-      {{"type", format::name("the id of a node"), false,
-        "the id of an entity as `eagerx-gen info` lists them"},
-       {"policy", node_policy_format(), false,
-        "a trained policy in place of a type: it gets the inputs in their order and gives the "
-        "outputs"},
-       rate_field(true, "its rate in Hz"),
-       config_field(),
-       {"inputs",
-        selection("inputs", with({space_field(), processor_field()}, connection_settings())), false,
-        "inputs to use (default: all) and their settings"},
-       {"outputs", selection("outputs", {space_field(), processor_field()}), false,
-        "outputs to use (default: all) and their settings"},
-       states_field()});
-}
-
 FormatPtr agent_format() {
   return format::one_of(
       "`zero`, `random`, `{policy: FILE}` or `{csv: FILE}`",
@@ -203,6 +177,41 @@ FormatPtr agent_format() {
 }
 
 }  // namespace
+
+FormatPtr object_format() {
+  return format::record(
+      "an object",
+      {type_field("the id of an object"),
+       count_field(),
+       config_field(),
+       {"sensors",
+        selection("sensors",
+                  with({rate_field(false, "its rate in Hz"), space_field(), processor_field()},
+                       delay_settings())),
+        false, "sensors to use (default: the connected ones) and their settings"},
+       {"actuators", selection("actuators", {rate_field(false, "its rate in Hz"), space_field()}),
+        false, "actuators to use (default: the connected ones) and their settings"},
+       states_field()});
+}
+
+FormatPtr node_format() {
+  return format::record(
+      "a node",
+      {{"type", format::name("the id of a node"), false,
+        "the id of an entity as `eagerx-gen info` lists them"},
+       {"policy", node_policy_format(), false,
+        "a trained policy in place of a type: it gets the inputs in their order and gives the "
+        "outputs"},
+       rate_field(true, "its rate in Hz"),
+       count_field(),
+       config_field(),
+       {"inputs",
+        selection("inputs", with({space_field(), processor_field()}, connection_settings())), false,
+        "inputs to use (default: all) and their settings"},
+       {"outputs", selection("outputs", {space_field(), processor_field()}), false,
+        "outputs to use (default: all) and their settings"},
+       states_field()});
+}
 
 FormatPtr config_format() {
   return format::map("parameters", format::any("a value"));
@@ -314,8 +323,13 @@ FormatPtr budget_format() {
                           "budgets of nodes, by their names"}});
 }
 
-const Format& graph_format() {
-  static const FormatPtr kFormat = format::record(
+namespace {
+
+FormatPtr make_graph_format(GraphForm form) {
+  const auto entities = [form](const char* what, const FormatPtr& item) {
+    return form == GraphForm::flat ? format::inner_map(what, item) : format::map(what, item);
+  };
+  return format::record(
       "the graph",
       {{"name", format::name("a name"), true,
         "the name of the graph, of the C++ namespace and of the program"},
@@ -338,9 +352,9 @@ const Format& graph_format() {
                                        "false: inputs take the messages that have arrived when "
                                        "their node begins (default true: messages are counted)"}}),
         false, "what the objects run on; a graph without objects needs none"},
-       {"objects", format::map("objects", object_format()), false,
+       {"objects", entities("objects", object_format()), false,
         "robots, things, sensors, actuators"},
-       {"nodes", format::map("nodes", node_format()), false, "filters, controllers, estimators"},
+       {"nodes", entities("nodes", node_format()), false, "filters, controllers, estimators"},
        {"actions",
         selection("actions",
                   {{"space", space_format(Reference::refuse, true), false,
@@ -364,7 +378,8 @@ const Format& graph_format() {
        {"safety", safety_format(), false,
         "which actions are safe, and when they take the agent's place"},
        {"placement",
-        format::map("names of nodes, `agent` or `controller`", format::text("a board")), false,
+        format::inner_map("names of nodes, `agent` or `controller`", format::text("a board")),
+        false,
         "what runs on a board while the rest runs on Linux: nodes, `agent`, or `controller` for "
         "the "
         "agent and all nodes"},
@@ -372,8 +387,28 @@ const Format& graph_format() {
         "limits for memory, instructions and the age of data; `build`, `run` and `size` check "
         "those of an image"},
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
-        false, "warnings that are not given for this graph"}});
-  return *kFormat;
+        false, "warnings that are not given for this graph"},
+       // What compose/ takes away before anything is checked.
+       {"extends",
+        format::one_of("a graph file, or a mapping with its `file` and `variant`",
+                       {format::record("what is extended",
+                                       {{"file", format::text("a graph file"), true, "a graph file"},
+                                        {"variant", format::name("a variant"), false,
+                                         "a variant in that file"}}),
+                        format::text("a graph file")}),
+        false, "the graph that this one is laid over"},
+       {"variants", format::map("variants", format::any("what a variant says")), false,
+        "graphs that are laid over this one, chosen with `--variant`"},
+       {"remove", format::list("a list of paths", format::text("a path such as `nodes.filter`")),
+        false, "what the graph below has and this one has not"}});
+}
+
+}  // namespace
+
+const Format& graph_format(GraphForm form) {
+  static const FormatPtr kWritten = make_graph_format(GraphForm::written);
+  static const FormatPtr kInner = make_graph_format(GraphForm::flat);
+  return form == GraphForm::written ? *kWritten : *kInner;
 }
 
 }  // namespace eagerx::gen

@@ -271,6 +271,8 @@ std::string use_in_graph(const std::string& kind, const std::string& id) {
   return {};
 }
 
+}  // namespace
+
 /// A manifest has keys that no graph has. Nothing else needs to be said of it.
 bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics) {
   const YamlValue* kind = root.is_map() ? root.find("kind") : nullptr;
@@ -286,13 +288,11 @@ bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics) {
   return true;
 }
 
-}  // namespace
-
 std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::string& path,
-                                         Diagnostics& diagnostics) {
+                                         Diagnostics& diagnostics, GraphForm form) {
   if (refuse_manifest(written, diagnostics)) return std::nullopt;
-  if (!check(written, graph_format(), diagnostics)) return std::nullopt;
-  const YamlValue root = in_base_units(written, graph_format());
+  if (!check(written, graph_format(form), diagnostics)) return std::nullopt;
+  const YamlValue root = in_base_units(written, graph_format(form));
   GraphSpec spec;
   spec.file = root.span.file;
   spec.path = path;

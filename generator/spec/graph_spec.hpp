@@ -137,8 +137,16 @@ struct GraphSpec {
   [[nodiscard]] bool has_engine() const { return !engine.type.value.empty(); }
 };
 
-/// The table of the graph file.
-const Format& graph_format();
+/// Most elements of an array.
+inline constexpr std::int64_t kLongestArray = 10'000;
+
+/// The table of the graph file; `flat`: of what `compose/` makes of it, with names such as
+/// `arm/leg[2]`.
+enum class GraphForm : std::uint8_t { written, flat };
+const Format& graph_format(GraphForm form = GraphForm::written);
+/// Of one of its entities.
+FormatPtr object_format();
+FormatPtr node_format();
 
 /// Keys of `safety:` that have a default, and the text of it.
 struct SafetyDefault {
@@ -150,7 +158,10 @@ const std::vector<SafetyDefault>& safety_defaults();
 /// Typed form of a tree; all problems are reported. nullopt if the tree does not have the form of
 /// the table; after other problems (E0206) there is still enough to look for more.
 std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::string& path,
-                                         Diagnostics& diagnostics);
+                                         Diagnostics& diagnostics,
+                                         GraphForm form = GraphForm::written);
+/// A manifest in place of a graph: E0210.
+bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics);
 
 // Pieces that manifests are written in too.
 enum class Reference : std::uint8_t {

@@ -1,5 +1,7 @@
 #include "generator/spec/schema.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "generator/read/bytes.hpp"
@@ -30,7 +32,13 @@ Json record_schema(const Format& format) {
     if (field.required) required.push_back(field.name);
   }
   schema["properties"] = std::move(properties);
-  if (!required.as<Json::List>()->empty()) schema["required"] = std::move(required);
+  if (required.as<Json::List>()->empty()) return schema;
+  // What a file does not say may be in the one that it extends.
+  if (std::ranges::find(format.fields, "extends", &Field::name) != format.fields.end())
+    schema["anyOf"] = Json::List{Json{{"required", std::move(required)}},
+                                 Json{{"required", Json::List{"extends"}}}};
+  else
+    schema["required"] = std::move(required);
   return schema;
 }
 
@@ -69,6 +77,11 @@ Json number_schema(const Format& format) {
 
 Json schema_of(const Format& format) {
   static constexpr const char* kIdentifier = "^[A-Za-z][A-Za-z0-9_]*$";
+  // Of elements of arrays and of what is in a composite: `arm/leg[2]`.
+  static constexpr const char* kPart =
+      "[A-Za-z][A-Za-z0-9_]*(\\[[^\\]]+\\])?(/[A-Za-z][A-Za-z0-9_]*(\\[[^\\]]+\\])?)*";
+  static const std::string kInner = fmt::format("^{}$", kPart);
+  static const std::string kDotted = fmt::format("^{0}(\\.{0})*$", kPart);
   switch (format.kind) {
     case Format::Kind::any:
       return Json::object();
@@ -77,8 +90,7 @@ Json schema_of(const Format& format) {
     case Format::Kind::name:
       return {{"type", "string"}, {"pattern", kIdentifier}};
     case Format::Kind::port:
-      return {{"type", "string"},
-              {"pattern", "^[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*){1,2}$"}};
+      return {{"type", "string"}, {"pattern", fmt::format("^{0}(\\.{0}){{1,2}}$", kPart)}};
     case Format::Kind::path:
       return {{"type", "string"}, {"pattern", "^[A-Za-z0-9_./+-]+$"}};
     case Format::Kind::boolean:
@@ -102,7 +114,11 @@ Json schema_of(const Format& format) {
     }
     case Format::Kind::map: {
       Json schema = {{"type", object_type(true)}};
-      if (!format.file_names) schema["propertyNames"] = Json{{"pattern", kIdentifier}};
+      if (!format.file_names)
+        schema["propertyNames"] =
+            Json{{"pattern", format.dotted_names  ? kDotted
+                             : format.inner_names ? kInner
+                                                  : std::string(kIdentifier)}};
       schema["additionalProperties"] = schema_of(*format.item);
       return schema;
     }

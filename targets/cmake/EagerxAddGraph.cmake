@@ -1,10 +1,11 @@
-# eagerx_add_graph(TARGET <name> GRAPH <file> [ENGINE <name>] [POLICY <file>] [BOARD <target>] [PATHS <folder>...]
-#                  [SPLIT <names>=<board>] [OUTPUT <folder>] [CHECK_ENTITIES])
-# eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [ENGINE <name>] [POLICY <file>] [BOARD <target>] [PATHS <folder>...]
-#                  [OUTPUT <folder>] [CHECK_ENTITIES])
+# eagerx_add_graph(TARGET <name> GRAPH <file> [VARIANT <name>] [ENGINE <name>] [POLICY <file>] [BOARD <target>]
+#                  [PATHS <folder>...] [SPLIT <names>=<board>] [OUTPUT <folder>] [CHECK_ENTITIES])
+# eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [VARIANT <name>] [ENGINE <name>] [POLICY <file>] [BOARD <target>]
+#                  [PATHS <folder>...] [OUTPUT <folder>] [CHECK_ENTITIES])
 #
 # Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
 # weight file changes.
+#   VARIANT one of the graph's `variants:`
 #   ENGINE  the engine instead of the one the graph names
 #   POLICY  weight file of a policy that decides instead of the graph's `agent`
 #   BOARD   a folder of targets/, linux-sim without it; with `environments` <name> is a shared library. When the board
@@ -24,10 +25,10 @@
 include_guard(GLOBAL)
 
 function(eagerx_add_graph)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;ENGINE;POLICY;BOARD;SPLIT;OUTPUT" "PATHS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;VARIANT;ENGINE;POLICY;BOARD;SPLIT;OUTPUT" "PATHS")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
-                        "takes TARGET GRAPH [LIBRARY] [ENGINE] [POLICY] [BOARD] [SPLIT] [PATHS...] [OUTPUT] "
+                        "takes TARGET GRAPH [LIBRARY] [VARIANT] [ENGINE] [POLICY] [BOARD] [SPLIT] [PATHS...] [OUTPUT] "
                         "[CHECK_ENTITIES]")
   endif()
   if(arg_LIBRARY AND arg_SPLIT)
@@ -59,6 +60,14 @@ function(eagerx_add_graph)
     list(APPEND paths ${path})
   endforeach()
 
+  set(selection) # what is made of the graph
+  if(arg_VARIANT)
+    list(APPEND selection --variant ${arg_VARIANT})
+  endif()
+  if(arg_ENGINE)
+    list(APPEND selection --engine ${arg_ENGINE})
+  endif()
+
   _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
   set(sources ${arg_OUTPUT})
   if(arg_SPLIT)
@@ -69,24 +78,24 @@ function(eagerx_add_graph)
     _eagerx_find_board(part_folder part_toolchain ${part} "${paths}")
     set(sources ${arg_OUTPUT}/host)
   endif()
-  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${arg_ENGINE}"
+  _eagerx_generate(stamp ${arg_TARGET} ${arg_GRAPH} ${arg_OUTPUT} ${sources} ${arg_BOARD} "${selection}"
                    "${arg_POLICY}" "${arg_SPLIT}" "${paths}" ${arg_LIBRARY})
   if(arg_LIBRARY)
     _eagerx_library(${arg_TARGET} ${stamp} ${sources} "${paths}")
     return()
   endif()
   _eagerx_build(${arg_TARGET} ${stamp} ${sources} ${arg_BOARD} ${board_folder} "${toolchain}" ${arg_GRAPH}
-                "${arg_ENGINE}" "${paths}")
+                "${selection}" "${paths}")
   if(arg_SPLIT)
     _eagerx_build(${arg_TARGET}.board ${stamp} ${arg_OUTPUT}/board ${part} ${part_folder} "${part_toolchain}" ${arg_GRAPH}
-                  "${arg_ENGINE}" "${paths}")
+                  "${selection}" "${paths}")
   endif()
 endfunction()
 
 # A program from generated sources, with the compiler that the board needs.
-function(_eagerx_build target stamp sources board board_folder toolchain graph engine paths)
+function(_eagerx_build target stamp sources board board_folder toolchain graph selection paths)
   if(toolchain AND NOT CMAKE_CROSSCOMPILING)
-    _eagerx_build_with_toolchain(${target} ${stamp} ${sources} ${board} ${board_folder} ${toolchain} ${graph} "${engine}"
+    _eagerx_build_with_toolchain(${target} ${stamp} ${sources} ${board} ${board_folder} ${toolchain} ${graph} "${selection}"
                                  "${paths}")
   else()
     _eagerx_build_here(${target} ${stamp} ${sources} ${board} ${board_folder})
@@ -149,7 +158,7 @@ endfunction()
 
 # The rule that runs the generator. Sources are written only when they change; the stamp always is. So the
 # stamp is the output, and whatever is compiled depends on it.
-function(_eagerx_generate stamp_variable target graph output sources board engine policy split paths library)
+function(_eagerx_generate stamp_variable target graph output sources board selection policy split paths library)
   set(stamp ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.stamp)
   set(options --target ${board})
   set(products ${sources}/CMakeLists.txt)
@@ -162,9 +171,7 @@ function(_eagerx_generate stamp_variable target graph output sources board engin
   if(policy)
     list(APPEND form --policy ${policy})
   endif()
-  if(engine)
-    list(APPEND options --engine ${engine})
-  endif()
+  list(APPEND options ${selection})
   if(split)
     list(APPEND options --split ${split})
   endif()
@@ -213,7 +220,7 @@ function(_eagerx_build_here target stamp output board board_folder)
 endfunction()
 
 # A program for another compiler: the generated tree is a project of its own.
-function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain graph engine paths)
+function(_eagerx_build_with_toolchain target stamp output board board_folder toolchain graph selection paths)
   set(build ${CMAKE_CURRENT_BINARY_DIR}/${target}.build)
   set(image ${build}/${target}.elf)
   set(configured ${CMAKE_CURRENT_BINARY_DIR}/${target}.eagerx.configured)
@@ -242,10 +249,7 @@ function(_eagerx_build_with_toolchain target stamp output board board_folder too
     COMMENT "Building ${target} for ${board}"
     VERBATIM)
   set_target_properties(${target} PROPERTIES EAGERX_IMAGE ${image})
-  set(options)
-  if(engine)
-    list(APPEND options --engine ${engine})
-  endif()
+  set(options ${selection})
   foreach(path IN LISTS paths)
     list(APPEND options --path ${path})
   endforeach()

@@ -6,6 +6,9 @@
 #include <set>
 #include <string>
 
+#include "generator/compose/compose.hpp"
+#include "generator/compose/flat_text.hpp"
+#include "generator/compose/variants.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/plan/plan.hpp"
 
@@ -23,7 +26,10 @@ const Library& library() {
   static SourceMap sources;
   static Diagnostics diagnostics;
   static const Library kLibrary = load_library(
-      {{kRoot + "/models", {}}, {kRoot + "/targets", {}}, {kRoot + "/tests/data/library", {}}},
+      {{kRoot + "/models", {}},
+       {kRoot + "/targets", {}},
+       {kRoot + "/tests/data/library", {}},
+       {kRoot + "/tests/compose/entities", {}}},
       sources, diagnostics);
   require(!diagnostics.has_errors());
   return kLibrary;
@@ -58,7 +64,13 @@ void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) 
   const YamlValue tree =
       read_yaml_text("fuzz.yaml", text, sources, diagnostics, Tags::refuse, limits);
   if (diagnostics.has_errors()) return;
-  const auto spec = read_graph_spec(tree, "fuzz.yaml", diagnostics);
+  // Other files are not read here.
+  const bool extends = text.find("extends") != std::string::npos;
+  const YamlValue chosen =
+      extends ? tree : choose_variant(tree, "fuzz.yaml", "a", sources, diagnostics);
+  const FlatGraph flat = compose(chosen, library(), sources, diagnostics);
+  flat_text(flat.root, sources);
+  const auto spec = read_graph_spec(flat.root, "fuzz.yaml", diagnostics, flat.form);
   require(spec.has_value() || diagnostics.has_errors());
   if (!spec) return;
   const auto graph = resolve(*spec, library(), {}, diagnostics);

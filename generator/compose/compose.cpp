@@ -1,0 +1,622 @@
+#include "generator/compose/compose.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "generator/compose/arrays.hpp"
+#include "generator/compose/ends.hpp"
+#include "generator/compose/gather.hpp"
+#include "generator/compose/inner_files.hpp"
+#include "generator/compose/port_pattern.hpp"
+#include "generator/resolve/config.hpp"
+#include "generator/spec/named.hpp"
+#include "generator/spec/port_name.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+// What composites of arrays of composites may become: a graph of a million nodes is a slip.
+constexpr std::size_t kMostEntities = 100'000;
+constexpr std::size_t kDeepest = 16;
+
+/// What a composite says of its inner entities, by their names: entries of `states:`, `sensors:` …
+using Said = std::map<std::string, std::vector<YamlValue::Entry>>;
+
+/// A graph that is being made flat: the user's, or what is in one composite.
+struct Scope {
+  std::string prefix;  // of names in it: "arm/"
+  References references;
+  std::vector<const Entity*> around;  // the composites that it is in
+  Said states, sensors, actuators;
+};
+
+bool mentions(const YamlValue& yaml, std::string_view text) {
+  if (yaml.text.find(text) != std::string::npos) return true;
+  return std::ranges::any_of(yaml.items, [&](const auto& item) { return mentions(item, text); }) ||
+         std::ranges::any_of(yaml.entries,
+                             [&](const auto& entry) { return mentions(entry.value, text); });
+}
+
+/// A text, or each of a list.
+std::vector<Spanned<std::string>> texts_of(const YamlValue& yaml) {
+  std::vector<Spanned<std::string>> result;
+  if (yaml.is_scalar()) result.push_back({yaml.text, yaml.span});
+  for (const auto& item : yaml.items) result.push_back({item.text, item.span});
+  return result;
+}
+
+class Composer {
+ public:
+  Composer(const YamlValue& root, const Library& library, SourceMap& sources,
+           Diagnostics& diagnostics)
+      : root_(root), library_(library), sources_(sources), diagnostics_(diagnostics) {}
+
+  FlatGraph run() {
+    if (!root_.is_map()) return {root_, GraphForm::written};
+    expand(root_, {});
+    if (!changed_) return {root_, GraphForm::written};
+    YamlValue flat = root_;
+    for (const auto& node : nodes_) flat_nodes_.push_back(node.key);
+    replace(flat, "objects", std::move(objects_));
+    replace(flat, "nodes", std::move(nodes_));
+    const auto list = std::ranges::find(flat.entries, "connections", &YamlValue::Entry::key);
+    if (list != flat.entries.end() && list->value.is_sequence())
+      list->value.items = std::move(connections_);
+    rename_ports(flat);
+    return {std::move(flat), GraphForm::flat};
+  }
+
+ private:
+  enum class Section : std::uint8_t { objects, nodes };
+
+  static void replace(YamlValue& root, const char* key, std::vector<YamlValue::Entry> entities) {
+    const auto found = std::ranges::find(root.entries, key, &YamlValue::Entry::key);
+    if (found == root.entries.end()) {
+      if (entities.empty()) return;
+      YamlValue map;
+      map.kind = YamlKind::map;
+      map.span = entities.front().key_span;
+      map.entries = std::move(entities);
+      root.entries.push_back({key, map.span, std::move(map)});
+    } else if (found->value.is_map() || found->value.is_null()) {
+      if (!entities.empty()) found->value.kind = YamlKind::map;
+      found->value.entries = std::move(entities);
+    }
+  }
+
+  void expand(const YamlValue& graph, const Scope& scope) {
+    for (const auto section : {Section::objects, Section::nodes}) {
+      const YamlValue* map = graph.find(section == Section::objects ? "objects" : "nodes");
+      if (map == nullptr || !map->is_map()) continue;
+      for (const auto& entry : map->entries) add_entities(scope, section, entry);
+    }
+    report_unknown_inner(scope, graph);
+    const YamlValue* connections = graph.find("connections");
+    if (connections != nullptr) add_connections(scope, *connections);
+  }
+
+  /// One, or all of an array.
+  void add_entities(const Scope& scope, Section section, const YamlValue::Entry& entry) {
+    // Only what is composed has such names.
+    if (is_inner_name(entry.key) && !check_name(entry.key, entry.key_span, diagnostics_)) return;
+    const auto count = count_of(entry.value, scope.references, diagnostics_);
+    if (!count) {
+      YamlValue settings = entry.value;
+      if (!scope.around.empty())
+        settings = substitute(std::move(settings), scope.references, diagnostics_);
+      add_entity(scope, section, entry, entry.key, std::move(settings));
+      return;
+    }
+    changed_ = true;
+    counts_[scope.prefix + entry.key] = *count;
+    for (std::int64_t i = 0; i < *count && !too_many_; ++i)
+      add_entity(scope, section, entry, element_name(entry.key, i),
+                 element_of(entry.value, i, *count, scope.references, diagnostics_));
+  }
+
+  void add_entity(const Scope& scope, Section section, const YamlValue::Entry& entry,
+                  const std::string& name, YamlValue settings) {
+    add_said(scope.states, "states", entry, name, settings);
+    add_said(scope.sensors, "sensors", entry, name, settings);
+    add_said(scope.actuators, "actuators", entry, name, settings);
+    const YamlValue* type = settings.find("type");
+    const bool known = type != nullptr && type->is_scalar();
+    const auto found = known ? library_.entities.find(type->text) : library_.entities.end();
+    if (found != library_.entities.end() && found->second.is_composite() &&
+        (found->second.kind == EntityKind::object) == (section == Section::objects)) {
+      add_composite(scope, entry, name, settings, found->second);
+      return;
+    }
+    if (++entities_ > kMostEntities) {
+      if (!std::exchange(too_many_, true))
+        diagnostics_.error("E0393", entry.key_span,
+                           fmt::format("the graph has more than {} entities", kMostEntities));
+      return;
+    }
+    if (!scope.around.empty())
+      name_files_from(*scope.around.back(), sources_.name(root_.span.file), settings);
+    entity_of_[scope.prefix + name] = found == library_.entities.end() ? nullptr : &found->second;
+    (section == Section::objects ? objects_ : nodes_)
+        .push_back({scope.prefix + name, entry.key_span, std::move(settings)});
+  }
+
+  /// What composites around say of this entity.
+  static void add_said(const Said& said, const char* key, const YamlValue::Entry& entry,
+                       const std::string& name, YamlValue& settings) {
+    for (const std::string& called : {entry.key, entry.key + "[*]", name}) {
+      const auto found = said.find(called);
+      if (found == said.end() || !settings.is_map()) continue;
+      YamlValue& map = map_at(settings, key, entry.key_span);
+      if (map.is_sequence()) {  // a list of names
+        for (const auto& item : map.items) map.entries.push_back({item.text, item.span, {}});
+        map.items.clear();
+        map.kind = YamlKind::map;
+      }
+      for (const auto& each : found->second) set_entry(map, each.key, each.key_span, each.value);
+      if (called == name) break;
+    }
+  }
+
+  bool enters(const Scope& scope, const YamlValue& type, const Entity& entity) {
+    if (contains_entity(scope.around, entity)) {
+      std::vector<std::string> names;
+      for (const Entity* each : scope.around) names.push_back(each->id.value);
+      names.push_back(entity.id.value);
+      diagnostics_
+          .error(
+              "E0393", type.span,
+              fmt::format("`{}` is made of itself: {}", entity.id.value, fmt::join(names, " → ")))
+          .help = "a composite cannot be a part of what it is made of";
+      return false;
+    }
+    if (scope.around.size() < kDeepest) return true;
+    diagnostics_.error("E0393", type.span,
+                       fmt::format("composites in composites, more than {} deep", kDeepest));
+    return false;
+  }
+
+  static bool contains_entity(const std::vector<const Entity*>& list, const Entity& entity) {
+    return std::ranges::find(list, &entity) != list.end();
+  }
+
+  void add_composite(const Scope& outer, const YamlValue::Entry& entry, const std::string& name,
+                     const YamlValue& settings, const Entity& entity) {
+    const std::string full = outer.prefix + name;
+    const YamlValue& type = *settings.find("type");
+    changed_ = true;
+    entity_of_[full] = nullptr;  // after a problem nothing is said of its ports
+    if (!enters(outer, type, entity)) return;
+    const bool object = entity.kind == EntityKind::object;
+    if (!check(settings, object ? *object_format() : *composite_node_format(), diagnostics_))
+      return;
+    const YamlValue written =
+        in_base_units(settings, object ? *object_format() : *composite_node_format());
+    Scope scope;
+    scope.prefix = full + "/";
+    scope.around = outer.around;
+    scope.around.push_back(&entity);
+    if (!take_parameters(written, entity, type.span, scope)) return;
+    YamlValue inside = *entity.composite;
+    move_file(inside,
+              sources_.add_use(inside.span.file,
+                               {entry.key_span, fmt::format("`{}` is a `{}`, as written here", full,
+                                                            entity.id.value)}));
+    take_states(written, scope);
+    CompositePorts ports;
+    const char* receiving = object ? "actuators" : "inputs";
+    const char* sending = object ? "sensors" : "outputs";
+    if (!knows_ports(written, entity, receiving) || !knows_ports(written, entity, sending)) return;
+    if (object) take_settings_of_ports(written, inside, scope);
+    expand(*inside.find("graph"), scope);
+    bind(inside, written, receiving, scope, ports);
+    bind_sources(inside, sending, scope, ports);
+    entity_of_.erase(full);
+    ends_.add(full, std::move(ports));
+  }
+
+  /// A rate is needed where something inside is of it.
+  static FormatPtr composite_node_format() {
+    static const FormatPtr kFormat = [] {
+      Format format = *node_format();
+      for (Field& field : format.fields) field.required = field.required && field.name != "rate";
+      return std::make_shared<const Format>(std::move(format));
+    }();
+    return kFormat;
+  }
+
+  bool take_parameters(const YamlValue& settings, const Entity& entity, Span span, Scope& scope) {
+    const std::size_t errors_before = diagnostics_.error_count();
+    const std::vector<Setting> given = read_config(settings.find("config"));
+    const Config config = resolve_config(library_, entity, given, span, diagnostics_);
+    scope.references = references_of(entity, given);
+    const YamlValue* rate = settings.find("rate");
+    if (rate != nullptr) {
+      scope.references["rate"] = *rate;
+    } else if (mentions(*entity.composite, "$(rate") || mentions(*entity.composite, "rate)")) {
+      diagnostics_
+          .error("E0202", settings.span,
+                 fmt::format("missing key `rate`: nodes in `{}` run at it", entity.id.value))
+          .help = "add `rate:`, its rate in Hz";
+    }
+    check_requirements(entity, config, rate != nullptr ? Rational::parse(rate->text) : std::nullopt,
+                       span, diagnostics_);
+    return diagnostics_.error_count() == errors_before;
+  }
+
+  /// `states: {position.integral: …}`: of `integral` of the inner `position`.
+  void take_states(const YamlValue& settings, Scope& scope) {
+    const YamlValue* states = settings.find("states");
+    if (states == nullptr) return;
+    for (const auto& entry : states->entries) {
+      const std::size_t dot = entry.key.find('.');
+      if (dot == std::string::npos) {
+        diagnostics_
+            .error("E0390", entry.key_span,
+                   fmt::format("`{}` is no state of an entity inside", entry.key))
+            .help =
+            fmt::format("a composite has the states of what is inside: `NAME.{}`", entry.key);
+        continue;
+      }
+      scope.states[entry.key.substr(0, dot)].push_back(
+          {entry.key.substr(dot + 1), entry.key_span, entry.value});
+    }
+  }
+
+  /// States of an entity that there is not.
+  void report_unknown_inner(const Scope& scope, const YamlValue& graph) {
+    std::vector<std::string> known;
+    for (const char* key : {"objects", "nodes"}) {
+      const YamlValue* map = graph.find(key);
+      if (map == nullptr) continue;
+      for (const auto& entry : map->entries) known.push_back(entry.key);
+    }
+    for (const auto& [name, states] : scope.states) {
+      if (contains(known, name.substr(0, name.find('[')))) continue;
+      auto& problem = diagnostics_.error("E0390", states.front().key_span,
+                                         fmt::format("there is no `{}` inside", name));
+      const std::string near = nearest(name, known);
+      problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+                                  : fmt::format("did you mean `{}.{}`?", near, states.front().key);
+    }
+  }
+
+  /// The ports that a graph names of a composite are in its manifest.
+  bool knows_ports(const YamlValue& settings, const Entity& entity, const char* key) {
+    const YamlValue* chosen = settings.find(key);
+    const YamlValue* ports = entity.composite->find(key);
+    if (chosen == nullptr) return true;
+    std::vector<std::pair<std::string, Span>> names;
+    for (const auto& item : chosen->items) names.emplace_back(item.text, item.span);
+    for (const auto& entry : chosen->entries) names.emplace_back(entry.key, entry.key_span);
+    std::vector<std::string> known;
+    if (ports != nullptr)
+      for (const auto& entry : ports->entries) known.push_back(entry.key);
+    bool good = true;
+    for (const auto& [name, span] : names) {
+      if (contains(known, name)) continue;
+      auto& problem = diagnostics_.error(
+          "E0307", span,
+          fmt::format("`{}` has no {} `{}`", entity.id.value,
+                      std::string_view(key).substr(0, std::string_view(key).size() - 1), name));
+      const std::string near = nearest(name, known);
+      problem.help = near.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
+                                  : fmt::format("did you mean `{}`?", near);
+      good = false;
+    }
+    return good;
+  }
+
+  /// What a graph says of sensors and actuators of a composite goes to those inside.
+  static void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside,
+                                     Scope& scope) {
+    const auto take = [&](const char* key, const char* bound, Said& said) {
+      const YamlValue* chosen = settings.find(key);
+      const YamlValue* ports = inside.find(key);
+      if (chosen == nullptr || ports == nullptr) return;
+      for (const auto& entry : chosen->entries) {
+        const YamlValue* binding = ports->find(entry.key)->find(bound);
+        for (const auto& text : texts_of(*binding)) {
+          const std::size_t dot = text.value.find('.');
+          said[text.value.substr(0, dot)].push_back(
+              {text.value.substr(dot + 1), entry.key_span, entry.value});
+        }
+      }
+    };
+    take("sensors", "from", scope.sensors);
+    take("actuators", "to", scope.actuators);
+  }
+
+  CountOf counter(const Scope& scope) const {
+    return [this, &scope](const std::string& name) -> std::optional<std::int64_t> {
+      const auto found = counts_.find(scope.prefix + name);
+      return found == counts_.end() ? std::nullopt : std::optional(found->second);
+    };
+  }
+
+  /// The full names of what a port of this scope stands for; of an element the port alone.
+  std::vector<std::string> ports_of(const Spanned<std::string>& text, const Scope& scope) {
+    const auto pattern = parse_pattern(text, diagnostics_);
+    std::vector<std::string> result;
+    if (!pattern) return result;
+    if (pattern->has_element()) {
+      diagnostics_.error("E0390", text.span, "a port of a composite is a whole port inside").help =
+          "take messages apart with nodes inside, such as `Demux`";
+      return result;
+    }
+    for (const IndexedPort& port : indexed_ports(*pattern, counter(scope), diagnostics_))
+      result.push_back(full_name(port.port, scope));
+    return result;
+  }
+
+  static bool is_of_environment(std::string_view port) {
+    return port.starts_with("actions.") || port.starts_with("observations.");
+  }
+
+  std::string full_name(const std::string& port, const Scope& scope) const {
+    return scope.around.empty() || is_of_environment(port) ? port : scope.prefix + port;
+  }
+
+  /// Ports of what is inside, as bindings name them without its name; nullopt where they are not
+  /// known.
+  std::optional<std::vector<std::string>> ports_inside(const PortName& name, bool sends) const {
+    std::vector<std::string> known;
+    if (const CompositePorts* ports = ends_.find(name.owner)) {
+      for (const auto& [port, source] : ports->sources)
+        if (sends) known.push_back(port);
+      for (const auto& [port, sinks] : ports->sinks)
+        if (!sends) known.push_back(port);
+      return known;
+    }
+    const auto found = entity_of_.find(name.owner);
+    if (found == entity_of_.end()) return known;
+    if (found->second == nullptr) return std::nullopt;
+    const Entity& entity = *found->second;
+    for (const auto* ports :
+         {sends ? &entity.outputs : &entity.inputs, sends ? &entity.sensors : &entity.actuators})
+      for (const auto& port : *ports) known.push_back(port.name.value);
+    return known;
+  }
+
+  /// Whether what a composite is bound to is there. Of entities that are unknown nothing is said.
+  bool is_there(const Spanned<std::string>& bound, const std::string& port, bool sends) {
+    const PortName name = parse_port(port);
+    const auto known = ports_inside(name, sends);
+    if (!known || contains(*known, name.name) || name.section == "targets" ||
+        name.section == "feedthroughs")
+      return true;
+    auto& problem = diagnostics_.error(
+        "E0390", bound.span,
+        fmt::format("there is no {} `{}` inside", sends ? "output" : "input", bound.value));
+    const std::string near = nearest(name.name, *known);
+    problem.help = near.empty()
+                       ? "a port of a composite is bound to `NAME.PORT` of its own graph"
+                       : fmt::format("did you mean `{}.{}`?", parse_port(bound.value).owner, near);
+    return false;
+  }
+
+  /// Whether the graph itself names a port that a composite has.
+  bool has_port(const Spanned<std::string>& written, const std::string& port, bool sends) {
+    const PortName name = parse_port(port);
+    if (ends_.find(name.owner) == nullptr) return true;
+    const auto known = ports_inside(name, sends);
+    if (contains(*known, name.name)) return true;
+    auto& problem = diagnostics_.error(
+        "E0307", written.span,
+        fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
+    const std::string near = nearest(name.name, *known);
+    problem.help = near.empty() ? fmt::format("it has {}", fmt::join(*known, ", "))
+                                : fmt::format("did you mean `{}.{}`?", name.owner, near);
+    return false;
+  }
+
+  void bind(const YamlValue& inside, const YamlValue& written, const char* key, const Scope& scope,
+            CompositePorts& ports) {
+    const YamlValue* map = inside.find(key);
+    if (map == nullptr) return;
+    const YamlValue* chosen = written.find(key);
+    for (const auto& entry : map->entries) {
+      const YamlValue* of_use = chosen != nullptr ? chosen->find(entry.key) : nullptr;
+      std::vector<Sink>& sinks = ports.sinks[entry.key];
+      for (const auto& text : texts_of(*entry.value.find("to"))) {
+        for (const std::string& port : ports_of(text, scope)) {
+          if (!is_there(text, port, false)) continue;
+          for (Sink sink : ends_.sinks(port)) {
+            sink.settings.insert(sink.settings.begin(), settings_of(entry.value, scope));
+            if (of_use != nullptr && of_use->is_map() &&
+                scope.around.back()->kind == EntityKind::node)
+              sink.settings.insert(sink.settings.begin(), settings_of(*of_use, {}));
+            sinks.push_back(std::move(sink));
+          }
+        }
+      }
+    }
+  }
+
+  /// What is said of connections, without the rest.
+  YamlValue settings_of(const YamlValue& port, const Scope& scope) {
+    YamlValue result;
+    result.kind = YamlKind::map;
+    result.span = port.span;
+    for (const auto& entry : port.entries) {
+      static const std::set<std::string, std::less<>> kSettings = {"window", "delay", "max_delay",
+                                                                   "skip", "processor"};
+      if (!kSettings.contains(entry.key)) continue;
+      YamlValue value = scope.around.empty()
+                            ? entry.value
+                            : substitute(entry.value, scope.references, diagnostics_);
+      result.entries.push_back({entry.key, entry.key_span, std::move(value)});
+    }
+    return result;
+  }
+
+  void bind_sources(const YamlValue& inside, const char* key, const Scope& scope,
+                    CompositePorts& ports) {
+    const YamlValue* map = inside.find(key);
+    if (map == nullptr) return;
+    for (const auto& entry : map->entries) {
+      const YamlValue& from = *entry.value.find("from");
+      const Spanned<std::string> text{from.text, from.span};
+      const auto found = ports_of(text, scope);
+      if (found.size() > 1) {
+        diagnostics_.error("E0390", text.span,
+                           fmt::format("`{}` is more than one output", text.value));
+        continue;
+      }
+      if (found.empty() || !is_there(text, found.front(), true)) continue;
+      ports.sources[entry.key] = ends_.source(found.front());
+    }
+  }
+
+  void add_connections(const Scope& scope, const YamlValue& list) {
+    std::map<std::string, std::vector<GatheredElement>> gathered;
+    std::vector<Spanned<std::string>> order;  // of what is gathered
+    for (const auto& item : list.items) {
+      YamlValue connection =
+          scope.around.empty() ? item : substitute(item, scope.references, diagnostics_);
+      const YamlValue* from = connection.find("from");
+      const YamlValue* to = connection.find("to");
+      if (from == nullptr || to == nullptr || !from->is_scalar() || !to->is_scalar()) {
+        connections_.push_back(std::move(connection));  // what is wrong is said later
+        continue;
+      }
+      const Spanned<std::string> source{from->text, from->span}, sink{to->text, to->span};
+      for (const auto& one : connections_of(source, sink, scope)) {
+        const std::string from_port = full_name(one.from.port, scope);
+        const bool sends = has_port(source, from_port, true);
+        if (!has_port(sink, full_name(one.to.port, scope), false) || !sends) continue;
+        const Spanned<std::string> sender{ends_.source(from_port), source.span};
+        YamlValue each = one.from.element ? with_element(connection, *one.from.element, source.span)
+                                          : connection;
+        const std::string receiver = full_name(one.to.port, scope);
+        if (!one.to.element) {
+          connect(each, sender, {receiver, sink.span});
+          continue;
+        }
+        if (!gathered.contains(receiver)) order.push_back({receiver, sink.span});
+        gathered[receiver].push_back({*one.to.element, sender, std::move(each)});
+      }
+    }
+    for (const auto& to : order) connect_elements(to, std::move(gathered[to.value]));
+  }
+
+  std::vector<IndexedConnection> connections_of(const Spanned<std::string>& from,
+                                                const Spanned<std::string>& to,
+                                                const Scope& scope) {
+    if (from.value.find('[') == std::string::npos && to.value.find('[') == std::string::npos)
+      return {{{from.value, std::nullopt}, {to.value, std::nullopt}}};
+    changed_ = true;
+    const auto source = parse_pattern(from, diagnostics_);
+    const auto sink = parse_pattern(to, diagnostics_);
+    if (!source || !sink) return {};
+    return indexed_connections(*source, *sink, counter(scope), diagnostics_);
+  }
+
+  void connect(const YamlValue& connection, const Spanned<std::string>& from,
+               const Spanned<std::string>& to) {
+    for (const Sink& sink : ends_.sinks(to.value))
+      connections_.push_back(joined(connection, from, {sink.port, to.span}, sink.settings));
+  }
+
+  void connect_elements(const Spanned<std::string>& to, std::vector<GatheredElement> elements) {
+    const std::string sender = parse_port(elements.front().from.value).owner;
+    const auto found = std::ranges::find(nodes_, sender, &YamlValue::Entry::key);
+    const YamlValue* rate = found == nodes_.end() ? root_.find("rate") : found->value.find("rate");
+    if (rate == nullptr) return;  // said of the node, or of the graph
+    const YamlValue rate_of_nodes = *rate;
+    auto gathered = gather(to, std::move(elements), rate_of_nodes, diagnostics_);
+    if (!gathered) return;
+    for (auto& node : gathered->nodes) nodes_.push_back(std::move(node));
+    for (auto& connection : gathered->connections) connections_.push_back(std::move(connection));
+    connect(gathered->connection, gathered->from, to);
+  }
+
+  /// The other keys of the graph that name ports and nodes.
+  void rename_ports(YamlValue& root) {
+    const auto source = [this](YamlValue& port) {
+      if (port.is_scalar()) port.text = ends_.source(port.text);
+    };
+    const auto sink = [this](YamlValue& port) {
+      if (port.is_scalar()) port.text = ends_.sinks(port.text).front().port;
+    };
+    for (auto& entry : root.entries) {
+      if (entry.key == "task") rename_inputs_of_task(entry.value, source);
+      if (entry.key == "render") with(entry.value, "source", source);
+      if (entry.key == "actions")
+        for (auto& action : entry.value.entries)
+          with(action.value, "space", [&](YamlValue& space) { with(space, "like", sink); });
+      if (entry.key == "budget")
+        with(entry.value, "age", [&](YamlValue& ages) {
+          for (auto& age : ages.items) {
+            with(age, "from", source);
+            with(age, "to", sink);
+          }
+        });
+      if (entry.key == "safety")
+        with(entry.value, "actuators", [&](YamlValue& actuators) {
+          for (auto& actuator : actuators.entries)
+            actuator.key = ends_.sinks(actuator.key).front().port;
+        });
+      if (entry.key == "placement") place_all(entry.value);
+    }
+  }
+
+  template <class F>
+  static void with(YamlValue& map, std::string_view key, F&& f) {
+    for (auto& entry : map.entries)
+      if (entry.key == key) f(entry.value);
+  }
+
+  template <class F>
+  static void rename_inputs_of_task(YamlValue& task, F&& source) {
+    with(task, "inputs", [&](YamlValue& inputs) {
+      for (auto& input : inputs.entries) {
+        source(input.value);
+        with(input.value, "from", source);
+      }
+    });
+  }
+
+  /// A composite or an array is placed with all that is in it.
+  void place_all(YamlValue& placement) {
+    std::vector<YamlValue::Entry> placed;
+    for (const auto& entry : placement.entries) {
+      const std::size_t before = placed.size();
+      for (const auto& node : flat_nodes_)
+        if (node.starts_with(entry.key + "/") || node.starts_with(entry.key + "["))
+          placed.push_back({node, entry.key_span, entry.value});
+      if (placed.size() == before) placed.push_back(entry);
+    }
+    placement.entries = std::move(placed);
+  }
+
+  const YamlValue& root_;
+  const Library& library_;
+  SourceMap& sources_;
+  Diagnostics& diagnostics_;
+  std::vector<YamlValue::Entry> objects_, nodes_;
+  std::vector<YamlValue> connections_;
+  std::vector<std::string> flat_nodes_;
+  std::map<std::string, std::int64_t> counts_;  // of arrays, by their full names
+  Ends ends_;
+  std::map<std::string, const Entity*> entity_of_;  // nullptr: unknown, or a policy
+  std::size_t entities_ = 0;
+  bool too_many_ = false;
+  bool changed_ = false;
+};
+
+}  // namespace
+
+FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sources,
+                  Diagnostics& diagnostics) {
+  return Composer(root, library, sources, diagnostics).run();
+}
+
+std::vector<std::string> entities_of_patterns(const YamlValue& root) {
+  if (!mentions(root, "[")) return {};
+  return {"Mux", "GetIndex"};
+}
+
+}  // namespace eagerx::gen

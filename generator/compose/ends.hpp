@@ -1,0 +1,59 @@
+// What the ports of composites stand for, by their full names.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "generator/read/tree.hpp"
+#include "generator/spec/settings.hpp"
+
+namespace eagerx::gen {
+
+/// An input inside, and what the composites around it say of connections to it, the outermost
+/// first: mappings with `window`, `delay`, `processor` …
+struct Sink {
+  std::string port;
+  std::vector<YamlValue> settings;
+};
+
+/// The ports of one composite.
+struct CompositePorts {
+  std::map<std::string, std::vector<Sink>> sinks;
+  std::map<std::string, std::string> sources;
+};
+
+class Ends {
+ public:
+  void add(const std::string& composite, CompositePorts ports) {
+    composites_[composite] = std::move(ports);
+  }
+  [[nodiscard]] const CompositePorts* find(const std::string& composite) const {
+    const auto found = composites_.find(composite);
+    return found == composites_.end() ? nullptr : &found->second;
+  }
+
+  /// The port that sends where a full name such as `arm.u` is written.
+  [[nodiscard]] std::string source(const std::string& port) const;
+  /// Those that receive. What is no port of a composite stays as it is.
+  [[nodiscard]] std::vector<Sink> sinks(const std::string& port) const;
+
+ private:
+  std::map<std::string, CompositePorts> composites_;
+};
+
+/// `connection` between two ports inside: with the settings of both ends, of which what the
+/// connection itself says comes first.
+YamlValue joined(const YamlValue& connection, const Spanned<std::string>& from,
+                 const Spanned<std::string>& to, const std::vector<YamlValue>& settings);
+
+/// `map` with `value` under `key`, in place of what was there.
+void set_entry(YamlValue& map, const std::string& key, Span span, YamlValue value);
+/// The value under `key`, made if it is not there, as an empty mapping.
+YamlValue& map_at(YamlValue& map, const std::string& key, Span span);
+
+/// Makes all of a tree a part of `file`.
+void move_file(YamlValue& yaml, FileId file);
+
+}  // namespace eagerx::gen
