@@ -107,12 +107,12 @@ def write_curve(rows, folder):
     np.savetxt(folder / "curve.csv", table, delimiter=",", header=header, comments="", fmt=["%d", "%.3f", "%d", "%d"])
     width, height, left, bottom, top = 640, 320, 60, 280, 20
     returns = np.array([row[0] for row in rows])
-    low, high = min(returns.min(), -1.0) * 1.05, 0.0
+    low, high = np.floor(returns.min() / 500) * 500, 0.0
     x = left + (width - left - 20) * np.arange(len(rows)) / max(len(rows) - 1, 1)
     y = lambda value: top + (bottom - top) * (high - value) / (high - low)
     smooth = [returns[max(0, k - 4):k + 5].mean() for k in range(len(returns))]
     line = lambda values: " ".join(f"{a:.1f},{y(b):.1f}" for a, b in zip(x, values))
-    ticks = [t for t in np.linspace(low, high, 5)]
+    ticks = np.arange(low, high + 1, 500)
     (folder / "curve.svg").write_text("\n".join([
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12">',
         f'<rect width="{width}" height="{height}" fill="white"/>',
