@@ -29,6 +29,10 @@ class Rig:
         variables = {"LD_PRELOAD": str(emulator), "EAGERX_EMULATOR": f"voltages={self.voltages}" + (" time=real" if clock == "real" else "")}
         self.env = eagerx_gen.make(program, flatten=True, progress=False, real_time_factor=1, variables=variables, **keywords)
 
+    def seen_s(self):
+        """When the latest observation was there."""
+        return self.env.environments.time_s
+
     def commands(self):
         """[commands, (seconds at which its transfer ended, volts)]"""
         return commands_in(self.voltages)
@@ -65,7 +69,7 @@ def agent(how, emulator, program, folder):
     rig.env.reset(seed=1)
     for _ in range(50):
         info = rig.env.step(FULL)[4]
-    print(info["time_s"], rig.env.environments.process, flush=True)
+    print(rig.seen_s(), rig.env.environments.process, flush=True)
     if how == "raises":
         raise RuntimeError("the agent's own mistake")
     if how == "exits":
@@ -77,7 +81,7 @@ def agent(how, emulator, program, folder):
     for line in sys.stdin:  # stopped or killed while it waits here
         for _ in range(int(line)):
             info = rig.env.step(FULL)[4]
-            print(info["late"], info["applied"][0], info["time_s"], flush=True)
+            print(info["late"], info["applied"][0], rig.seen_s(), flush=True)
 
 
 def careless_agent(emulator, program, folder, episodes, seed):
@@ -91,15 +95,15 @@ def careless_agent(emulator, program, folder, episodes, seed):
             *_, truncated, info = rig.env.step(FULL)
             if step == late_at and not truncated:
                 time.sleep(generator.exponential(0.04))
-                begun = info["time_s"]
+                begun = rig.seen_s()
                 *_, truncated, info = rig.env.step(FULL)
-                print("late", info["late"], begun, info["time_s"], flush=True)
+                print("late", info["late"], begun, rig.seen_s(), flush=True)
             step += 1
         print("episode", step, flush=True)
     rig.env.reset()
     for _ in range(int(generator.integers(1, 300))):
-        info = rig.env.step(FULL)[4]
-    print("waits", rig.env.environments.process, info["time_s"], flush=True)
+        rig.env.step(FULL)
+    print("waits", rig.env.environments.process, rig.seen_s(), flush=True)
     how = sys.stdin.readline().strip()
     if how == "raise":
         raise RuntimeError("the agent's own mistake")

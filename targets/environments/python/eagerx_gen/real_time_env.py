@@ -17,7 +17,7 @@ class RealTimeEnv(Env):
         late      steps since the observation before that had no action in time. They had the last action, and after
                   `late` of the graph's `safety:` in a row the safe one. reward and terms are the sums of all these steps.
         applied   row of the action that was applied in the last of them, in the graph's units
-        time_s    when the observation was there, CLOCK_MONOTONIC
+    environments.time_s: when the observation was there, CLOCK_MONOTONIC
     """
 
     metadata = {"render_modes": ["human", "rgb_array"]}
@@ -33,7 +33,7 @@ class RealTimeEnv(Env):
             raise
 
     def _info(self, rows):
-        return {**super()._info(rows), "late": rows.late, "applied": rows.applied[0].copy(), "time_s": rows.time_s}
+        return {**super()._info(rows), "late": rows.late, "applied": rows.applied[0].copy()}
 
     def render(self):
         """What the graph's `render:` showed last; None without a render mode, or with a window."""
