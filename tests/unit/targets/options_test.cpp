@@ -85,8 +85,8 @@ TEST(LinuxSimOptions, MistakesComeWithHelp) {
   EXPECT_EQ(error_of({"--csv"}), "`--csv` needs a value / it is a file name or `-`");
   EXPECT_EQ(
       error_of({"--agent", "csv"}),
-      "`csv` is not a value of `--agent` / it is `policy`, `zero`, `random` or a file ending in "
-      "`.csv`");
+      "`csv` is not a value of `--agent` / it is `policy`, `zero`, `random`, a file ending in "
+      "`.csv`, or `fd:N`");
   EXPECT_EQ(error_of({"--csv", "-", "--trace", "-"}),
             "both `--csv` and `--trace` want the standard output / give one of them a file");
 }
