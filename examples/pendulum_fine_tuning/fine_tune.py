@@ -6,7 +6,7 @@
 PROGRAM is a program of graph.yaml that is built already, such as build/examples/pendulum_fine_tuning.hardware.emulated on
 the emulated adapter; without it graph.yaml is built, and drives the adapter that is plugged in. Needs eagerx-gen (on PATH,
 or the variable EAGERX_GEN), its Python package, and stable-baselines3 with torch. Writes into FOLDER (default: fine_tuned):
-fine_tuned.zip, fine_tuned.yaml (for this folder), curve.csv, curve.svg. Exit code 1: the policy has not become better.
+fine_tuned.zip, fine_tuned.yaml (for this folder), curve.csv, curve.svg. Exit code 1: it does not succeed more often.
 """
 import argparse
 import io
@@ -150,7 +150,7 @@ def main():
     save(model, options.output)
     write_curve(episodes.rows, options.output)
     robot.close()
-    return 0 if after.mean() > before.mean() else 1
+    return 0 if good_after > good_before else 1
 
 
 if __name__ == "__main__":
