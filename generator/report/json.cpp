@@ -50,6 +50,8 @@ Json report_json(const PlanReport& report) {
   Json json;
   json["name"] = plan.graph->name;
   json["engine"] = plan.graph->engine_id();
+  // Only engines of real hardware have a clock.
+  json["moves_hardware"] = plan.graph->has_engine() && plan.graph->engine().entity->asynchronous;
   json["rates"] = Json::object();
   for (const auto& rate : plan.rates) json["rates"][rate.rate_hz.to_string()] = Json::list();
   for (std::size_t n = 0; n < plan.nodes.size(); ++n)

@@ -45,9 +45,9 @@ constexpr RunPlan default_plan() {
   return plan;
 }
 
-/// Where actions come from. `csv` exists on targets with files only, `dds` where another process
-/// can be the agent; graphs do not name it.
-enum class Agent : std::uint8_t { policy, zero, random, csv, dds };
+/// Where actions come from. `csv` exists on targets with files only; on linux-sim another process may
+/// be the agent, over DDS or, `outside`, the one that started the program. Graphs name neither.
+enum class Agent : std::uint8_t { policy, zero, random, csv, dds, outside };
 
 /// The agent called `name` in graphs and on command lines; false if there is none.
 constexpr bool agent_of(std::string_view name, Agent& agent) {
@@ -66,6 +66,8 @@ constexpr std::string_view name_of(Agent agent) {
       return "zero";
     case Agent::random:
       return "random";
+    case Agent::outside:
+      return "outside";
     case Agent::csv:
     case Agent::dds:
       break;
@@ -202,15 +204,16 @@ typename OutcomeOf<Graph>::Type outcome_of(const Program& program) {
 /// sees what happens: `watch.reset(episode, observation)`, `watch.step(episode, step, action,
 /// observation)` with `step` from 1, and ends the run before a step or an episode by returning
 /// false from `watch.go_on()`. If a watch has `begin(key)`, it is called before the reset of an
-/// episode; if it has `late_in_a_row()`, that is how many steps up to now were too late; if it has
-/// `states(key)`, that is what an episode begins with; if it has `is_over()`, an episode ends when
-/// that is true. The run of a program with a link to another one ends when the link does, and
-/// `watch` does not see that step.
+/// episode; if it has `key(key)`, that is the key of the episode; if it has `late_in_a_row()`, that
+/// is how many steps up to now were too late; if it has `states(key)`, that is what an episode
+/// begins with; if it has `is_over()`, an episode ends when that is true. The run of a program with
+/// a link to another one ends when the link does, and `watch` does not see that step.
 template <class Graph, class Program, class AgentFunction, class Watch>
 void run_episodes(const RunPlan& plan, Program& program, AgentFunction&& agent, Watch& watch) {
   for (std::uint32_t episode = 0; episode < plan.episodes; ++episode) {
     if (!watch.go_on()) return;
-    const EpisodeKey key{plan.seed, plan.environment, episode};
+    EpisodeKey key{plan.seed, plan.environment, episode};
+    if constexpr (requires { watch.key(key); }) key = watch.key(key);
     if constexpr (requires { watch.begin(key); }) watch.begin(key);
     program.trace.episode(episode);
     typename Graph::Observation observation = program.reset(states_of<Graph>(watch, key));

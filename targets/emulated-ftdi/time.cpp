@@ -1,4 +1,5 @@
 // The clock, and its functions of the C library as the program finds them first.
+#include <poll.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/syscall.h>
@@ -71,6 +72,20 @@ int clock_nanosleep(clockid_t clock, int flags, const timespec* until, timespec*
     emulator().overslept();
   }
   return 0;
+}
+
+// Waiting for another process takes emulated time only if it does not answer: as long as it was
+// waited for. It has as much of the machine's time for its answer.
+int ppoll(pollfd* sockets, nfds_t count, const timespec* timeout, const sigset_t* signals) {
+  timespec left = timeout != nullptr ? *timeout : timespec{};
+  constexpr std::size_t kSignalBytes = 8;  // of the kernel's sigset_t
+  const long ready = syscall(SYS_ppoll, sockets, count, timeout != nullptr ? &left : nullptr,
+                             signals, kSignalBytes);
+  auto& time = eagerx::emulated::emulator().time();
+  if (ready == 0 && timeout != nullptr && time.emulated())
+    time.pass(static_cast<std::int64_t>(timeout->tv_sec) * eagerx::emulated::kNsPerSecond +
+              timeout->tv_nsec);
+  return static_cast<int>(ready);
 }
 
 // With emulated time nobody waits for anybody: neither priority nor locked memory is asked of the

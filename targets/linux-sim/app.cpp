@@ -83,6 +83,17 @@ std::string problem_of_agent(const Options& options, const GraphProgram& program
 std::string problem_of(const Options& options, const Fields& fields, const GraphProgram& program,
                        StateSettings& settings, AgentFaults& faults) {
   const GraphFacts& facts = program.facts();
+  if (options.agent == target::Agent::outside) {
+    if (program.is_real() && options.real_time_factor != 1.0)
+      return "error: real hardware has a time of its own\nhelp: `--real-time-factor 1`";
+    if (facts.board != nullptr)
+      return "error: a part of this graph runs on " + std::string(facts.board) +
+             "\nhelp: an agent outside is for a program that is not split";
+    if (!options.replay.empty() || !options.identify.empty())
+      return "error: a log is repeated without an agent outside\nhelp: leave out `--agent`";
+    if (!options.faults.empty())
+      return "error: an agent outside sees observations as they are\nhelp: leave out `--fault`";
+  }
   if (options.agent == target::Agent::policy && !facts.has_policy)
     return "error: this program has no policy\nhelp: name a weight file in the graph (`agent: "
            "{policy: FILE}`) or give `--agent zero`, `random` or a file of actions";

@@ -54,6 +54,7 @@ class GraphWatch {
   bool is_over() const { return watch_.is_over(); }
   std::uint64_t late_in_a_row() const { return watch_.late_in_a_row(); }
 
+  EpisodeKey key(EpisodeKey planned) { return watch_.key(planned); }
   void begin(EpisodeKey key) { LinkOf<Graph>::begin(key, watch_.agent()); }
   States states(EpisodeKey key) {
     States states = Graph::draw(key);
@@ -68,12 +69,17 @@ class GraphWatch {
         Table::header(*table, observation, [&](auto&) { watch_.state_column_names(); });
       row(*table, episode, 0, observation, nullptr, nullptr);
     }
+    if (watch_.has_outside()) copy_observation<Graph>(observation, watch_.outside_observation());
     watch_.reset(episode);
   }
   void step(std::uint32_t episode, Seq step, const Action& action, const Observation& observation,
             const Outcome& outcome) {
     if (auto* const table = watch_.table())
       row(*table, episode, step, observation, &action, &outcome);
+    if (watch_.has_outside()) {
+      copy_observation<Graph>(observation, watch_.outside_observation());
+      watch_.applied(&action);
+    }
     watch_.step(step, target::has_ended(outcome), view_of_outcome(outcome));
   }
 

@@ -28,9 +28,7 @@ std::string number_text(std::int64_t value) {
   return shortest(value);
 }
 
-namespace {
-
-const char* name_of(Scalar scalar) {
+const char* dtype_name(Scalar scalar) {
   return with_scalar(scalar, [](auto zero) {
     using T = decltype(zero);
     constexpr bool kWide = sizeof(T) > 4;
@@ -42,6 +40,8 @@ const char* name_of(Scalar scalar) {
     return std::is_signed_v<T> ? kSigned[kWhich] : kUnsigned[kWhich];
   });
 }
+
+namespace {
 
 template <class T>
 std::string bound_text(T bound) {
@@ -71,7 +71,7 @@ std::string line_of(const Field& field) {
   constexpr std::size_t kColumn = 24;
   std::string line = "  " + std::string(field.name);
   line.resize(std::max(line.size() + 1, kColumn), ' ');
-  line.append(name_of(field.type.scalar)).append(", shape [");
+  line.append(dtype_name(field.type.scalar)).append(", shape [");
   for (std::size_t i = 0; i < field.type.dimensions; ++i)
     line += (i > 0 ? ", " : "") + std::to_string(field.type.shape[i]);
   line += "]";

@@ -12,6 +12,9 @@ std::string number_text(float value);
 std::string number_text(double value);
 std::string number_text(std::int64_t value);
 
+/// As graphs and numpy write it: "float32".
+const char* dtype_name(Scalar scalar);
+
 /// A line for each action and observation, such as "  name  float32, shape [1], from -2 to 2".
 std::string describe(const Fields& fields);
 

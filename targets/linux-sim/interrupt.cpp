@@ -26,10 +26,16 @@ std::atomic<std::int64_t> first_ctrl_c_ms = 0;  // 0: there was none
 std::atomic<bool> dying = false;
 std::atomic<void (*)(void*)> make_safe = nullptr;
 std::atomic<void*> made_safe = nullptr;
+bool (*gone)(void*) = nullptr;  // of the main thread
+void* gone_context = nullptr;
+
+}  // namespace
 
 void make_safe_now() {
   if (auto* const f = make_safe.load()) f(made_safe.load());
 }
+
+namespace {
 
 void set_default(int signal) {
   struct sigaction usual {};
@@ -155,6 +161,15 @@ void on_stop(void (*f)(void*), void* context) {
   make_safe = f;
 }
 
+void on_gone(bool (*f)(void*), void* context) {
+  gone = f;
+  gone_context = context;
+}
+
+bool ends_reset() {
+  return interrupted() || is_told_to_stop() || (gone != nullptr && gone(gone_context));
+}
+
 bool is_told_to_stop() {
   return stop_signal.load(std::memory_order_relaxed) != 0;
 }
@@ -180,5 +195,5 @@ void end_as_told() {
 }  // namespace eagerx::linux_sim
 
 bool eagerx_is_interrupted() {
-  return eagerx::linux_sim::interrupted() || eagerx::linux_sim::is_told_to_stop();
+  return eagerx::linux_sim::ends_reset();
 }

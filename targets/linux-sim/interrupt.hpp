@@ -14,9 +14,17 @@ void catch_interrupts();
 /// True after a signal that ends the run.
 bool interrupted();
 
+/// What else ends a reset that waits for something: whoever decides is gone. nullptr: nothing.
+void on_gone(bool (*is_gone)(void*), void* context);
+/// For resets: whether the run is to end, or to stop.
+bool ends_reset();
+
 /// How actuators are made safe outside of a step: before the program is stopped, in a crash, at a
 /// second Ctrl-C. nullptr: there are none.
 void on_stop(void (*make_safe)(void*), void* context);
+
+/// Does so now, for the main thread.
+void make_safe_now();
 
 /// Whether a signal wants the program to stop, and go on later.
 bool is_told_to_stop();

@@ -27,6 +27,7 @@ function(eagerx_linux_sim_libraries)
         action_file app describe expression faults files float_environment identify interrupt link_port measures nearest
         options pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary
         table_writer task_record text_file)
+    list(APPEND names outside/outside_agent outside/outside_rows)
     list(APPEND names publish/destination publish/publishing publish/recording publish/remote
          publish/remote_watch)
     foreach(name access client_message foxglove json_reader listener parameters scene_schema scene_update server_text)

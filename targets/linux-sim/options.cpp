@@ -47,6 +47,11 @@ bool set_agent(Options& options, std::string_view value) {
     options.agent_domain = network.domain;
     return true;
   }
+  constexpr std::string_view kSocket = "fd:";
+  if (value.starts_with(kSocket)) {
+    options.agent = Agent::outside;
+    return parse_number(value.substr(kSocket.size()), 0, options.agent_socket);
+  }
   Agent agent{};
   if (!target::agent_of(value, agent)) return false;
   // `csv` alone is the file that the graph names.
@@ -210,9 +215,10 @@ constexpr std::array kOptions{
     Option{"--environment", "K", "a whole number from 0 to 4294967295",
            "number of the environment; each one has random numbers of its own", set_environment},
     Option{"--agent", "AGENT",
-           "`policy`, `zero`, `random`, a file ending in `.csv`, or `dds[:DOMAIN]` with a domain "
-           "from 0 to 232",
-           "policy, zero, random, FILE.csv, or dds[:DOMAIN]: another process on this machine",
+           "`policy`, `zero`, `random`, a file ending in `.csv`, `fd:N`, or `dds[:DOMAIN]` with a "
+           "domain from 0 to 232",
+           "policy, zero, random, FILE.csv, or another process: dds[:DOMAIN], or fd:N, the one at the "
+           "other end of socket N",
            set_agent},
     Option{"--agent-timeout", "S", "a number from 0.001 to 1000000",
            "end the run after so many seconds without an action of `--agent dds` (10)",
@@ -246,9 +252,11 @@ constexpr std::array kOptions{
     Option{"--hash", "", "", "print the hash of the trace of all episodes", set_hash},
     Option{"--real-time-factor", "X", "0 or a number from 0.000001 to 1000000",
            "simulated seconds a second; 0: as fast as possible", set_real_time_factor},
-    Option{"--render", "TO", "`window`, a film, pictures such as `frames/%04d.png`, or `hash`",
-           "show what the graph's `render:` says: window, FILM.mp4, frames/%04d.png, or hash",
-           set_render},
+    Option{
+        "--render", "TO", "`window`, a film, pictures such as `frames/%04d.png`, `hash` or `asked`",
+        "show what the graph's `render:` says: window, FILM.mp4, frames/%04d.png, hash, or asked "
+        "(pictures for an agent that asks)",
+        set_render},
     Option{"--size", "WxH", "such as `480x480`, from 16x16 to 4096x4096",
            "size of the pictures in pixels (480x480)", set_size},
     Option{

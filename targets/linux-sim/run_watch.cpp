@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/run_watch.hpp>
@@ -17,25 +18,49 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
       task_record_(told.fields.outcomes),
       csv_(csv),
       trace_(trace),
-      pacer_(facts_.period_s(), told.options.real_time_factor, facts_.safety.max_lateness_ns),
+      pacer_(facts_.period_s(), program.is_real() ? 0.0 : told.options.real_time_factor,
+             facts_.safety.max_lateness_ns),
       progress_(plan_.episodes * plan_.steps, !told.options.quiet) {
   writes_ = csv.is_open();
   paces_ = pacer_.paces();
   has_faults_ = !told.faults.empty();
 }
 
+void RunWatch::listen_to(OutsideAgent& agent) {
+  outside_ = &agent;
+  paces_ = true;
+}
+
 bool RunWatch::go_on() {
   stop_if_told();
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
-  return !interrupted() && !csv_.failed() && !trace_.failed() && !left_space();
+  if (interrupted() || csv_.failed() || trace_.failed() || left_space()) return false;
+  if (outside_ == nullptr) return true;
+  const bool goes_on = outside_->go_on();
+  is_over_ = is_over_ || outside_->wants_reset();
+  return goes_on;
 }
 
 bool RunWatch::ends_early() const {
-  return has_begun() && (interrupted() || left_space());
+  const bool leaves_something = outside_ != nullptr && outside_->leaves_something();
+  return has_begun() && (interrupted() || left_space() || leaves_something);
+}
+
+EpisodeKey RunWatch::key(EpisodeKey planned) {
+  return outside_ != nullptr ? outside_->key(planned) : planned;
+}
+
+std::uint64_t RunWatch::lateness() const {
+  const std::uint64_t late = pacer_.late_in_a_row();
+  return outside_ != nullptr ? std::max(late, outside_->late_in_a_row()) : late;
 }
 
 bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
-  const bool changed = set_states(key, states);
+  bool changed = set_states(key, states);
+  if (outside_ != nullptr) {
+    changed = outside_->apply_states(states) || changed;
+    is_over_ = false;
+  }
   record_.begin(states);
   task_record_.end_episode();
   if (measures_of_run.is_used()) {
@@ -66,6 +91,7 @@ void RunWatch::reset(std::uint32_t episode) {
     is_over_ = measures_of_run.is_over();
   }
   hand_on(pacer_.is_slow());
+  if (outside_ != nullptr) outside_->reset(episode);
 }
 
 void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
@@ -75,7 +101,10 @@ void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
     measures_of_run.step(step, facts_.seconds(step));
     is_over_ = measures_of_run.is_over();
   }
-  hand_on(step == plan_.steps || is_over_ || has_ended || pacer_.is_slow());
+  const bool is_longest = step == plan_.steps;
+  has_ended = has_ended || is_longest || is_over_;
+  if (outside_ != nullptr) outside_->step(step, has_ended, is_longest, outcome);
+  hand_on(has_ended || pacer_.is_slow());
   progress_.step(steps_);
   if (pictures_ != nullptr) {
     pacer_.pause(pictures_->take_paused_ns());
@@ -92,6 +121,7 @@ void RunWatch::state_columns() {
 }
 
 const void* RunWatch::given_action(Seq step) {
+  if (outside_ != nullptr) return outside_->action();
   return step < told_.table.size() ? told_.table[step] : nullptr;
 }
 

@@ -7,6 +7,7 @@
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
@@ -33,6 +34,9 @@ class RunWatch : public Watch {
   RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
   virtual ~RunWatch() = default;
 
+  /// Before the run, if its agent is outside.
+  void listen_to(OutsideAgent& agent);
+
   bool go_on() override;
   bool ends_early() const override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
@@ -42,6 +46,9 @@ class RunWatch : public Watch {
   void state_column_names() final;
   void state_columns() final;
   const void* given_action(Seq step) override;
+  ObservationRow outside_observation() final { return outside_->observation(); }
+  void applied(const void* action) final { outside_->applied(action); }
+  EpisodeKey key(EpisodeKey planned) final;
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
   ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }
@@ -61,7 +68,7 @@ class RunWatch : public Watch {
   }
   /// Between two steps.
   void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
-  std::uint64_t lateness() const override { return pacer_.late_in_a_row(); }
+  std::uint64_t lateness() const override;
   const Pacer& pacer() const { return pacer_; }
 
  private:
@@ -70,6 +77,7 @@ class RunWatch : public Watch {
   const GraphFacts& facts_;
   const Told& told_;
   Pictures* pictures_;
+  OutsideAgent* outside_ = nullptr;
   StateMemory states_;
   MessageRows observations_;
   std::vector<std::uint32_t> sizes_;  // [observations]

@@ -11,6 +11,7 @@
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
+#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
 #include <targets/linux-sim/publish/remote_watch.hpp>
 #include <targets/linux-sim/recorder.hpp>
@@ -133,9 +134,17 @@ class Session {
       if (unseen.empty()) unseen = publishing_->open();
     }
     if (unseen.empty() && agent_ != nullptr) unseen = agent_->open();
+    if (unseen.empty() && options_.agent == target::Agent::outside) {
+      outside_.emplace(options_, told_.fields, program_, is_traced());
+      unseen = outside_->open();
+    }
     if (!unseen.empty()) return fail(unseen, kBadUsage);
     const std::string alone = agent_ != nullptr ? agent_->wait_for_agent() : "";
     return alone.empty() ? kDone : fail(alone, kBadFile);
+  }
+
+  bool is_traced() const {
+    return options_.hash || trace_.is_open() || publishing_ || measures_of_run.reads_messages();
   }
 
   void begin() {
@@ -148,8 +157,8 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    const bool is_traced =
-        options_.hash || trace_.is_open() || publishing_ || measures_of_run.reads_messages();
+    if (outside_) watch.listen_to(*outside_);
+    const bool is_traced = this->is_traced();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
@@ -191,6 +200,8 @@ class Session {
     if (!broken.empty()) fail(broken + "\n" + place_of(summary_), kBadFile);
     if (!problem_of_pictures.empty()) fail(problem_of_pictures, kBadFile);
     if (!unpublished.empty()) fail(unpublished, kBadFile);
+    const std::string misled = outside_ ? outside_->problem() : "";
+    if (!misled.empty()) fail(misled, kBadActions);
     if (!is_right) fail(kFloatsWentWrong, kSelfTestFailed);
     if (watch.left_space())
       fail("error: " + spaces_of_run.first() + "\n" + place_of(summary_), kLeftSpace);
@@ -200,6 +211,7 @@ class Session {
     if (!broken.empty()) return kBadFile;
     if (!is_right) return kSelfTestFailed;
     if (!not_finite.empty()) return kNotFinite;
+    if (!misled.empty()) return kBadActions;
     if (watch.left_space()) return kLeftSpace;
     if (!problem_of_pictures.empty() || !unpublished.empty()) return kBadFile;
     return csv_closed && trace_closed && printed ? kDone : kBadFile;
@@ -234,6 +246,7 @@ class Session {
   dds::RemoteAgent* const agent_;
   TextFile csv_, trace_;
   std::optional<Publishing> publishing_;
+  std::optional<OutsideAgent> outside_;
   Summary summary_;
   Faults faults_{summary_};
   std::uint64_t hash_ = 0;

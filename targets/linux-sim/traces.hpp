@@ -15,7 +15,7 @@ namespace eagerx::linux_sim {
 /// was a signal, or a stop.
 template <class Graph>
 struct Untraced : NoTrace, Shows<Graph> {
-  static bool is_interrupted() { return stop_if_told(), interrupted(); }
+  static bool is_interrupted() { return stop_if_told(), ends_reset(); }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
     spaces_of_run.see<Graph>(channel, seq, message);
@@ -49,7 +49,7 @@ class Traced : public ShowsAndKeeps<Graph> {
  public:
   static constexpr bool kSimulators = true;
 
-  static bool is_interrupted() { return stop_if_told(), interrupted(); }
+  static bool is_interrupted() { return stop_if_told(), ends_reset(); }
   static bool runs_engine() { return recorder_of_run.runs_engine(); }
   std::uint64_t hash() const { return hash_.hash(); }
 

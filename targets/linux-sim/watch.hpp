@@ -37,8 +37,16 @@ class Watch {
   virtual void state_column_names() = 0;
   virtual void state_columns() = 0;
 
-  /// The action of a file, null behind its end, or of another process, which sees observations().
+  /// The action of a file, null behind its end, or of another process: one over DDS sees
+  /// observations().
   virtual const void* given_action(Seq step) = 0;
+
+  /// Whether an agent outside sees observations and what was applied, before reset() and step().
+  bool has_outside() const { return agent_ == target::Agent::outside; }
+  virtual ObservationRow outside_observation() = 0;
+  virtual void applied(const void* action) = 0;
+  /// The key of an episode that is planned with another one.
+  virtual EpisodeKey key(EpisodeKey planned) = 0;
 
   bool has_faults() const { return has_faults_; }
   /// Memory for what an agent would see without them, or sees in another process.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <eagerx/picture.hpp>
+#include <eagerx/scene.hpp>
 #include <filesystem>
 #include <memory>
 #include <targets/linux-sim/interrupt.hpp>
@@ -19,6 +20,9 @@ namespace eagerx::linux_sim {
 namespace {
 
 constexpr int kWidest = 4096;
+constexpr std::uint8_t kWhite = 255;
+constexpr std::size_t kMostKept = std::size_t{1}
+                                  << 16U;  // numbers of a scene without an allocation
 
 /// `frames/%04d.png` with the number of the picture in it; without a `%` one file for the last.
 struct FileNames {
@@ -55,6 +59,9 @@ struct Studio {
   std::vector<std::uint8_t> pixels;
   int width = 0, height = 0;
   bool to_files = false, to_film = false, to_window = false;
+  bool is_asked = false;     // whether somebody asks for pictures
+  std::vector<float> scene;  // the last one, if so
+  std::size_t scene_rows = 0;
   FileNames names;
   Film film;
   Window window;
@@ -97,6 +104,7 @@ class PicturesOfRun final : public Pictures {
                    const std::string& rate) override;
   bool has_window() const override;
   std::int64_t take_paused_ns() override;
+  const std::uint8_t* kept(bool paints) override;
   std::string close() override;
 
   void hand_on();
@@ -126,10 +134,14 @@ std::string PicturesOfRun::open(const Rendering& wanted, const std::string& titl
     problem = studio->film.open(wanted.to, wanted.width, wanted.height, rate);
   } else if (wanted.to.ends_with(".png")) {
     problem = open_files(wanted.to);
+  } else if (wanted.to == "asked") {
+    studio->is_asked = true;
+    studio->scene.reserve(kMostKept);
+    std::ranges::fill(studio->pixels, kWhite);
   } else if (wanted.to != "hash") {
     problem = "error: `" + wanted.to +
               "` is not a value of `--render`\nhelp: it is `window`, a film "
-              "such as `film.mp4`, pictures such as `frames/%04d.png`, or `hash`";
+              "such as `film.mp4`, pictures such as `frames/%04d.png`, `hash`, or `asked`";
   }
   is_on_ = problem.empty();
   return problem;
@@ -180,6 +192,14 @@ std::int64_t PicturesOfRun::take_paused_ns() {
   return paused_ns;
 }
 
+const std::uint8_t* PicturesOfRun::kept(bool paints) {
+  if (!studio || !studio->is_asked) return nullptr;
+  if (paints && studio->scene_rows > 0)
+    studio->painter.paint(studio->scene.data(), studio->scene_rows,
+                          {studio->pixels.data(), studio->width, studio->height, 3});
+  return studio->pixels.data();
+}
+
 std::string PicturesOfRun::close() {
   if (!studio) return {};
   if (studio->to_files && !studio->names.numbered && count_ > 0 && studio->problem.empty())
@@ -204,6 +224,11 @@ bool pictures_are_on() {
 }
 
 void show_scene(const float* scene, std::size_t rows) {
+  if (studio->is_asked) {
+    studio->scene.assign(scene, scene + rows * kSceneColumns);
+    studio->scene_rows = rows;
+    return;
+  }
   studio->painter.paint(scene, rows, {studio->pixels.data(), studio->width, studio->height, 3});
   pictures.hand_on();
 }
@@ -211,7 +236,7 @@ void show_scene(const float* scene, std::size_t rows) {
 void show_image(const std::uint8_t* image, int width, int height, int channels) {
   target::scale_image(image, width, height, channels,
                       {studio->pixels.data(), studio->width, studio->height, 3});
-  pictures.hand_on();
+  if (!studio->is_asked) pictures.hand_on();
 }
 
 }  // namespace eagerx::linux_sim

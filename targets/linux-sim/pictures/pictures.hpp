@@ -23,6 +23,10 @@ class Pictures {
   /// How much faster than it was told the run should be, as a power of two.
   int speed() const { return speed_; }
 
+  /// With `asked`: [height][width][3] of what was shown last, white before that; null: nothing is
+  /// kept. `paints`: else what was painted the last time.
+  virtual const std::uint8_t* kept(bool paints) = 0;
+
   /// Behind the run. Empty, or what is wrong: then the film, or the picture, is not there.
   virtual std::string close() = 0;
   std::uint64_t count() const { return count_; }

@@ -98,7 +98,7 @@ TEST(LinuxSimOptions, MistakesComeWithHelp) {
   EXPECT_EQ(
       error_of({"--agent", "csv"}),
       "`csv` is not a value of `--agent` / it is `policy`, `zero`, `random`, a file ending in "
-      "`.csv`, or `dds[:DOMAIN]` with a domain from 0 to 232");
+      "`.csv`, `fd:N`, or `dds[:DOMAIN]` with a domain from 0 to 232");
   EXPECT_EQ(error_of({"--csv", "-", "--trace", "-"}),
             "both `--csv` and `--trace` want the standard output / give one of them a file");
 }

@@ -4,18 +4,22 @@
     env = eagerx_gen.make("graph.yaml")                        # gymnasium.Env
     envs = eagerx_gen.make("graph.yaml", num_envs=4096)        # gymnasium.vector.VectorEnv
     envs = eagerx_gen.make_vec_env("graph.yaml", n_envs=64)    # stable_baselines3's VecEnv
+    env = eagerx_gen.make("graph.yaml", real_time_factor=1)    # gymnasium.Env that goes on by the clock
 
 Gymnasium and Stable-Baselines3 are imported when they are needed. `Environments(load("graph.yaml"), 4096)` needs neither.
 """
+import os
 import sys
 
-from .build import load
+from . import build
+from .build import checked, is_program, load, moves_hardware
 from .errors import Error, RewardNotFinite
 from .library import VERSION, Environments, Library
 
 __all__ = ["VERSION", "Environments", "Error", "Library", "RewardNotFinite", "load", "make", "make_vec_env"]
 
 _BUILDING = ("engine", "paths", "progress")
+_IN_REAL_TIME = ("publish", "publish_only", "publish_rate", "trace", "variables")
 
 
 def _split(keywords):
@@ -37,13 +41,44 @@ def _say_stepping(made, progress=True, **_building):
     return made
 
 
-def make(graph, num_envs=None, **keywords):
+def _with_program(start, graph, building):
+    """What `start` makes of the path of a graph's program; of a program that is built already, itself."""
+    graph, paths = checked(graph, building.get("engine"), building.get("paths", ()))
+    if is_program(graph):
+        return start(graph)
+    return build.build(graph, building.get("engine"), paths, building.get("progress", True), target="linux-sim", ending=".program",
+                       opened=lambda path: start(str(path)))
+
+
+def _is_real(graph, building):
+    if isinstance(graph, Library):
+        return False
+    graph, paths = checked(graph, building.get("engine"), building.get("paths", ()))
+    return is_program(graph) or not graph.endswith(".so") and moves_hardware(graph, building.get("engine"), paths)
+
+
+def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
     """An `Env` (num_envs=None) or a `VectorEnv` of a graph's file, or of a library that is built already (`*.so`).
 
     `engine`, `paths` and `progress` are those of load(); all others go to Env or VectorEnv. Unless `progress` is False, a
     line on the standard error says whether environments step in packs, and if not, why.
+
+    real_time_factor  a `RealTimeEnv`, which goes on by the clock: so many simulated seconds a second. With an engine of
+                      real hardware it is always one. A program for Linux that is built already can take the graph's place.
     """
     building, rest = _split(keywords)
+    if real_time_factor is not None or _is_real(graph, building):
+        if num_envs is not None:
+            raise ValueError(f"num_envs is {num_envs!r}: in real time, and on real hardware, there is one environment; leave num_envs out")
+        if isinstance(graph, Library) or os.fsdecode(graph).endswith(".so"):
+            raise ValueError("real_time_factor: a library has no clock; give the graph's file")
+        from .real_time_env import RealTimeEnv
+
+        rest["real_time_factor"] = 1.0 if real_time_factor is None else real_time_factor
+        return _say_stepping(_with_program(lambda path: RealTimeEnv(path, **rest), graph, building), **building)
+    for name in _IN_REAL_TIME:
+        if name in rest:
+            raise ValueError(f"{name} is for environments in real time: give real_time_factor=1, too")
     if num_envs is None:
         from .gymnasium_env import Env
 
@@ -55,6 +90,8 @@ def make(graph, num_envs=None, **keywords):
 
 def make_vec_env(graph, n_envs=1, **keywords):
     """The same as Stable-Baselines3's VecEnv."""
+    if "real_time_factor" in keywords:
+        raise ValueError("real_time_factor: in real time there is one environment; give Stable-Baselines3 that of make()")
     from .stable_baselines3_vec_env import VecEnv
 
     building, rest = _split(keywords)

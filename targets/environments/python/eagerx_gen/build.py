@@ -4,6 +4,7 @@ from __future__ import annotations
 import contextlib
 import fcntl
 import hashlib
+import json
 import os
 import pathlib
 import reprlib
@@ -83,8 +84,8 @@ def release(lock):
         fcntl.flock(lock, fcntl.LOCK_UN)
 
 
-def made_in(folder, lock, command, progress):
-    """Path of the library that `command` makes in the folder `source`, under a name of its content."""
+def made_in(folder, lock, command, progress, ending):
+    """Path of the library or program that `command` makes in the folder `source`, under a name of its content."""
     unfinished = folder / "unfinished"
     if unfinished.exists():  # its process was killed, and files may be half written
         shutil.rmtree(folder / "source", ignore_errors=True)
@@ -96,41 +97,81 @@ def made_in(folder, lock, command, progress):
         raise
     # A process that has opened a library gets the same one for the same path, whatever is in the file.
     content = hashlib.sha256(made.read_bytes()).hexdigest()[:16]
-    library = folder / f"{made.stem}-{content}.so"
+    library = folder / f"{made.stem}-{content}{ending}"
     if not library.exists():
         part = library.with_suffix(".part")
         with open(part, "wb") as file:
             file.write(made.read_bytes())
             file.flush()
             os.fsync(file.fileno())  # before its name: the machine may stop
+        part.chmod(0o755)
         part.rename(library)
-        for earlier in folder.glob("*.so"):
+        for earlier in folder.glob(f"*{ending}"):
             if earlier != library:
                 earlier.unlink()
     unfinished.unlink()
     return library
 
 
-def build(graph, engine=None, paths=(), progress=True):
-    """The Library of a graph's file. Only what has changed since the last time is made: of graph, entities, eagerx-gen."""
+def options_of(engine, paths):
+    """Of eagerx-gen."""
+    options = ["--engine", engine] if engine else []
+    for path in paths:
+        options += ["--path", str(pathlib.Path(path).resolve())]
+    return options
+
+
+def is_program(path):
+    """Whether it is a program that is built already, or a script that starts one."""
+    if path.endswith(".so") or not (os.path.isfile(path) and os.access(path, os.X_OK)):
+        return False
+    with open(path, "rb") as file:
+        return file.read(4).startswith((b"\x7fELF", b"#!"))
+
+
+def moves_hardware(graph, engine, paths):
+    """Whether the engine of a graph's file is one of real hardware. False, too, if it cannot be read: its build says why."""
+    command = [eagerx_gen(), "info", graph, "--json", *options_of(engine, paths)]
+    with started(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace") as process:
+        said = process.communicate()[0]
+    try:
+        return bool(json.loads(said)["moves_hardware"])
+    except (ValueError, KeyError, TypeError):
+        return False
+
+
+def build(graph, engine=None, paths=(), progress=True, *, target="environments", ending=".so", opened=Library):
+    """The Library of a graph's file. Only what has changed since the last time is made: of graph, entities, eagerx-gen.
+
+    For another target: what `opened` makes of the path, which ends with `ending`.
+    """
     graph = pathlib.Path(graph).resolve()
     if not graph.is_file():
         raise Error(f"there is no file {graph}")
     program = eagerx_gen()
-    options = ["--target", "environments", *(["--engine", engine] if engine else [])]
-    for path in paths:
-        options += ["--path", str(pathlib.Path(path).resolve())]
+    options = ["--target", target, *options_of(engine, paths)]
     with started([program, "--version"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace") as process:
         version = process.communicate()[0]
     key = hashlib.sha256("\0".join([str(graph), version, os.path.realpath(program), *options]).encode(errors="surrogateescape")).hexdigest()[:16]
     folder = cache() / f"{graph.parent.name}-{graph.stem}-{key}"
     try:
         with alone_in(folder) as lock:
-            path = made_in(folder, lock, [program, "build", str(graph), "-o", str(folder / "source"), *options], progress)
-            return Library(path)  # before another process makes a newer one in its place
+            path = made_in(folder, lock, [program, "build", str(graph), "-o", str(folder / "source"), *options], progress,
+                           ending)
+            return opened(path)  # before another process makes a newer one in its place
     except OSError as problem:
         raise Error(f"cannot write into `{folder}`: {problem.strerror}: name a folder that can be written in the environment "
                     "variable EAGERX_GEN_CACHE") from problem
+
+
+def checked(graph, engine, paths):
+    """Path of the graph, and folders, as texts."""
+    graph = os.fsdecode(checks.path("the graph", graph))
+    if engine is not None and not (isinstance(engine, str) and "\0" not in engine):
+        raise ValueError(f"engine is {reprlib.repr(engine)}, no name of an engine")
+    if isinstance(paths, (str, bytes, os.PathLike)) or not hasattr(paths, "__iter__"):
+        raise ValueError(f"paths is {reprlib.repr(paths)}, no list of folders")
+    return graph, [os.fsdecode(checks.path("a folder of `paths`", path)) for path in paths]
 
 
 def load(graph, engine=None, paths=(), progress=True):
@@ -142,10 +183,5 @@ def load(graph, engine=None, paths=(), progress=True):
     """
     if isinstance(graph, Library):
         return graph
-    graph = os.fsdecode(checks.path("the graph", graph))
-    if engine is not None and not (isinstance(engine, str) and "\0" not in engine):
-        raise ValueError(f"engine is {reprlib.repr(engine)}, no name of an engine")
-    if isinstance(paths, (str, bytes, os.PathLike)) or not hasattr(paths, "__iter__"):
-        raise ValueError(f"paths is {reprlib.repr(paths)}, no list of folders")
-    paths = [os.fsdecode(checks.path("a folder of `paths`", path)) for path in paths]
+    graph, paths = checked(graph, engine, paths)
     return Library(graph) if graph.endswith(".so") else build(graph, engine, paths, progress)

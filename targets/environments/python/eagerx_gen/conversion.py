@@ -5,8 +5,8 @@ import reprlib
 
 import numpy as np
 
+from .description import numbers_of
 from .errors import need
-from .library import numbers_of
 
 
 def _spaces():

@@ -35,14 +35,18 @@ class Env(checks.Single, gymnasium.Env):
     def __init__(self, library, *, flatten=False, longest=0, normalize_actions=False, number=0, render_mode=None,
                  render_size=(480, 480)):
         library.check_render_mode(render_mode)
+        self._describe(library, flatten, normalize_actions, render_mode, render_size)
+        number = checks.whole("number", number, 0, 2**32 - 1)
+        self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1,
+                                         pictures=render_mode is not None)
+
+    def _describe(self, library, flatten, normalize_actions, render_mode, render_size):
+        """All but `environments`: rows of one environment."""
         self.metadata = library.metadata
         self.library, self.render_mode, self.render_size = library, render_mode, render_size
         self._actions = conversion.of_actions(library, flatten, normalize_actions)
         self._observations = conversion.of_observations(library, flatten)
         self.action_space, self.observation_space = self._actions.space, self._observations.space
-        number = checks.whole("number", number, 0, 2**32 - 1)
-        self.environments = Environments(library, 1, numbers=[number], longest=longest, autoreset="disabled", threads=1,
-                                         pictures=render_mode is not None)
         self._begun = self._ended = False
 
     def _observation(self):
@@ -74,11 +78,12 @@ class Env(checks.Single, gymnasium.Env):
             raise
         terminated, truncated = bool(rows.terminated[0]), bool(rows.truncated[0])
         self._ended = terminated or truncated
-        info = {}
-        if self.library.has_task:
-            info = {"success": bool(rows.success[0]),
-                    "terms": {name: float(x) for name, x in zip(self.library.terms, rows.terms[0])}}
-        return self._observation(), float(rows.reward[0]), terminated, truncated, info
+        return self._observation(), float(rows.reward[0]), terminated, truncated, self._info(rows)
+
+    def _info(self, rows):
+        if not self.library.has_task:
+            return {}
+        return {"success": bool(rows.success[0]), "terms": {name: float(x) for name, x in zip(self.library.terms, rows.terms[0])}}
 
     def render(self):
         """What the graph's `render:` showed last; None without a render mode."""

@@ -12,6 +12,7 @@ from ctypes import c_char_p, c_int, c_uint32, c_uint64, c_void_p
 import numpy as np
 
 from . import checks
+from .description import Described, picture_size, states_row
 from .errors import Error, RewardNotFinite
 
 VERSION = 3
@@ -19,9 +20,6 @@ VERSION = 3
 
 MOST = 1_000_000
 """Environments in a batch: EAGERX_ENVIRONMENTS_MOST."""
-
-MOST_PIXELS = 4096
-"""Of a side of a picture."""
 
 BUSY = "another thread is in a call with these environments"
 
@@ -56,32 +54,7 @@ _FUNCTIONS = {
 }
 
 
-class Field:
-    """An action, observation or state: the columns `first` to `first + size - 1` of a row."""
-
-    def __init__(self, told):
-        self.name, self.shape, self.first = told["name"], tuple(told["shape"]), told["first"]
-        self.size = int(np.prod(self.shape, dtype=int))
-        self.dtype = np.dtype(told["dtype"])
-        if self.dtype.kind == "f":
-            self.dtype = np.dtype(np.float32)  # as rows are
-            lowest, highest = -np.inf, np.inf
-        elif self.dtype.kind == "b":
-            lowest, highest = False, True
-        else:
-            lowest, highest = np.iinfo(self.dtype).min, np.iinfo(self.dtype).max
-        self.low = self._bound(told["low"], lowest)
-        self.high = self._bound(told["high"], highest)
-        self.columns = slice(self.first, self.first + self.size)
-
-    def _bound(self, told, otherwise):
-        # Whole numbers of 64 bits were told as doubles, whose highest is beyond the type's.
-        info = None if self.dtype.kind in "fb" else np.iinfo(self.dtype)
-        numbers = [otherwise if x is None else x if info is None else min(max(int(x), info.min), info.max) for x in told]
-        return np.array(numbers, self.dtype).reshape(self.shape)
-
-
-class Library:
+class Library(Described):
     """The library of a graph, as eagerx-gen's target `environments` makes it."""
 
     def __init__(self, path):
@@ -98,49 +71,13 @@ class Library:
             raise Error(f"`{self.path}` is no library of environments: {problem}") from problem
         for name, (result, arguments) in _FUNCTIONS.items():
             functions[name].restype, functions[name].argtypes = result, arguments
-        self.description = json.loads(self.c.eagerx_describe())
-        self._fields = {what: tuple(Field(told) for told in self.description[what]) for what in ("observations", "actions", "states")}
-        self.terms = tuple(self.description["task"]["terms"]) if self.description["task"] else ()
-        # Of the memory that the library reads and writes, whatever happens to the fields.
-        self._sizes = {what: numbers_of(fields) for what, fields in self._fields.items()} | {"terms": len(self.terms)}
-
-    observations = property(lambda self: self._fields["observations"])
-    actions = property(lambda self: self._fields["actions"])
-    states = property(lambda self: self._fields["states"])
+        super().__init__(json.loads(self.c.eagerx_describe()))
 
     def __reduce__(self):
         return Library, (self.path,)
 
-    @property
-    def has_task(self):
-        return self.description["task"] is not None
-
-    @property
-    def metadata(self):
-        """Of Gymnasium: how environments of this graph can be seen."""
-        render = self.description["render"]
-        return {"render_modes": ["rgb_array"], "render_fps": render["rate_hz"]} if render else {"render_modes": []}
-
-    def check_render_mode(self, render_mode):
-        if render_mode is not None and not (isinstance(render_mode, str) and render_mode in self.metadata["render_modes"]):
-            known = "None or 'rgb_array'" if self.description["render"] else (
-                "None, because its graph has no `render:`; add `render: {source: OBJECT.scene}` to it for 'rgb_array'")
-            raise ValueError(f"render_mode is {render_mode!r}; for {self.description['graph']} it is {known}")
-
     def __repr__(self):
         return f"<eagerx_gen.Library {self.description['graph']} on {self.description['engine']}>"
-
-
-def picture_size(size):
-    """(width, height) of a picture."""
-    try:
-        return tuple(checks.whole("side", side, 1, MOST_PIXELS) for _, side in zip((0, 1), size, strict=True))
-    except (TypeError, ValueError):
-        raise ValueError(f"size is {reprlib.repr(size)}: width and height are 1 to {MOST_PIXELS} pixels") from None
-
-
-def numbers_of(fields):
-    return sum(field.size for field in fields)
 
 
 def _fixed(name, help="its elements can be changed, as by `{}[:] = …`"):
@@ -289,20 +226,7 @@ class Environments(checks.Single):
 
     def set_states(self, states, mask=None):
         """The states of the next episode: {name: value or [count, ...]}; what is not named is drawn."""
-        if not hasattr(states, "items"):
-            raise ValueError(f"states is {reprlib.repr(states)}, not a dict")
-        known = {field.name: field for field in self._library.states}
-        row = np.full((self._count, self._library._sizes["states"]), np.nan, np.float32)
-        for name, value in states.items():
-            if name not in known:
-                raise ValueError(f"there is no state {reprlib.repr(name)}, but {', '.join(known) or 'none'}")
-            field = known[name]
-            with np.errstate(over="ignore"):  # to what is in no space
-                array = checks.numbers(repr(name), value).astype(np.float32)
-            try:
-                row[:, field.columns] = np.broadcast_to(array, (self._count, *field.shape)).reshape(self._count, -1)
-            except ValueError:
-                raise ValueError(f"{name!r} has shape {array.shape}, not {field.shape} or {(self._count, *field.shape)}") from None
+        row = states_row(self._library, states, self._count)
         mask = checks.mask(mask, self._count)
         if self._call(self._library.c.eagerx_set_states, None if mask is None else mask.ctypes.data, row.ctypes.data) != 0:
             self._fail()

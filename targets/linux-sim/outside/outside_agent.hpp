@@ -1,0 +1,113 @@
+// An agent outside of the program, such as Python's: it has the other end of a socket. The loop
+// waits for it for a part of a period only, and what it does without it is safe.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <targets/linux-sim/fields.hpp>
+#include <targets/linux-sim/graph_program.hpp>
+#include <targets/linux-sim/outside/outside_rows.hpp>
+#include <targets/linux-sim/outside/protocol.hpp>
+#include <vector>
+
+namespace eagerx::linux_sim {
+
+struct Options;
+
+/// Nothing here allocates between two steps, but for answers to `describe` and `counts`.
+class OutsideAgent {
+ public:
+  /// `traced`: which of the two programs runs.
+  OutsideAgent(const Options& options, const Fields& fields, GraphProgram& program, bool traced);
+
+  OutsideAgent(const OutsideAgent&) = delete;
+  OutsideAgent& operator=(const OutsideAgent&) = delete;
+  ~OutsideAgent();
+
+  /// Looks at the socket. Empty, or what is wrong.
+  std::string open();
+
+  /// Memory for what the agent sees next.
+  ObservationRow observation() { return {seen_.data(), sizes_.data()}; }
+  /// What was applied in the step whose observation comes next.
+  void applied(const void* action) { rows_.write_action(action, applied_row()); }
+  void reset(std::uint32_t episode);
+  /// `is_longest`: there are no more steps in an episode.
+  void step(Seq step, bool has_ended, bool is_longest, const OutcomeView& outcome);
+
+  /// Answers, and waits for what comes next. In an episode that is an action: for as long as it is
+  /// in time, where time goes on without it, else for ever. Between episodes it is a reset. False:
+  /// the run ends.
+  bool go_on();
+  /// Whether an episode is over because the agent wants another one.
+  bool wants_reset() const { return wants_reset_; }
+  /// The action of the next step: the agent's, or its last one if it is late.
+  const void* action() const { return action_.data(); }
+  /// Steps in a row that had no action in time.
+  std::uint64_t late_in_a_row() const { return late_in_a_row_; }
+
+  /// The key of an episode that begins: of the seed that the agent gave.
+  EpisodeKey key(EpisodeKey planned);
+  /// Puts the states that the agent gave in place of others. False: there are none.
+  bool apply_states(StateRow states);
+
+  /// Whether the run ends within an episode, and somebody may have relied on the agent.
+  bool leaves_something() const { return in_episode_ && ends_ && (is_real_ || !is_told_); }
+  /// What the agent did that ended the run, or empty.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  enum class Got : std::uint8_t { request, nothing, end };
+
+  bool is_gone() const;
+  Got receive(std::int64_t until_ns);
+  bool serve();
+  bool take_reset();
+  bool take_step();
+  void give_picture();
+  void answer_observation();
+  void answer_problem(const std::string& text);
+  void answer_piece(const void* data, std::size_t bytes);
+  void say(const Answer& answer, const void* data, std::size_t bytes);
+  std::string description() const;
+  std::string counts() const;
+  void lose(std::string why);
+
+  float* applied_row() { return row_.data() + terms_.size(); }
+  float* observation_row() { return applied_row() + rows_.action_numbers(); }
+
+  const Options& options_;
+  const GraphFacts& facts_;
+  GraphProgram& program_;
+  const Fields& fields_;
+  OutsideRows rows_;
+  MessageRows seen_;
+  StateMemory drawn_;
+  std::vector<std::uint32_t> sizes_;  // [observations]
+  std::vector<std::max_align_t> action_;
+  std::vector<double> terms_;  // of all steps since the last answer
+  std::vector<float> row_;     // of an answer: terms, action, observation
+  std::vector<float> given_;   // of a request: a row of actions or states
+  std::vector<float> states_;  // of the next episode
+  Answer answer_{};            // the next one with an observation
+  Request request_{};          // the last one
+  std::string text_;           // of which pieces are asked for
+  int socket_ = -1;
+  std::int64_t patience_ns_ = 0;  // 0: for ever
+  bool is_traced_ = false, is_real_ = false;
+
+  std::uint64_t late_in_a_row_ = 0;
+  std::uint64_t seed_ = 0;
+  std::uint32_t episode_of_seed_ = 0;
+  bool has_seed_ = false, has_states_ = false;
+  bool waits_ = false;        // the agent waits for an observation
+  bool in_episode_ = false;   // and not behind its last step
+  bool end_is_news_ = false;  // an episode has ended in a step that the agent was late for
+  bool wants_reset_ = false;
+  bool ends_ = false;
+  bool is_told_ = false;  // the agent has said that the run ends
+  std::string problem_;
+};
+
+}  // namespace eagerx::linux_sim

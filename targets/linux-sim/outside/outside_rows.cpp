@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <runtime/host/trace/json_text.hpp>
+#include <string_view>
+#include <targets/common/from_number.hpp>
+#include <targets/linux-sim/describe.hpp>
+#include <targets/linux-sim/elements.hpp>
+#include <targets/linux-sim/outside/outside_rows.hpp>
+#include <type_traits>
+
+namespace eagerx::linux_sim {
+namespace {
+
+std::size_t numbers_of(const Field& field) {
+  return field.type.size * field.most;
+}
+
+/// The double that is written as the float32 is, 0.05 for 0.05F: what is set is what a command line
+/// with the same digits sets.
+double same_decimal(float x) {
+  constexpr std::size_t kMostDigits = 24;
+  std::array<char, kMostDigits> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), x);
+  double result = x;
+  std::from_chars(text.data(), written.ptr, result);
+  return result;
+}
+
+template <class T>
+T state_from_row(float x) {
+  if constexpr (std::is_same_v<T, double>) return same_decimal(x);
+  return target::from_number<T>(x);
+}
+
+void append_bounds(std::string& text, const Field& field, const void* bounds) {
+  text += '[';
+  for (std::size_t i = 0; i < numbers_of(field); ++i) {
+    if (i > 0) text += ", ";
+    const std::size_t element = i % field.type.size;
+    const double bound = bounds != nullptr ? number_of(field.type.scalar, bounds, element)
+                                           : std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(bound)) {
+      text += "null";
+    } else if (field.type.scalar == Scalar::f32) {
+      text += number_text(static_cast<float>(bound));
+    } else {
+      text += number_text(bound);
+    }
+  }
+  text += ']';
+}
+
+void append_field(std::string& text, const Field& field, std::size_t first) {
+  text += R"({"name": )";
+  trace_log::append_json_string(text, field.name);
+  text += R"(, "shape": [)";
+  if (field.most > 1) text += std::to_string(field.most);
+  for (std::size_t i = 0; i < field.type.dimensions; ++i)
+    text += (i > 0 || field.most > 1 ? ", " : "") + std::to_string(field.type.shape[i]);
+  text += R"(], "dtype": ")";
+  text += dtype_name(field.type.scalar);
+  text += R"(", "window": )" + std::to_string(field.most) + R"(, "low": )";
+  append_bounds(text, field, field.low);
+  text += R"(, "high": )";
+  append_bounds(text, field, field.high);
+  text += R"(, "first": )" + std::to_string(first) + "}";
+}
+
+}  // namespace
+
+OutsideColumns::OutsideColumns(const std::vector<Field>& fields)
+    : first_(fields.size()), order_(fields.size()) {
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::ranges::sort(order_, {}, [&](std::size_t i) { return std::string_view(fields[i].name); });
+  for (const std::size_t field : order_) {
+    first_[field] = numbers_;
+    numbers_ += numbers_of(fields[field]);
+  }
+}
+
+OutsideRows::OutsideRows(const Fields& fields)
+    : fields_(fields),
+      actions_(fields.actions),
+      observations_(fields.observations),
+      states_(fields.states) {}
+
+void OutsideRows::read_action(const float* row, void* action) const {
+  for (std::size_t f = 0; f < fields_.actions.size(); ++f) {
+    const Field& field = fields_.actions[f];
+    const float* const from = row + actions_.first(f);
+    with_elements(field.type.scalar, static_cast<std::byte*>(action) + field.offset,
+                  [&](auto* elements) {
+                    using T = std::remove_cvref_t<decltype(*elements)>;
+                    for (std::size_t i = 0; i < field.type.size; ++i)
+                      elements[i] = target::from_number<T>(from[i]);
+                  });
+  }
+}
+
+void OutsideRows::write_action(const void* action, float* row) const {
+  for (std::size_t f = 0; f < fields_.actions.size(); ++f) {
+    const Field& field = fields_.actions[f];
+    float* const to = row + actions_.first(f);
+    with_elements(field.type.scalar, static_cast<const std::byte*>(action) + field.offset,
+                  [&](const auto* elements) {
+                    for (std::size_t i = 0; i < field.type.size; ++i)
+                      to[i] = static_cast<float>(elements[i]);
+                  });
+  }
+}
+
+void OutsideRows::write_observation(ObservationRow observation, float* row) const {
+  for (std::size_t f = 0; f < fields_.observations.size(); ++f) {
+    const Field& field = fields_.observations[f];
+    float* const to = row + observations_.first(f);
+    const std::size_t received = observation.sizes[f] * field.type.size;
+    const void* const messages = observation.messages[f];
+    with_elements(field.type.scalar, messages, [&](const auto* elements) {
+      using T = std::remove_cvref_t<decltype(*elements)>;
+      for (std::size_t i = 0; i < received; ++i) to[i] = static_cast<float>(elements[i]);
+      std::fill(to + received, to + numbers_of(field),
+                static_cast<float>(std::numeric_limits<T>::quiet_NaN()));
+    });
+  }
+}
+
+std::string OutsideRows::problem_of_states(const float* row, const bool* drawn) const {
+  for (std::size_t f = 0; f < fields_.states.size(); ++f) {
+    const Field& field = fields_.states[f];
+    const float* const from = row + states_.first(f);
+    std::size_t missing = 0;
+    for (std::size_t i = 0; i < field.type.size; ++i) {
+      missing += std::isnan(from[i]) ? 1 : 0;
+      const auto bound = [&](const void* bounds) {
+        return static_cast<float>(number_of(field.type.scalar, bounds, i));
+      };
+      if (field.low != nullptr && (from[i] < bound(field.low) || from[i] > bound(field.high)))
+        return "`" + std::string(field.name) + "` is out of its space: element " +
+               std::to_string(i) + " is " + number_text(from[i]);
+    }
+    if (!drawn[f] && missing != 0 && missing != field.type.size)
+      return "`" + std::string(field.name) + "` is not drawn: set all of its elements, or none";
+  }
+  return {};
+}
+
+void OutsideRows::read_states(const float* row, StateRow states) const {
+  for (std::size_t f = 0; f < fields_.states.size(); ++f) {
+    const Field& field = fields_.states[f];
+    const float* const from = row + states_.first(f);
+    with_elements(field.type.scalar, states.messages[f], [&](auto* elements) {
+      using T = std::remove_cvref_t<decltype(*elements)>;
+      for (std::size_t i = 0; i < field.type.size; ++i) {
+        if (std::isnan(from[i])) continue;
+        elements[i] = state_from_row<T>(from[i]);
+        states.has_value[f] = true;
+      }
+    });
+  }
+}
+
+std::string OutsideRows::describe(const std::vector<Field>& fields, const OutsideColumns& columns) {
+  std::string text = "[";
+  for (const std::size_t field : columns.order()) {
+    if (text.size() > 1) text += ", ";
+    append_field(text, fields[field], columns.first(field));
+  }
+  return text + "]";
+}
+
+}  // namespace eagerx::linux_sim
