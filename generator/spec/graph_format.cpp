@@ -410,8 +410,7 @@ FormatPtr make_graph_format(GraphForm form) {
        {"allow", format::list("a list of codes of warnings", format::text("a code such as W0103")),
         false, "warnings that are not given for this graph"},
        // What compose/ takes away before anything is checked.
-       {"tunable",
-        format::list("a list of parameters", format::port("`node.parameter`")), false,
+       {"tunable", format::list("a list of parameters", format::port("`node.parameter`")), false,
         "parameters that a reset may set, as states: `controller.kp`"},
        {"extends",
         format::one_of("a graph file, or a mapping with its `file` and `variant`",
