@@ -13,7 +13,7 @@
 namespace eagerx::linux_sim {
 namespace {
 
-using Said = ClientMessage::Kind;
+using Asked = ClientMessage::Kind;
 
 TEST(JsonReader, ReadsWhatRfc8259Says) {
   const auto value = read_json(
@@ -79,7 +79,7 @@ TEST(ClientMessage, ParametersAreNumbersFlagsOrNothing) {
       R"({"op":"setParameters","id":"x","parameters":[{"name":"a","value":1.5},)"
       R"({"name":"b","value":[1,true]},{"name":"c"},{"name":"d","value":null},)"
       R"({"name":"e","value":"1"},{"name":"f","value":[]},{"name":"g","value":[[1]]}]})");
-  ASSERT_EQ(message.kind, Said::set_parameters);
+  ASSERT_EQ(message.kind, Asked::set_parameters);
   EXPECT_EQ(message.id, "x");
   const auto& p = message.parameters;
   ASSERT_EQ(p.size(), 7U);
@@ -93,13 +93,13 @@ TEST(ClientMessage, ParametersAreNumbersFlagsOrNothing) {
 TEST(ClientMessage, CallsAreReadUpToTheirEnd) {
   const std::string call("\2\4\0\0\0\1\2\0\0\4\0\0\0json{}", 19);
   const auto message = read_client_bytes(call);
-  ASSERT_EQ(message.kind, Said::call);
+  ASSERT_EQ(message.kind, Asked::call);
   EXPECT_EQ(message.service, 4U);
   EXPECT_EQ(message.call_id, 513U);
   EXPECT_EQ(message.encoding, "json");
   EXPECT_EQ(message.request, "{}");
   for (std::size_t size = 0; size < 17; ++size)
-    EXPECT_EQ(read_client_bytes(call.substr(0, size)).kind, Said::wrong) << size;
+    EXPECT_EQ(read_client_bytes(call.substr(0, size)).kind, Asked::wrong) << size;
 }
 
 TEST(ClientMessage, StepsAreAWholeNumberFrom1On) {

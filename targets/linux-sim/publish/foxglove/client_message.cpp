@@ -6,7 +6,7 @@
 namespace eagerx::linux_sim {
 namespace {
 
-using Said = ClientMessage::Kind;
+using Asked = ClientMessage::Kind;
 
 ClientMessage wrong(std::string problem) {
   ClientMessage message;
@@ -90,16 +90,16 @@ bool read_parameters(const Json& object, ClientMessage& to) {
 
 struct Operation {
   std::string_view name;
-  Said kind;
+  Asked kind;
   bool (*read)(const Json& object, ClientMessage& to);
 };
 constexpr std::array kOperations{
-    Operation{"subscribe", Said::subscribe, read_subscriptions},
-    Operation{"unsubscribe", Said::unsubscribe, read_ids},
-    Operation{"getParameters", Said::get_parameters, read_names},
-    Operation{"setParameters", Said::set_parameters, read_parameters},
-    Operation{"subscribeParameterUpdates", Said::subscribe_parameters, read_names},
-    Operation{"unsubscribeParameterUpdates", Said::unsubscribe_parameters, read_names}};
+    Operation{"subscribe", Asked::subscribe, read_subscriptions},
+    Operation{"unsubscribe", Asked::unsubscribe, read_ids},
+    Operation{"getParameters", Asked::get_parameters, read_names},
+    Operation{"setParameters", Asked::set_parameters, read_parameters},
+    Operation{"subscribeParameterUpdates", Asked::subscribe_parameters, read_names},
+    Operation{"unsubscribeParameterUpdates", Asked::unsubscribe_parameters, read_names}};
 constexpr std::array<std::string_view, 5> kUnsupported{"advertise", "unadvertise",
                                                        "subscribeConnectionGraph",
                                                        "unsubscribeConnectionGraph", "fetchAsset"};
@@ -124,7 +124,7 @@ ClientMessage read_client_text(std::string_view text) {
   for (const std::string_view name : kUnsupported) {
     if (op->text != name) continue;
     ClientMessage message = wrong("this server has no `" + op->text + "`");
-    message.kind = Said::unsupported;
+    message.kind = Asked::unsupported;
     return message;
   }
   for (const Operation& operation : kOperations) {
@@ -146,7 +146,7 @@ ClientMessage read_client_bytes(std::string_view bytes) {
   ClientMessage message;
   if (op == kMessageData) {
     message = wrong("this server takes no messages");
-    message.kind = Said::unsupported;
+    message.kind = Asked::unsupported;
     return message;
   }
   if (op != kCall) return wrong("the operation is unknown");
@@ -155,7 +155,7 @@ ClientMessage read_client_bytes(std::string_view bytes) {
   if (!read_u32(bytes, at, message.service) || !read_u32(bytes, at, message.call_id) ||
       !read_u32(bytes, at, size) || size > bytes.size() - at)
     return wrong("the call is incomplete");
-  message.kind = Said::call;
+  message.kind = Asked::call;
   message.encoding = bytes.substr(at, size);
   message.request = bytes.substr(at + size);
   return message;

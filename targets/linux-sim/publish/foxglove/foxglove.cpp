@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
-using Said = ClientMessage::Kind;
+using Asked = ClientMessage::Kind;
 
 enum ServerOp : std::uint8_t { kMessageData = 1, kTime = 2, kCallResponse = 3 };
 
@@ -189,45 +189,45 @@ void FoxgloveSink::scene(const PublishedScene& scene) {
 }
 
 bool FoxgloveSink::received(ClientId id, std::string_view bytes, bool is_text) {
-  constexpr int kPatience = 16;
+  constexpr int kMostWrong = 16;
   const ClientMessage message = is_text ? read_client_text(bytes) : read_client_bytes(bytes);
   Client& client = clients_[id];
   switch (message.kind) {
-    case Said::wrong:
+    case Asked::wrong:
       say_wrong(id, message.problem);
-      return ++client.wrong < kPatience;
-    case Said::unsupported:
+      return ++client.wrong < kMostWrong;
+    case Asked::unsupported:
       answer(id, status_text(StatusLevel::warning, message.problem));
       break;
-    case Said::subscribe:
+    case Asked::subscribe:
       subscribe(id, message);
       break;
-    case Said::unsubscribe:
+    case Asked::unsubscribe:
       for (auto& list : subscribers_)
         std::erase_if(list, [&](const Subscriber& each) {
           return each.client == id &&
                  std::find(message.ids.begin(), message.ids.end(), each.id) != message.ids.end();
         });
       break;
-    case Said::get_parameters:
+    case Asked::get_parameters:
       answer(id, parameter_values_text(parameters_ ? parameters_->values(message.names)
                                                    : std::vector<ParameterValue>(),
                                        message.id));
       break;
-    case Said::set_parameters:
+    case Asked::set_parameters:
       set_parameters(id, message);
       break;
-    case Said::subscribe_parameters:
+    case Asked::subscribe_parameters:
       client.wants_all_parameters = client.wants_all_parameters || message.names.empty();
       for (const std::string& name : message.names)
         if (parameters_ && parameters_->has(name)) client.parameters.insert(name);
       break;
-    case Said::unsubscribe_parameters:
+    case Asked::unsubscribe_parameters:
       if (message.names.empty()) client.parameters.clear();
       client.wants_all_parameters = client.wants_all_parameters && !message.names.empty();
       for (const std::string& name : message.names) client.parameters.erase(name);
       break;
-    case Said::call:
+    case Asked::call:
       call(id, message);
       break;
   }
