@@ -1,6 +1,7 @@
 // From a graph to programs that are built.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,6 +23,15 @@ struct Generated {
 /// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in
 /// `run`; then `code` is the least that the exit code may be.
 std::optional<Generated> generate_graph(Run& run, const Options& options, int& code);
+
+/// What a program says of itself to those who watch it.
+struct ProgramFacts {
+  std::uint64_t hash = 0;  // of the graph
+  std::string telemetry;   // the text of telemetry.json; empty: it sends none
+};
+/// Of the program of a graph that was made, or of both of a split one. Nothing if there is a
+/// problem, which is in `run`.
+std::optional<ProgramFacts> facts_of_program(Run& run, const Options& options);
 
 /// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
 /// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).

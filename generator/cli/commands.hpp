@@ -8,6 +8,7 @@
 
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
+#include "generator/monitor/monitor.hpp"
 #include "generator/read/rational.hpp"
 
 namespace eagerx::gen {
@@ -66,6 +67,8 @@ struct Options {
   std::optional<std::uint32_t> seed;                // policy
   std::optional<double> tolerance;                  // policy
   bool int8 = false, said_too_often = false;        // policy
+  MonitorOptions monitor;                           // monitor
+  std::string layout;                               // monitor
   bool json = false;                                // --diagnostics=json
   bool quiet = false;
   bool warnings_as_errors = false;
@@ -106,11 +109,14 @@ Command policy_commands(Options& options);
 int trace_command(const Options& options);
 /// Draws channels of a log.
 int plot_command(const Options& options);
+/// Watches the messages of a program.
+int monitor_command(const Options& options);
 /// What these take.
 Command train_commands(Options& options);
 Command campaign_commands(Options& options);
 Command trace_commands(Options& options);
 Command plot_commands(Options& options);
+Command monitor_commands(Options& options);
 /// Writes `pages` below the folder `output`.
 int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);
 

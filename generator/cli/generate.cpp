@@ -29,8 +29,28 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+/// Whether a board's serial port is the one that the telemetry is planned for.
+void check_serial_port(Run& run, const Target& target) {
+  const auto& telemetry = run.graph->telemetry;
+  if (!telemetry || !target.is_board() || target.baud == telemetry->baud) return;
+  auto& problem = run.diagnostics.error(
+      "E0341", telemetry->baud_span,
+      target.baud ? fmt::format("telemetry over {} baud, but the serial port of `{}` has {}",
+                                telemetry->baud, target.id.value, *target.baud)
+                  : fmt::format("the serial port of `{}` takes no telemetry", target.id.value));
+  if (target.baud) {
+    problem.help = fmt::format("write `telemetry: {{baud: {}, …}}`", *target.baud);
+  } else {
+    problem.notes.push_back({"its manifest says no `baud`", target.id.span, ""});
+    problem.help =
+        "write `baud:` into the manifest and uart_offer() beside uart_write(), as "
+        "targets/README.md says under \"Add a board\"";
+  }
+}
+
 /// Whether the graph, or the part of it that stays on Linux, can run there.
 void check_target(Run& run, const Target& target) {
+  check_serial_port(run, target);
   const bool split = run.graph->placement.has_value();
   check_system(*run.graph, split ? Part::host : Part::whole, target, run.library, run.diagnostics);
   if (target.system.empty() && run.spec->agent.kind == AgentSpec::Kind::csv) {
@@ -212,7 +232,9 @@ std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions
 void check_budget(Run& run) {
   if (!run.spec->budget) return;
   const YamlValue& budget = *run.spec->budget;
-  if (budget.find("age") == nullptr && budget.find("link") == nullptr) return;
+  if (budget.find("age") == nullptr && budget.find("link") == nullptr &&
+      budget.find("telemetry") == nullptr)
+    return;
   check_plan_budget(report_of(*run.plan, run.spec->budget, run.diagnostics), budget,
                     run.diagnostics);
 }
@@ -293,6 +315,27 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
   generated.unchanged = result->unchanged;
   generated.kept = result->kept;
   return generated;
+}
+
+std::optional<ProgramFacts> facts_of_program(Run& run, const Options& options) {
+  // It is equal for all targets and outputs.
+  auto targets = find_targets_and_others(run, options);
+  if (!targets) return std::nullopt;
+  EmitOptions emit_options;
+  emit_options.templates = (fs::path(run.root) / "templates").string();
+  emit_options.targets = std::move(*targets);
+  emit_options.version = EAGERX_GEN_VERSION;
+  emit_options.builtin_root = run.root;
+  emit_options.output = fs::current_path().string();
+  const auto files =
+      run.graph->placement ? emit_parts(run, emit_options) : emit_part(run, emit_options);
+  const auto hash = files ? hash_in(*files) : std::nullopt;
+  if (!hash) return std::nullopt;
+  ProgramFacts facts{*hash, {}};
+  for (const GeneratedFile& file : *files) {
+    if (file.path.ends_with("/telemetry.json")) facts.telemetry = file.text;
+  }
+  return facts;
 }
 
 int generate_command(const Options& options) {

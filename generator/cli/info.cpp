@@ -248,8 +248,8 @@ int graph_info(Options options) {
   if (options.json_output)
     say("{}\n", dump_json(report_json(report)));
   else
-    say("{}{}{}{}{}", plan_text(report), packs_text(*run.plan), task_text(*run.graph),
-        timing_text(report), profile_text(*run.spec));
+    say("{}{}{}{}{}{}", plan_text(report), packs_text(*run.plan), task_text(*run.graph),
+        timing_text(report), telemetry_text(*run.plan), profile_text(*run.spec));
   return finish(run, options);
 }
 

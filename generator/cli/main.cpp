@@ -423,6 +423,7 @@ CommandLine command_line(Options& options) {
                            identify(options),
                            trace_commands(options),
                            plot_commands(options),
+                           monitor_commands(options),
                            policy_commands(options),
                            pages(options)}},
       .footer =

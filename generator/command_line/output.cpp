@@ -23,24 +23,30 @@ void note_problem() {
   broken = true;
 }
 
-/// Line by line: their ends are meant.
-std::string drawable(std::string_view text) {
+/// What is between `ends`, which are meant.
+std::string drawable(std::string_view text, std::string_view ends = "\n") {
   std::string result;
   for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::size_t end = std::min(text.find_first_of(ends, begin), text.size());
     result += escape_unprintable(text.substr(begin, end - begin));
-    if (end < text.size()) result += '\n';
+    if (end < text.size()) result += text[end];
     begin = end + 1;
   }
   return result;
 }
 
+void print(const std::string& bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) note_problem();
+}
+
 }  // namespace
 
 void say_text(std::string_view text) {
-  if (broken) return;
-  const std::string bytes = drawable(text);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size()) note_problem();
+  if (!broken) print(drawable(text));
+}
+
+void say_table(std::string_view text) {
+  if (!broken) print(drawable(text, "\n\t"));
 }
 
 void complain_text(std::string_view text) {

@@ -16,7 +16,9 @@ namespace eagerx::gen {
 /// Prints text of lines. Characters that would do something else than be drawn are written as
 /// `\x1b` or `\u202e`.
 void say_text(std::string_view text);
-/// The same, formatted.
+/// The same of a table: tabs are meant, too.
+void say_table(std::string_view text);
+/// The same as say_text(), formatted.
 template <class... Ts>
 void say(fmt::format_string<Ts...> format, Ts&&... values) {
   say_text(fmt::format(format, std::forward<Ts>(values)...));

@@ -20,7 +20,7 @@ namespace eagerx::gen {
 namespace {
 
 // What composites of arrays of composites may become: a graph of a million nodes is a slip.
-constexpr std::size_t kMostEntities = 100'000;
+constexpr std::size_t kMostEntities = 20'000;
 constexpr std::size_t kDeepest = 16;
 
 /// What a composite says of its inner entities, by their names: entries of `states:`, `sensors:` …
@@ -561,6 +561,8 @@ class Composer {
             actuator.key = ends_.sinks(actuator.key).front().port;
         });
       if (entry.key == "placement") place_all(entry.value);
+      if (entry.key == "telemetry")
+        with(entry.value, "channels", [this](YamlValue& channels) { name_channels(channels); });
     }
   }
 
@@ -578,6 +580,26 @@ class Composer {
         with(input.value, "from", source);
       }
     });
+  }
+
+  /// A channel of all elements of an array is one of each.
+  void name_channels(YamlValue& channels) {
+    std::vector<YamlValue> named;
+    for (const auto& item : channels.items) {
+      const Spanned<std::string> text{item.text, item.span};
+      std::vector<IndexedPort> ports = {{item.text, std::nullopt}};
+      if (item.text.find('[') != std::string::npos) {
+        const auto pattern = parse_pattern(text, diagnostics_);
+        if (!pattern) continue;
+        // An element of a message is no channel, as is said later.
+        if (!pattern->has_element()) ports = indexed_ports(*pattern, counter({}), diagnostics_);
+      }
+      for (const IndexedPort& port : ports) {
+        named.push_back(item);
+        if (item.is_scalar()) named.back().text = ends_.source(port.port);
+      }
+    }
+    channels.items = std::move(named);
   }
 
   /// A composite or an array is placed with all that is in it.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 
 #include "generator/emit/names.hpp"
@@ -17,6 +18,8 @@ namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kEqualsHash = " = 0x";  // what is between the name of a hash and its digits
 
 class Emitter {
  public:
@@ -65,6 +68,7 @@ class Emitter {
           "cpp/policy.hpp.mustache", node_view(policy));
     }
     if (!failed_) add_hashes(first_policy);
+    if (plan_.telemetry && !failed_) add_telemetry(folder);
     if (options_.targets.empty()) {
       add(options_.header_folder + plan_.graph->name + ".hpp", "library/library.hpp.mustache",
           gen::library_view(plan_, network_.has_value(), network_ && network_->has_memory()));
@@ -175,13 +179,21 @@ class Emitter {
       if (i >= first_policy) policies.push_back(file);
       if (file.path.find("/packs/") == std::string::npos) headers.push_back(std::move(file));
     }
-    put_hash("kGraphHash", options_.graph_hash != 0 ? options_.graph_hash : hash_of(headers));
+    hash_ = options_.graph_hash != 0 ? options_.graph_hash : hash_of(headers);
+    put_hash("kGraphHash", hash_);
     put_hash("kPolicyHash", policies.empty() ? 0 : hash_of(policies));
+  }
+
+  /// How to read what a board sends, for who has no C++.
+  void add_telemetry(const std::string& folder) {
+    View view = telemetry_view(plan_);
+    view.set("hash", fmt::format("0x{:016x}", hash_));
+    add(folder + "telemetry.json", "cpp/telemetry.json.mustache", std::move(view));
   }
 
   void put_hash(const std::string& constant, std::uint64_t hash) {
     std::string& text = files_.front().text;
-    const std::string begin = constant + " = 0x";
+    const std::string begin = constant + kEqualsHash;
     const std::string digits = fmt::format("{:016x}", hash);
     if (const auto at = text.find(begin); at != std::string::npos)
       text.replace(at + begin.size(), digits.size(), digits);
@@ -272,6 +284,7 @@ class Emitter {
   std::string why_no_packs_;
   std::string program_alone_;  // program.hpp without what packs need of it
   std::vector<GeneratedFile> files_;
+  std::uint64_t hash_ = 0;  // of the graph
   bool failed_ = false;
 };
 
@@ -289,6 +302,18 @@ std::uint64_t hash_of(const std::vector<GeneratedFile>& files) {
     }
   }
   return hash;
+}
+
+std::optional<std::uint64_t> hash_in(const std::vector<GeneratedFile>& files) {
+  constexpr int kHexadecimal = 16;
+  const std::string begin = std::string("kGraphHash") + kEqualsHash;
+  for (const GeneratedFile& file : files) {
+    if (!file.path.ends_with("/messages.hpp")) continue;
+    const std::size_t at = file.text.find(begin);
+    if (at == std::string::npos) continue;
+    return std::strtoull(file.text.c_str() + at + begin.size(), nullptr, kHexadecimal);
+  }
+  return std::nullopt;
 }
 
 std::optional<std::vector<GeneratedFile>> emit(const Plan& plan,

@@ -1,6 +1,7 @@
 // Plan to files. Nothing here has heard of YAML.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,9 @@ struct EmitOptions {
 /// A hash of all texts, for EmitOptions::graph_hash: without program.map, which says where the
 /// graph says something, and without the paths of headers of its own, which depend on the output's.
 std::uint64_t hash_of(const std::vector<GeneratedFile>& files);
+
+/// What a program that was emitted says of its graph: kGraphHash. Nothing if it says none.
+std::optional<std::uint64_t> hash_in(const std::vector<GeneratedFile>& files);
 
 /// A class of an entity that the program uses.
 struct UsedClass {

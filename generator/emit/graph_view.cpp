@@ -40,6 +40,7 @@ class GraphView {
     add_split();
     view_["task"] = outcome_view(plan_, names_);
     view_["render"] = render_view();
+    view_["telemetry"] = telemetry_view(plan_);
     return std::move(view_);
   }
 

@@ -156,13 +156,17 @@ struct Target {
   std::vector<std::pair<std::string, std::string>>
       partner;  // the same of the board's half of a split graph; empty: it cannot be one
   std::string cmake, toolchain;
-  bool packs = false;  // whether it also takes the program over packs of numbers
-  std::string system;  // its operating system; empty: none
-  std::string family;  // the family of boards it is of; empty: none
+  bool packs = false;                 // whether it also takes the program over packs of numbers
+  std::string system;                 // its operating system; empty: none
+  std::string family;                 // the family of boards it is of; empty: none
+  std::optional<std::uint32_t> baud;  // of its serial port, if that can send telemetry
   std::optional<std::uint64_t> ram_bytes;  // of the memory for data, if it is written
   std::vector<std::pair<std::string, std::string>> facts;  // for people: clock_hz, flash, run, …
   std::vector<std::string> run;
   std::string image;  // the file that is built, with `{name}`; empty: as CMake calls a program
+
+  /// Boards have memories at places of their own.
+  [[nodiscard]] bool is_board() const { return system.empty() && ram_bytes.has_value(); }
 };
 
 /// What was read: everything, or what a graph mentions. The functions know of the difference.

@@ -500,13 +500,15 @@ std::optional<Target> read_target_manifest(const YamlValue& written, const std::
   target.toolchain = text_at(root, "toolchain");
   target.system = text_at(root, "system");
   target.family = text_at(root, "family");
-  for (const char* key : {"cpu", "clock_hz", "toolchain", "image"}) {
+  for (const char* key : {"cpu", "clock_hz", "baud", "toolchain", "image"}) {
     if (const YamlValue* value = root.find(key)) target.facts.emplace_back(key, value->text);
   }
   for (const char* key : {"flash", "ram", "run"}) {
     if (root.find(key) != nullptr)
       target.facts.emplace_back(key, fmt::format("{}", fmt::join(texts_at(root, key), ", ")));
   }
+  if (const YamlValue* baud = root.find("baud"))
+    target.baud = static_cast<std::uint32_t>(parse_int(baud->text).value_or(0));
   target.ram_bytes = size_of_memory(texts_at(root, "ram"));
   target.run = texts_at(root, "run");
   target.image = text_at(root, "image");

@@ -220,6 +220,7 @@ Fields space_of_state() {
 }
 
 FormatPtr target_format() {
+  constexpr double kMostBaud = 100'000'000;
   return format::record(
       "a target",
       // Boards have names such as mps2-an386.
@@ -235,6 +236,8 @@ FormatPtr target_format() {
                  // For people and for CMake; a board in the making has blanks here.
                  {"cpu", format::text("a processor core"), false, "the processor core"},
                  {"clock_hz", format::text("a frequency in Hz"), false, "the core's clock"},
+                 {"baud", format::integer("a baud rate", 1, kMostBaud), false,
+                  "speed of the serial port, which then takes telemetry"},
                  {"flash", texts(), false, "origin and size of the memory for code"},
                  {"ram", texts(), false, "origin and size of the memory for data"},
                  {"system", system_format(), false, "its operating system (default: none)"},

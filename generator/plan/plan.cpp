@@ -10,6 +10,7 @@
 #include "generator/plan/receptions.hpp"
 #include "generator/plan/schedule.hpp"
 #include "generator/plan/split.hpp"
+#include "generator/plan/telemetry.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -40,6 +41,8 @@ class Planner {
                       graph_.has_reset_nodes() || graph_.asynchronous);
     if (diagnostics_.error_count() != errors_before) return std::nullopt;
     if (graph_.placement) plan_.split = make_split(plan_);
+    if (graph_.telemetry) plan_.telemetry = make_telemetry(plan_, diagnostics_);
+    if (diagnostics_.error_count() != errors_before) return std::nullopt;
     return std::move(plan_);
   }
 

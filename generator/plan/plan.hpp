@@ -102,6 +102,29 @@ struct Split {
   double host_bytes = 0.0;
 };
 
+/// What a board sends of itself: the channels of one rate together, as many as a record takes.
+struct TelemetryGroup {
+  struct Place {
+    std::size_t channel = 0;   // of Plan::channels
+    std::string port;          // as the graph calls it
+    std::uint64_t offset = 0;  // in the record
+  };
+  std::size_t rate = 0;     // index of its RateClass
+  std::uint32_t every = 1;  // so many messages, one is sent
+  std::uint64_t bytes = 0;  // of a record, its header among them
+  std::vector<Place> channels;
+};
+struct TelemetryPlan {
+  std::vector<TelemetryGroup> groups;  // fastest first
+  Rational share;                      // of the line that it may take
+  std::uint32_t baud = 0;
+  std::uint32_t greet_every = 1;             // records, so that there is a greeting a second
+  std::size_t cells = 0;                     // records that the ring has room for
+  double bytes_per_s = 0.0;                  // on the line
+  std::optional<double> wanted_bytes_per_s;  // if that was too much: before it was made less
+  [[nodiscard]] double baud_needed() const { return 10.0 * bytes_per_s; }
+};
+
 struct Plan {
   const Graph* graph = nullptr;
   std::vector<RateClass> rates;  // fastest first; bit i of a mask is rates[i]
@@ -112,13 +135,15 @@ struct Plan {
   std::vector<Channel> channels;
   Schedule schedule;
   std::optional<Split> split;  // of a graph with a placement
+  std::optional<TelemetryPlan> telemetry;
 };
 
 /// Bytes of a message in memory and on a link.
 std::uint64_t bytes_of(const Space& space);
 
 /// Plans a resolved graph. Problems, E04xx: E0401 an input that would stay empty for ever, E0402 a
-/// number that does not fit, E0403 a limit that is passed.
+/// number that does not fit, E0403 a limit that is passed, E0426 telemetry that is too much for its
+/// line.
 std::optional<Plan> make_plan(const Graph& graph, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

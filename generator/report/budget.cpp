@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "generator/report/report.hpp"
 
@@ -51,6 +52,18 @@ void check_link(const PlanReport& report, const YamlValue& entry, Diagnostics& d
        fmt::format("{} bytes at {} Hz", most->bytes, most->rate_hz.to_string())});
 }
 
+void check_telemetry(const Plan& plan, const YamlValue& entry, Diagnostics& diagnostics) {
+  const auto limit = Rational::parse(entry.text);
+  if (!limit || !plan.telemetry) return;
+  const double needed = plan.telemetry->baud_needed();
+  if (needed <= limit->to_double()) return;
+  auto& problem = diagnostics.error(
+      "E0420", entry.span,
+      fmt::format("telemetry takes {:.0f} baud, {:.0f} over its budget of {}", std::ceil(needed),
+                  std::ceil(needed - limit->to_double()), limit->to_string()));
+  problem.notes.push_back({"its channels and its share", plan.graph->telemetry->span, ""});
+}
+
 }  // namespace
 
 PlanReport report_of(const Plan& plan, const std::optional<YamlValue>& budget,
@@ -65,6 +78,8 @@ void check_plan_budget(const PlanReport& report, const YamlValue& budget,
                        Diagnostics& diagnostics) {
   for (const AgeComparison& compared : report.compared) check_ages(compared, diagnostics);
   if (const YamlValue* entry = budget.find("link")) check_link(report, *entry, diagnostics);
+  if (const YamlValue* entry = budget.find("telemetry"))
+    check_telemetry(*report.plan, *entry, diagnostics);
 }
 
 }  // namespace eagerx::gen

@@ -92,6 +92,7 @@ Json report_json(const PlanReport& report) {
   json["link"] = Json{{"sensors", json_of(report.link.sensors)},
                       {"actuators", json_of(report.link.actuators)},
                       {"messages", messages}};
+  if (plan.telemetry) json["telemetry"] = telemetry_json(plan);
   if (plan.graph->task) json["task"] = task_json(*plan.graph);
   return json;
 }

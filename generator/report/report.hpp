@@ -45,6 +45,9 @@ std::string nodes_on_way(const DataAge& age);
 
 /// Rates, slots, buffers.
 std::string plan_text(const PlanReport& report);
+/// What boards send of themselves; empty without `telemetry:`.
+std::string telemetry_text(const Plan& plan);
+Json telemetry_json(const Plan& plan);
 /// Ages from sensors to actuators, and the link.
 std::string timing_text(const PlanReport& report);
 /// Whether target environments steps environments of the graph in packs.
@@ -55,8 +58,8 @@ Json task_json(const Graph& graph);
 /// One JSON object with all of it; fractions as texts, beside them numbers in seconds.
 Json report_json(const PlanReport& report);
 
-/// The keys `age` and `link` of a graph's `budget:`. Exceeded: E0420, with the connection that adds
-/// the most.
+/// The keys `age`, `link` and `telemetry` of a graph's `budget:`. Exceeded: E0420, with the
+/// connection that adds the most.
 void check_plan_budget(const PlanReport& report, const YamlValue& budget, Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

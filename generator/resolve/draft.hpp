@@ -241,6 +241,8 @@ std::vector<std::string> fitting_processors(const Library& library, const Partia
 /// How `name` is drawn, checked against its space (E0322, E0327).
 std::optional<Random> read_random(const std::string& name, const Space& space,
                                   const RandomSpec& spec, Diagnostics& diagnostics);
+/// Which messages boards send (E0206, E0307), which is nothing for half of a split graph (E0342).
+void resolve_telemetry(Draft& draft);
 /// The delay of the connection to `from`, in `into`: what it is at first, the longest that a reset
 /// may make it, and how it is drawn (E0327).
 void resolve_delay(const Draft& draft, const DraftInput& from, Input& into);

@@ -244,6 +244,20 @@ struct Render {
   Span span;
 };
 
+/// A message that boards send of themselves.
+struct TelemetryChannel {
+  std::size_t node = 0, output = 0;
+  std::string port;  // as it is written: "pendulum.theta"
+  Span span;
+};
+struct Telemetry {
+  std::vector<TelemetryChannel> channels;
+  Rational share = Rational(1, 2);  // of the line
+  std::optional<Rational> rate_hz;  // most messages a second of a channel
+  std::uint32_t baud = 115'200;
+  Span span, baud_span;
+};
+
 /// What runs on a board, linked with the rest, which runs on Linux.
 struct Placement {
   const Target* board = nullptr;
@@ -264,6 +278,7 @@ struct Graph {
   std::optional<Placement> placement;  // without: one program
   std::optional<Task> task;
   std::optional<Render> render;
+  std::optional<Telemetry> telemetry;
   bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from

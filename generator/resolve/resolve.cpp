@@ -162,6 +162,9 @@ void drop_engine(Graph& graph) {
   }
   if (graph.task) moved(graph.task->node);
   if (graph.render) moved(graph.render->node);
+  if (graph.telemetry) {
+    for (auto& channel : graph.telemetry->channels) moved(channel.node);
+  }
   if (!graph.placement) return;
   auto& on_board = graph.placement->on_board;
   on_board.erase(on_board.begin() + Graph::kEngine);
@@ -204,6 +207,7 @@ std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
   resolve_spaces(draft);
   resolve_task(draft);
   resolve_render(draft);
+  resolve_telemetry(draft);
   resolve_safety(draft);
   if (!diagnostics.has_errors()) find_applied_spaces(draft.graph);
   check_random_agent(draft);

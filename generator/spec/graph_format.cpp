@@ -300,6 +300,23 @@ FormatPtr age_format() {
            1)});
 }
 
+FormatPtr telemetry_format() {
+  constexpr double kMostBaud = 100'000'000;
+  Format share = *format::decimal("a share of the line, above 0 and up to 1", 0.0, true);
+  share.high = 1.0;
+  return format::record(
+      "`telemetry`",
+      {{"channels",
+        format::list("a list of ports",
+                     format::port("a port such as `pendulum.theta` or `actions.voltage`"), 1),
+        true, "whose messages a board sends: sensors, outputs of nodes, actions"},
+       {"share", std::make_shared<const Format>(std::move(share)), false,
+        "how much of the line's bandwidth they may take (default 0.5)"},
+       rate_field(false, "most messages a second of a channel (default: as many as fit)"),
+       {"baud", format::integer("a baud rate", 1, kMostBaud), false,
+        "speed of the board's serial port, which its manifest must say, too (default 115200)"}});
+}
+
 FormatPtr budget_format() {
   const FormatPtr bytes = format::memory("a number of bytes, such as 64k");
   const FormatPtr part =
@@ -319,6 +336,8 @@ FormatPtr budget_format() {
                           "for each"},
                          {"link", format::integer("a baud rate", 1), false,
                           "baud rate of a serial link between the engine and the rest"},
+                         {"telemetry", format::integer("a baud rate", 1), false,
+                          "how much of its line's baud rate `telemetry:` may take"},
                          {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
                           "budgets of nodes, by their names"}});
 }
@@ -375,6 +394,8 @@ FormatPtr make_graph_format(GraphForm form) {
               "what is shown: a sensor or an output with a scene, or with an image"},
              rate_field(false, "pictures a second (default: the graph's rate)")}),
         false, "what `--render` of a program shows; without it nothing is drawn"},
+       {"telemetry", telemetry_format(), false,
+        "what a board sends over its serial port while it keeps to the clock"},
        {"safety", safety_format(), false,
         "which actions are safe, and when they take the agent's place"},
        {"placement",

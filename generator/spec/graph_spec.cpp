@@ -207,6 +207,17 @@ void read_render(const YamlValue::Entry& entry, GraphSpec& spec) {
   spec.render = std::move(render);
 }
 
+TelemetrySpec read_telemetry(const YamlValue::Entry& entry) {
+  TelemetrySpec telemetry;
+  telemetry.span = entry.key_span;
+  for (const auto& item : entry.value.find("channels")->items)
+    telemetry.channels.push_back(text_of(item));
+  telemetry.share = optional_of<Rational>(entry.value, "share", rational_of);
+  telemetry.rate = optional_of<Rational>(entry.value, "rate", rational_of);
+  telemetry.baud = optional_of<Rational>(entry.value, "baud", rational_of);
+  return telemetry;
+}
+
 }  // namespace
 
 SpaceSpec read_space(const YamlValue& yaml) {
@@ -328,6 +339,8 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& written, const std::st
   if (task != root.entries.end()) read_task(*task, spec, diagnostics);
   const auto render = std::ranges::find(root.entries, kRender, &YamlValue::Entry::key);
   if (render != root.entries.end()) read_render(*render, spec);
+  const auto telemetry = std::ranges::find(root.entries, kTelemetry, &YamlValue::Entry::key);
+  if (telemetry != root.entries.end()) spec.telemetry = read_telemetry(*telemetry);
   spec.budget = value_at(root, "budget");
   if (const YamlValue* allow = root.find("allow")) {
     for (const auto& item : allow->items) spec.allow.push_back(text_of(item));

@@ -11,6 +11,7 @@
 #include "generator/spec/render_spec.hpp"
 #include "generator/spec/settings.hpp"
 #include "generator/spec/task_spec.hpp"
+#include "generator/spec/telemetry_spec.hpp"
 
 namespace eagerx::gen {
 
@@ -130,6 +131,7 @@ struct GraphSpec {
   std::optional<SafetySpec> safety;
   std::optional<TaskSpec> task;      // its inputs are among the connections
   std::optional<RenderSpec> render;  // its source is among the connections
+  std::optional<TelemetrySpec> telemetry;
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
   std::vector<Spanned<std::string>> allow;  // codes of warnings

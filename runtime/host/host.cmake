@@ -9,8 +9,9 @@ set(eagerx_host_options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
 set(eagerx_host_folder ${CMAKE_CURRENT_LIST_DIR})
 eagerx_compiled_library(
   eagerx_trace UNITY
-  SOURCES ${eagerx_host_folder}/trace/channel_name.cpp ${eagerx_host_folder}/trace/json_text.cpp
-          ${eagerx_host_folder}/trace/log_clock.cpp ${eagerx_host_folder}/trace/log_file.cpp ${eagerx_host_folder}/trace/mcap.cpp
+  SOURCES ${eagerx_host_folder}/trace/channel_name.cpp ${eagerx_host_folder}/trace/dtype.cpp
+          ${eagerx_host_folder}/trace/json_text.cpp ${eagerx_host_folder}/trace/log_clock.cpp
+          ${eagerx_host_folder}/trace/log_file.cpp ${eagerx_host_folder}/trace/mcap.cpp
           ${eagerx_host_folder}/trace/replay.cpp ${eagerx_host_folder}/trace/scene_line.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx::runtime
@@ -19,6 +20,18 @@ eagerx_compiled_library(
   eagerx_identify UNITY
   SOURCES ${eagerx_host_folder}/identify/experiment.cpp ${eagerx_host_folder}/identify/identification.cpp
           ${eagerx_host_folder}/identify/least_squares.cpp
+  FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
+  LINK eagerx_trace
+  OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_publish UNITY
+  SOURCES ${eagerx_host_folder}/publish/address.cpp ${eagerx_host_folder}/publish/datagrams.cpp
+  FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
+  LINK eagerx_trace
+  OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_telemetry UNITY
+  SOURCES ${eagerx_host_folder}/telemetry/decoder.cpp ${eagerx_host_folder}/telemetry/layout.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_trace
   OPTIONS ${eagerx_host_options})

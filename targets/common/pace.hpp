@@ -30,14 +30,23 @@ struct Timing {
 /// What to do with the time: nothing, measure, or hold slots to their deadlines.
 enum class Pace : std::uint8_t { free, measured, paced };
 
+/// What is done in the time between slots: nothing. Others have kWorks = true, until(deadline,
+/// late slots), which returns some microseconds before the deadline, and measured(), which stands
+/// for it where nothing has a deadline.
+struct NoIdleWork {
+  static constexpr bool kWorks = false;
+};
+
 /// A trace that folds the hash as HashTrace does and, if told so, waits for the deadline of each
 /// slot. The grid of deadlines stays where it is: lateness does not add up, and a late slot begins
 /// at once. It never sleeps: `wfi` keeps the wrong time under QEMU. `Clock` has static ticks(),
 /// wait_for(ticks) and hz().
-template <class Clock>
+template <class Clock, class IdleWork = NoIdleWork>
 class PacedTrace : public HashTrace {
  public:
   static constexpr bool kSlots = true;
+
+  [[no_unique_address]] IdleWork idle_work{};
 
   void set_pace(Pace pace, std::int64_t max_lateness_ns) {
     constexpr std::uint64_t kNsPerSecond = 1'000'000'000;
@@ -98,6 +107,9 @@ class PacedTrace : public HashTrace {
     ++timing_.slots;
     timing_.busy.add(now - begun_);
     if (pace_ == Pace::paced) now = wait_until(deadline, now);
+    if constexpr (IdleWork::kWorks) {
+      if (pace_ == Pace::measured) now = idle_work.measured();
+    }
     timing_.period.add(now - begun_);
     begun_ = now;
   }
@@ -111,6 +123,7 @@ class PacedTrace : public HashTrace {
       timing_.late_in_a_row = 0;
     }
     if (now < deadline) {
+      if constexpr (IdleWork::kWorks) idle_work.until(deadline, timing_.late);
       Clock::wait_for(deadline);
       now = Clock::ticks();
     }

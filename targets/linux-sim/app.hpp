@@ -216,6 +216,7 @@ class ProgramOf final : public GraphProgram {
     GraphFacts facts{};
     facts.name = Graph::kName;
     facts.engine = Graph::kEngine;
+    facts.graph_hash = Graph::kGraphHash;
     facts.plan = target::default_plan<Graph>();
     facts.agent = target::default_agent<Graph>();
     facts.agent_csv = Graph::kAgentCsv;

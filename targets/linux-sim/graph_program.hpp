@@ -23,6 +23,7 @@ class Watch;
 struct GraphFacts {
   const char* name;
   const char* engine;
+  std::uint64_t graph_hash;  // of what the program was generated from
   target::RunPlan plan;
   target::Agent agent;    // where nobody names another
   const char* agent_csv;  // its file, if it is `csv`

@@ -27,7 +27,7 @@ function(eagerx_linux_sim_libraries)
         action_file app describe expression faults files float_environment identify interrupt link_port measures nearest
         options pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary
         table_writer task_record text_file)
-    list(APPEND names publish/datagrams publish/destination publish/publishing publish/recording publish/remote
+    list(APPEND names publish/destination publish/publishing publish/recording publish/remote
          publish/remote_watch)
     foreach(name access client_message foxglove json_reader listener parameters scene_schema scene_update server_text)
       list(APPEND names publish/foxglove/${name})
@@ -39,7 +39,7 @@ function(eagerx_linux_sim_libraries)
       eagerx_linux_sim UNITY
       SOURCES ${names} ${here}/../common/fault.cpp
       FOLDERS ${folders}
-      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_web_sockets ${CMAKE_DL_LIBS}
+      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_publish eagerx_web_sockets ${CMAKE_DL_LIBS}
       OPTIONS ${options})
   endif()
   # A library of its own: nothing of it is in the program of a graph that shows nothing.

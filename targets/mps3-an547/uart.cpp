@@ -5,12 +5,15 @@
 namespace eagerx::board {
 namespace {
 
-using Port = CmsdkUart<0x59303000, 25'000'000, 115'200>;
+using Port = CmsdkUart<0x59303000, 25'000'000, EAGERX_BAUD>;
 
 }  // namespace
 
 void uart_write(char character) {
   write_to<Port>(character);
+}
+bool uart_offer(std::uint8_t byte) {
+  return offer_to<Port>(byte);
 }
 bool uart_read(char& character) {
   return read_from<Port>(character);

@@ -14,11 +14,16 @@ volatile std::uint8_t& reg(std::uintptr_t address) {
 
 }  // namespace
 
-void uart_write(char character) {
+bool uart_offer(std::uint8_t byte) {
   constexpr std::uint8_t kTransmitEmpty = 1U << 5U;
-  while ((reg(kLineStatus) & kTransmitEmpty) == 0) {
+  if ((reg(kLineStatus) & kTransmitEmpty) == 0) return false;
+  reg(kData) = byte;
+  return true;
+}
+
+void uart_write(char character) {
+  while (!uart_offer(static_cast<std::uint8_t>(character))) {
   }
-  reg(kData) = static_cast<std::uint8_t>(character);
 }
 
 bool uart_read(char& character) {

@@ -1,5 +1,5 @@
-// The board's serial port is USART1: PA9 transmits, PA10 receives, 115200 baud. QEMU emulates the
-// USART, but neither its clock nor the pins.
+// The board's serial port is USART1: PA9 transmits, PA10 receives, at the `baud` of manifest.yaml.
+// QEMU emulates the USART, but neither its clock nor the pins.
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/stm32f405/uart.hpp>
 
@@ -9,7 +9,7 @@ namespace {
 constexpr stm32::Uart<> kPort(stm32::kUsart1);
 
 void start() {
-  if (!kPort.is_on()) kPort.start(stm32::pin_of("PA9"), stm32::pin_of("PA10"), 115'200);
+  if (!kPort.is_on()) kPort.start(stm32::pin_of("PA9"), stm32::pin_of("PA10"), EAGERX_BAUD);
 }
 
 }  // namespace
@@ -18,6 +18,11 @@ void uart_write(char character) {
   start();
   while (!kPort.put(static_cast<std::uint8_t>(character))) {
   }
+}
+
+bool uart_offer(std::uint8_t byte) {
+  start();
+  return kPort.put(byte);
 }
 
 bool uart_read(char& character) {

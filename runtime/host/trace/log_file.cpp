@@ -16,10 +16,6 @@
 namespace eagerx::trace_log {
 namespace {
 
-constexpr std::array<std::string_view, 11> kDtypes = {"float32", "float64", "int8",  "int16",
-                                                      "int32",   "int64",   "uint8", "uint16",
-                                                      "uint32",  "uint64",  "bool"};
-
 template <class T>
 bool parse(std::string_view text, T& value) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -71,30 +67,49 @@ std::string shown(std::string_view text) {
   return result + (text.size() > kMost ? "…`" : "`");
 }
 
-class Reader {
- public:
-  Reader(const std::string& path, std::string_view text) : rest_(text) { log_.path = path; }
+}  // namespace
 
-  std::optional<Log> read(std::string& problem) {
-    const bool read_all = skip_to_begin() && read_head() && read_rows();
-    log_.lines = line_;
-    if (!read_all) {
-      problem = problem_;
-      return std::nullopt;
+/// One line at a time.
+class LogReader::Lines {
+ public:
+  explicit Lines(std::string path) { log_.path = std::move(path); }
+
+  bool read(std::string_view& text) {
+    while (problem_.empty() && phase_ != Phase::behind && next(text)) {
+      if (!read_line()) return false;
     }
-    return std::move(log_);
+    log_.lines = line_;
+    return problem_.empty();
   }
 
- private:
-  /// The next line without its end. False behind the last one; an unfinished one is none.
-  bool next() {
-    const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) {
-      cut_ = !rest_.empty();
-      return false;
+  /// There is nothing behind `rest`, which is the beginning of a line.
+  bool finish(std::string_view rest) {
+    if (!problem_.empty()) return false;
+    if (phase_ == Phase::before) {
+      problem_ = log_.path + ": error: no line `" + std::string(kTraceFirstLine) +
+                 "`; a log is what a program writes with `--trace FILE`";
+    } else if (phase_ == Phase::head) {
+      problem_ = log_.path + ": error: the log ends before its first message, in line " +
+                 std::to_string(line_ + 1);
+    } else if (phase_ == Phase::rows && !rest.empty()) {
+      log_.lines = line_ + 1;  // ended early
     }
-    text_ = rest_.substr(0, end);
-    rest_.remove_prefix(end + 1);
+    return problem_.empty();
+  }
+
+  bool has_head() const { return phase_ == Phase::rows || phase_ == Phase::behind; }
+  const std::string& problem() const { return problem_; }
+  Log& log() { return log_; }
+
+ private:
+  enum class Phase : std::uint8_t { before, head, rows, behind };
+
+  /// The next line without its end. False behind the last one; an unfinished one is none.
+  bool next(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    if (end == std::string_view::npos) return false;
+    text_ = rest.substr(0, end);
+    rest.remove_prefix(end + 1);
     if (!text_.empty() && text_.back() == '\r') text_.remove_suffix(1);  // serial lines
     ++line_;
     return true;
@@ -110,38 +125,45 @@ class Reader {
     return false;
   }
 
-  /// A board may have said something before.
-  bool skip_to_begin() {
-    while (next()) {
-      if (text_ == kTraceFirstLine) return true;
-      if (text_.starts_with("# eagerx trace "))
-        return fail(text_, shown(text_) + " is not a version that can be read; this is version 1");
+  bool read_line() {
+    switch (phase_) {
+      case Phase::before:
+        return read_before();
+      case Phase::head:
+        return read_head();
+      case Phase::rows:
+        return read_body();
+      case Phase::behind:
+        break;
     }
-    problem_ = log_.path + ": error: no line `" + std::string(kTraceFirstLine) +
-               "`; a log is what a program writes with `--trace FILE`";
-    return false;
+    return true;
+  }
+
+  /// A board may have said something before.
+  bool read_before() {
+    if (text_ == kTraceFirstLine) {
+      phase_ = Phase::head;
+    } else if (text_.starts_with("# eagerx trace ")) {
+      return fail(text_, shown(text_) + " is not a version that can be read; this is version 1");
+    }
+    return true;
   }
 
   /// Lines `# name value` up to the names of the columns.
   bool read_head() {
-    while (next()) {
-      if (text_ == "episode,channel,seq,values") return check_head();
-      if (text_ == "episode,channel,seq,time_ns,values") {
-        log_.timed = true;
-        return check_head();
-      }
-      if (!text_.starts_with("# "))
-        return fail(text_, "expected `# name value` or `episode,channel,seq,values`, found " +
-                               shown(text_));
-      const std::string_view fact = text_.substr(2);
-      const std::size_t space = std::min(fact.find(' '), fact.size());
-      const std::string_view name = fact.substr(0, space);
-      const std::string_view value = fact.substr(std::min(space + 1, fact.size()));
-      if (!read_fact(name, value)) return false;
+    if (text_ == "episode,channel,seq,values") return check_head();
+    if (text_ == "episode,channel,seq,time_ns,values") {
+      log_.timed = true;
+      return check_head();
     }
-    problem_ = log_.path + ": error: the log ends before its first message, in line " +
-               std::to_string(line_ + 1);
-    return false;
+    if (!text_.starts_with("# "))
+      return fail(text_,
+                  "expected `# name value` or `episode,channel,seq,values`, found " + shown(text_));
+    const std::string_view fact = text_.substr(2);
+    const std::size_t space = std::min(fact.find(' '), fact.size());
+    const std::string_view name = fact.substr(0, space);
+    const std::string_view value = fact.substr(std::min(space + 1, fact.size()));
+    return read_fact(name, value);
   }
 
   bool read_fact(std::string_view name, std::string_view value) {
@@ -195,27 +217,19 @@ class Reader {
     if (!has_seed_) return fail(text_, "the log does not say its `# seed`");
     if (log_.channels.empty())
       return fail(text_, "the log has no lines `# channel name dtype size rate`");
+    phase_ = Phase::rows;
     return true;
   }
 
-  bool read_rows() {
-    while (next()) {
-      if (text_.starts_with("# end ")) return read_end(text_.substr(6));
-      if (text_.starts_with("# state ")) {
-        if (!read_state(text_.substr(8))) return false;
-        continue;
-      }
-      if (text_.starts_with("# scene")) {
-        std::string what;
-        std::string_view place = text_;
-        if (!read_scene_line(text_, log_, place, what)) return fail(place, what);
-        continue;
-      }
-      if (text_.starts_with("# ")) continue;  // what a later version may add
-      if (!read_row()) return false;
+  bool read_body() {
+    if (text_.starts_with("# end ")) return read_end(text_.substr(6));
+    if (text_.starts_with("# state ")) return read_state(text_.substr(8));
+    if (text_.starts_with("# scene")) {
+      std::string what;
+      std::string_view place = text_;
+      return read_scene_line(text_, log_, place, what) || fail(place, what);
     }
-    if (cut_) ++line_;
-    return true;  // ended early
+    return text_.starts_with("# ") || read_row();  // a later version may add something
   }
 
   /// EPISODE NAME VALUE,…
@@ -245,9 +259,9 @@ class Reader {
     std::string_view cell;
     if (!take(rest, cell) || !parse(cell, row.episode))
       return fail(cell, shown(cell) + " is not the number of an episode");
-    const std::uint32_t last = log_.rows.empty() ? 0 : log_.rows.back().episode;
-    const bool follows = row.episode == last || (row.episode == last + 1 && !log_.rows.empty());
-    if (!follows) return fail(cell, "expected episode " + std::to_string(last) + " or the next");
+    const bool follows = row.episode == episode_ || (row.episode == episode_ + 1 && messages_ > 0);
+    if (!follows)
+      return fail(cell, "expected episode " + std::to_string(episode_) + " or the next");
     if (!take(rest, cell)) return fail(rest, "the line ends before its channel");
     const auto channel = channels_.find(cell);
     if (channel == channels_.end())
@@ -279,6 +293,8 @@ class Reader {
                             std::to_string(channel.size) + " values, this one " +
                             std::to_string(size));
     log_.rows.push_back(row);
+    episode_ = row.episode;
+    ++messages_;
     return true;
   }
 
@@ -303,10 +319,11 @@ class Reader {
     if (!parse(fact.substr(0, space), messages) || !hash.starts_with("0x") || hash.size() != 18 ||
         !parse_hex(hash.substr(2), log_.hash))
       return fail(fact, "the last line is `# end messages hash`, not " + shown(text_));
-    if (messages != log_.rows.size())
-      return fail(fact, "the log has " + std::to_string(log_.rows.size()) +
+    if (messages != messages_)
+      return fail(fact, "the log has " + std::to_string(messages_) +
                             " messages, its last line says " + std::to_string(messages));
     log_.complete = true;
+    phase_ = Phase::behind;
     return true;
   }
 
@@ -319,39 +336,14 @@ class Reader {
 
   Log log_;
   std::map<std::string, std::uint32_t, std::less<>> channels_;
-  std::string_view rest_, text_;
+  std::string_view text_;
   std::size_t line_ = 0;
-  bool cut_ = false;
+  std::uint64_t messages_ = 0;  // so far; rows may be taken away
+  std::uint32_t episode_ = 0;   // of the last one
+  Phase phase_ = Phase::before;
   bool has_seed_ = false;
   std::string problem_;
 };
-
-template <class T>
-std::string as_text(std::uint64_t bits) {
-  constexpr std::size_t kLongest = 32;
-  std::array<char, kLongest> buffer{};
-  const auto result =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value_of<T>(bits));
-  return {buffer.data(), result.ptr};
-}
-
-/// Numbers in the order of their values, without a gap.
-template <class Signed>
-std::int64_t order(Signed bits) {
-  return bits >= 0 ? bits : std::numeric_limits<Signed>::min() - bits;
-}
-
-}  // namespace
-
-std::optional<Dtype> dtype_of(std::string_view name) {
-  const auto* found = std::find(kDtypes.begin(), kDtypes.end(), name);
-  if (found == kDtypes.end()) return std::nullopt;
-  return static_cast<Dtype>(found - kDtypes.begin());
-}
-
-std::string_view name_of(Dtype dtype) {
-  return kDtypes[static_cast<std::size_t>(dtype)];
-}
 
 std::optional<std::uint32_t> Log::channel(std::string_view name) const {
   for (std::uint32_t i = 0; i < channels.size(); ++i) {
@@ -361,7 +353,30 @@ std::optional<std::uint32_t> Log::channel(std::string_view name) const {
 }
 
 std::optional<Log> read_log(const std::string& path, std::string_view text, std::string& problem) {
-  return Reader(path, text).read(problem);
+  LogReader reader(path);
+  if (!reader.read(text) || !reader.finish(text)) {
+    problem = reader.problem();
+    return std::nullopt;
+  }
+  return std::move(reader.log());
+}
+
+LogReader::LogReader(std::string path) : lines_(std::make_unique<Lines>(std::move(path))) {}
+LogReader::~LogReader() = default;
+bool LogReader::read(std::string_view& text) {
+  return lines_->read(text);
+}
+bool LogReader::finish(std::string_view rest) {
+  return lines_->finish(rest);
+}
+bool LogReader::has_head() const {
+  return lines_->has_head();
+}
+const std::string& LogReader::problem() const {
+  return lines_->problem();
+}
+Log& LogReader::log() {
+  return lines_->log();
 }
 
 std::optional<Log> read_log_file(const std::string& path, std::string& problem) {
@@ -378,62 +393,6 @@ std::optional<Log> read_log_file(const std::string& path, std::string& problem) 
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (!file || errno != 0) return fail(std::strerror(errno));
   return read_log(path, text, problem);
-}
-
-std::string text_of(Dtype dtype, std::uint64_t bits) {
-  switch (dtype) {
-    case Dtype::float32:
-      return as_text<float>(bits);
-    case Dtype::float64:
-      return as_text<double>(bits);
-    case Dtype::uint8:
-    case Dtype::uint16:
-    case Dtype::uint32:
-    case Dtype::uint64:
-      return std::to_string(bits);
-    default:
-      return std::to_string(static_cast<std::int64_t>(bits));
-  }
-}
-
-double number_of(Dtype dtype, std::uint64_t bits) {
-  switch (dtype) {
-    case Dtype::float32:
-      return double{value_of<float>(bits)};
-    case Dtype::float64:
-      return value_of<double>(bits);
-    case Dtype::uint64:
-      return static_cast<double>(bits);
-    default:
-      return static_cast<double>(static_cast<std::int64_t>(bits));
-  }
-}
-
-std::optional<std::uint64_t> distance(Dtype dtype, std::uint64_t a, std::uint64_t b) {
-  const double x = number_of(dtype, a);
-  const double y = number_of(dtype, b);
-  if (x != x || y != y) return std::nullopt;
-  std::int64_t i = static_cast<std::int64_t>(a);
-  std::int64_t k = static_cast<std::int64_t>(b);
-  if (dtype == Dtype::float32) {
-    i = order(static_cast<std::int32_t>(a));
-    k = order(static_cast<std::int32_t>(b));
-  } else if (dtype == Dtype::float64) {
-    i = order(static_cast<std::int64_t>(a));
-    k = order(static_cast<std::int64_t>(b));
-  } else if (dtype == Dtype::uint64) {
-    return a < b ? b - a : a - b;
-  }
-  // The difference of two 64 bit numbers fits into 64 bits without a sign.
-  return i < k ? static_cast<std::uint64_t>(k) - static_cast<std::uint64_t>(i)
-               : static_cast<std::uint64_t>(i) - static_cast<std::uint64_t>(k);
-}
-
-std::string distance_text(Dtype dtype, std::uint64_t a, std::uint64_t b) {
-  const auto steps = distance(dtype, a, b);
-  if (!steps) return "one is not a number";
-  const bool floating = dtype == Dtype::float32 || dtype == Dtype::float64;
-  return std::to_string(*steps) + (floating ? " ulp" : "") + " apart";
 }
 
 }  // namespace eagerx::trace_log

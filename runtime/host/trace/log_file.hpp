@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <eagerx/trace.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -86,6 +87,30 @@ struct Log {
   const std::uint64_t* values_of(const Row& row) const { return values.data() + row.first; }
   std::optional<std::uint32_t> channel(std::string_view name) const;
   std::uint32_t episodes() const { return rows.empty() ? 0 : rows.back().episode + 1; }
+};
+
+/// Reads a log piece by piece, also while it grows.
+class LogReader {
+ public:
+  explicit LogReader(std::string path);
+  LogReader(const LogReader&) = delete;
+  LogReader& operator=(const LogReader&) = delete;
+  ~LogReader();
+
+  /// Takes all complete lines off `text`. What is left is the beginning of one, or what follows the
+  /// last line of the log. False: problem() says what is wrong, and nothing more is read.
+  bool read(std::string_view& text);
+  /// Nothing will follow `rest`, which read() left. False: that is too early.
+  bool finish(std::string_view rest);
+
+  bool has_head() const;  // then the channels are known
+  const std::string& problem() const;
+  /// What was read so far. Rows, values, states and scenes may be taken away.
+  Log& log();
+
+ private:
+  class Lines;
+  std::unique_ptr<Lines> lines_;
 };
 
 /// Reads the text of a log. nullopt: `problem` says what is wrong, as "path:line:column: error: …".

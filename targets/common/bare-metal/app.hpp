@@ -14,6 +14,7 @@
 #include <targets/common/bare-metal/console.hpp>
 #include <targets/common/bare-metal/semihosting.hpp>
 #include <targets/common/bare-metal/stack.hpp>
+#include <targets/common/bare-metal/telemetry.hpp>
 #include <targets/common/csv.hpp>
 #include <targets/common/pace.hpp>
 #include <targets/common/reward_check.hpp>
@@ -38,7 +39,8 @@ struct BoardClock {
   static void wait_for(std::uint64_t ticks) { wait_for_clock(ticks); }
   static std::uint64_t hz() { return clock_hz(); }
 };
-using PacedTrace = target::PacedTrace<BoardClock>;
+template <class Graph>
+using PacedTrace = target::PacedTrace<BoardClock, typename IdleWorkOf<Graph>::Type>;
 
 #ifndef EAGERX_TRACE
 #define EAGERX_TRACE 0
@@ -46,24 +48,32 @@ using PacedTrace = target::PacedTrace<BoardClock>;
 /// Whether the program knows --trace: 5 kB of flash. CMake's EAGERX_TRACE decides.
 inline constexpr bool kTraces = EAGERX_TRACE != 0;
 
+#ifndef EAGERX_STARTS_ALONE
+#define EAGERX_STARTS_ALONE 0
+#endif
+/// Whether the options are in the image: then all text goes to the serial port.
+inline constexpr bool kStartsAlone = EAGERX_STARTS_ALONE != 0;
+
 /// Paces, makes the hash and, with --trace, prints every message.
 template <class Graph>
-class PrintingTrace : public PacedTrace {
+class PrintingTrace : public PacedTrace<Graph> {
+  using Base = PacedTrace<Graph>;
+
  public:
   using Text = TraceText<Console>;
 
   void print(bool prints) { prints_ = prints; }
   void episode(std::uint32_t index) {
     episode_ = index;
-    PacedTrace::episode(index);
+    Base::episode(index);
   }
   template <class Message>
   void operator()(std::uint32_t channel, Seq seq, const Message& message) {
-    PacedTrace::operator()(channel, seq, message);
+    Base::operator()(channel, seq, message);
     if (prints_) print_message(channel, seq, message);
   }
   void print_end() const {
-    if (prints_) Text::end(console, messages_, hash());
+    if (prints_) Text::end(console, messages_, this->hash());
   }
 
  private:
@@ -80,7 +90,10 @@ class PrintingTrace : public PacedTrace {
 };
 
 template <class Graph>
-using Trace = std::conditional_t<kTraces, PrintingTrace<Graph>, PacedTrace>;
+using PlainTrace = std::conditional_t<kTraces, PrintingTrace<Graph>, PacedTrace<Graph>>;
+template <class Graph>
+using Trace =
+    std::conditional_t<HasTelemetry<Graph>, TelemetryTrace<PlainTrace<Graph>>, PlainTrace<Graph>>;
 
 /// Reads the words of the command line after the program's name.
 class OptionParser {
@@ -171,7 +184,7 @@ class Watch {
   using Observation = typename Graph::Observation;
   using Table = target::CsvTable<Graph, Console>;
 
-  Watch(const Options& options, const PacedTrace& trace)
+  Watch(const Options& options, const PacedTrace<Graph>& trace)
       : trace_(trace), late_limit_(options.late_limit), csv_(options.csv) {}
 
   bool go_on() const { return !too_late(); }
@@ -193,7 +206,7 @@ class Watch {
   const target::RewardCheck<typename Table::Outcome>& rewards() const { return rewards_; }
 
  private:
-  const PacedTrace& trace_;
+  const PacedTrace<Graph>& trace_;
   target::RewardCheck<typename Table::Outcome> rewards_;
   std::uint64_t steps_ = 0;
   std::uint64_t late_limit_;
@@ -246,6 +259,22 @@ inline std::uint64_t ns(std::uint64_t ticks) {
   return ticks / hz * kNsPerSecond + ticks % hz * kNsPerSecond / hz;
 }
 
+/// Whether text and telemetry go over the same line.
+inline bool shares_serial_port(const Options& options) {
+  return options.pace == target::Pace::paced && (kStartsAlone || options.output == Output::uart);
+}
+/// Telemetry has that line for itself during the run: text would wait for it, and fall into frames.
+inline int check_serial_port(const Options& options) {
+  if (!shares_serial_port(options) || !(options.csv || options.trace)) return kDone;
+  return wrong_usage("the serial port is taken by telemetry, so no table can be printed to it", "");
+}
+
+template <class Work>
+void print_telemetry(const Work& work) {
+  print("telemetry records", work.telemetry.records());
+  print("telemetry dropped", work.telemetry.dropped());
+}
+
 inline void print_timing(const target::Timing& timing, target::Pace pace) {
   print("clock", clock_hz(), " Hz");
   print("slots", timing.slots);
@@ -269,7 +298,10 @@ int run(const char* board) {
   Options options;
   options.plan = target::default_plan<Graph>();
   options.agent = target::default_agent<Graph>();
-  const int usage = read_options(options, Graph::kHasPolicy);
+  int usage = read_options(options, Graph::kHasPolicy);
+  if constexpr (HasTelemetry<Graph>) {
+    if (usage == kDone) usage = check_serial_port(options);
+  }
   console.send_to(options.output);
   if (usage != kDone) return console.flush(), usage;
   if (!calculates_as_everywhere()) {
@@ -291,6 +323,9 @@ int run(const char* board) {
   }
   program.trace.set_pace(options.pace, Graph::kSafety.max_lateness_ns);
   if (options.pace != target::Pace::free) start_clock();
+  if constexpr (HasTelemetry<Graph>) {
+    if (options.pace != target::Pace::free) program.trace.idle_work.telemetry.start();
+  }
   Watch<Graph> watch(options, program.trace);
   const auto agent = [&](EpisodeKey key, Seq step, const typename Graph::Observation& observation) {
     return target::act<Graph>(options.agent, key, step, observation, program);
@@ -300,6 +335,9 @@ int run(const char* board) {
   if (too_late) target::step_safely<Graph>(program);
   if constexpr (kTraces) program.trace.print_end();
   target::stop(program);
+  if constexpr (HasTelemetry<Graph>) {
+    if (options.pace == target::Pace::paced) program.trace.idle_work.finish();
+  }
 
   print("graph", Graph::kName);
   print("engine", Graph::kEngine);
@@ -316,12 +354,18 @@ int run(const char* board) {
   target::for_each_fault(program, print_count);
   watch.rewards().for_each_count(print_count);
   if (options.pace != target::Pace::free) print_timing(program.trace.timing(), options.pace);
+  if constexpr (HasTelemetry<Graph>) {
+    if (options.pace != target::Pace::free) print_telemetry(program.trace.idle_work);
+  }
   if (too_late)
     print("error: stopped with the safe action, late slots in a row:", options.late_limit);
   console.text("trace hash 0x");
   console.hex(program.trace.hash());
   console.text("\n");
   console.flush();
+  if constexpr (HasTelemetry<Graph>) {
+    if (shares_serial_port(options)) uart_write('\0');  // ends the text for who reads frames
+  }
   return too_late ? kTooLate : kDone;
 }
 

@@ -53,6 +53,11 @@ function(eagerx_configure_bare_metal executable)
 
   eagerx_board_number(clock_hz ${arg_FOLDER} clock_hz)
   set(definitions -DEAGERX_CLOCK_HZ=${clock_hz})
+  _eagerx_manifest_line(baud ${arg_FOLDER} baud)
+  if(baud)
+    eagerx_board_number(baud ${arg_FOLDER} baud)
+    list(APPEND definitions -DEAGERX_BAUD=${baud})
+  endif()
   if(EAGERX_ARGUMENTS)
     list(APPEND definitions "-DEAGERX_ARGUMENTS=\"${EAGERX_ARGUMENTS}\"")
   endif()
@@ -67,7 +72,8 @@ function(eagerx_configure_bare_metal executable)
   # All of it: what the board's own sources say in place of a weak function is called by nobody else.
   target_link_libraries(${executable} PRIVATE -Wl,--whole-archive eagerx_board -Wl,--no-whole-archive)
   target_compile_options(${executable} PRIVATE ${EAGERX_BARE_METAL_FLAGS})
-  target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}>)
+  target_compile_definitions(${executable} PRIVATE EAGERX_TRACE=$<BOOL:${EAGERX_TRACE}>
+                                                   $<$<BOOL:${EAGERX_ARGUMENTS}>:EAGERX_STARTS_ALONE=1>)
   target_link_options(
     ${executable}
     PRIVATE

@@ -20,6 +20,9 @@ enum class Output : std::uint8_t { semihosting, uart };
 
 /// Sends one character through the board's serial port. Every board defines it.
 void uart_write(char character);
+/// Sends it if the port has room for it at once, and otherwise returns false. Every board whose
+/// manifest says a `baud` defines it; programs with telemetry call it.
+bool uart_offer(std::uint8_t byte);
 /// A character that came in through the serial port; false if there is none. Without interrupts:
 /// who waits for characters calls it all the time. Boards that only speak leave it out.
 bool uart_read(char& character);

@@ -47,12 +47,17 @@ class CmsdkUart {
   static_assert(kDivision >= 16, "the hardware ignores dividers below 16, and so does QEMU");
 };
 
-/// uart_write() and uart_read() of a board whose port is `Port`.
+/// uart_write(), uart_offer() and uart_read() of a board whose port is `Port`.
 template <class Port>
 void write_to(char character) {
   Port::start();
   while (!Port::put(static_cast<std::uint8_t>(character))) {
   }
+}
+template <class Port>
+bool offer_to(std::uint8_t byte) {
+  Port::start();
+  return Port::put(byte);
 }
 template <class Port>
 bool read_from(char& character) {

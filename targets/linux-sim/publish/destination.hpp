@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/publish/address.hpp>
 #include <string>
 #include <string_view>
 #include <targets/linux-sim/dds/participant.hpp>
 
 namespace eagerx::linux_sim {
 
-struct Destination {
+/// With an address, if it has one: udp, teleplot, foxglove.
+struct Destination : publish::Address {
   enum class Kind : std::uint8_t { udp, teleplot, mcap, foxglove, dds };
   Kind kind = Kind::udp;
-  std::string host;  // of udp, teleplot, foxglove
-  std::string port;
   std::string file;      // of mcap
   dds::Network network;  // of dds
   std::string written;   // the whole text

@@ -4,11 +4,11 @@
 #include <chrono>
 #include <cmath>
 #include <eagerx/trace.hpp>
+#include <runtime/host/publish/datagrams.hpp>
 #include <targets/linux-sim/background.hpp>
 #include <targets/linux-sim/dds/dds_sink.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
-#include <targets/linux-sim/publish/datagrams.hpp>
 #include <targets/linux-sim/publish/foxglove/foxglove.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
@@ -130,10 +130,10 @@ std::string Publishing::open_sinks() {
   for (const Destination& to : options_.publish) {
     switch (to.kind) {
       case Destination::Kind::udp:
-        sinks_.push_back(udp_sink(to, channels_));
+        sinks_.push_back(publish::udp_sink(to, channels_, facts_.graph_hash));
         break;
       case Destination::Kind::teleplot:
-        sinks_.push_back(teleplot_sink(to, channels_));
+        sinks_.push_back(publish::teleplot_sink(to, channels_));
         break;
       case Destination::Kind::mcap:
         sinks_.push_back(mcap_sink(to, channels_));

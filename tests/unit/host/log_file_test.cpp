@@ -51,6 +51,46 @@ TEST(LogFile, Reads) {
   EXPECT_EQ(log->values_of(log->rows[1])[1], 0x7fc00000U);
 }
 
+/// As a monitor reads: the file grows, and what was read is taken away.
+TEST(LogFile, ReadsPieceByPiece) {
+  const std::string text = kHead +
+                           "# state 0 a/x 1\n0,a/b,0,-128\n0,environment/u,0,0.1,nan\n"
+                           "1,a/b,0,5\n1,a/b,1,6\n# end 4 0x00000000000000ff\nbehind";
+  for (std::size_t piece = 1; piece < 40; ++piece) {
+    LogReader reader("x");
+    std::string left;
+    std::vector<std::string> seen;
+    for (std::size_t at = 0; at < text.size(); at += piece) {
+      left += text.substr(at, piece);
+      std::string_view rest = left;
+      ASSERT_TRUE(reader.read(rest)) << reader.problem();
+      left.erase(0, left.size() - rest.size());
+      Log& log = reader.log();
+      for (const Row& row : log.rows)
+        seen.push_back(std::to_string(row.episode) + log.channels[row.channel].name +
+                       std::to_string(row.seq) + "@" + std::to_string(row.line));
+      log.rows.clear();
+      log.values.clear();
+    }
+    EXPECT_EQ(seen,
+              (std::vector<std::string>{"0a/b0@9", "0environment/u0@10", "1a/b0@11", "1a/b1@12"}));
+    EXPECT_TRUE(reader.log().complete);
+    EXPECT_TRUE(reader.finish(left));
+  }
+}
+
+TEST(LogFile, PieceByPieceSaysWhatIsWrongOnce) {
+  LogReader reader("x");
+  const std::string text = kHead + "0,a/b,0,5\n2,a/b,0,5\n0,a/b,1,6\n";
+  std::string_view rest = text;
+  EXPECT_FALSE(reader.read(rest));
+  EXPECT_EQ(reader.problem(), "x:9:1: error: expected episode 0 or the next");
+  EXPECT_EQ(reader.log().rows.size(), 1U);
+  EXPECT_FALSE(reader.read(rest));
+  EXPECT_FALSE(reader.finish(rest));
+  EXPECT_EQ(reader.log().rows.size(), 1U);
+}
+
 TEST(LogFile, ReadsScenes) {
   std::string problem;
   const auto log = read_log("x",

@@ -7,10 +7,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <runtime/host/publish/datagrams.hpp>
 #include <runtime/host/trace/json_text.hpp>
-#include <targets/linux-sim/publish/datagrams.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::publish {
 namespace {
 
 constexpr double kSecondInNs = 1e9, kMsInNs = 1e6;
@@ -23,10 +23,21 @@ void append_number(std::string& to, T value) {
   to.append(text.data(), result.ptr);
 }
 
+/// "0x0123456789abcdef"
+std::string hash_text(std::uint64_t hash) {
+  constexpr unsigned kBits = 64, kBitsPerDigit = 4;
+  std::string text = "0x";
+  for (unsigned shift = kBits; shift > 0;) {
+    shift -= kBitsPerDigit;
+    text += "0123456789abcdef"[(hash >> shift) & 0xfU];
+  }
+  return text;
+}
+
 /// Sends what is ready at the end of each step; a socket that takes no more loses it.
 class DatagramSink : public PublishSink {
  public:
-  DatagramSink(Destination to, const PublishedChannels& channels)
+  DatagramSink(Address to, const PublishedChannels& channels)
       : to_(std::move(to)), channels_(channels), last_(channels.size()), has_(channels.size()) {
     for (std::size_t c = 0; c < channels.size(); ++c) last_[c].resize(channels[c].size);
   }
@@ -42,14 +53,14 @@ class DatagramSink : public PublishSink {
     hints.ai_flags = AI_NUMERICSERV;
     const int error = getaddrinfo(to_.host.c_str(), to_.port.c_str(), &hints, &found);
     if (error != 0)
-      return "error: `--publish " + to_.written + "`: there is no host `" + to_.host +
+      return "error: `" + to_.said + "`: there is no host `" + to_.host +
              "`: " + gai_strerror(error);
     const std::unique_ptr<addrinfo, void (*)(addrinfo*)> owned(found, freeaddrinfo);
     std::memcpy(&address_, found->ai_addr, found->ai_addrlen);
     address_size_ = found->ai_addrlen;
     socket_ = ::socket(found->ai_family, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket_ >= 0) return {};
-    return "error: `--publish " + to_.written + "`: " + std::strerror(errno);
+    return "error: `" + to_.said + "`: " + std::strerror(errno);
   }
 
   void message(const PublishedMessage& message) override {
@@ -78,7 +89,7 @@ class DatagramSink : public PublishSink {
   const std::uint64_t* values(std::size_t channel) const { return last_[channel].data(); }
 
  private:
-  Destination to_;
+  Address to_;
   const PublishedChannels& channels_;
   std::vector<std::vector<std::uint64_t>> last_;  // values, by channel
   std::vector<bool> has_;
@@ -89,7 +100,9 @@ class DatagramSink : public PublishSink {
 
 class UdpSink final : public DatagramSink {
  public:
-  using DatagramSink::DatagramSink;
+  UdpSink(Address to, const PublishedChannels& channels, std::uint64_t graph_hash)
+      : DatagramSink(std::move(to), channels),
+        graph_(",\"graph\":\"" + hash_text(graph_hash) + "\"") {}
 
   void step(const PublishedStep& step) override {
     begin(step);
@@ -98,7 +111,7 @@ class UdpSink final : public DatagramSink {
   }
 
  private:
-  static constexpr std::size_t kMostBytes = 60'000;  // a datagram has at most 65,507
+  static constexpr std::size_t kMostBytes = 60'000;  // less than kMostDatagramBytes
 
   void begin(const PublishedStep& step) {
     text_ = "{\"timestamp\":";
@@ -107,6 +120,7 @@ class UdpSink final : public DatagramSink {
     append_number(text_, step.episode);
     text_ += ",\"step\":";
     append_number(text_, step.step);
+    text_ += graph_;
     begun_ = text_.size();
   }
   /// What does not fit goes into a datagram of its own, or is dropped.
@@ -126,6 +140,7 @@ class UdpSink final : public DatagramSink {
     text_ += field_;
   }
 
+  const std::string graph_;  // the member that says it
   std::string text_, field_;
   std::size_t begun_ = 0;  // bytes of the text before the first channel
 };
@@ -169,12 +184,12 @@ class TeleplotSink final : public DatagramSink {
 
 }  // namespace
 
-std::unique_ptr<PublishSink> udp_sink(const Destination& to, const PublishedChannels& channels) {
-  return std::make_unique<UdpSink>(to, channels);
+std::unique_ptr<PublishSink> udp_sink(const Address& to, const PublishedChannels& channels,
+                                      std::uint64_t graph_hash) {
+  return std::make_unique<UdpSink>(to, channels, graph_hash);
 }
-std::unique_ptr<PublishSink> teleplot_sink(const Destination& to,
-                                           const PublishedChannels& channels) {
+std::unique_ptr<PublishSink> teleplot_sink(const Address& to, const PublishedChannels& channels) {
   return std::make_unique<TeleplotSink>(to, channels);
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::publish

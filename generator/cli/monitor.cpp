@@ -1,0 +1,124 @@
+// eagerx-gen monitor: what a program sends while it runs.
+#include "generator/monitor/monitor.hpp"
+
+#include <cstdlib>
+#include <optional>
+#include <utility>
+
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/built.hpp"
+#include "generator/cli/pipeline.hpp"
+#include "generator/cli/write.hpp"
+#include "generator/files/files.hpp"
+#include "generator/read/text.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+Argument seconds(std::string name, double& value, std::string about) {
+  Argument argument{std::move(name), std::move(about), "S", [&value](const auto& values) {
+                      value = std::strtod(values.front().c_str(), nullptr);
+                    }};
+  argument.check = [](const std::string& text) {
+    char* end = nullptr;
+    const double number = std::strtod(text.c_str(), &end);
+    const bool is_right = !text.empty() && *end == '\0' && number > 0.0 && number < 1e9;
+    return is_right ? std::string() : text + " is not a number of seconds above 0";
+  };
+  return argument;
+}
+
+/// The text of the file, or nothing; then it has been told why.
+std::optional<std::string> read_layout(const std::string& path) {
+  constexpr std::size_t kMostBytes = 1 << 20;
+  LoadedFile file = load_file(path, kMostBytes);
+  if (file.status == LoadedFile::Status::loaded) return std::move(file.bytes);
+  complain("error: cannot read `{}`: {}\n", path,
+           file.status == LoadedFile::Status::too_large ? "it is too large" : file.reason);
+  return std::nullopt;
+}
+
+}  // namespace
+
+int monitor_command(const Options& options) {
+  MonitorOptions monitor = options.monitor;
+  if (!options.layout.empty()) {
+    const auto layout = read_layout(options.layout);
+    if (!layout) return kInputOutput;
+    monitor.layout = *layout;
+  }
+  constexpr std::string_view kSerial = "serial:";
+  if (monitor.source.starts_with(kSerial))
+    remember_input(monitor.source.substr(kSerial.size()), monitor.source);
+  Run run;
+  if (options.graph.empty()) {
+    const bool may_write = are_different({}, {}, run.diagnostics);
+    return may_write ? watch(monitor, nullptr) : finish(run, options);
+  }
+  auto facts = make(run, options) ? facts_of_program(run, options) : std::nullopt;
+  if (facts && !are_different({}, {}, run.diagnostics)) facts.reset();
+  const int code = finish(run, options);
+  if (!facts || code != kDone) return code;
+  if (monitor.layout.empty()) monitor.layout = facts->telemetry;
+  const WatchedGraph graph{&*run.plan, options.graph, facts->hash};
+  return watch(monitor, &graph);
+}
+
+Command monitor_commands(Options& options) {
+  MonitorOptions& monitor = options.monitor;
+  Argument record =
+      writes(text("--record", monitor.record,
+                  "also write the messages into a file .mcap (Foxglove), or, not of udp, "
+                  ".trace",
+                  "FILE"));
+  record.check = [](const std::string& path) {
+    return is_recording(path) ? std::string() : path + " ends in none of .mcap, .trace, .log";
+  };
+  Argument forward = texts("--forward", monitor.forward,
+                           "also send the messages on: udp:HOST:PORT (PlotJuggler) or "
+                           "teleplot:HOST:PORT; may be repeated",
+                           "KIND");
+  forward.check = [](const std::string& to) {
+    return is_destination(to) ? std::string()
+                              : to + " is neither udp:HOST:PORT nor teleplot:HOST:PORT";
+  };
+  return {
+      .name = "monitor",
+      .about = "watch the messages of a program while it runs",
+      .examples = {{"what a program sends that was started with --publish udp:127.0.0.1:9870",
+                    "eagerx-gen monitor udp:9870 --graph pendulum.yaml"},
+                   {"the telemetry of a board",
+                    "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml"},
+                   {"a trace that grows", "eagerx-gen monitor run.log"},
+                   {"and recorded for Foxglove",
+                    "eagerx-gen monitor udp:9870 --graph pendulum.yaml --record run.mcap"},
+                   {"once, for a script", "eagerx-gen monitor udp:9870 --once"}},
+      .arguments = joined(
+          {{required(
+                reads(text("source", monitor.source,
+                           "udp:[HOST:]PORT, serial:DEVICE, or the file of a trace, which may grow",
+                           "SOURCE"))),
+            reads(text("--graph", options.graph,
+                       "the graph of the program: planned rates, limits, safe actions; the stream "
+                       "of another graph is refused",
+                       "GRAPH.yaml")),
+            reads(text("--layout", options.layout,
+                       "what a board sends, in place of what the graph says: the file "
+                       "telemetry.json beside its program",
+                       "FILE")),
+            flag("--once", monitor.once, "print one table of lines, then end"),
+            flag("--lines", monitor.lines,
+                 "print tables of lines instead of a screen; so does a pipe"),
+            std::move(record), std::move(forward),
+            seconds("--every", monitor.every_s,
+                    "time between tables, of the first one from the first message on (default: 1)"),
+            seconds("--timeout", monitor.timeout_s,
+                    "how long to wait for a message before giving up (default: 10)")},
+           selection(options),
+           rates(options),
+           {agent_policy(options), library(options)},
+           diagnostics(options)}),
+      .run = [&options] { return monitor_command(options); }};
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,76 @@
+// What a source tells of a stream of messages: the same of all kinds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <runtime/host/trace/log_file.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eagerx::gen {
+
+// A stream comes from anybody. These bound what is kept of one: about 60 MB.
+inline constexpr std::size_t kMostStreamChannels = 2'000;
+inline constexpr std::size_t kMostStreamElements = 1'024;  // of a message; what follows is dropped
+
+inline constexpr double kNsInSecond = 1e9;
+
+/// What a stream says of itself. Without channels: they become known with their messages.
+struct StreamFacts {
+  std::string graph, engine, agent;
+  std::optional<std::uint64_t> hash;  // of the graph
+  std::uint64_t seed = 0;
+  std::uint32_t environment = 0;
+  std::vector<trace_log::RecordedChannel> channels;
+  std::vector<std::uint64_t> every;  // of so many messages of a channel one comes; empty: all
+  bool timed_by_sender = false;      // StreamMessage::real_ns is of the sender's clock
+  bool one_message_a_step = false;   // of each channel, the last one
+};
+
+struct StreamMessage {
+  std::string_view channel;
+  std::span<const double> values;       // at most kMostStreamElements
+  const std::uint64_t* bits = nullptr;  // of all of them, as the trace hashes them; null: not known
+  std::uint64_t elements = 0;           // that the message has
+  std::uint32_t episode = 0;
+  std::optional<std::uint64_t> seq = {};  // of the channel, or the step where nobody says it
+  std::int64_t time_ns = 0;  // of the graph's clock, without steps back between episodes
+  /// When it was sent or came, by a clock of real time; nothing if nobody knows.
+  std::optional<std::int64_t> real_ns = {};
+  std::uint32_t part = 0;  // of the episode, where its times begin anew within it
+};
+
+struct StreamStep {
+  std::uint32_t episode = 0;
+  std::optional<std::uint64_t> step;  // where it is known
+  std::int64_t time_ns = 0;
+  std::optional<std::int64_t> real_ns = {};
+};
+
+/// What is wrong with a stream, or with who sends it, and does not end it.
+enum class StreamFault : std::uint8_t {
+  damaged,      // no datagram, line or frame of eagerx-gen
+  foreign,      // of another graph
+  late,         // older than what came before
+  lost,         // steps or records that did not come
+  crowded_out,  // channels and elements beyond the bounds
+  dropped,      // records for which the sender had no room, as it says
+  late_slots    // that began after their deadline, as the sender says
+};
+inline constexpr std::size_t kStreamFaults = 7;
+
+class StreamListener {
+ public:
+  virtual ~StreamListener() = default;
+  /// Before the first message, and when another run or graph begins. False: the stream is refused,
+  /// and nothing more of it is told.
+  virtual bool begin(const StreamFacts& facts) = 0;
+  virtual void message(const StreamMessage& message) = 0;
+  virtual void step(const StreamStep& step) = 0;
+  virtual void fault(StreamFault fault, std::uint64_t count) = 0;
+};
+
+}  // namespace eagerx::gen

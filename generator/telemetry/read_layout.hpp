@@ -1,0 +1,14 @@
+// telemetry.json, which the generator wrote beside a program: nothing in it is trusted.
+#pragma once
+
+#include <optional>
+#include <runtime/host/telemetry/layout.hpp>
+#include <string>
+#include <string_view>
+
+namespace eagerx::gen {
+
+/// nullopt: `problem` says what is wrong with the text, without the name of its file.
+std::optional<telemetry::Layout> read_telemetry_layout(std::string_view text, std::string& problem);
+
+}  // namespace eagerx::gen

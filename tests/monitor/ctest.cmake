@@ -1,0 +1,11 @@
+# What `eagerx-gen monitor` shows of programs that publish, of logs that grow, and of what is hostile.
+eagerx_add_graph(TARGET monitor_cascade GRAPH ${PROJECT_SOURCE_DIR}/examples/cascade/graph.yaml)
+add_test(NAME monitor COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/check $<TARGET_FILE:eagerx-gen>
+                              $<TARGET_FILE:replay_swing_up> $<TARGET_FILE:monitor_cascade>)
+# The screen, where the generator has one.
+get_target_property(definitions eagerx_gen_monitor COMPILE_DEFINITIONS)
+if(definitions MATCHES EAGERX_NCURSES)
+  add_test(NAME monitor.screen COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/screen $<TARGET_FILE:eagerx-gen>
+                                       $<TARGET_FILE:replay_swing_up>)
+  set_tests_properties(monitor.screen PROPERTIES SKIP_RETURN_CODE 77)
+endif()
