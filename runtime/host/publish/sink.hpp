@@ -21,6 +21,12 @@ struct PublishedStep {
   std::uint64_t step;  // from 1; 0: a reset
   std::int64_t time_ns;
 };
+struct PublishedScene {
+  std::uint32_t episode;
+  std::int64_t time_ns;
+  const float* rows;  // [count][16], see eagerx/scene.hpp
+  std::size_t count;
+};
 
 struct PublishedScene {
   std::uint32_t episode;
