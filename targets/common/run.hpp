@@ -45,8 +45,8 @@ constexpr RunPlan default_plan() {
   return plan;
 }
 
-/// Where actions come from. `csv` exists on targets with files only; on linux-sim another process may
-/// be the agent, over DDS or, `outside`, the one that started the program. Graphs name neither.
+/// Where actions come from. `csv` exists on targets with files only; on linux-sim another process
+/// may be the agent, over DDS or, `outside`, the one that started the program. Graphs name neither.
 enum class Agent : std::uint8_t { policy, zero, random, csv, dds, outside };
 
 /// The agent called `name` in graphs and on command lines; false if there is none.

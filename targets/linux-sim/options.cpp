@@ -214,12 +214,13 @@ constexpr std::array kOptions{
            "seed of everything that is random", set_seed},
     Option{"--environment", "K", "a whole number from 0 to 4294967295",
            "number of the environment; each one has random numbers of its own", set_environment},
-    Option{"--agent", "AGENT",
-           "`policy`, `zero`, `random`, a file ending in `.csv`, `fd:N`, or `dds[:DOMAIN]` with a "
-           "domain from 0 to 232",
-           "policy, zero, random, FILE.csv, or another process: dds[:DOMAIN], or fd:N, the one at the "
-           "other end of socket N",
-           set_agent},
+    Option{
+        "--agent", "AGENT",
+        "`policy`, `zero`, `random`, a file ending in `.csv`, `fd:N`, or `dds[:DOMAIN]` with a "
+        "domain from 0 to 232",
+        "policy, zero, random, FILE.csv, or another process: dds[:DOMAIN], or fd:N, the one at the "
+        "other end of socket N",
+        set_agent},
     Option{"--agent-timeout", "S", "a number from 0.001 to 1000000",
            "end the run after so many seconds without an action of `--agent dds` (10)",
            set_agent_timeout},
