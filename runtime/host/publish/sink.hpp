@@ -28,13 +28,6 @@ struct PublishedScene {
   std::size_t count;
 };
 
-struct PublishedScene {
-  std::uint32_t episode;
-  std::int64_t time_ns;
-  const float* rows;  // [count][kSceneColumns]
-  std::size_t count;
-};
-
 /// One `--publish`. Only the thread that publishes calls it, but for open() and what is const. No
 /// call may wait for a reader.
 class PublishSink {
