@@ -33,12 +33,7 @@ Json record_schema(const Format& format) {
   }
   schema["properties"] = std::move(properties);
   if (required.as<Json::List>()->empty()) return schema;
-  // What a file does not say may be in the one that it extends.
-  if (std::ranges::find(format.fields, "extends", &Field::name) != format.fields.end())
-    schema["anyOf"] = Json::List{Json{{"required", std::move(required)}},
-                                 Json{{"required", Json::List{"extends"}}}};
-  else
-    schema["required"] = std::move(required);
+  schema["required"] = std::move(required);
   return schema;
 }
 
