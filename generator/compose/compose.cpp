@@ -10,9 +10,11 @@
 #include "generator/compose/ends.hpp"
 #include "generator/compose/gather.hpp"
 #include "generator/compose/inner_files.hpp"
+#include "generator/compose/inner_ports.hpp"
 #include "generator/compose/port_pattern.hpp"
+#include "generator/compose/rename_ports.hpp"
+#include "generator/compose/scope.hpp"
 #include "generator/compose/tunable.hpp"
-#include "generator/resolve/config.hpp"
 #include "generator/spec/named.hpp"
 #include "generator/spec/port_name.hpp"
 
@@ -23,30 +25,11 @@ namespace {
 constexpr std::size_t kMostEntities = 20'000;
 constexpr std::size_t kDeepest = 16;
 
-/// What a composite says of its inner entities, by their names: entries of `states:`, `sensors:` …
-using Said = std::map<std::string, std::vector<YamlValue::Entry>>;
-
-/// A graph that is being made flat: the user's, or what is in one composite.
-struct Scope {
-  std::string prefix;  // of names in it: "arm/"
-  References references;
-  std::vector<const Entity*> around;  // the composites that it is in
-  Said states, sensors, actuators;
-};
-
 bool mentions(const YamlValue& yaml, std::string_view text) {
   if (yaml.text.find(text) != std::string::npos) return true;
   return std::ranges::any_of(yaml.items, [&](const auto& item) { return mentions(item, text); }) ||
          std::ranges::any_of(yaml.entries,
                              [&](const auto& entry) { return mentions(entry.value, text); });
-}
-
-/// A text, or each of a list.
-std::vector<Spanned<std::string>> texts_of(const YamlValue& yaml) {
-  std::vector<Spanned<std::string>> result;
-  if (yaml.is_scalar()) result.push_back({yaml.text, yaml.span});
-  for (const auto& item : yaml.items) result.push_back({item.text, item.span});
-  return result;
 }
 
 class Composer {
@@ -60,13 +43,12 @@ class Composer {
     expand(root_, {});
     if (!changed_) return {root_, GraphForm::written};
     YamlValue flat = root_;
-    for (const auto& node : nodes_) flat_nodes_.push_back(node.key);
     replace(flat, "objects", std::move(objects_));
     replace(flat, "nodes", std::move(nodes_));
     const auto list = std::ranges::find(flat.entries, "connections", &YamlValue::Entry::key);
     if (list != flat.entries.end() && list->value.is_sequence())
       list->value.items = std::move(connections_);
-    rename_ports(flat);
+    rename_ports(flat, inner_.ends, counter({}), diagnostics_);
     return {std::move(flat), GraphForm::flat};
   }
 
@@ -94,7 +76,7 @@ class Composer {
       if (map == nullptr || !map->is_map()) continue;
       for (const auto& entry : map->entries) add_entities(scope, section, entry);
     }
-    report_unknown_inner(scope, graph);
+    report_unknown_inner(scope, graph, diagnostics_);
     const YamlValue* connections = graph.find("connections");
     if (connections != nullptr) add_connections(scope, *connections);
   }
@@ -120,9 +102,7 @@ class Composer {
 
   void add_entity(const Scope& scope, Section section, const YamlValue::Entry& entry,
                   const std::string& name, YamlValue settings) {
-    add_said(scope.states, "states", entry, name, settings);
-    add_said(scope.sensors, "sensors", entry, name, settings);
-    add_said(scope.actuators, "actuators", entry, name, settings);
+    add_said(scope, entry, name, settings);
     const YamlValue* type = settings.find("type");
     const bool known = type != nullptr && type->is_scalar();
     const auto found = known ? library_.entities.find(type->text) : library_.entities.end();
@@ -139,26 +119,10 @@ class Composer {
     }
     if (!scope.around.empty())
       name_files_from(*scope.around.back(), sources_.name(root_.span.file), settings);
-    entity_of_[scope.prefix + name] = found == library_.entities.end() ? nullptr : &found->second;
+    inner_.entity_of[scope.prefix + name] =
+        found == library_.entities.end() ? nullptr : &found->second;
     (section == Section::objects ? objects_ : nodes_)
         .push_back({scope.prefix + name, entry.key_span, std::move(settings)});
-  }
-
-  /// What composites around say of this entity.
-  static void add_said(const Said& said, const char* key, const YamlValue::Entry& entry,
-                       const std::string& name, YamlValue& settings) {
-    for (const std::string& called : {entry.key, entry.key + "[*]", name}) {
-      const auto found = said.find(called);
-      if (found == said.end() || !settings.is_map()) continue;
-      YamlValue& map = map_at(settings, key, entry.key_span);
-      if (map.is_sequence()) {  // a list of names
-        for (const auto& item : map.items) map.entries.push_back({item.text, item.span, {}});
-        map.items.clear();
-        map.kind = YamlKind::map;
-      }
-      for (const auto& each : found->second) set_entry(map, each.key, each.key_span, each.value);
-      if (called == name) break;
-    }
   }
 
   bool enters(const Scope& scope, const YamlValue& type, const Entity& entity) {
@@ -188,7 +152,7 @@ class Composer {
     const std::string full = outer.prefix + name;
     const YamlValue& type = *settings.find("type");
     changed_ = true;
-    entity_of_[full] = nullptr;  // after a problem nothing is said of its ports
+    inner_.entity_of[full] = nullptr;  // after a problem nothing is said of its ports
     if (!enters(outer, type, entity)) return;
     const bool object = entity.kind == EntityKind::object;
     if (!check(settings, object ? *object_format() : *composite_node_format(), diagnostics_))
@@ -205,7 +169,7 @@ class Composer {
               sources_.add_use(inside.span.file,
                                {entry.key_span, fmt::format("`{}` is a `{}`, as written here", full,
                                                             entity.id.value)}));
-    take_states(written, scope);
+    take_states(written, scope, diagnostics_);
     CompositePorts ports;
     const char* receiving = object ? "actuators" : "inputs";
     const char* sending = object ? "sensors" : "outputs";
@@ -214,8 +178,8 @@ class Composer {
     expand(*inside.find("graph"), scope);
     bind(inside, written, receiving, scope, ports);
     bind_sources(inside, sending, scope, ports);
-    entity_of_.erase(full);
-    ends_.add(full, std::move(ports));
+    inner_.entity_of.erase(full);
+    inner_.ends.add(full, std::move(ports));
   }
 
   /// A rate is needed where something inside is of it.
@@ -247,43 +211,6 @@ class Composer {
     return diagnostics_.error_count() == errors_before;
   }
 
-  /// `states: {position.integral: …}`: of `integral` of the inner `position`.
-  void take_states(const YamlValue& settings, Scope& scope) {
-    const YamlValue* states = settings.find("states");
-    if (states == nullptr) return;
-    for (const auto& entry : states->entries) {
-      const std::size_t dot = entry.key.find('.');
-      if (dot == std::string::npos) {
-        diagnostics_
-            .error("E0390", entry.key_span,
-                   fmt::format("`{}` is no state of an entity inside", entry.key))
-            .help =
-            fmt::format("a composite has the states of what is inside: `NAME.{}`", entry.key);
-        continue;
-      }
-      scope.states[entry.key.substr(0, dot)].push_back(
-          {entry.key.substr(dot + 1), entry.key_span, entry.value});
-    }
-  }
-
-  /// States of an entity that there is not.
-  void report_unknown_inner(const Scope& scope, const YamlValue& graph) {
-    std::vector<std::string> known;
-    for (const char* key : {"objects", "nodes"}) {
-      const YamlValue* map = graph.find(key);
-      if (map == nullptr) continue;
-      for (const auto& entry : map->entries) known.push_back(entry.key);
-    }
-    for (const auto& [name, states] : scope.states) {
-      if (contains(known, name.substr(0, name.find('[')))) continue;
-      auto& problem = diagnostics_.error("E0390", states.front().key_span,
-                                         fmt::format("there is no `{}` inside", name));
-      const std::string near = nearest(name, known);
-      problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
-                                  : fmt::format("did you mean `{}.{}`?", near, states.front().key);
-    }
-  }
-
   /// The ports that a graph names of a composite are in its manifest.
   bool knows_ports(const YamlValue& settings, const Entity& entity, const char* key) {
     const YamlValue* chosen = settings.find(key);
@@ -310,29 +237,9 @@ class Composer {
     return good;
   }
 
-  /// What a graph says of sensors and actuators of a composite goes to those inside.
-  static void take_settings_of_ports(const YamlValue& settings, const YamlValue& inside,
-                                     Scope& scope) {
-    const auto take = [&](const char* key, const char* bound, Said& said) {
-      const YamlValue* chosen = settings.find(key);
-      const YamlValue* ports = inside.find(key);
-      if (chosen == nullptr || ports == nullptr) return;
-      for (const auto& entry : chosen->entries) {
-        const YamlValue* binding = ports->find(entry.key)->find(bound);
-        for (const auto& text : texts_of(*binding)) {
-          const std::size_t dot = text.value.find('.');
-          said[text.value.substr(0, dot)].push_back(
-              {text.value.substr(dot + 1), entry.key_span, entry.value});
-        }
-      }
-    };
-    take("sensors", "from", scope.sensors);
-    take("actuators", "to", scope.actuators);
-  }
-
   CountOf counter(const Scope& scope) const {
-    return [this, &scope](const std::string& name) -> std::optional<std::int64_t> {
-      const auto found = counts_.find(scope.prefix + name);
+    return [this, prefix = scope.prefix](const std::string& name) -> std::optional<std::int64_t> {
+      const auto found = counts_.find(prefix + name);
       return found == counts_.end() ? std::nullopt : std::optional(found->second);
     };
   }
@@ -360,59 +267,6 @@ class Composer {
     return scope.around.empty() || is_of_environment(port) ? port : scope.prefix + port;
   }
 
-  /// Ports of what is inside, as bindings name them without its name; nullopt where they are not
-  /// known.
-  std::optional<std::vector<std::string>> ports_inside(const PortName& name, bool sends) const {
-    std::vector<std::string> known;
-    if (const CompositePorts* ports = ends_.find(name.owner)) {
-      for (const auto& [port, source] : ports->sources)
-        if (sends) known.push_back(port);
-      for (const auto& [port, sinks] : ports->sinks)
-        if (!sends) known.push_back(port);
-      return known;
-    }
-    const auto found = entity_of_.find(name.owner);
-    if (found == entity_of_.end()) return known;
-    if (found->second == nullptr) return std::nullopt;
-    const Entity& entity = *found->second;
-    for (const auto* ports :
-         {sends ? &entity.outputs : &entity.inputs, sends ? &entity.sensors : &entity.actuators})
-      for (const auto& port : *ports) known.push_back(port.name.value);
-    return known;
-  }
-
-  /// Whether what a composite is bound to is there. Of entities that are unknown nothing is said.
-  bool is_there(const Spanned<std::string>& bound, const std::string& port, bool sends) {
-    const PortName name = parse_port(port);
-    const auto known = ports_inside(name, sends);
-    if (!known || contains(*known, name.name) || name.section == "targets" ||
-        name.section == "feedthroughs")
-      return true;
-    auto& problem = diagnostics_.error(
-        "E0390", bound.span,
-        fmt::format("there is no {} `{}` inside", sends ? "output" : "input", bound.value));
-    const std::string near = nearest(name.name, *known);
-    problem.help = near.empty()
-                       ? "a port of a composite is bound to `NAME.PORT` of its own graph"
-                       : fmt::format("did you mean `{}.{}`?", parse_port(bound.value).owner, near);
-    return false;
-  }
-
-  /// Whether the graph itself names a port that a composite has.
-  bool has_port(const Spanned<std::string>& written, const std::string& port, bool sends) {
-    const PortName name = parse_port(port);
-    if (ends_.find(name.owner) == nullptr) return true;
-    const auto known = ports_inside(name, sends);
-    if (contains(*known, name.name)) return true;
-    auto& problem = diagnostics_.error(
-        "E0307", written.span,
-        fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
-    const std::string near = nearest(name.name, *known);
-    problem.help = near.empty() ? fmt::format("it has {}", fmt::join(*known, ", "))
-                                : fmt::format("did you mean `{}.{}`?", name.owner, near);
-    return false;
-  }
-
   void bind(const YamlValue& inside, const YamlValue& written, const char* key, const Scope& scope,
             CompositePorts& ports) {
     const YamlValue* map = inside.find(key);
@@ -423,8 +277,8 @@ class Composer {
       std::vector<Sink>& sinks = ports.sinks[entry.key];
       for (const auto& text : texts_of(*entry.value.find("to"))) {
         for (const std::string& port : ports_of(text, scope)) {
-          if (!is_there(text, port, false)) continue;
-          for (Sink sink : ends_.sinks(port)) {
+          if (!inner_.is_there(text, port, false, diagnostics_)) continue;
+          for (Sink sink : inner_.ends.sinks(port)) {
             sink.settings.insert(sink.settings.begin(), settings_of(entry.value, scope));
             if (of_use != nullptr && of_use->is_map() &&
                 scope.around.back()->kind == EntityKind::node)
@@ -466,8 +320,8 @@ class Composer {
                            fmt::format("`{}` is more than one output", text.value));
         continue;
       }
-      if (found.empty() || !is_there(text, found.front(), true)) continue;
-      ports.sources[entry.key] = ends_.source(found.front());
+      if (found.empty() || !inner_.is_there(text, found.front(), true, diagnostics_)) continue;
+      ports.sources[entry.key] = inner_.ends.source(found.front());
     }
   }
 
@@ -486,9 +340,10 @@ class Composer {
       const Spanned<std::string> source{from->text, from->span}, sink{to->text, to->span};
       for (const auto& one : connections_of(source, sink, scope)) {
         const std::string from_port = full_name(one.from.port, scope);
-        const bool sends = has_port(source, from_port, true);
-        if (!has_port(sink, full_name(one.to.port, scope), false) || !sends) continue;
-        const Spanned<std::string> sender{ends_.source(from_port), source.span};
+        const bool sends = inner_.has_port(source, from_port, true, diagnostics_);
+        if (!inner_.has_port(sink, full_name(one.to.port, scope), false, diagnostics_) || !sends)
+          continue;
+        const Spanned<std::string> sender{inner_.ends.source(from_port), source.span};
         YamlValue each = one.from.element ? with_element(connection, *one.from.element, source.span)
                                           : connection;
         const std::string receiver = full_name(one.to.port, scope);
@@ -517,7 +372,7 @@ class Composer {
 
   void connect(const YamlValue& connection, const Spanned<std::string>& from,
                const Spanned<std::string>& to) {
-    for (const Sink& sink : ends_.sinks(to.value))
+    for (const Sink& sink : inner_.ends.sinks(to.value))
       connections_.push_back(joined(connection, from, {sink.port, to.span}, sink.settings));
   }
 
@@ -534,97 +389,14 @@ class Composer {
     connect(gathered->connection, gathered->from, to);
   }
 
-  /// The other keys of the graph that name ports and nodes.
-  void rename_ports(YamlValue& root) {
-    const auto source = [this](YamlValue& port) {
-      if (port.is_scalar()) port.text = ends_.source(port.text);
-    };
-    const auto sink = [this](YamlValue& port) {
-      if (port.is_scalar()) port.text = ends_.sinks(port.text).front().port;
-    };
-    for (auto& entry : root.entries) {
-      if (entry.key == "task") rename_inputs_of_task(entry.value, source);
-      if (entry.key == "render") with(entry.value, "source", source);
-      if (entry.key == "actions")
-        for (auto& action : entry.value.entries)
-          with(action.value, "space", [&](YamlValue& space) { with(space, "like", sink); });
-      if (entry.key == "budget")
-        with(entry.value, "age", [&](YamlValue& ages) {
-          for (auto& age : ages.items) {
-            with(age, "from", source);
-            with(age, "to", sink);
-          }
-        });
-      if (entry.key == "safety")
-        with(entry.value, "actuators", [&](YamlValue& actuators) {
-          for (auto& actuator : actuators.entries)
-            actuator.key = ends_.sinks(actuator.key).front().port;
-        });
-      if (entry.key == "placement") place_all(entry.value);
-      if (entry.key == "telemetry")
-        with(entry.value, "channels", [this](YamlValue& channels) { name_channels(channels); });
-    }
-  }
-
-  template <class F>
-  static void with(YamlValue& map, std::string_view key, F&& f) {
-    for (auto& entry : map.entries)
-      if (entry.key == key) f(entry.value);
-  }
-
-  template <class F>
-  static void rename_inputs_of_task(YamlValue& task, F&& source) {
-    with(task, "inputs", [&](YamlValue& inputs) {
-      for (auto& input : inputs.entries) {
-        source(input.value);
-        with(input.value, "from", source);
-      }
-    });
-  }
-
-  /// A channel of all elements of an array is one of each.
-  void name_channels(YamlValue& channels) {
-    std::vector<YamlValue> named;
-    for (const auto& item : channels.items) {
-      const Spanned<std::string> text{item.text, item.span};
-      std::vector<IndexedPort> ports = {{item.text, std::nullopt}};
-      if (item.text.find('[') != std::string::npos) {
-        const auto pattern = parse_pattern(text, diagnostics_);
-        if (!pattern) continue;
-        // An element of a message is no channel, as is said later.
-        if (!pattern->has_element()) ports = indexed_ports(*pattern, counter({}), diagnostics_);
-      }
-      for (const IndexedPort& port : ports) {
-        named.push_back(item);
-        if (item.is_scalar()) named.back().text = ends_.source(port.port);
-      }
-    }
-    channels.items = std::move(named);
-  }
-
-  /// A composite or an array is placed with all that is in it.
-  void place_all(YamlValue& placement) {
-    std::vector<YamlValue::Entry> placed;
-    for (const auto& entry : placement.entries) {
-      const std::size_t before = placed.size();
-      for (const auto& node : flat_nodes_)
-        if (node.starts_with(entry.key + "/") || node.starts_with(entry.key + "["))
-          placed.push_back({node, entry.key_span, entry.value});
-      if (placed.size() == before) placed.push_back(entry);
-    }
-    placement.entries = std::move(placed);
-  }
-
   const YamlValue& root_;
   const Library& library_;
   SourceMap& sources_;
   Diagnostics& diagnostics_;
   std::vector<YamlValue::Entry> objects_, nodes_;
   std::vector<YamlValue> connections_;
-  std::vector<std::string> flat_nodes_;
   std::map<std::string, std::int64_t> counts_;  // of arrays, by their full names
-  Ends ends_;
-  std::map<std::string, const Entity*> entity_of_;  // nullptr: unknown, or a policy
+  InnerPorts inner_;
   std::size_t entities_ = 0;
   bool too_many_ = false;
   bool changed_ = false;

@@ -1,0 +1,60 @@
+#include "generator/compose/inner_ports.hpp"
+
+#include <fmt/format.h>
+
+#include "generator/spec/named.hpp"
+
+namespace eagerx::gen {
+
+std::optional<std::vector<std::string>> InnerPorts::known(const PortName& name, bool sends) const {
+  std::vector<std::string> known;
+  if (const CompositePorts* ports = ends.find(name.owner)) {
+    for (const auto& [port, source] : ports->sources)
+      if (sends) known.push_back(port);
+    for (const auto& [port, sinks] : ports->sinks)
+      if (!sends) known.push_back(port);
+    return known;
+  }
+  const auto found = entity_of.find(name.owner);
+  if (found == entity_of.end()) return known;
+  if (found->second == nullptr) return std::nullopt;
+  const Entity& entity = *found->second;
+  for (const auto* ports :
+       {sends ? &entity.outputs : &entity.inputs, sends ? &entity.sensors : &entity.actuators})
+    for (const auto& port : *ports) known.push_back(port.name.value);
+  return known;
+}
+
+bool InnerPorts::is_there(const Spanned<std::string>& bound, const std::string& port, bool sends,
+                          Diagnostics& diagnostics) const {
+  const PortName name = parse_port(port);
+  const auto known = this->known(name, sends);
+  if (!known || contains(*known, name.name) || name.section == "targets" ||
+      name.section == "feedthroughs")
+    return true;
+  auto& problem = diagnostics.error(
+      "E0390", bound.span,
+      fmt::format("there is no {} `{}` inside", sends ? "output" : "input", bound.value));
+  const std::string near = nearest(name.name, *known);
+  problem.help = near.empty()
+                     ? "a port of a composite is bound to `NAME.PORT` of its own graph"
+                     : fmt::format("did you mean `{}.{}`?", parse_port(bound.value).owner, near);
+  return false;
+}
+
+bool InnerPorts::has_port(const Spanned<std::string>& written, const std::string& port, bool sends,
+                          Diagnostics& diagnostics) const {
+  const PortName name = parse_port(port);
+  if (ends.find(name.owner) == nullptr) return true;
+  const auto known = this->known(name, sends);
+  if (contains(*known, name.name)) return true;
+  auto& problem = diagnostics.error(
+      "E0307", written.span,
+      fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
+  const std::string near = nearest(name.name, *known);
+  problem.help = near.empty() ? fmt::format("it has {}", fmt::join(*known, ", "))
+                              : fmt::format("did you mean `{}.{}`?", name.owner, near);
+  return false;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,15 @@
+// The keys of a graph, besides its connections, that name ports and nodes.
+#pragma once
+
+#include "generator/compose/ends.hpp"
+#include "generator/compose/port_pattern.hpp"
+
+namespace eagerx::gen {
+
+/// `task:`, `render:`, `budget:`, `safety:`, `placement:`, `telemetry:` and `like:` of a graph
+/// whose nodes and connections are flat: ports of composites become those inside, and a composite
+/// or an array is placed with all that is in it. Problems: those of indexed_ports().
+void rename_ports(YamlValue& root, const Ends& ends, const CountOf& count_of,
+                  Diagnostics& diagnostics);
+
+}  // namespace eagerx::gen
