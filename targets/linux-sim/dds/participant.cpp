@@ -74,8 +74,10 @@ std::string config_of(const Network& network) {
                                          std::string(is_address(to) ? "address" : "name") + "=\"" +
                                          to + "\"/></Interfaces></General>";
   return "<CycloneDDS><Domain Id=\"any\">" + settings +
-         // It would say so for each message of somebody else that is none.
-         "<Tracing><Verbosity>severe</Verbosity></Tracing></Domain></CycloneDDS>";
+         // It would say so for each message of somebody else that is none. Without a name it makes
+         // a file in the working folder.
+         "<Tracing><Verbosity>severe</Verbosity><OutputFile>stderr</OutputFile></Tracing></Domain>"
+         "</CycloneDDS>";
 }
 
 /// All file descriptors.
