@@ -412,8 +412,15 @@ FlatGraph compose(const YamlValue& root, const Library& library, SourceMap& sour
 }
 
 std::vector<std::string> entities_of_patterns(const YamlValue& root) {
-  if (!mentions(root, "[")) return {};
-  return {"Mux", "GetIndex"};
+  const YamlValue* connections = root.find("connections");
+  const bool has_pattern =
+      connections != nullptr && std::ranges::any_of(connections->items, [](const YamlValue& item) {
+        return std::ranges::any_of(item.entries, [](const YamlValue::Entry& entry) {
+          return (entry.key == "from" || entry.key == "to") &&
+                 entry.value.text.find('[') != std::string::npos;
+        });
+      });
+  return has_pattern ? std::vector<std::string>{"Mux", "GetIndex"} : std::vector<std::string>();
 }
 
 }  // namespace eagerx::gen

@@ -153,13 +153,23 @@ class Chooser {
   bool failed_ = false;
 };
 
+/// A graph that stands on no other one has nothing to remove.
+void refuse_idle_remove(const YamlValue& root, Diagnostics& diagnostics) {
+  const YamlValue* remove = root.find("remove");
+  if (remove == nullptr || root.find(kExtends) != nullptr) return;
+  diagnostics.error("E0208", remove->span, "`remove` does nothing without `extends:`").help =
+      "leave out what it names, or write it in one of the `variants:`";
+}
+
 }  // namespace
 
 YamlValue choose_variant(YamlValue root, const std::string& path, const std::string& variant,
                          SourceMap& sources, Diagnostics& diagnostics) {
   Chooser chooser(sources, diagnostics);
   const bool plain = root.find(kExtends) == nullptr && root.find(kVariants) == nullptr;
-  if (!root.is_map() || (plain && variant.empty())) return root;
+  if (!root.is_map()) return root;
+  refuse_idle_remove(root, diagnostics);
+  if (plain && variant.empty()) return root;
   root = chooser.with_base(std::move(root), path);
   if (!chooser.failed()) root = chooser.chosen(std::move(root), variant, {});
   if (!diagnostics.has_errors()) check_removed(root, diagnostics);
