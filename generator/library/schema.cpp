@@ -111,7 +111,7 @@ Json config_schema(const Library& library, const Entity& entity) {
   Json required = Json::list();
   for (const Parameter& parameter : entity.config) {
     const Json plain = parameter_schema(library, parameter);
-    Json property{{"anyOf", Json::List{plain, Json{{"$ref", "#/definitions/of_element"}}}}};
+    Json property{{"anyOf", Json::List{plain, element_schema()}}};
     set_description(property, parameter.about, parameter.unit);
     properties[parameter.name.value] = std::move(property);
     if (!parameter.fallback) required.push_back(parameter.name.value);
@@ -233,7 +233,6 @@ Json graph_schema(const Library& library) {
   specialise(at(properties, "engine"), library, EntityKind::engine);
   specialise(at(at(properties, "objects"), "additionalProperties"), library, EntityKind::object);
   specialise(at(at(properties, "nodes"), "additionalProperties"), library, EntityKind::node);
-  schema["definitions"] = Json{{"of_element", element_schema()}};
   return schema;
 }
 
