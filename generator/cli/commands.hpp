@@ -34,6 +34,7 @@ struct Options {
   std::string variant;                              // empty: the graph as it is written
   std::string engine, real;                         // empty: the graph's
   std::vector<std::string> split;                   // NAMES=BOARD; empty: the graph's placement
+  std::vector<std::string> of;                      // nodes that are cut out; empty: all
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
