@@ -104,6 +104,8 @@ int policy_command(const Options& options);
 int policy_golden_command(const Options& options);
 /// How far the answers of two policies are apart.
 int policy_compare_command(const Options& options);
+/// Steps a library that is cut out of a graph with what a simulation recorded, and compares.
+int pil_command(const Options& options);
 /// What these take.
 Command policy_commands(Options& options);
 /// Writes a log in the form of other tools.
@@ -114,6 +116,7 @@ int plot_command(const Options& options);
 int monitor_command(const Options& options);
 /// What these take.
 Command train_commands(Options& options);
+Command pil_commands(Options& options);
 Command campaign_commands(Options& options);
 Command trace_commands(Options& options);
 Command plot_commands(Options& options);

@@ -415,6 +415,7 @@ CommandLine command_line(Options& options) {
                            run(options),
                            train_commands(options),
                            campaign_commands(options),
+                           pil_commands(options),
                            check(options),
                            info(options),
                            diff(options),

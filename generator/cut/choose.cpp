@@ -38,7 +38,9 @@ void report_not_found(const Graph& whole, const std::string& name, Diagnostics& 
   constexpr const char* kHelp =
       "nodes are cut out, and composites and arrays of them: the rest is what your main loop brings";
   const bool simulated =
-      name == "engine" || std::ranges::find(whole.objects, name, &Object::name) != whole.objects.end();
+      name == "engine" || std::ranges::any_of(whole.objects, [&](const Object& object) {
+        return is_called(object.name, name) != Called::no;
+      });
   if (simulated || name == "environment" || name == "actions" || name == "observations" ||
       name == kTask || name == kRender) {
     refuse(diagnostics, fmt::format("`{}` cannot be cut out", name)).help = kHelp;
@@ -47,8 +49,12 @@ void report_not_found(const Graph& whole, const std::string& name, Diagnostics& 
         "write its policy as a node: `nodes: {NAME: {policy: FILE, …}}`; or leave out `--of`: a "
         "library of the whole graph has `Graph::policy()`";
   } else {
+    const auto known = known_names(whole);
+    std::vector<std::string> listed = known;
+    if (nearest(name, known).empty())
+      std::erase_if(listed, [](const auto& n) { return n.find_first_of("/[") != std::string::npos; });
     diagnostics.error("E0307", {}, fmt::format("there is no node `{}`", name)).help =
-        suggestion(name, known_names(whole), "the graph has no nodes");
+        suggestion(name, listed, "the graph has no nodes");
   }
 }
 
