@@ -19,6 +19,7 @@ enum class Purpose : std::uint8_t {
   training,    // the whole graph, whatever its agent is
   campaign,    // the whole graph, with its agent
   simulation,  // the whole graph, with whatever agent
+  recording,   // the whole graph, with its agent, for a library that is cut out of it
 };
 
 /// A weight file, and what is said besides it.

@@ -24,12 +24,15 @@ std::optional<std::string> record(const Options& options, const std::string& fol
   whole.of.clear();
   whole.targets.clear();
   whole.library = false;
-  whole.purpose = Purpose::simulation;
+  whole.purpose = Purpose::recording;
   whole.output = folder + "/simulation";
   Run run;
   const auto programs = build_graph(run, whole, code);
   std::string log = folder + "/recorded.log";
-  if (programs) {
+  if (programs && run.graph->has_reset_nodes()) {
+    run.diagnostics.error("E0517", run.graph->span,
+                          "the simulation has reset nodes, and a library has no reset routine");
+  } else if (programs) {
     std::vector<std::string> command = {fs::absolute(programs->back().image).string(), "--quiet",
                                         "--trace", log};
     command.insert(command.end(), options.program_options.begin(), options.program_options.end());

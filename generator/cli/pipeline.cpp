@@ -231,7 +231,7 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
   }
   take_policy(run, options);
   remember_named_files(run);
-  if (!options.of.empty()) prepare_for_cut(run);
+  if (!options.of.empty() || options.purpose == Purpose::recording) prepare_for_cut(run);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
   if (options.purpose == Purpose::simulation) run.spec->placement.clear();

@@ -160,10 +160,11 @@ bool check_order(const Graph& whole, const std::vector<bool>& inside, Diagnostic
       const GraphNode& between = whole.nodes[way.front()];
       auto& problem = diagnostics.error(
           "E0398", input.span,
-          fmt::format("`{}` waits for what `{}` sends at the same instant, through `{}`, which is "
+          fmt::format("`{}` waits for what `{}` sends at the same instant, through {}, which is "
                       "outside",
                       input.written, whole.nodes[way.back()].name,
-                      between.role == NodeRole::environment ? "the agent" : between.name));
+                      between.role == NodeRole::environment ? std::string("the agent")
+                                                                  : "`" + between.name + "`"));
       problem.help =
           between.role == NodeRole::environment
               ? "one call of step() cannot ask the agent in its middle: add `skip: true` to this "
