@@ -104,7 +104,7 @@ class Episode {
         for (std::size_t i = 0; i < size_of<Message>; ++i)
           element(message, i) = recorded_.element<ScalarOf<Message>>();
       });
-      compare(program_.step(action));
+      step(action);
       if (differs_) return false;
     }
     return true;
@@ -112,6 +112,24 @@ class Episode {
   [[nodiscard]] std::uint64_t compared() const { return compared_; }
 
  private:
+  /// What is compared is what the nodes send, before a guard limits what leaves.
+  void step(const typename Limits::Action& action) {
+    if constexpr (requires { program_.guard.acts(); }) {
+      const auto checked = program_.guard.check(action, 0);
+      if (!program_.guard.acts()) {
+        differs_ = true;
+        tell_place();
+        console.text("the library's guard lets no node run\n");
+        return;
+      }
+      auto seen = program_.step_unguarded(checked);
+      compare(seen);
+      program_.guard.leave(seen);
+    } else {
+      compare(program_.step(action));
+    }
+  }
+
   void compare(const typename Limits::Observation& seen) {
     Limits::for_each_observation(seen, [&](const char* name, const auto& window, const auto&) {
       const auto& message = window.back();
@@ -128,8 +146,7 @@ class Episode {
     });
   }
 
-  template <class T>
-  void tell(const char* name, std::size_t i, std::size_t size, T is, T was) {
+  void tell_place() {
     console.text("first difference at ");
     using Rate = typename Graph::Rate;
     console.number(static_cast<float>(step_) * static_cast<float>(Rate::den) /
@@ -139,6 +156,10 @@ class Episode {
     console.text(" of episode ");
     console.number(number_);
     console.text(": ");
+  }
+  template <class T>
+  void tell(const char* name, std::size_t i, std::size_t size, T is, T was) {
+    tell_place();
     console.text(name);
     if (size > 1) {
       console.text("[");
