@@ -234,7 +234,8 @@ void check_budget(Run& run) {
 /// Whether the graph is as it is written: what is said of another variant says little of it.
 bool is_as_written(const Options& options) {
   return options.engine.empty() && options.real.empty() && options.split.empty() &&
-         options.of.empty() && options.targets.empty() && !options.engine_rate_hz && !options.rate_hz;
+         options.of.empty() && options.targets.empty() && !options.engine_rate_hz &&
+         !options.rate_hz;
 }
 
 std::set<std::string> names_in(const Graph& graph) {
@@ -257,8 +258,8 @@ void check_graph(Run& run, const std::vector<const Target*>& targets, const Opti
 bool cut_out_nodes(Run& run, const Options& options) {
   check_graph(run, {}, options);
   if (run.diagnostics.has_errors()) return false;
-  auto graph = cut_out(*run.graph, {options.of, run.composites, run.safety_of_cut},
-                       run.diagnostics);
+  auto graph =
+      cut_out(*run.graph, {options.of, run.composites, run.safety_of_cut}, run.diagnostics);
   if (!graph) return false;
   const std::set<std::string> inside = names_in(*graph);
   std::erase_if(run.policies.nodes, [&](const NodeNetwork& policy) {
@@ -414,8 +415,7 @@ bool check_text(Run& run, const Options& options, const std::string& text) {
 int check_command(const Options& options) {
   Run run;
   const auto targets = make(run, options) ? judged_targets(run, options) : std::nullopt;
-  if (targets && options.compile)
-    compile_entities(run, *targets, run.diagnostics);
+  if (targets && options.compile) compile_entities(run, *targets, run.diagnostics);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;

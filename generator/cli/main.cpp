@@ -23,9 +23,10 @@ Arguments output(Options& options) {
                   "DIR")),
       flag("--library", options.library,
            "write a library for a main loop of your own instead of a program"),
-      cut_out_nodes(options,
-                    "write a library of these nodes, composites or arrays alone; what crosses to the "
-                    "others becomes its actions and observations. May be repeated"),
+      cut_out_nodes(
+          options,
+          "write a library of these nodes, composites or arrays alone; what crosses to the "
+          "others becomes its actions and observations. May be repeated"),
       flag("--standalone", options.standalone,
            "also write everything that is needed to compile the output"),
       texts("--package", options.packages,
@@ -117,15 +118,16 @@ Command check(Options& options) {
                    {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
                    {"with entities of your own, messages as JSON",
                     "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
-      .arguments = joined({{graph(options)},
-                           selection(options),
-                           rates(options),
-                           {library(options), warnings(options)},
-                           {cut_out_nodes(options, "check the library of these nodes alone, as generate --of"),
-                            flag("--compile", options.compile,
-                                 "also compile the entities as boards do: no heap, no <cmath>, no "
-                                 "double in a graph of floats")},
-                           diagnostics(options)}),
+      .arguments = joined(
+          {{graph(options)},
+           selection(options),
+           rates(options),
+           {library(options), warnings(options)},
+           {cut_out_nodes(options, "check the library of these nodes alone, as generate --of"),
+            flag("--compile", options.compile,
+                 "also compile the entities as boards do: no heap, no <cmath>, no "
+                 "double in a graph of floats")},
+           diagnostics(options)}),
       .run = [&options] { return check_command(options); }};
 }
 

@@ -28,7 +28,8 @@ std::optional<std::string> record(const Options& options, const std::string& fol
   whole.output = folder + "/simulation";
   Run run;
   const auto programs = build_graph(run, whole, code);
-  std::string log = folder + "/recorded.log";
+  // In a folder that is ours whatever else the user has.
+  std::string log = folder + "/simulation/build/recorded.log";
   if (programs && run.graph->has_reset_nodes()) {
     run.diagnostics.error("E0517", run.graph->span,
                           "the simulation has reset nodes, and a library has no reset routine");
@@ -85,7 +86,7 @@ struct PilProgram {
 };
 
 std::optional<PilProgram> build_pil(Run& run, const Options& options, const std::string& folder,
-                                    int& code) {
+                                    const std::string& log, int& code) {
   Options library = options;
   library.output = folder + "/library";
   const auto generated = make(run, library) ? generate_graph(run, library, code) : std::nullopt;
@@ -93,7 +94,7 @@ std::optional<PilProgram> build_pil(Run& run, const Options& options, const std:
   const Target& target = *run.library.find_target(wanted_targets(options).front());
   if (!check_pil_target(run, target)) return std::nullopt;
   std::string why;
-  const auto recording = recording_of(folder + "/recorded.log", *run.graph, why);
+  const auto recording = recording_of(log, *run.graph, why);
   if (!recording || recording->steps == 0) {
     run.diagnostics.error("E0517", {}, recording ? "the simulation has no steps to compare" : why);
     return std::nullopt;
@@ -119,9 +120,10 @@ int pil_command(const Options& options) {
   }
   std::error_code ignored;
   fs::create_directories(folder, ignored);
-  if (!record(options, folder, code)) return std::max(code, int{kProblems});
+  const auto log = record(options, folder, code);
+  if (!log) return std::max(code, int{kProblems});
   Run run;
-  const auto pil = build_pil(run, options, folder, code);
+  const auto pil = build_pil(run, options, folder, *log, code);
   code = std::max(finish(run, options), code);
   if (!pil || code != kDone) return code;
   std::vector<std::string> command = pil->command;
@@ -136,8 +138,9 @@ Command pil_commands(Options& options) {
   };
   return {
       .name = "pil",
-      .about = "processor in the loop: step a library of some nodes with what a simulation of the "
-               "whole graph recorded, and compare each output, bit for bit",
+      .about =
+          "processor in the loop: step a library of some nodes with what a simulation of the "
+          "whole graph recorded, and compare each output, bit for bit",
       .examples = {{"on this machine", "eagerx-gen pil robot.yaml --of controller"},
                    {"on an emulated board",
                     "eagerx-gen pil robot.yaml --of controller --target mps2-an386 --steps 200"}},

@@ -36,7 +36,8 @@ bool is_made(const Graph& whole, std::size_t node) {
 
 void report_not_found(const Graph& whole, const std::string& name, Diagnostics& diagnostics) {
   constexpr const char* kHelp =
-      "nodes are cut out, and composites and arrays of them: the rest is what your main loop brings";
+      "nodes are cut out, and composites and arrays of them: the rest is what your main loop "
+      "brings";
   const bool simulated =
       name == "engine" || std::ranges::any_of(whole.objects, [&](const Object& object) {
         return is_called(object.name, name) != Called::no;
@@ -52,7 +53,8 @@ void report_not_found(const Graph& whole, const std::string& name, Diagnostics& 
     const auto known = known_names(whole);
     std::vector<std::string> listed = known;
     if (nearest(name, known).empty())
-      std::erase_if(listed, [](const auto& n) { return n.find_first_of("/[") != std::string::npos; });
+      std::erase_if(listed,
+                    [](const auto& n) { return n.find_first_of("/[") != std::string::npos; });
     diagnostics.error("E0307", {}, fmt::format("there is no node `{}`", name)).help =
         suggestion(name, listed, "the graph has no nodes");
   }
@@ -164,14 +166,15 @@ bool check_order(const Graph& whole, const std::vector<bool>& inside, Diagnostic
                       "outside",
                       input.written, whole.nodes[way.back()].name,
                       between.role == NodeRole::environment ? std::string("the agent")
-                                                                  : "`" + between.name + "`"));
+                                                            : "`" + between.name + "`"));
       problem.help =
           between.role == NodeRole::environment
               ? "one call of step() cannot ask the agent in its middle: add `skip: true` to this "
                 "connection, or cut out one side only"
-              : fmt::format("cut `{}` out, too, or add `skip: true` to this connection: one call of "
-                            "step() has all its actions before it begins",
-                            between.name);
+              : fmt::format(
+                    "cut `{}` out, too, or add `skip: true` to this connection: one call of "
+                    "step() has all its actions before it begins",
+                    between.name);
       return false;
     }
   }

@@ -40,9 +40,9 @@ class Cutter {
     if (crossings_.out.empty()) {
       diagnostics_
           .error("E0399", {},
-                 fmt::format("nothing outside takes what {} sends",
-                             request_.names.size() == 1 ? "`" + request_.names.front() + "`"
-                                                        : "these nodes"))
+                 fmt::format("nothing outside takes what {}",
+                             request_.names.size() == 1 ? "`" + request_.names.front() + "` sends"
+                                                        : "these nodes send"))
           .help = "a library has outputs: name the nodes that send to the plant, too";
       return std::nullopt;
     }
@@ -74,7 +74,6 @@ class Cutter {
   void add_environment() {
     std::set<std::string> rates;
     Rational rate;
-    bool is_of_port = false;
     const auto add = [&](const Crossing& crossing) {
       const Rational& of_port = crossing.port.rate_hz;
       rate = rate == Rational() ? of_port : lcm(rate, of_port);
@@ -82,8 +81,7 @@ class Cutter {
     };
     std::ranges::for_each(crossings_.in, add);
     std::ranges::for_each(crossings_.out, add);
-    is_of_port = rates.contains(rate.to_string());
-    if (!is_of_port) {
+    if (!rates.contains(rate.to_string())) {
       auto& problem = diagnostics_.warning(
           "W0117", whole_.span,
           fmt::format("step() has to be called {} times a second, and no port has this rate",
@@ -196,7 +194,8 @@ class Cutter {
     const GraphNode& environment = graph_.environment();
     if (safety.max_lateness_s == Rational(1) / whole_.environment().rate_hz)
       safety.max_lateness_s = Rational(1) / environment.rate_hz;
-    for (const Output& action : environment.outputs) safety.actions.push_back(zero_in(action.space));
+    for (const Output& action : environment.outputs)
+      safety.actions.push_back(zero_in(action.space));
     SafetySpec spec = request_.safety.value_or(SafetySpec());
     if (!request_.safety || !request_.safety->no_outputs) take_actuators(spec);
     const Setting* nodes = find_named(spec.settings, "nodes");

@@ -11,8 +11,8 @@
 namespace eagerx::gen {
 
 struct CutRequest {
-  std::vector<std::string> names;  // of nodes, composites, arrays; `leg[*]/knee` too
-  Ends composites;                 // of the graph
+  std::vector<std::string> names;    // of nodes, composites, arrays; `leg[*]/knee` too
+  Ends composites;                   // of the graph
   std::optional<SafetySpec> safety;  // of the graph: its names are those of ports at the cut
 };
 

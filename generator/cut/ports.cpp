@@ -119,8 +119,8 @@ class Finder {
 
   void goes_out(const Input& input) {
     const Sender from{input.source_node, input.source_output};
-    const std::string written = whole_.nodes[from.first].name + "." +
-                                whole_.nodes[from.first].outputs[from.second].name;
+    const std::string written =
+        whole_.nodes[from.first].name + "." + whole_.nodes[from.first].outputs[from.second].name;
     std::vector<std::string> names = names_.of_output(written);
     if (names.empty()) names.push_back(written);
     for (const std::string& name : names) {

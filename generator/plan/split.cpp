@@ -94,8 +94,8 @@ Split find_messages(const Plan& plan) {
     const Channel& channel = plan.channels[c];
     // The host's trace has every message.
     split.to_host[c] = on_board[channel.node];
-    split.to_board[c] = !on_board[channel.node] &&
-                        crosses(graph, on_board, channel.node, channel.output);
+    split.to_board[c] =
+        !on_board[channel.node] && crosses(graph, on_board, channel.node, channel.output);
   }
   return split;
 }
