@@ -116,6 +116,9 @@ int plot_command(const Options& options);
 /// Watches the messages of a program.
 int monitor_command(const Options& options);
 /// What these take.
+Command generate_commands(Options& options);
+Command build_commands(Options& options);
+Command run_commands(Options& options);
 Command train_commands(Options& options);
 Command pil_commands(Options& options);
 Command campaign_commands(Options& options);

@@ -159,6 +159,7 @@ Command pil_commands(Options& options) {
                  "NAME"),
             texts("--target", options.targets, "where the library runs (default: linux-sim)",
                   "NAME")},
+           rates(options),
            {agent_policy(options), library(options), warnings(options)},
            diagnostics(options)}),
       .check =
