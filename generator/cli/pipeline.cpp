@@ -185,6 +185,7 @@ void prepare_for_cut(Run& run) {
   if (!run.spec->safety) return;
   SafetySpec& safety = *run.spec->safety;
   run.safety_of_cut = safety;
+  run.safety_of_cut->no_outputs = false;  // said of a simulation, on which nothing acts
   safety.outputs.clear();
   safety.outputs_span.reset();
   safety.no_outputs = !run.spec->has_engine();

@@ -60,16 +60,31 @@ void report_not_found(const Graph& whole, const std::string& name, Diagnostics& 
   }
 }
 
-/// Nodes that gather elements of messages have no name of the user's: they go with their sources.
+/// Nodes that gather elements of messages have no name of the user's: where they are between nodes
+/// that are cut out, they go with them.
 void add_gathering(const Graph& whole, std::vector<bool>& inside) {
+  const auto is_gathering = [&](std::size_t n) {
+    return whole.nodes[n].role == NodeRole::node && whole.nodes[n].name.starts_with("mux/");
+  };
+  std::vector<bool> from_inside = inside;
+  const auto gathers_from_inside = [&](const GraphNode& node) {
+    return std::ranges::all_of(node.inputs,
+                               [&](const Input& i) { return from_inside[i.source_node]; });
+  };
   for (bool more = true; more;) {
     more = false;
     for (std::size_t n = 0; n < whole.nodes.size(); ++n) {
-      const GraphNode& node = whole.nodes[n];
-      if (inside[n] || node.role != NodeRole::node || !node.name.starts_with("mux/")) continue;
-      if (!std::ranges::all_of(node.inputs, [&](const Input& i) { return inside[i.source_node]; }))
-        continue;
-      inside[n] = more = true;
+      if (from_inside[n] || !is_gathering(n) || !gathers_from_inside(whole.nodes[n])) continue;
+      from_inside[n] = more = true;
+    }
+  }
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t n = 0; n < whole.nodes.size(); ++n) {
+      for (const Input& input : whole.nodes[n].inputs) {
+        if (!inside[n] || inside[input.source_node] || !from_inside[input.source_node]) continue;
+        inside[input.source_node] = more = true;
+      }
     }
   }
 }

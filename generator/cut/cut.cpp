@@ -197,7 +197,7 @@ class Cutter {
     for (const Output& action : environment.outputs)
       safety.actions.push_back(zero_in(action.space));
     SafetySpec spec = request_.safety.value_or(SafetySpec());
-    if (!request_.safety || !request_.safety->no_outputs) take_actuators(spec);
+    take_actuators(spec);
     const Setting* nodes = find_named(spec.settings, "nodes");
     if (nodes != nullptr) safety.resets_nodes = nodes->value.text == "reset";
     read_safe_outputs(environment, &spec, safety, diagnostics_);

@@ -92,6 +92,17 @@ class Finder {
            (whole_.render && whole_.render->node == n);
   }
 
+  /// Messages that are put together from elements have no sender that a user named.
+  [[nodiscard]] bool is_gathered(std::size_t n) const {
+    return whole_.nodes[n].role == NodeRole::node && whole_.nodes[n].name.starts_with("mux/");
+  }
+  /// "actions.voltage" → "voltage"
+  static std::string without_environment(const std::string& port) {
+    const PortName name = parse_port(port);
+    const bool environment = name.owner == "actions" || name.owner == "observations";
+    return environment ? name.within_owner() : port;
+  }
+
   [[nodiscard]] CutPort port_of(const Sender& from) const {
     const GraphNode& node = whole_.nodes[from.first];
     CutPort port;
@@ -110,8 +121,7 @@ class Finder {
     std::string name = names_.of_input(input.written);
     if (name.empty()) {
       name = crossing.port.sender;
-      if (input.source_node == Graph::kEnvironment) name = parse_port(name).within_owner();
-      if (name.starts_with("mux/")) name = input.written;
+      name = is_gathered(input.source_node) ? input.written : without_environment(name);
     }
     const std::size_t at = add(result_.in, named_in_, std::move(crossing), name);
     result_.of_input[{n, i}] = at;
@@ -123,6 +133,7 @@ class Finder {
         whole_.nodes[from.first].name + "." + whole_.nodes[from.first].outputs[from.second].name;
     std::vector<std::string> names = names_.of_output(written);
     if (names.empty()) names.push_back(written);
+    if (is_gathered(from.first)) names = {without_environment(input.written)};
     for (const std::string& name : names) {
       Crossing crossing{from, port_of(from), input.span};
       crossing.port.sender = written;

@@ -65,10 +65,10 @@ void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {
                       ? "zero, moved into its space"
                       : fmt::format("{} would leave as the nodes made it", fmt::join(many, ", "));
   problem.help = fmt::format(
-      "write `safety: {{outputs: {{{}}}}}` with values that are safe, or `outputs: none` if "
-      "nothing "
-      "acts on what leaves",
-      fmt::join(values, ", "));
+      "write `safety: {{outputs: {{{}}}}}` with values that are safe, or {} if nothing acts on "
+      "what "
+      "leaves",
+      fmt::join(values, ", "), graph.cut ? "`none` in place of a value" : "`outputs: none`");
 }
 
 }  // namespace eagerx::gen
