@@ -4,9 +4,9 @@
 #include <eagerx/trace.hpp>
 
 #include "motor.hpp"
-#include "motor_controller.hpp"
+#include "motor_control.hpp"
 
-namespace controller = graphs::motor_controller;
+namespace controller = graphs::motor_control;
 
 /// With the hash of all messages, to compare machines; without it: controller::Program<>.
 using Controller = controller::Program<eagerx::HashTrace>;

@@ -10,16 +10,19 @@ class Motor {
     return fails ? __builtin_nanf("") : angle_;
   }
 
-  /// For one period of the controller, 2 ms. Euler's method.
-  void apply(float voltage) {
+  /// For one period of the controller.
+  void apply(float voltage) { move(angle_, speed_, voltage); }
+
+  float angle() const { return angle_; }
+
+  /// 2 ms with a voltage in V; angle in rad, speed in rad/s. Euler's method.
+  static constexpr void move(float& angle, float& speed, float voltage) {
     constexpr float kPeriod = 0.002F;  // s
     constexpr float kGain = 20.0F;     // rad/s² per V
     constexpr float kDamping = 4.0F;   // 1/s
-    angle_ += kPeriod * speed_;
-    speed_ += kPeriod * (kGain * voltage - kDamping * speed_);
+    angle += kPeriod * speed;
+    speed += kPeriod * (kGain * voltage - kDamping * speed);
   }
-
-  float angle() const { return angle_; }
 
  private:
   float angle_ = 0.0F;  // rad

@@ -1,5 +1,6 @@
 #include "generator/cli/arguments.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "generator/read/quantity.hpp"
@@ -53,6 +54,25 @@ Arguments selection(Options& options) {
       texts("--target", options.targets,
             "target to make a program for, may be repeated (default: linux-sim)", "NAME"),
       std::move(split)};
+}
+
+Argument cut_out_nodes(Options& options, std::string about) {
+  Argument argument{"--of", std::move(about), "NAME[,NAME...]", [&options](const auto& values) {
+                      for (const std::string& value : values)
+                        for (std::size_t begin = 0; begin <= value.size();) {
+                          const std::size_t end = std::min(value.find(',', begin), value.size());
+                          options.of.push_back(value.substr(begin, end - begin));
+                          begin = end + 1;
+                        }
+                      options.library = true;
+                    }};
+  argument.repeated = true;
+  argument.check = [](const std::string& text) {
+    const bool complete = !text.empty() && !text.starts_with(',') && !text.ends_with(',') &&
+                          text.find(",,") == std::string::npos;
+    return complete ? std::string() : "`" + text + "` is not NAME[,NAME...]";
+  };
+  return argument;
 }
 
 Argument agent_policy(Options& options) {

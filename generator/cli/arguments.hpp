@@ -18,6 +18,8 @@ Argument graph(Options& options);
 /// Variant, engine, scalar, targets and split, as against what the graph says.
 Arguments selection(Options& options);
 Argument agent_policy(Options& options);
+/// Nodes that are cut out of the graph, as a library.
+Argument cut_out_nodes(Options& options, std::string about);
 Argument variant(Options& options);
 Arguments rates(Options& options);
 /// Folders of the user's own entities.

@@ -19,6 +19,7 @@ enum class Purpose : std::uint8_t {
   training,    // the whole graph, whatever its agent is
   campaign,    // the whole graph, with its agent
   simulation,  // the whole graph, with whatever agent
+  recording,   // the whole graph, with its agent, for a library that is cut out of it
 };
 
 /// A weight file, and what is said besides it.
@@ -34,6 +35,7 @@ struct Options {
   std::string variant;                              // empty: the graph as it is written
   std::string engine, real;                         // empty: the graph's
   std::vector<std::string> split;                   // NAMES=BOARD; empty: the graph's placement
+  std::vector<std::string> of;                      // nodes that are cut out; empty: all
   std::optional<Rational> engine_rate_hz, rate_hz;  // without: the graph's
   std::vector<std::string> paths;  // folders of the user's own entities and targets
   std::string depfile;
@@ -103,6 +105,8 @@ int policy_command(const Options& options);
 int policy_golden_command(const Options& options);
 /// How far the answers of two policies are apart.
 int policy_compare_command(const Options& options);
+/// Steps a library that is cut out of a graph with what a simulation recorded, and compares.
+int pil_command(const Options& options);
 /// What these take.
 Command policy_commands(Options& options);
 /// Writes a log in the form of other tools.
@@ -112,7 +116,11 @@ int plot_command(const Options& options);
 /// Watches the messages of a program.
 int monitor_command(const Options& options);
 /// What these take.
+Command generate_commands(Options& options);
+Command build_commands(Options& options);
+Command run_commands(Options& options);
 Command train_commands(Options& options);
+Command pil_commands(Options& options);
 Command campaign_commands(Options& options);
 Command trace_commands(Options& options);
 Command plot_commands(Options& options);

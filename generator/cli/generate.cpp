@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 
 #include "generator/cli/built.hpp"
 #include "generator/cli/next_steps.hpp"
@@ -12,6 +13,7 @@
 #include "generator/cli/standalone.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/compile/compile.hpp"
+#include "generator/cut/cut.hpp"
 #include "generator/emit/emit.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/quote/quote.hpp"
@@ -135,16 +137,6 @@ std::vector<const Target*> find_targets(Run& run, const Options& options) {
   return result;
 }
 
-/// The same; where others are listed, the whole library is read. Nothing if there is no graph with
-/// it.
-std::optional<std::vector<const Target*>> find_targets_and_others(Run& run,
-                                                                  const Options& options) {
-  auto targets = find_targets(run, options);
-  if (!run.library.was_too_small()) return targets;
-  if (!make_again(run, options)) return std::nullopt;
-  return find_targets(run, options);
-}
-
 /// Refuses what CMake, or the ninja that it writes rules for, cannot have in the path of a project.
 void check_output_path(Run& run, const std::string& path) {
   for (const std::string_view part : {";", "\"", "\\", "|", "${", "$<", "\n", "\r"}) {
@@ -242,29 +234,66 @@ void check_budget(Run& run) {
 /// Whether the graph is as it is written: what is said of another variant says little of it.
 bool is_as_written(const Options& options) {
   return options.engine.empty() && options.real.empty() && options.split.empty() &&
-         options.targets.empty() && !options.engine_rate_hz && !options.rate_hz;
+         options.of.empty() && options.targets.empty() && !options.engine_rate_hz &&
+         !options.rate_hz;
 }
 
-/// Everything besides the graph itself; true if the program can be written.
-bool judge(Run& run, const std::vector<const Target*>& targets, const Options& options) {
+std::set<std::string> names_in(const Graph& graph) {
+  std::set<std::string> names;
+  for (const auto& node : graph.nodes) names.insert(node.name);
+  return names;
+}
+
+/// Everything besides the graph itself, for these targets.
+void check_graph(Run& run, const std::vector<const Target*>& targets, const Options& options) {
   check_budget(run);
   // The compiler gets whole paths, an output is beside the library.
   check_headers(*run.plan, options.compile ? "/" : "", run.diagnostics);
   // Errors first: they may be why something looks odd.
   if (!run.diagnostics.has_errors())
     check_plausibility({*run.spec, *run.graph, *run.plan, targets}, run.diagnostics);
+}
+
+/// In place of a graph without problems the nodes of `--of`; false if they cannot be.
+bool cut_out_nodes(Run& run, const Options& options) {
+  check_graph(run, {}, options);
+  if (run.diagnostics.has_errors()) return false;
+  auto graph =
+      cut_out(*run.graph, {options.of, run.composites, run.safety_of_cut}, run.diagnostics);
+  if (!graph) return false;
+  const std::set<std::string> inside = names_in(*graph);
+  std::erase_if(run.policies.nodes, [&](const NodeNetwork& policy) {
+    return !inside.contains(run.spec->nodes[policy.spec].name.value);
+  });
+  run.policies.agent.reset();
+  run.graph = std::move(graph);
+  run.plan = make_plan(*run.graph, run.diagnostics);
+  if (run.plan) check_safe_outputs(*run.graph, run.diagnostics);
+  return run.plan.has_value();
+}
+
+/// The targets, once there is what is generated for them. Nothing if there is a problem.
+std::optional<std::vector<const Target*>> judged_targets(Run& run, const Options& options) {
+  const bool cut = !options.of.empty();
+  if (cut && !cut_out_nodes(run, options)) return std::nullopt;
+  auto targets = find_targets(run, options);
+  if (run.library.was_too_small()) {  // others are listed
+    if (!make_again(run, options) || (cut && !cut_out_nodes(run, options))) return std::nullopt;
+    targets = find_targets(run, options);
+  }
+  if (!cut) check_graph(run, targets, options);
   const bool complete = !run.diagnostics.has_errors() && is_as_written(options);
   allow_warnings(run.spec->allow, complete, run.diagnostics);
   if (options.warnings_as_errors) run.diagnostics.raise_warnings();
-  return !run.diagnostics.has_errors();
+  return run.diagnostics.has_errors() ? std::nullopt : std::optional(std::move(targets));
 }
 
 }  // namespace
 
 std::optional<Generated> generate_graph(Run& run, const Options& options, int& code) {
   Generated generated;
-  auto targets = find_targets_and_others(run, options);
-  if (!targets || !judge(run, *targets, options)) return std::nullopt;
+  auto targets = judged_targets(run, options);
+  if (!targets) return std::nullopt;
   generated.targets = std::move(*targets);
   const std::string folder =
       options.output.empty() ? "generated/" + run.graph->name : options.output;
@@ -319,11 +348,14 @@ std::optional<Generated> generate_graph(Run& run, const Options& options, int& c
 
 std::optional<ProgramFacts> facts_of_program(Run& run, const Options& options) {
   // It is equal for all targets and outputs.
-  auto targets = find_targets_and_others(run, options);
-  if (!targets) return std::nullopt;
+  auto targets = find_targets(run, options);
+  if (run.library.was_too_small()) {  // others are listed
+    if (!make_again(run, options)) return std::nullopt;
+    targets = find_targets(run, options);
+  }
   EmitOptions emit_options;
   emit_options.templates = (fs::path(run.root) / "templates").string();
-  emit_options.targets = std::move(*targets);
+  emit_options.targets = std::move(targets);
   emit_options.version = EAGERX_GEN_VERSION;
   emit_options.builtin_root = run.root;
   emit_options.output = fs::current_path().string();
@@ -377,16 +409,13 @@ void compile_entities(Run& run, const std::vector<const Target*>& targets,
 }
 
 bool check_text(Run& run, const Options& options, const std::string& text) {
-  if (!make_of_text(run, options, text)) return false;
-  const auto targets = find_targets_and_others(run, options);
-  return targets && judge(run, *targets, options);
+  return make_of_text(run, options, text) && judged_targets(run, options);
 }
 
 int check_command(const Options& options) {
   Run run;
-  const auto targets = make(run, options) ? find_targets_and_others(run, options) : std::nullopt;
-  if (targets && judge(run, *targets, options) && options.compile)
-    compile_entities(run, *targets, run.diagnostics);
+  const auto targets = make(run, options) ? judged_targets(run, options) : std::nullopt;
+  if (targets && options.compile) compile_entities(run, *targets, run.diagnostics);
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;

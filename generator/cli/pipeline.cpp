@@ -82,12 +82,13 @@ bool read_own_graph(Run& run, const Options& options, Reading reading) {
   load_library_for(
       run, options, library_folders(run.tree, options.graph),
       reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
-  FlatGraph flat{run.tree, GraphForm::written};
+  FlatGraph flat{run.tree, GraphForm::written, {}};
   if (run.diagnostics.error_count() == errors_before)
     flat = compose(run.tree, run.library, run.sources, run.diagnostics);
   const bool composed = run.diagnostics.error_count() == errors_before;
   run.spec = read_graph_spec(flat.root, options.graph, run.diagnostics, flat.form);
   run.flat = std::move(flat.root);
+  run.composites = std::move(flat.ends);
   if (run.spec) {
     if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
     if (options.engine_rate_hz && run.spec->has_engine())
@@ -177,6 +178,21 @@ void prepare_for_campaign(Run& run) {
             "5.0}, success: {upright: abs(th) < 0.15, over_last: 2.0}}`";
 }
 
+/// What `safety:` says of outputs and measurements is said of the library's, which the whole graph
+/// has not.
+void prepare_for_cut(Run& run) {
+  run.spec->placement.clear();
+  if (!run.spec->safety) return;
+  SafetySpec& safety = *run.spec->safety;
+  run.safety_of_cut = safety;
+  run.safety_of_cut->no_outputs = false;  // said of a simulation, on which nothing acts
+  safety.outputs.clear();
+  safety.outputs_span.reset();
+  safety.no_outputs = !run.spec->has_engine();
+  safety.frozen.clear();
+  std::erase_if(safety.settings, [](const Setting& setting) { return setting.name == "nodes"; });
+}
+
 /// `--policy FILE` in place of the graph's agent; the graph names files beside itself.
 void take_policy(Run& run, const Options& options) {
   if (options.agent_policy.empty()) return;
@@ -216,6 +232,7 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
   }
   take_policy(run, options);
   remember_named_files(run);
+  if (!options.of.empty() || options.purpose == Purpose::recording) prepare_for_cut(run);
   if (options.purpose == Purpose::training) prepare_for_training(run);
   if (options.purpose == Purpose::campaign) prepare_for_campaign(run);
   if (options.purpose == Purpose::simulation) run.spec->placement.clear();

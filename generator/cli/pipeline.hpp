@@ -7,6 +7,7 @@
 
 #include "generator/agent/policies.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/compose/ends.hpp"
 #include "generator/import/import.hpp"
 #include "generator/plan/plan.hpp"
 
@@ -18,10 +19,12 @@ struct Run {
   Diagnostics diagnostics;
   std::string root;  // of the built-in models, targets, templates
   Library library;
-  YamlValue tree;  // of the graph's file, in the chosen variant
-  YamlValue flat;  // without composites and arrays
+  YamlValue tree;   // of the graph's file, in the chosen variant
+  YamlValue flat;   // without composites and arrays
+  Ends composites;  // of the graph: their ports
   std::optional<GraphSpec> spec;
-  std::vector<std::string> tables;  // files with numbers of the graph
+  std::optional<SafetySpec> safety_of_cut;  // what the graph says for the nodes that are cut out
+  std::vector<std::string> tables;          // files with numbers of the graph
   std::optional<Graph> graph;
   Policies policies;
   std::optional<Plan> plan;

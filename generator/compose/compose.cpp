@@ -39,9 +39,9 @@ class Composer {
       : root_(root), library_(library), sources_(sources), diagnostics_(diagnostics) {}
 
   FlatGraph run() {
-    if (!root_.is_map()) return {root_, GraphForm::written};
+    if (!root_.is_map()) return {root_, GraphForm::written, {}};
     expand(root_, {});
-    if (!changed_) return {root_, GraphForm::written};
+    if (!changed_) return {root_, GraphForm::written, {}};
     YamlValue flat = root_;
     replace(flat, "objects", std::move(objects_));
     replace(flat, "nodes", std::move(nodes_));
@@ -49,7 +49,7 @@ class Composer {
     if (list != flat.entries.end() && list->value.is_sequence())
       list->value.items = std::move(connections_);
     rename_ports(flat, inner_.ends, counter({}), diagnostics_);
-    return {std::move(flat), GraphForm::flat};
+    return {std::move(flat), GraphForm::flat, std::move(inner_.ends)};
   }
 
  private:

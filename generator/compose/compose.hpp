@@ -3,6 +3,7 @@
 // where everything is written and who used it.
 #pragma once
 
+#include "generator/compose/ends.hpp"
 #include "generator/library/library.hpp"
 
 namespace eagerx::gen {
@@ -10,6 +11,7 @@ namespace eagerx::gen {
 struct FlatGraph {
   YamlValue root;
   GraphForm form = GraphForm::written;  // flat: something was composed
+  Ends ends = {};                       // ports of its composites
 };
 
 /// The flat graph. Inner names are `arm/position`, those of arrays `leg[0]`. Problems: E0390 a

@@ -34,6 +34,11 @@ class Ends {
     return found == composites_.end() ? nullptr : &found->second;
   }
 
+  /// All of them, by their full names.
+  [[nodiscard]] const std::map<std::string, CompositePorts>& composites() const {
+    return composites_;
+  }
+
   /// The port that sends where a full name such as `arm.u` is written.
   [[nodiscard]] std::string source(const std::string& port) const;
   /// Those that receive. What is no port of a composite stays as it is.

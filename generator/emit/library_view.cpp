@@ -19,8 +19,16 @@ std::string described(const Space& space) {
   return fmt::format("{}, from {} to {}", space.describe(), space.low.front(), space.high.front());
 }
 
-View port(const std::string& field, const Space& space) {
+/// `cut`: what is said of the port where it was cut out of a larger graph.
+View port(const std::string& field, const Space& space, const CutPort* cut) {
   View view = object();
+  view["of_graph"] = View(false);
+  if (cut != nullptr) {
+    View of_graph = object();
+    of_graph.set("sender", cut->sender);
+    of_graph.set("rate", cut->rate_hz.to_string());
+    view["of_graph"] = std::move(of_graph);
+  }
   view.set("field", field);
   view.set("type", message_type(space));
   view.set("space", described(space));
@@ -32,11 +40,16 @@ View port(const std::string& field, const Space& space) {
 View library_view(const Plan& plan, bool has_policy, bool has_memory) {
   const Graph& graph = *plan.graph;
   View actions = list(), observations = list();
-  for (const auto& action : graph.environment().outputs)
-    actions.push_back(port(action.name, action.space));
-  for (const auto& input : graph.environment().inputs)
-    observations.push_back(port(input.name, input.space));
+  const auto& outputs = graph.environment().outputs;
+  const auto& inputs = graph.environment().inputs;
+  for (std::size_t i = 0; i < outputs.size(); ++i)
+    actions.push_back(
+        port(outputs[i].name, outputs[i].space, graph.cut ? &graph.cut->actions[i] : nullptr));
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    observations.push_back(
+        port(inputs[i].name, inputs[i].space, graph.cut ? &graph.cut->observations[i] : nullptr));
   View view = object();
+  view.set("is_cut", graph.cut.has_value());
   view.set("period", (Rational(1) / graph.environment().rate_hz).to_string());
   view.set("has_policy", has_policy);
   view.set("has_memory", has_memory);

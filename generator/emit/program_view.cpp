@@ -232,6 +232,7 @@ class ProgramView {
     view_.set("has_by_lane", by_lane.is_non_empty_list());
     view_["by_lane"] = std::move(by_lane);
     add_loops();
+    view_.set("ports", graph_.cut && graph_.cut->port != nullptr);
     view_["drawing"] = View(false);
     if (!drawn_members.is_non_empty_list()) return;
     View drawing = object();

@@ -94,13 +94,8 @@ Split find_messages(const Plan& plan) {
     const Channel& channel = plan.channels[c];
     // The host's trace has every message.
     split.to_host[c] = on_board[channel.node];
-    for (std::size_t n = 0; n < graph.nodes.size() && !on_board[channel.node]; ++n) {
-      for (const auto& input : graph.nodes[n].inputs) {
-        if (on_board[n] && input.source_node == channel.node &&
-            input.source_output == channel.output)
-          split.to_board[c] = true;
-      }
-    }
+    split.to_board[c] =
+        !on_board[channel.node] && crosses(graph, on_board, channel.node, channel.output);
   }
   return split;
 }

@@ -43,16 +43,20 @@ void check_idle_keys(const Judged& judged, Diagnostics& diagnostics) {
 
 void check_outputs(const Judged& judged, Diagnostics& diagnostics) {
   check_idle_keys(judged, diagnostics);
-  const Safety& safety = judged.graph.safety;
+  check_safe_outputs(judged.graph, diagnostics);
+}
+
+void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics) {
+  const Safety& safety = graph.safety;
   if (safety.undeclared.empty()) return;
   std::vector<std::string> names, values, many;
   for (const std::size_t i : safety.undeclared) {
-    const Input& input = judged.graph.environment().inputs[i];
+    const Input& input = graph.environment().inputs[i];
     names.push_back("`" + input.written + "`");
     if (input.window != 1) many.push_back("`" + input.written + "`");
     values.push_back(input.name + (input.window == 1 ? ": 0.0" : ": none"));
   }
-  const Input& first = judged.graph.environment().inputs[safety.undeclared.front()];
+  const Input& first = graph.environment().inputs[safety.undeclared.front()];
   auto& problem = diagnostics.warning(
       "W0111", first.span,
       fmt::format("nothing says what {} {} while a measurement is missing or wrong",
@@ -61,10 +65,10 @@ void check_outputs(const Judged& judged, Diagnostics& diagnostics) {
                       ? "zero, moved into its space"
                       : fmt::format("{} would leave as the nodes made it", fmt::join(many, ", "));
   problem.help = fmt::format(
-      "write `safety: {{outputs: {{{}}}}}` with values that are safe, or `outputs: none` if "
-      "nothing "
-      "acts on what leaves",
-      fmt::join(values, ", "));
+      "write `safety: {{outputs: {{{}}}}}` with values that are safe, or {} if nothing acts on "
+      "what "
+      "leaves",
+      fmt::join(values, ", "), graph.cut ? "`none` in place of a value" : "`outputs: none`");
 }
 
 }  // namespace eagerx::gen

@@ -38,6 +38,8 @@ void check_sensors(const Judged& judged, Diagnostics& diagnostics);
 void check_memory(const Judged& judged, Diagnostics& diagnostics);
 void check_keys(const Judged& judged, Diagnostics& diagnostics);
 void check_outputs(const Judged& judged, Diagnostics& diagnostics);
+/// W0111, also of nodes that were cut out.
+void check_safe_outputs(const Graph& graph, Diagnostics& diagnostics);
 void check_task(const Graph& graph, Diagnostics& diagnostics);
 void check_numbers(const Judged& judged, Diagnostics& diagnostics);
 void check_steps(const Judged& judged, Diagnostics& diagnostics);

@@ -59,4 +59,8 @@ std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics)
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics);
 
+/// "did you mean `…`?", else what there is, else `otherwise`.
+std::string suggestion(const std::string& name, const std::vector<std::string>& known,
+                       const std::string& otherwise);
+
 }  // namespace eagerx::gen

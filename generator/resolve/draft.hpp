@@ -181,9 +181,6 @@ const ObjectEngine* find_implementation(const Library& library, const Entity& en
                                         const Entity& engine, Span span, Diagnostics& diagnostics);
 /// "float32 [2]", "any dtype, any shape"
 std::string describe(const PartialSpace& space);
-/// "did you mean `…`?", else what there is, else `otherwise`.
-std::string suggestion(const std::string& name, const std::vector<std::string>& known,
-                       const std::string& otherwise);
 // The steps of resolve(), in their order; each adds to the draft.
 void add_environment(Draft& draft);
 void add_engine(Draft& draft, const ResolveOptions& options);
@@ -196,7 +193,6 @@ void check_cycles(Draft& draft);
 void connect(Draft& draft);         // the user's connections; unconnected ports
 void resolve_spaces(Draft& draft);  // spaces and processors; fills the graph's inputs and outputs
 void resolve_safety(Draft& draft);  // safe actions, in the spaces of the actions
-void find_applied_spaces(Graph& graph);
 /// Expressions of the task, once its inputs' spaces are known. Problems: E0323 a time of too many
 /// steps, E0339 an expression.
 void resolve_task(Draft& draft);
@@ -210,16 +206,10 @@ void check_sync(Draft& draft);
 /// What runs on a board (E0332 what cannot, E0333 two boards, E0334 boards that are no partners).
 void place_on_board(Draft& draft, const std::vector<PlacementSpec>& placement);
 
-/// The safe value of `name`, checked against its space (E0322, E0327), one number for each element;
-/// nullopt if it is wrong.
-std::optional<std::vector<double>> safe_value(const std::string& name, const Space& space,
-                                              const YamlValue& yaml, Diagnostics& diagnostics);
 /// Names in `settings` that are not among those of a graph. `what` they are: "action" (E0307).
 void report_unknown_names(const std::vector<Setting>& settings,
                           const std::vector<std::string>& known, std::string_view what,
                           const char* otherwise, Diagnostics& diagnostics);
-/// Zero, moved into the space.
-std::vector<double> zero_in(const Space& space);
 /// What leaves of a graph without engine while it is safe (E0307, E0327, E0348).
 void resolve_safe_outputs(Draft& draft);
 

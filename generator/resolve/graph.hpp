@@ -265,6 +265,20 @@ struct Placement {
   Span span;
 };
 
+/// A port of nodes that were cut out of a larger graph.
+struct CutPort {
+  std::string name;                     // of the action or observation
+  std::string sender;                   // as the graph calls it: "pendulum.theta"
+  std::string channel;                  // of the whole graph's traces: "pendulum/theta/observation"
+  Rational rate_hz;                     // of its messages
+  std::optional<std::string> actuator;  // of an observation: what it drives, as it is
+};
+/// What is said of such a graph; its environment stands for all that was around it.
+struct Cut {
+  std::vector<CutPort> actions, observations;  // in the order of the environment's
+  std::shared_ptr<const Entity> port;          // of nodes that take actions at slower rates
+};
+
 struct Graph {
   std::string name;
   std::string path, file_name;  // of the graph file; file_name without folders
@@ -279,6 +293,7 @@ struct Graph {
   std::optional<Task> task;
   std::optional<Render> render;
   std::optional<Telemetry> telemetry;
+  std::optional<Cut> cut;
   bool asynchronous = false;  // inputs take what has arrived instead of counting
   Rational reset_timeout_s = Rational(60);
   std::vector<std::string> include_roots;  // folders beside the built-in one that headers come from
@@ -316,6 +331,23 @@ struct ResolveOptions {
   std::string real;                      // empty: the graph's
   std::vector<PlacementSpec> placement;  // empty: the graph's
 };
+
+/// Whether the nodes of one side take messages of this output of the other: of all nodes, `inside`
+/// says on which side they are.
+bool crosses(const Graph& graph, const std::vector<bool>& inside, std::size_t node,
+             std::size_t output);
+
+/// What leaves of a graph without engine while it is safe, into `safety`; `written` is nullptr
+/// where a graph says nothing. Problems: E0307, E0327, E0348.
+void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, Safety& safety,
+                       Diagnostics& diagnostics);
+/// Zero, moved into the space.
+std::vector<double> zero_in(const Space& space);
+/// The safe value of `name`, checked against its space (E0322, E0327), one number for each element;
+/// nullopt if it is wrong.
+std::optional<std::vector<double>> safe_value(const std::string& name, const Space& space,
+                                              const YamlValue& yaml, Diagnostics& diagnostics);
+void find_applied_spaces(Graph& graph);
 
 /// Binds every name. All problems are reported, E03xx; nullopt if there was any.
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,

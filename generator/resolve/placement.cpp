@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "generator/resolve/chosen_nodes.hpp"
 #include "generator/resolve/draft.hpp"
 
 namespace eagerx::gen {
@@ -68,14 +69,16 @@ class Placer {
     const std::string& name = item.name.value;
     const auto& nodes = draft_.nodes;
     std::vector<std::string> known = {"controller", "agent"};
+    bool found = false;
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       if (nodes[n].node.role != NodeRole::node || draft_.is_added(n)) continue;
       known.push_back(nodes[n].node.name);
-      // A node that is called so comes before the word.
-      if (nodes[n].node.name != name) continue;
+      if (is_called(nodes[n].node.name, name) == Called::no) continue;
       placement_.on_board[n] = true;
-      return;
+      found = true;
     }
+    // A node that is called so comes before the word.
+    if (found) return;
     if (name == "agent" || name == "controller") {
       placement_.on_board[Graph::kEnvironment] = true;
       for (std::size_t n = 0; name == "controller" && n < nodes.size(); ++n)

@@ -180,6 +180,16 @@ std::string name_of_source(const Graph& graph, const Input& input) {
   return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
 }
 
+bool crosses(const Graph& graph, const std::vector<bool>& inside, std::size_t node,
+             std::size_t output) {
+  for (std::size_t n = 0; n < graph.nodes.size(); ++n) {
+    if (inside[n] == inside[node]) continue;
+    for (const auto& input : graph.nodes[n].inputs)
+      if (input.source_node == node && input.source_output == output) return true;
+  }
+  return false;
+}
+
 std::optional<Graph> resolve(const GraphSpec& spec, const Library& library,
                              const ResolveOptions& options, Diagnostics& diagnostics) {
   Draft draft{spec, library, diagnostics, {}, {}, {}, {}, safety_references(spec)};

@@ -94,33 +94,31 @@ class SafeOutputReader {
   bool good_ = true;
 };
 
-void report_unknown_outputs(const Draft& draft) {
-  const auto known = names_of(draft.graph.environment().inputs);
-  for (const auto& output : draft.spec.safety->outputs) {
+void report_unknown_outputs(const GraphNode& environment, const SafetySpec& written,
+                            Diagnostics& diagnostics) {
+  const auto known = names_of(environment.inputs);
+  for (const auto& output : written.outputs) {
     if (contains(known, output.name.value)) continue;
-    draft.diagnostics
+    diagnostics
         .error("E0307", output.name.span,
                fmt::format("there is no observation `{}`", output.name.value))
         .help = suggestion(output.name.value, known, "the graph has no observations");
   }
 }
 
+void report_unknown(const GraphNode& environment, const SafetySpec& written,
+                    Diagnostics& diagnostics) {
+  report_unknown_outputs(environment, written, diagnostics);
+  report_unknown_names(written.frozen, names_of(environment.outputs), "action",
+                       "the graph has no actions", diagnostics);
+}
+
 }  // namespace
 
-void resolve_safe_outputs(Draft& draft) {
-  const SafetySpec* const written = draft.spec.safety ? &*draft.spec.safety : nullptr;
-  if (written != nullptr) {
-    report_unknown_outputs(draft);
-    report_unknown_names(written->frozen, names_of(draft.graph.environment().outputs), "action",
-                         "the graph has no actions", draft.diagnostics);
-  }
-  const GraphNode& environment = draft.graph.environment();
-  if (draft.spec.has_engine() || environment.outputs.empty()) return;
-  if (written != nullptr && written->no_outputs) return;
-  // Observations that a policy of the program answers do not leave, unless somebody says so.
-  const bool stays = draft.spec.agent.kind == AgentSpec::Kind::policy;
-  if (stays && (written == nullptr || written->outputs.empty())) return;
-  Safety& safety = draft.graph.safety;
+void read_safe_outputs(const GraphNode& environment, const SafetySpec* written, Safety& safety,
+                       Diagnostics& diagnostics) {
+  if (written != nullptr) report_unknown(environment, *written, diagnostics);
+  if (environment.outputs.empty() || (written != nullptr && written->no_outputs)) return;
   for (const auto& action : environment.outputs) {
     const Setting* const setting =
         written != nullptr ? find_named(written->frozen, action.name) : nullptr;
@@ -140,9 +138,21 @@ void resolve_safe_outputs(Draft& draft) {
       zero.span = input.span;
       spec = &zero;
     }
-    if (auto output =
-            SafeOutputReader(input, i, *spec, environment.rate_hz, draft.diagnostics).read())
+    if (auto output = SafeOutputReader(input, i, *spec, environment.rate_hz, diagnostics).read())
       safety.outputs.push_back(std::move(*output));
+  }
+}
+
+void resolve_safe_outputs(Draft& draft) {
+  const SafetySpec* const written = draft.spec.safety ? &*draft.spec.safety : nullptr;
+  const GraphNode& environment = draft.graph.environment();
+  // Observations that a policy of the program answers do not leave, unless somebody says so.
+  const bool stay = draft.spec.agent.kind == AgentSpec::Kind::policy &&
+                    (written == nullptr || written->outputs.empty());
+  if (!draft.spec.has_engine() && !stay) {
+    read_safe_outputs(environment, written, draft.graph.safety, draft.diagnostics);
+  } else if (written != nullptr) {
+    report_unknown(environment, *written, draft.diagnostics);
   }
 }
 

@@ -1,7 +1,7 @@
 # eagerx_add_graph(TARGET <name> GRAPH <file> [VARIANT <name>] [ENGINE <name>] [POLICY <file>] [BOARD <target>]
 #                  [PATHS <folder>...] [SPLIT <names>=<board>] [OUTPUT <folder>] [CHECK_ENTITIES])
 # eagerx_add_graph(TARGET <name> GRAPH <file> LIBRARY [VARIANT <name>] [ENGINE <name>] [POLICY <file>] [BOARD <target>]
-#                  [PATHS <folder>...] [OUTPUT <folder>] [CHECK_ENTITIES])
+#                  [PATHS <folder>...] [OUTPUT <folder>] [CHECK_ENTITIES] [OF <name>...])
 #
 # Makes the program <name> out of a graph file, and makes it again when the graph, a manifest, a template or a
 # weight file changes.
@@ -18,6 +18,8 @@
 #   PATHS   your own folders of entities and targets, searched first
 #   LIBRARY <name> is no program but a library of headers for a main loop of your own, to link with: `#include
 #           "<graph's name>.hpp"`, which says how to use it. BOARD is then the board that the graph's engine needs, if any
+#   OF      nodes, composites or arrays that the library is made of alone, as `eagerx-gen generate --of`: `#include
+#           "<graph's name>_<name>.hpp"`, with several names `<graph's name>_cut.hpp`
 #   OUTPUT  where the generated sources go, <build>/<name>.eagerx without it
 # For boards there is also <name>.size: `eagerx-gen size` of the image, which fails when the `budget:` of the graph is
 # exceeded.
@@ -25,14 +27,17 @@
 include_guard(GLOBAL)
 
 function(eagerx_add_graph)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;VARIANT;ENGINE;POLICY;BOARD;SPLIT;OUTPUT" "PATHS")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "LIBRARY;CHECK_ENTITIES" "TARGET;GRAPH;VARIANT;ENGINE;POLICY;BOARD;SPLIT;OUTPUT" "PATHS;OF")
   if(arg_UNPARSED_ARGUMENTS OR arg_KEYWORDS_MISSING_VALUES)
     message(FATAL_ERROR "eagerx_add_graph: cannot use `${arg_UNPARSED_ARGUMENTS}${arg_KEYWORDS_MISSING_VALUES}`; it "
                         "takes TARGET GRAPH [LIBRARY] [VARIANT] [ENGINE] [POLICY] [BOARD] [SPLIT] [PATHS...] [OUTPUT] "
-                        "[CHECK_ENTITIES]")
+                        "[CHECK_ENTITIES] [OF...]")
   endif()
   if(arg_LIBRARY AND arg_SPLIT)
     message(FATAL_ERROR "eagerx_add_graph: a split graph has no library: leave out LIBRARY or SPLIT")
+  endif()
+  if(arg_OF AND NOT arg_LIBRARY)
+    message(FATAL_ERROR "eagerx_add_graph: OF says what a LIBRARY is made of")
   endif()
   if(NOT arg_TARGET OR NOT arg_GRAPH)
     message(FATAL_ERROR "eagerx_add_graph: TARGET and GRAPH are needed")
@@ -67,6 +72,9 @@ function(eagerx_add_graph)
   if(arg_ENGINE)
     list(APPEND selection --engine ${arg_ENGINE})
   endif()
+  foreach(name IN LISTS arg_OF)
+    list(APPEND selection --of ${name})
+  endforeach()
 
   _eagerx_find_board(board_folder toolchain ${arg_BOARD} "${paths}")
   set(sources ${arg_OUTPUT})

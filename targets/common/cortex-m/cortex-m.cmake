@@ -21,7 +21,8 @@ endfunction()
 # and then; ours replaces it, so that the bits are those of every other machine.
 function(eagerx_use_own_double_addition executable)
   eagerx_board_library(eagerx_double_addition SOURCES ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../soft_double_add.cpp)
-  target_link_libraries(${executable} PRIVATE eagerx_double_addition)
+  # All of it: what calls it may be libgcc alone, which the linker looks at last.
+  target_link_libraries(${executable} PRIVATE -Wl,--whole-archive eagerx_double_addition -Wl,--no-whole-archive)
   target_link_options(${executable} PRIVATE
                       -Wl,--wrap=__aeabi_dadd,--wrap=__aeabi_dsub,--wrap=__aeabi_drsub)
 endfunction()

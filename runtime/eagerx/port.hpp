@@ -1,0 +1,20 @@
+// What nodes that were cut out of a graph get from outside, at the rate of who sent it there.
+#pragma once
+
+#include <eagerx/rate.hpp>
+
+namespace eagerx {
+
+/// Passes the newest action on. A main loop brings one at every step; those behind this node see
+/// and count as many as in the whole graph.
+template <class Io>
+class Port {
+ public:
+  void reset(const typename Io::States& /*states*/) {}
+
+  void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
+    out.value = in.signal.back();
+  }
+};
+
+}  // namespace eagerx
