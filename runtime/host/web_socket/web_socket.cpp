@@ -11,10 +11,10 @@
 #include <chrono>
 #include <deque>
 #include <map>
-#include <targets/linux-sim/publish/foxglove/web_socket.hpp>
+#include <runtime/host/web_socket/web_socket.hpp>
 #include <utility>
 
-namespace eagerx::linux_sim {
+namespace eagerx::web_socket {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -375,4 +375,4 @@ std::unique_ptr<WebSocketServer> web_socket_server(WebSocketOwner& owner, int li
   return server;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::web_socket

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace eagerx::linux_sim {
+namespace eagerx::web_socket {
 
 using ClientId = std::uint64_t;
 
@@ -64,4 +64,4 @@ std::unique_ptr<WebSocketServer> web_socket_server(WebSocketOwner& owner, int li
                                                    const WebSocketLimits& limits,
                                                    std::string& problem);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::web_socket

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <targets/linux-sim/publish/sink.hpp>
+#include <runtime/host/publish/sink.hpp>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 
 inline constexpr std::string_view kFoxgloveProtocol = "foxglove.websocket.v1";
 
@@ -35,4 +35,4 @@ enum class StatusLevel : std::uint8_t { info, warning, error };
 std::string status_text(StatusLevel level, std::string_view message);
 std::string call_failure_text(std::uint32_t service, std::uint32_t call, std::string_view message);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

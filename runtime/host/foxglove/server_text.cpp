@@ -2,10 +2,10 @@
 #include <charconv>
 #include <cmath>
 #include <runtime/host/trace/json_text.hpp>
-#include <targets/linux-sim/publish/foxglove/scene_update.hpp>
-#include <targets/linux-sim/publish/foxglove/server_text.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
+#include <runtime/host/foxglove/server_text.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 std::string json(std::string_view text) {
@@ -120,4 +120,4 @@ std::string call_failure_text(std::uint32_t service, std::uint32_t call, std::st
          ",\"callId\":" + std::to_string(call) + ",\"message\":" + json(message) + "}";
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

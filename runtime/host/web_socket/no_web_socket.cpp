@@ -1,9 +1,9 @@
 // In place of web_socket.cpp where libwebsockets is not installed.
 #include <unistd.h>
 
-#include <targets/linux-sim/publish/foxglove/web_socket.hpp>
+#include <runtime/host/web_socket/web_socket.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::web_socket {
 
 std::unique_ptr<WebSocketServer> web_socket_server(WebSocketOwner& /*owner*/, int listening,
                                                    std::string_view /*protocol*/,
@@ -16,4 +16,4 @@ std::unique_ptr<WebSocketServer> web_socket_server(WebSocketOwner& /*owner*/, in
   return nullptr;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::web_socket

@@ -5,10 +5,10 @@
 #include <eagerx/scene.hpp>
 #include <runtime/host/trace/json_text.hpp>
 #include <string_view>
-#include <targets/linux-sim/publish/foxglove/scene_update.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 constexpr float kPi = 3.14159265F;
@@ -324,4 +324,4 @@ std::string scene_update(const float* scene, std::size_t rows, std::int64_t time
          p.triangles + "],\"texts\":[" + p.texts + R"(],"models":[]}]})";
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

@@ -6,10 +6,10 @@
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/publish/destination.hpp>
 #include <targets/linux-sim/publish/remote.hpp>
-#include <targets/linux-sim/publish/sink.hpp>
+#include <runtime/host/publish/sink.hpp>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 
 struct FoxgloveRun {
   const GraphFacts& facts;
@@ -23,4 +23,4 @@ struct FoxgloveRun {
 
 std::unique_ptr<PublishSink> foxglove_sink(const Destination& to, const FoxgloveRun& run);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

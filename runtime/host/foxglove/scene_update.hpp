@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 
 /// A scene of [rows][kSceneColumns] as one entity, `scene`, in the frame `world`, whose z points
 /// up. A drawing in the plane stands upright in it: its x is x, its y is z, and what is painted
@@ -16,4 +16,4 @@ std::string scene_update(const float* scene, std::size_t rows, std::int64_t time
 /// JSON Schema of all that a SceneUpdate can have.
 std::string scene_update_schema();
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

@@ -1,9 +1,9 @@
 #include <array>
 #include <cmath>
-#include <targets/linux-sim/publish/foxglove/client_message.hpp>
-#include <targets/linux-sim/publish/foxglove/json_reader.hpp>
+#include <runtime/host/foxglove/client_message.hpp>
+#include <runtime/host/foxglove/json_reader.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 using Asked = ClientMessage::Kind;
@@ -170,4 +170,4 @@ std::uint32_t steps_of_request(std::string_view request) {
   return steps == nullptr || read_id(steps, count) ? count : 0;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 
 struct Json {
   enum class Kind : std::uint8_t { null, boolean, number, text, array, object };
@@ -30,4 +30,4 @@ inline constexpr std::size_t kMostJsonValues = 20'000;
 /// all of them. Text in strings is taken as it is, but for its escapes.
 std::optional<Json> read_json(std::string_view text);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

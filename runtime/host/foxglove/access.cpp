@@ -6,9 +6,9 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <targets/linux-sim/publish/foxglove/access.hpp>
+#include <runtime/host/foxglove/access.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 constexpr std::size_t kLeastKey = 16, kMostKey = 512;
@@ -64,4 +64,4 @@ bool is_known_origin(std::string_view origin) {
   return false;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

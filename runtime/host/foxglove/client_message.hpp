@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 
 struct ClientMessage {
   enum class Kind : std::uint8_t {
@@ -48,4 +48,4 @@ ClientMessage read_client_bytes(std::string_view bytes);
 /// The steps of a request for them, `{"steps":3}`; 1 of an empty one, 0 if it is none.
 std::uint32_t steps_of_request(std::string_view request);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

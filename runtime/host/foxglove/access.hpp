@@ -3,9 +3,9 @@
 
 #include <string>
 #include <string_view>
-#include <targets/linux-sim/publish/foxglove/web_socket.hpp>
+#include <runtime/host/web_socket/web_socket.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 
 /// Reads `--publish-key`: a file that nobody else can read, with a key of 16 to 512 printable
 /// characters in its first line. Empty, or what is wrong.
@@ -35,4 +35,4 @@ struct Access {
   bool is_right(const Handshake& who) const { return !key.empty() && is_key(who.key, key); }
 };
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace eagerx::linux_sim {
+namespace eagerx::web_socket {
 
 struct Listener {
   int socket = -1;  // of whoever called listen_on()
@@ -13,4 +13,4 @@ struct Listener {
 /// Empty, or what is wrong.
 std::string listen_on(const std::string& host, const std::string& port, Listener& listener);
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::web_socket

@@ -1,9 +1,9 @@
 // The messages are Foxglove's: https://github.com/foxglove/foxglove-sdk, schemas/jsonschema.
 #include <initializer_list>
-#include <targets/linux-sim/publish/foxglove/scene_update.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
 #include <utility>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 struct Member {
@@ -102,4 +102,4 @@ std::string scene_update_schema() {
        {"entities", array(entity())}});
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

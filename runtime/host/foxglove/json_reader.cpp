@@ -1,8 +1,8 @@
 #include <charconv>
 #include <cmath>
-#include <targets/linux-sim/publish/foxglove/json_reader.hpp>
+#include <runtime/host/foxglove/json_reader.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 bool is_decimal(char c) {
@@ -184,4 +184,4 @@ std::optional<Json> read_json(std::string_view text) {
   return value;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove

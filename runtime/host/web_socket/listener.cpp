@@ -6,9 +6,9 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
-#include <targets/linux-sim/publish/foxglove/listener.hpp>
+#include <runtime/host/web_socket/listener.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::web_socket {
 namespace {
 
 bool is_loopback(const sockaddr* address) {
@@ -50,4 +50,4 @@ std::string listen_on(const std::string& host, const std::string& port, Listener
   return problem;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::web_socket

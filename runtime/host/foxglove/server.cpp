@@ -6,18 +6,18 @@
 #include <random>
 #include <runtime/host/trace/json_text.hpp>
 #include <set>
-#include <targets/linux-sim/publish/foxglove/access.hpp>
-#include <targets/linux-sim/publish/foxglove/client_message.hpp>
-#include <targets/linux-sim/publish/foxglove/foxglove.hpp>
-#include <targets/linux-sim/publish/foxglove/listener.hpp>
-#include <targets/linux-sim/publish/foxglove/parameters.hpp>
-#include <targets/linux-sim/publish/foxglove/scene_update.hpp>
-#include <targets/linux-sim/publish/foxglove/server_text.hpp>
-#include <targets/linux-sim/publish/foxglove/web_socket.hpp>
+#include <runtime/host/foxglove/access.hpp>
+#include <runtime/host/foxglove/client_message.hpp>
+#include <runtime/host/foxglove/server.hpp>
+#include <runtime/host/web_socket/listener.hpp>
+#include <runtime/host/foxglove/parameters.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
+#include <runtime/host/foxglove/server_text.hpp>
+#include <runtime/host/web_socket/web_socket.hpp>
 #include <targets/linux-sim/say.hpp>
 #include <thread>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 using namespace std::chrono_literals;
@@ -380,4 +380,4 @@ std::unique_ptr<PublishSink> foxglove_sink(const Destination& to, const Foxglove
   return std::make_unique<FoxgloveSink>(to, run);
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove
