@@ -7,6 +7,8 @@
 
 namespace eagerx::foxglove {
 
+using web_socket::Handshake;
+
 /// Reads `--publish-key`: a file that nobody else can read, with a key of 16 to 512 printable
 /// characters in its first line. Empty, or what is wrong.
 std::string read_key(const std::string& path, std::string& key);
@@ -21,9 +23,19 @@ struct Access {
   std::string key;  // empty: there is none
   bool is_loopback = true;
   bool is_real = false;
+  std::string only_host;  // only a page of this `HOST:PORT`, and nobody without the key; empty: no
+
+  /// The page of `only_host`, for who has called it by that name.
+  bool may_see(const Handshake& who) const {
+    return !only_host.empty() && who.host == only_host && is_right(who);
+  }
 
   /// A wrong key is no way in; without one everybody reads.
-  bool may_read(const Handshake& who) const { return who.key.empty() || is_right(who); }
+  bool may_read(const Handshake& who) const {
+    if (!only_host.empty())
+      return is_right(who) && (who.origin.empty() || who.origin == "http://" + only_host);
+    return who.key.empty() || is_right(who);
+  }
   /// With a key, who presents it. Without one, programs and known pages of this machine, if nothing
   /// real moves.
   bool may_change(const Handshake& who) const {

@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <eagerx/scene.hpp>
 #include <runtime/host/trace/json_text.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
 #include <runtime/host/foxglove/server_text.hpp>
@@ -39,6 +40,25 @@ std::string schema_text(std::string_view name, std::string_view schema) {
 
 }  // namespace
 
+Topic scene_topic() {
+  return {"/scene", "foxglove.SceneUpdate", scene_update_schema()};
+}
+
+Topic drawing_topic() {
+  return {"/drawing", "eagerx.Drawing",
+          R"({"type":"object","properties":{"episode":{"type":"integer"},)"
+          R"("rows":{"type":"array","items":{"type":["number","null"]}}}})"};
+}
+
+std::string drawing_text(const float* rows, std::size_t count, std::uint32_t episode) {
+  std::string text = "{\"episode\":" + std::to_string(episode) + ",\"rows\":[";
+  for (std::size_t i = 0; i < count * kSceneColumns; ++i) {
+    if (i > 0) text += ',';
+    append_json_number(text, rows[i]);
+  }
+  return text + "]}";
+}
+
 std::string server_info_text(std::string_view name, bool has_services, std::string_view session,
                              const std::vector<std::pair<std::string, std::string>>& about) {
   std::string text = R"({"op":"serverInfo","name":)" + json(name) +
@@ -50,19 +70,19 @@ std::string server_info_text(std::string_view name, bool has_services, std::stri
   return text + "},\"sessionId\":" + json(session) + "}";
 }
 
-std::string advertise_text(const PublishedChannels& channels, const std::vector<bool>& chosen,
-                           bool has_scene) {
+std::string advertise_text(const publish::PublishedChannels& channels,
+                           const std::vector<bool>& chosen, const std::vector<Topic>& topics) {
   std::string text = R"({"op":"advertise","channels":[)";
   for (std::size_t c = 0; c < channels.size(); ++c) {
     if (!chosen[c]) continue;
     const auto& channel = channels[c];
     if (text.back() != '[') text += ',';
-    text += channel_text(c + 1, "/" + channel.name, channel.name, json_schema(channel));
+    text += channel_text(c + 1, "/" + channel.name, channel.name, trace_log::json_schema(channel));
   }
-  if (has_scene) {
+  std::size_t id = channels.size();
+  for (const Topic& topic : topics) {
     if (text.back() != '[') text += ',';
-    text +=
-        channel_text(channels.size() + 1, "/scene", "foxglove.SceneUpdate", scene_update_schema());
+    text += channel_text(++id, topic.name, topic.schema_name, topic.schema);
   }
   return text + "]}";
 }

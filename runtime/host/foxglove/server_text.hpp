@@ -22,12 +22,23 @@ struct ParameterValue {
   std::vector<double> numbers;
 };
 
+/// Messages in JSON that are no channel of the graph.
+struct Topic {
+  std::string name, schema_name;
+  std::string schema;  // JSON Schema
+};
+/// The drawing for Foxglove's 3D panel, and its numbers as `eagerx/scene.hpp` has them.
+Topic scene_topic();
+Topic drawing_topic();
+
 /// `about`: names and values.
 std::string server_info_text(std::string_view name, bool has_services, std::string_view session,
                              const std::vector<std::pair<std::string, std::string>>& about);
-/// Channel `c` has number c + 1; a scene comes behind all others.
-std::string advertise_text(const PublishedChannels& channels, const std::vector<bool>& chosen,
-                           bool has_scene);
+/// Channel `c` has number c + 1; topics come behind all channels.
+std::string advertise_text(const publish::PublishedChannels& channels,
+                           const std::vector<bool>& chosen, const std::vector<Topic>& topics);
+/// A message of drawing_topic(): `rows` is [count][kSceneColumns].
+std::string drawing_text(const float* rows, std::size_t count, std::uint32_t episode);
 std::string advertise_services_text();
 std::string parameter_values_text(const std::vector<ParameterValue>& parameters,
                                   std::string_view id);

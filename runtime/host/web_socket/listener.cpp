@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -24,6 +25,17 @@ bool is_loopback(const sockaddr* address) {
   return std::memcmp(&v6.sin6_addr, &in6addr_loopback, sizeof v6.sin6_addr) == 0;
 }
 
+std::string port_of(int socket) {
+  sockaddr_storage address{};
+  socklen_t size = sizeof address;
+  std::array<char, NI_MAXSERV> text{};
+  if (getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) != 0 ||
+      getnameinfo(reinterpret_cast<const sockaddr*>(&address), size, nullptr, 0, text.data(),
+                  text.size(), NI_NUMERICSERV) != 0)
+    return {};
+  return text.data();
+}
+
 }  // namespace
 
 std::string listen_on(const std::string& host, const std::string& port, Listener& listener) {
@@ -41,6 +53,7 @@ std::string listen_on(const std::string& host, const std::string& port, Listener
       bind(listener.socket, found->ai_addr, found->ai_addrlen) == 0 &&
       listen(listener.socket, kWaiting) == 0) {
     listener.is_loopback = is_loopback(found->ai_addr);
+    listener.port = port_of(listener.socket);
     return {};
   }
   std::string problem = std::strerror(errno);
