@@ -3,10 +3,14 @@
 #include <limits>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
-#include <targets/linux-sim/publish/foxglove/parameters.hpp>
+#include <targets/linux-sim/publish/parameters.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 
 namespace eagerx::linux_sim {
+
+using foxglove::ClientMessage;
+using foxglove::ParameterValue;
+
 namespace {
 
 /// [elements] bounds of the space, or what the type can have.
@@ -40,7 +44,8 @@ bool fits_type(Scalar scalar, double x) {
 
 }  // namespace
 
-Parameters::Parameters(const Fields& fields, Remote& remote) : remote_(remote) {
+Parameters::Parameters(const Fields& fields, Remote& remote, bool is_real)
+    : remote_(remote), is_real_(is_real) {
   add(fields.states, Remote::Wish::state);
   add(fields.actions, Remote::Wish::action);
 }
@@ -118,6 +123,23 @@ std::string Parameters::set(ClientId client, const ClientMessage::Parameter& wan
   found->value = wanted.numbers;
   found->client = client;
   return {};
+}
+
+std::uint64_t Parameters::ask(foxglove::Service service, std::uint32_t steps) {
+  using foxglove::Service;
+  switch (service) {
+    case Service::reset:
+      return remote_.ask(Remote::Wish::reset, 0);
+    case Service::pause:
+      return remote_.ask(Remote::Wish::pause, 0);
+    case Service::resume:
+      return remote_.ask(Remote::Wish::resume, 0);
+    case Service::step:
+      return remote_.ask(Remote::Wish::step, steps);
+    case Service::none:
+      break;
+  }
+  return 0;
 }
 
 bool Parameters::release(ClientId client) {

@@ -4,14 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <eagerx/trace.hpp>
+#include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <targets/linux-sim/background.hpp>
 #include <targets/linux-sim/dds/dds_sink.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
-#include <targets/linux-sim/publish/foxglove/foxglove.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
+#include <targets/linux-sim/say.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -139,8 +140,9 @@ std::string Publishing::open_sinks() {
         sinks_.push_back(mcap_sink(to, channels_));
         break;
       case Destination::Kind::foxglove:
-        sinks_.push_back(foxglove_sink_of(to));
-        break;
+        if (std::string problem = open_foxglove(to); !problem.empty()) return problem;
+        names_.push_back(to.written);
+        continue;
       case Destination::Kind::dds:
         sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
         break;
@@ -152,12 +154,29 @@ std::string Publishing::open_sinks() {
   return {};
 }
 
-std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to) {
+std::string Publishing::open_foxglove(const Destination& to) {
   if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
   // A board draws its states itself, and does not wait.
   if (facts_.board == nullptr && !remote_) remote_ = std::make_unique<Remote>(fields_);
-  return foxglove_sink(to, {facts_, fields_, channels_, chosen_channels(), program_.is_real(),
-                            remote_.get(), options_.publish_key});
+  foxglove::Served served;
+  served.graph = facts_.name;
+  served.engine = facts_.engine;
+  served.graph_hash = facts_.graph_hash;
+  served.channels = &channels_;
+  served.chosen = chosen_channels();
+  served.has_scene = facts_.is_scene;
+  served.is_real = program_.is_real();
+  served.key_file = options_.publish_key;
+  if (remote_) {
+    parameters_.push_back(std::make_unique<Parameters>(fields_, *remote_, served.is_real));
+    served.steering = parameters_.back().get();
+  }
+  auto server = foxglove::server(to, std::move(served));
+  foxglove::Server& opened = *server;
+  sinks_.push_back(std::move(server));
+  std::string problem = opened.open();
+  if (problem.empty() && !opened.note().empty()) fail(opened.note(), 0);
+  return problem;
 }
 
 /// [channels] whether it is published.

@@ -1,8 +1,4 @@
-// With libwebsockets: its headers where a program is built, since its structs are others in each
-// version, and the library where it runs, if it listens.
-#include <dlfcn.h>
 #include <fcntl.h>
-#include <libwebsockets.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -11,6 +7,7 @@
 #include <chrono>
 #include <deque>
 #include <map>
+#include <runtime/host/web_socket/library.hpp>
 #include <runtime/host/web_socket/web_socket.hpp>
 #include <utility>
 
@@ -18,75 +15,6 @@ namespace eagerx::web_socket {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-struct Functions {
-  decltype(&lws_get_library_version) get_library_version;
-  decltype(&lws_set_log_level) set_log_level;
-  decltype(&lws_create_context) create_context;
-  decltype(&lws_create_vhost) create_vhost;
-  decltype(&lws_context_destroy) context_destroy;
-  decltype(&lws_context_user) context_user;
-  decltype(&lws_get_context) get_context;
-  decltype(&lws_adopt_socket_vhost) adopt_socket_vhost;
-  decltype(&lws_service) service;
-  decltype(&lws_write) write;
-  decltype(&lws_callback_on_writable) callback_on_writable;
-  decltype(&lws_send_pipe_choked) send_pipe_choked;
-  decltype(&lws_hdr_copy) hdr_copy;
-  decltype(&lws_hdr_copy_fragment) hdr_copy_fragment;
-  decltype(&lws_is_final_fragment) is_final_fragment;
-  decltype(&lws_remaining_packet_payload) remaining_packet_payload;
-  decltype(&lws_frame_is_binary) frame_is_binary;
-  decltype(&lws_close_reason) close_reason;
-  decltype(&lws_set_timeout) set_timeout;
-};
-Functions lws{};  // of the one library
-
-template <class F>
-bool find(void* library, const char* name, F& function) {
-  function = reinterpret_cast<F>(dlsym(library, name));
-  return function != nullptr;
-}
-
-bool find_all(void* library) {
-  return find(library, "lws_get_library_version", lws.get_library_version) &&
-         find(library, "lws_set_log_level", lws.set_log_level) &&
-         find(library, "lws_create_context", lws.create_context) &&
-         find(library, "lws_create_vhost", lws.create_vhost) &&
-         find(library, "lws_context_destroy", lws.context_destroy) &&
-         find(library, "lws_context_user", lws.context_user) &&
-         find(library, "lws_get_context", lws.get_context) &&
-         find(library, "lws_adopt_socket_vhost", lws.adopt_socket_vhost) &&
-         find(library, "lws_service", lws.service) && find(library, "lws_write", lws.write) &&
-         find(library, "lws_callback_on_writable", lws.callback_on_writable) &&
-         find(library, "lws_send_pipe_choked", lws.send_pipe_choked) &&
-         find(library, "lws_hdr_copy", lws.hdr_copy) &&
-         find(library, "lws_hdr_copy_fragment", lws.hdr_copy_fragment) &&
-         find(library, "lws_is_final_fragment", lws.is_final_fragment) &&
-         find(library, "lws_remaining_packet_payload", lws.remaining_packet_payload) &&
-         find(library, "lws_frame_is_binary", lws.frame_is_binary) &&
-         find(library, "lws_close_reason", lws.close_reason) &&
-         find(library, "lws_set_timeout", lws.set_timeout);
-}
-
-/// Its version of the headers, and no other.
-const std::string kVersion =
-    std::to_string(LWS_LIBRARY_VERSION_MAJOR) + "." + std::to_string(LWS_LIBRARY_VERSION_MINOR);
-
-std::string load() {
-  // Versions 4.0, 4.1 and so on; a later one has the name that programs are linked with.
-  constexpr std::array kNames = {"libwebsockets.so.16", "libwebsockets.so.17",
-                                 "libwebsockets.so.18", "libwebsockets.so.19"};
-  const bool is_known = LWS_LIBRARY_VERSION_MAJOR == 4 && LWS_LIBRARY_VERSION_MINOR < 4;
-  const char* const name =
-      is_known ? kNames[LWS_LIBRARY_VERSION_MINOR % kNames.size()] : "libwebsockets.so";
-  void* const library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr || !find_all(library) ||
-      std::string(lws.get_library_version()).rfind(kVersion + ".", 0) != 0)
-    return "this needs the library libwebsockets " + kVersion +
-           ", with which the program was built\nhelp: apt install libwebsockets-dev";
-  return {};
-}
 
 class LwsServer final : public WebSocketServer {
  public:
@@ -121,7 +49,9 @@ class LwsServer final : public WebSocketServer {
     std::string received;
     bool is_admitted = false, is_binary = false, is_ended = false;
     std::deque<Message> queue;
-    std::size_t queued = 0;  // bytes
+    std::size_t queued = 0;   // bytes
+    std::string_view unsent;  // of the page that it is shown
+    bool is_shown = false;
   };
 
   static int on_event(::lws* wsi, lws_callback_reasons reason, void* /*user*/, void* in,
@@ -133,6 +63,8 @@ class LwsServer final : public WebSocketServer {
   int admit(::lws* wsi);
   int receive(::lws* wsi, Connection& from, const void* in, std::size_t size);
   int write(::lws* wsi, Connection& to);
+  int show(::lws* wsi, Connection& to, std::string_view path);
+  int write_page(::lws* wsi, Connection& to);
   int close_with(::lws* wsi, lws_close_status status);
   void forget(::lws* wsi);
   void accept_all();
@@ -140,6 +72,9 @@ class LwsServer final : public WebSocketServer {
   void end(::lws* wsi, Connection& connection);
   std::string header(::lws* wsi, lws_token_indexes which) const;
   std::string key_of(::lws* wsi) const;
+  Handshake handshake_of(::lws* wsi) const {
+    return {key_of(wsi), header(wsi, WSI_TOKEN_ORIGIN), header(wsi, WSI_TOKEN_HOST)};
+  }
 
   WebSocketOwner& owner_;
   int listening_;
@@ -214,8 +149,9 @@ void LwsServer::look_at_clocks() {
   const Clock::time_point now = Clock::now();
   for (auto& [wsi, connection] : connections_) {
     const double s = std::chrono::duration<double>(now - connection.since).count();
-    if (connection.client == 0 ? s > limits_.handshake_s
-                               : !connection.queue.empty() && s > limits_.silence_s)
+    const bool is_new = connection.client == 0 && !connection.is_shown;
+    const bool waits = !connection.queue.empty() || connection.is_shown;
+    if (is_new ? s > limits_.handshake_s : waits && s > limits_.silence_s)
       end(wsi, connection);
   }
 }
@@ -230,7 +166,6 @@ void LwsServer::end(::lws* wsi, Connection& connection) {
 
 int LwsServer::event(::lws* wsi, lws_callback_reasons reason, const void* in, std::size_t size) {
   if (reason == LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION) return admit(wsi);
-  if (reason == LWS_CALLBACK_HTTP) return -1;  // there are no pages
   if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED)
     return connections_[wsi].since = Clock::now(), 0;
   if (reason == LWS_CALLBACK_CLOSED || reason == LWS_CALLBACK_WSI_DESTROY) return forget(wsi), 0;
@@ -238,6 +173,10 @@ int LwsServer::event(::lws* wsi, lws_callback_reasons reason, const void* in, st
   if (found == connections_.end()) return 0;
   Connection& connection = found->second;
   switch (reason) {
+    case LWS_CALLBACK_HTTP:
+      return show(wsi, connection, {static_cast<const char*>(in), size});
+    case LWS_CALLBACK_HTTP_WRITEABLE:
+      return write_page(wsi, connection);
     case LWS_CALLBACK_ESTABLISHED:
       if (!connection.is_admitted) return -1;
       connection.client = ++last_client_;
@@ -258,7 +197,7 @@ int LwsServer::admit(::lws* wsi) {
   const auto found = connections_.find(wsi);
   if (found == connections_.end()) return -1;
   Connection& connection = found->second;
-  connection.handshake = {key_of(wsi), header(wsi, WSI_TOKEN_ORIGIN)};
+  connection.handshake = handshake_of(wsi);
   connection.is_admitted = header(wsi, WSI_TOKEN_PROTOCOL).find(protocol_) != std::string::npos &&
                            owner_.admit(connection.handshake);
   if (connection.is_admitted) return 0;
@@ -296,6 +235,56 @@ int LwsServer::write(::lws* wsi, Connection& to) {
     ++written_;
     to.since = Clock::now();
   }
+  return 0;
+}
+
+/// What nobody may see is refused with a status and nothing else. One page a connection.
+int LwsServer::show(::lws* wsi, Connection& to, std::string_view path) {
+  constexpr unsigned kFound = 200, kRefused = 403;
+  // A page of others cannot have this one in a frame, and no other page learns its address.
+  constexpr std::array<std::array<const char*, 2>, 4> kHeaders = {{{"cache-control:", "no-store"},
+                                                                   {"referrer-policy:", "no-referrer"},
+                                                                   {"x-frame-options:", "DENY"},
+                                                                   {"x-content-type-options:", "nosniff"}}};
+  if (to.is_shown) return -1;
+  static const Page refused{"refused: the address is not the one that was printed\n",
+                            "text/plain; charset=utf-8"};
+  const Page* page = owner_.page(path, handshake_of(wsi));
+  if (page == nullptr) ++refused_;
+  const unsigned status = page != nullptr ? kFound : kRefused;
+  if (page == nullptr) page = &refused;
+  std::array<unsigned char, LWS_PRE + 1024> head{};
+  unsigned char* const begin = head.data() + LWS_PRE;
+  unsigned char *at = begin, *const end = head.data() + head.size() - 1;
+  if (lws.add_http_common_headers(wsi, status, page->type, page->text.size(), &at, end) != 0)
+    return -1;
+  for (const auto& [name, value] : kHeaders) {
+    if (lws.add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(name),
+                                    reinterpret_cast<const unsigned char*>(value),
+                                    static_cast<int>(std::string_view(value).size()), &at, end) != 0)
+      return -1;
+  }
+  if (lws.finalize_write_http_header(wsi, begin, &at, end) != 0) return -1;
+  to.unsent = page->text;
+  to.is_shown = true;
+  to.since = Clock::now();
+  lws.callback_on_writable(wsi);
+  return 0;
+}
+
+int LwsServer::write_page(::lws* wsi, Connection& to) {
+  constexpr std::size_t kAtOnce = 1 << 16;
+  if (!to.is_shown || to.unsent.empty()) return -1;
+  const std::string_view part = to.unsent.substr(0, kAtOnce);
+  to.unsent.remove_prefix(part.size());
+  std::string bytes(LWS_PRE, '\0');
+  bytes += part;
+  to.since = Clock::now();
+  if (lws.write(wsi, reinterpret_cast<unsigned char*>(bytes.data()) + LWS_PRE, part.size(),
+                to.unsent.empty() ? LWS_WRITE_HTTP_FINAL : LWS_WRITE_HTTP) < 0)
+    return -1;
+  ++written_;
+  lws.callback_on_writable(wsi);
   return 0;
 }
 

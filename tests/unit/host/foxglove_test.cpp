@@ -5,12 +5,12 @@
 #include <eagerx/message.hpp>
 #include <eagerx/scene.hpp>
 #include <string>
-#include <targets/linux-sim/publish/foxglove/access.hpp>
-#include <targets/linux-sim/publish/foxglove/client_message.hpp>
-#include <targets/linux-sim/publish/foxglove/json_reader.hpp>
-#include <targets/linux-sim/publish/foxglove/scene_update.hpp>
+#include <runtime/host/foxglove/access.hpp>
+#include <runtime/host/foxglove/client_message.hpp>
+#include <runtime/host/foxglove/json_reader.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::foxglove {
 namespace {
 
 using Asked = ClientMessage::Kind;
@@ -179,4 +179,4 @@ TEST(SceneUpdate, AnyNumbersAreJson) {
 }
 
 }  // namespace
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::foxglove
