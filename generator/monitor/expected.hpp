@@ -23,6 +23,7 @@ struct Expected {
   std::string engine;                                      // its id
   std::uint64_t hash = 0;                                  // of its program
   double step_hz = 0.0;                                    // the environment's rate
+  bool has_scenes = false;                                 // `render:` shows a drawing
   std::vector<ExpectedChannel> channels;                   // as in the trace
   std::map<std::string, std::size_t, std::less<>> places;  // by name
 

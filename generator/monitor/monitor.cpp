@@ -26,6 +26,7 @@ namespace {
 constexpr std::int64_t kNsPerMs = 1'000'000, kNsPerSec = 1'000'000'000;
 // A file that grows is looked at so often, and a screen is drawn so often.
 constexpr std::int64_t kLookNs = 20 * kNsPerMs, kDrawNs = 100 * kNsPerMs;
+constexpr std::int64_t kServeNs = 10 * kNsPerMs;  // of who is served
 
 volatile std::sig_atomic_t interrupts = 0;
 
@@ -44,6 +45,16 @@ std::int64_t ns_of(double seconds) {
   return static_cast<std::int64_t>(std::min(seconds, kMost) * static_cast<double>(kNsPerSec));
 }
 
+/// How a program is started that sends to `source`; empty: it is another kind.
+std::string help_to_publish(const std::string& source) {
+  constexpr std::string_view kUdp = "udp:", kFoxglove = "foxglove:";
+  const bool is_udp = source.starts_with(kUdp);
+  if (!is_udp && !source.starts_with(kFoxglove)) return {};
+  const bool has_host = source.find(':', (is_udp ? kUdp : kFoxglove).size()) != std::string::npos;
+  return fmt::format("help: start a program with `--publish {}`\n",
+                     is_udp && !has_host ? "udp:127.0.0.1:" + source.substr(kUdp.size()) : source);
+}
+
 /// What is shown is also recorded, as soon as the stream was accepted.
 class Both final : public StreamListener {
  public:
@@ -60,6 +71,8 @@ class Both final : public StreamListener {
     recording_.step(step);
   }
   void fault(StreamFault fault, std::uint64_t count) override { model_.fault(fault, count); }
+  void scene(const StreamScene& scene) override { recording_.scene(scene); }
+  [[nodiscard]] bool wants_scenes() const override { return recording_.wants_scenes(); }
 
  private:
   Model& model_;
@@ -139,12 +152,13 @@ void Watching::wait(std::int64_t until_ns, bool with_keys) {
     waited[0].fd = source_->descriptor();
     if (waited[0].fd < 0) until_ns = std::min(until_ns, now() + kLookNs);
   }
+  if (recording_.has_clients()) until_ns = std::min(until_ns, now() + kServeNs);
   const std::int64_t left_ns = std::max<std::int64_t>(until_ns - now(), 0);
   poll(waited, 2, static_cast<int>((left_ns + kNsPerMs - 1) / kNsPerMs));
 }
 
 void Watching::read() {
-  if (is_over()) return;
+  if (is_over()) return recording_.idle();
   const std::int64_t now_ns = now();
   model_.now(now_ns);
   state_ = source_->read(now_ns, both_);
@@ -168,12 +182,7 @@ std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
   if (now() - began_ns < ns_of(options_.timeout_s)) return std::nullopt;
   complain("error: nothing came from `{}` in {}\n{}", options_.source,
            duration_text(options_.timeout_s),
-           options_.source.starts_with("udp:")
-               ? fmt::format("help: start a program with `--publish {}`\n",
-                             options_.source.find(':', 4) == std::string::npos
-                                 ? "udp:127.0.0.1:" + options_.source.substr(4)
-                                 : options_.source)
-               : "");
+           help_to_publish(options_.source));
   return kProblems;
 }
 

@@ -13,9 +13,9 @@ using ClientId = std::uint64_t;
 
 /// What a client says of itself before it is one.
 struct Handshake {
-  std::string key;     // of `?key=…` or `Authorization: Bearer …`
-  std::string origin;  // of the page in a browser; empty: none
-  std::string host;    // `HOST:PORT`, as it calls the server
+  std::string key;        // of `?key=…` or `Authorization: Bearer …`
+  std::string origin;     // of the page in a browser; empty: none
+  std::string host = {};  // `HOST:PORT`, as it calls the server
 };
 
 /// What a browser is shown.
