@@ -14,7 +14,7 @@ constexpr std::size_t kShownElements = 16;
 Json number(const std::optional<double>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
-double seconds(std::int64_t ns) {
+double seconds_of(std::int64_t ns) {
   return static_cast<double>(ns) / kNsInSecond;
 }
 
@@ -25,8 +25,8 @@ Json channel_json(const Model& model, const WatchedChannel& channel, const Arriv
             {"rate_hz", number(state.measured_hz)},
             {"planned_hz", number(channel.planned_hz)},
             {"age_s", number(state.age_s)},
-            {"late_s", seconds(channel.late_ns)},
-            {"worst_s", seconds(channel.worst_ns)},
+            {"late_s", seconds_of(channel.late_ns)},
+            {"worst_s", seconds_of(channel.worst_ns)},
             {"left", state.limit ? Json(state.limit->left) : Json(nullptr)},
             {"state", state.words()},
             {"elements", channel.elements},
@@ -37,7 +37,7 @@ Json channel_json(const Model& model, const WatchedChannel& channel, const Arriv
     json["first"] = came->first;
     json["came_late_s"] = Json::list();
     for (const std::int64_t late_ns : came->late_ns)
-      json["came_late_s"].push_back(seconds(late_ns));
+      json["came_late_s"].push_back(seconds_of(late_ns));
   }
   return json;
 }
@@ -72,11 +72,11 @@ std::string monitor_text(const Model& model, const Arrivals& arrivals, const std
             {"has_messages", model.has_messages()},
             {"episode", step.episode},
             {"step", step.step ? Json(*step.step) : Json(nullptr)},
-            {"time_s", seconds(step.time_ns)},
+            {"time_s", seconds_of(step.time_ns)},
             {"steps_hz", number(model.steps_hz())},
             {"speed", number(model.speed())},
-            {"late_s", seconds(model.late_ns())},
-            {"worst_s", seconds(model.worst_late_ns())},
+            {"late_s", seconds_of(model.late_ns())},
+            {"worst_s", seconds_of(model.worst_late_ns())},
             {"faults", Json::object()},
             {"channels", Json::list()}};
   for (std::size_t i = 0; i < kStreamFaults; ++i) {
