@@ -101,8 +101,8 @@ Command monitor_commands(Options& options) {
       .arguments = joined(
           {{required(
                 reads(text("source", monitor.source,
-                           "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or the file of a trace, "
-                           "which may grow",
+                           "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or a file, which may "
+                           "grow: a trace, or a recording .mcap",
                            "SOURCE"))),
             reads(text("--graph", options.graph,
                        "the graph of the program: planned rates, limits, safe actions; the stream "

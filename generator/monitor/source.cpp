@@ -11,6 +11,7 @@ std::unique_ptr<Source> open_source(const std::string& name, const std::string& 
     return open_foxglove_source(name, std::string_view(name).substr(kFoxglove.size()), problem);
   if (name.starts_with(kSerial))
     return open_serial_source(name.substr(kSerial.size()), layout, problem);
+  if (name.ends_with(".mcap")) return open_mcap_source(name, problem);
   return open_log_source(name, problem);
 }
 

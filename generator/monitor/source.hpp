@@ -50,5 +50,7 @@ std::unique_ptr<Source> open_serial_source(const std::string& path, const std::s
                                            std::string& problem);
 /// The file of a trace, which may grow.
 std::unique_ptr<Source> open_log_source(const std::string& path, std::string& problem);
+/// A recording in MCAP, which may grow.
+std::unique_ptr<Source> open_mcap_source(const std::string& path, std::string& problem);
 
 }  // namespace eagerx::gen
