@@ -82,7 +82,7 @@ Command monitor_commands(Options& options) {
   forward.check = [](const std::string& to) {
     return is_destination(to) ? std::string()
                               : to + " is none of udp:HOST:PORT, teleplot:HOST:PORT, "
-                                   "foxglove:[HOST:]PORT";
+                                     "foxglove:[HOST:]PORT";
   };
   return {
       .name = "monitor",
@@ -99,11 +99,11 @@ Command monitor_commands(Options& options) {
                     "foxglove:8765"},
                    {"once, for a script", "eagerx-gen monitor udp:9870 --once"}},
       .arguments = joined(
-          {{required(
-                reads(text("source", monitor.source,
-                           "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or a file, which may "
-                           "grow: a trace, or a recording .mcap",
-                           "SOURCE"))),
+          {{required(reads(
+                text("source", monitor.source,
+                     "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or a file, which may "
+                     "grow: a trace, or a recording .mcap",
+                     "SOURCE"))),
             reads(text("--graph", options.graph,
                        "the graph of the program: planned rates, limits, safe actions; the stream "
                        "of another graph is refused",

@@ -57,7 +57,8 @@ int show_live(Run& run, const Options& options, const std::string& page) {
   const auto facts = facts_of_program(run, options);
   const int code = finish(run, options);
   if (!facts || code != kDone) return code;
-  return serve_live({options.live, facts->telemetry, page}, {&*run.plan, options.graph, facts->hash});
+  return serve_live({options.live, facts->telemetry, page},
+                    {&*run.plan, options.graph, facts->hash});
 }
 
 }  // namespace
@@ -91,7 +92,8 @@ int report_command(const Options& options) {
   const auto warnings =
       std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity);
   Diagnostics problems;  // those that were found are on the page
-  const auto text = page_text((fs::path(run.root) / "templates" / "report").string(), contents, problems);
+  const auto text =
+      page_text((fs::path(run.root) / "templates" / "report").string(), contents, problems);
   run.diagnostics = std::move(problems);
   if (text && contents.is_live) return show_live(run, options, *text);
   const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;

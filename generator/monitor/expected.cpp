@@ -38,8 +38,7 @@ Expected expected_of(const Plan& plan, std::string file, std::uint64_t hash) {
   expected.hash = hash;
   expected.step_hz = graph.environment().rate_hz.to_double();
   expected.has_scenes =
-      graph.render &&
-      graph.nodes[graph.render->node].inputs.front().space.dtype == Dtype::float32;
+      graph.render && graph.nodes[graph.render->node].inputs.front().space.dtype == Dtype::float32;
   for (const Channel& channel : plan.channels) {
     const GraphNode& node = graph.nodes[channel.node];
     const Space& sent = node.outputs[channel.output].space;

@@ -16,12 +16,13 @@ namespace eagerx::gen {
 namespace {
 
 // Bounds of what a server can make it keep.
-constexpr std::size_t kMostBytes = 8 << 20;           // of a message: a list of channels with schemas
-constexpr std::size_t kMostValueBytes = 1 << 18;      // of one of a channel
+constexpr std::size_t kMostBytes = 8 << 20;       // of a message: a list of channels with schemas
+constexpr std::size_t kMostValueBytes = 1 << 18;  // of one of a channel
 constexpr std::size_t kMostDrawingBytes = 1 << 20;
-constexpr std::int64_t kAgainNs = 500'000'000;        // between attempts to connect
+constexpr std::int64_t kAgainNs = 500'000'000;  // between attempts to connect
 
-/// A program that was started with `--publish foxglove:PORT`, or `monitor --forward` to such a port.
+/// A program that was started with `--publish foxglove:PORT`, or `monitor --forward` to such a
+/// port.
 class FoxgloveSource final : public Source, private web_socket::WebSocketListener {
  public:
   explicit FoxgloveSource(std::string name) : name_(std::move(name)) {}
@@ -138,7 +139,8 @@ void FoxgloveSource::advertise(const foxglove::ServerMessage& message) {
       continue;
     }
     channels_[each.id] = {name, is_drawing};
-    list += fmt::format("{}{{\"id\":{},\"channelId\":{}}}", list.empty() ? "" : ",", each.id, each.id);
+    list +=
+        fmt::format("{}{{\"id\":{},\"channelId\":{}}}", list.empty() ? "" : ",", each.id, each.id);
   }
   begin();
   if (!is_refused_ && !list.empty())
@@ -187,8 +189,8 @@ std::unique_ptr<Source> open_foxglove_source(const std::string& name, std::strin
                                              std::string& problem) {
   publish::Address at;
   if (!publish::parse_local_address(address, at)) {
-    problem = fmt::format(
-        "error: `{}` is no source\nhelp: `foxglove:PORT` or `foxglove:HOST:PORT`", name);
+    problem = fmt::format("error: `{}` is no source\nhelp: `foxglove:PORT` or `foxglove:HOST:PORT`",
+                          name);
     return nullptr;
   }
   auto source = std::make_unique<FoxgloveSource>(name);

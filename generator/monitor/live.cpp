@@ -17,8 +17,8 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr int kServeMs = 10;                     // readers are served so often
-constexpr std::int64_t kTellNs = 200'000'000;    // /monitor is told so often
+constexpr int kServeMs = 10;                   // readers are served so often
+constexpr std::int64_t kTellNs = 200'000'000;  // /monitor is told so often
 
 /// 128 bits of the system's generator; empty: it has none.
 std::string new_key() {

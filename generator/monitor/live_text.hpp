@@ -18,7 +18,7 @@ class Arrivals {
   void clear() { channels_.clear(); }
 
   struct Channel {
-    std::uint64_t first = 0;           // tick of the first one
+    std::uint64_t first = 0;            // tick of the first one
     std::vector<std::int64_t> late_ns;  // of this tick and those that follow
   };
   [[nodiscard]] const Channel* find(const std::string& channel) const;

@@ -179,7 +179,9 @@ std::unique_ptr<Source> open_log_source(const std::string& path, std::string& pr
     if (file >= 0) ::close(file);
     problem = fmt::format("error: cannot read `{}`: {}", path, std::strerror(why));
     if (why == ENOENT)
-      problem += "\nhelp: a source is `udp:PORT`, `foxglove:PORT`, `serial:DEVICE`, or the file of a trace";
+      problem +=
+          "\nhelp: a source is `udp:PORT`, `foxglove:PORT`, `serial:DEVICE`, or the file of a "
+          "trace";
     return nullptr;
   }
   return std::make_unique<LogSource>(path, file, S_ISREG(status.st_mode));

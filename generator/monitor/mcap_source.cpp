@@ -50,7 +50,8 @@ class McapSource final : public Source, private trace_log::McapListener {
     if (size <= 0) return State::open;
     listener_ = &listener;
     // Only what comes while one looks has a time.
-    if (size < static_cast<ssize_t>(kPartBytes) && std::exchange(was_short_, true)) real_ns_ = now_ns;
+    if (size < static_cast<ssize_t>(kPartBytes) && std::exchange(was_short_, true))
+      real_ns_ = now_ns;
     std::string_view rest = bytes_;
     const bool is_right = reader_.read(rest);
     bytes_.erase(0, bytes_.size() - rest.size());
@@ -97,8 +98,7 @@ void McapSource::channel(const trace_log::McapChannel& channel) {
   }
   if (!dtype || !has_rate || !has_size || channels_.contains(channel.id)) return;
   if (!trace_log::problem_with_channel_name(recorded.name).empty()) return;
-  if (channels_.size() >= kMostStreamChannels)
-    return listener_->fault(StreamFault::crowded_out, 1);
+  if (channels_.size() >= kMostStreamChannels) return listener_->fault(StreamFault::crowded_out, 1);
   recorded.dtype = *dtype;
   channels_[channel.id] = recorded.name;
   facts_.channels.push_back(std::move(recorded));

@@ -138,8 +138,7 @@ std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
   }
   if (steady_ns() - began_ns < ns_of(options_.timeout_s)) return std::nullopt;
   complain("error: nothing came from `{}` in {}\n{}", options_.source,
-           duration_text(options_.timeout_s),
-           help_to_publish(options_.source));
+           duration_text(options_.timeout_s), help_to_publish(options_.source));
   return kProblems;
 }
 

@@ -18,8 +18,7 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::string_view kUdpTo = "udp:", kTeleplotTo = "teleplot:",
-                           kFoxgloveTo = "foxglove:";
+constexpr std::string_view kUdpTo = "udp:", kTeleplotTo = "teleplot:", kFoxgloveTo = "foxglove:";
 
 bool is_trace(const std::string& path) {
   return path.ends_with(".trace") || path.ends_with(".log");

@@ -31,9 +31,9 @@ class Source {
   [[nodiscard]] virtual std::string warning() const { return {}; }
 };
 
-/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `foxglove:[HOST:]PORT`, `serial:DEVICE`, or the
-/// file of a trace or a recording.
-/// `layout`: the text of the board's `telemetry.json`, or empty. Null: `problem` says why.
+/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `foxglove:[HOST:]PORT`, `serial:DEVICE`, or
+/// the file of a trace or a recording. `layout`: the text of the board's `telemetry.json`, or
+/// empty. Null: `problem` says why.
 std::unique_ptr<Source> open_source(const std::string& name, const std::string& layout,
                                     std::string& problem);
 

@@ -93,7 +93,9 @@ class LivePlots {
   layOut() {
     this.rows = [...this.chosen].sort((a, b) => a - b).map((f) => {
       const canvas = el("canvas"), values = el("span.values");
-      const more = this.fields[f].numbers > kPlottedElements ? `first ${kPlottedElements} of ${count(this.fields[f].numbers)} elements` : "";
+      const more = this.fields[f].numbers > kPlottedElements ?
+          `first ${kPlottedElements} of ${count(this.fields[f].numbers)} elements` :
+          "";
       const element =
           el("article.plot", {}, el("header", {}, el("span", {}, this.fields[f].name), el("small", {}, more), values),
              el("div.cell", {}, canvas));

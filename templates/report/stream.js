@@ -6,9 +6,9 @@ class StreamClient {
   constructor(told, changed) {
     this.told = told;
     this.changed = changed;
-    this.wanted = new Set();     // topics
-    this.channels = new Map();   // topic: id
-    this.topics = new Map();     // id: topic
+    this.wanted = new Set();      // topics
+    this.channels = new Map();    // topic: id
+    this.topics = new Map();      // id: topic
     this.subscribed = new Set();  // ids
     this.connect();
   }
@@ -55,7 +55,8 @@ class StreamClient {
   subscribe() {
     if (this.socket.readyState !== WebSocket.OPEN) return;
     const ids = new Set([...this.wanted].map((topic) => this.channels.get(topic)).filter((id) => id !== undefined));
-    const more = [...ids].filter((id) => !this.subscribed.has(id)), less = [...this.subscribed].filter((id) => !ids.has(id));
+    const more = [...ids].filter((id) => !this.subscribed.has(id)),
+          less = [...this.subscribed].filter((id) => !ids.has(id));
     const say = (message) => this.socket.send(JSON.stringify(message));
     if (more.length) say({op: "subscribe", subscriptions: more.map((id) => ({id, channelId: id}))});
     if (less.length) say({op: "unsubscribe", subscriptionIds: less});

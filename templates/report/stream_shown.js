@@ -1,4 +1,5 @@
-// What a run sends, where the page has a place for it: values at the wires of the drawing, measured times in the timetable.
+// What a run sends, where the page has a place for it: values at the wires of the drawing, measured times in the
+// timetable.
 
 // ---- Wires ----------------------------------------------------------------------------------------------------------
 const kWireValues = 3;

@@ -36,10 +36,18 @@ function streamTable(channels) {
       [
         {name: "channel", cell: (row) => row.name},
         {name: "rate", number: true, cell: (row) => (row.rate_hz === null ? "–" : `${short(row.rate_hz, 3)} Hz`)},
-        {name: "planned", number: true, cell: (row) => (row.planned_hz === null ? "–" : `${short(row.planned_hz, 3)} Hz`)},
+        {
+          name: "planned",
+          number: true,
+          cell: (row) => (row.planned_hz === null ? "–" : `${short(row.planned_hz, 3)} Hz`)
+        },
         {name: "late", number: true, cell: (row) => seconds(row.late_s)},
         {name: "worst", number: true, cell: (row) => seconds(row.worst_s)},
-        {name: "to its limit", number: true, cell: (row) => (row.left === null ? "–" : `${short(row.left * 100, 2)} %`)},
+        {
+          name: "to its limit",
+          number: true,
+          cell: (row) => (row.left === null ? "–" : `${short(row.left * 100, 2)} %`)
+        },
         {name: "state", cell: (row) => row.state},
       ],
       channels);
@@ -54,10 +62,10 @@ function takeMonitor(said) {
   if (state.view.id !== "live" || !stream.facts) return;
   const faults = Object.entries(said.faults).map(([name, number]) => [name, count(number)]);
   stream.facts.replaceChildren(tiles([
-    ["episode", count(said.episode)], ["step", said.step === null ? "–" : count(said.step)], ["time", seconds(said.time_s)],
-    ["steps a second", said.steps_hz === null ? "–" : short(said.steps_hz, 3)],
-    ["speed", said.speed === null ? "–" : `×${short(said.speed, 3)}`],
-    ["late", seconds(said.late_s)], ["worst", seconds(said.worst_s)], ...faults
+    ["episode", count(said.episode)], ["step", said.step === null ? "–" : count(said.step)],
+    ["time", seconds(said.time_s)], ["steps a second", said.steps_hz === null ? "–" : short(said.steps_hz, 3)],
+    ["speed", said.speed === null ? "–" : `×${short(said.speed, 3)}`], ["late", seconds(said.late_s)],
+    ["worst", seconds(said.worst_s)], ...faults
   ]));
   stream.table.replaceChildren(streamTable(said.channels.slice(0, 200)));
   stream.note.textContent = said.note;
@@ -89,8 +97,7 @@ function makeStreamView(panel) {
   stream.table = el("div.measured");
   add(panel, [
     el("div.bench", {},
-       el("div", {}, stream.canvas ? el("div.picture", {}, stream.canvas) : null,
-          card("", stream.facts, stream.note)),
+       el("div", {}, stream.canvas ? el("div.picture", {}, stream.canvas) : null, card("", stream.facts, stream.note)),
        el("div", {}, stream.plots.chooser, stream.plots.stage)),
     el("details", {open: true}, el("summary", {}, "Channels as measured"), stream.table)
   ]);

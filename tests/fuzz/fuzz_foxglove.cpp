@@ -1,5 +1,6 @@
-// Any bytes as a message of Foxglove's protocol, of a client and of a server, in text and in binary:
-// no crash, and either one that is complete or a reason. What is JSON stays within its bounds.
+// Any bytes as a message of Foxglove's protocol, of a client and of a server, in text and in
+// binary: no crash, and either one that is complete or a reason. What is JSON stays within its
+// bounds.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>

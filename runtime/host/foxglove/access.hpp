@@ -1,9 +1,9 @@
 // Who may read a run, and who may change it.
 #pragma once
 
+#include <runtime/host/web_socket/web_socket.hpp>
 #include <string>
 #include <string_view>
-#include <runtime/host/web_socket/web_socket.hpp>
 
 namespace eagerx::foxglove {
 
@@ -23,7 +23,8 @@ struct Access {
   std::string key;  // empty: there is none
   bool is_loopback = true;
   bool is_real = false;
-  std::string only_host = {};  // only a page of this `HOST:PORT`, and nobody without the key; empty: no
+  std::string only_host =
+      {};  // only a page of this `HOST:PORT`, and nobody without the key; empty: no
 
   /// The page of `only_host`, for who has called it by that name.
   bool may_see(const Handshake& who) const {

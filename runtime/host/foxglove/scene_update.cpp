@@ -3,9 +3,9 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/scene.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
 #include <runtime/host/trace/json_text.hpp>
 #include <string_view>
-#include <runtime/host/foxglove/scene_update.hpp>
 #include <vector>
 
 namespace eagerx::foxglove {

@@ -4,15 +4,15 @@
 #include <map>
 #include <optional>
 #include <random>
-#include <runtime/host/trace/json_text.hpp>
-#include <set>
 #include <runtime/host/foxglove/access.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
-#include <runtime/host/foxglove/server.hpp>
-#include <runtime/host/web_socket/listener.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
+#include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/foxglove/server_text.hpp>
+#include <runtime/host/trace/json_text.hpp>
+#include <runtime/host/web_socket/listener.hpp>
 #include <runtime/host/web_socket/web_socket.hpp>
+#include <set>
 #include <thread>
 
 namespace eagerx::foxglove {
@@ -247,7 +247,7 @@ bool FoxgloveServer::received(ClientId id, std::string_view bytes, bool is_text)
       break;
     case Asked::get_parameters:
       answer(id, parameter_values_text(steering_ != nullptr ? steering_->values(message.names)
-                                                   : std::vector<ParameterValue>(),
+                                                            : std::vector<ParameterValue>(),
                                        message.id));
       break;
     case Asked::set_parameters:
@@ -297,8 +297,7 @@ void FoxgloveServer::set_parameters(ClientId id, const ClientMessage& message) {
     if (!problem.empty()) say_wrong(id, problem);
   }
   if (steering_ == nullptr || names.empty()) return;
-  if (!message.id.empty())
-    answer(id, parameter_values_text(steering_->values(names), message.id));
+  if (!message.id.empty()) answer(id, parameter_values_text(steering_->values(names), message.id));
   tell_parameters(names);
 }
 

@@ -24,9 +24,9 @@ struct Served {
   std::string graph, engine;
   std::uint64_t graph_hash = 0;
   const publish::PublishedChannels* channels = nullptr;
-  std::vector<bool> chosen;    // [channels]
-  bool has_scene = false;      // the topics `/scene` and `/drawing`
-  std::vector<Topic> topics;   // whose messages say() gives
+  std::vector<bool> chosen;      // [channels]
+  bool has_scene = false;        // the topics `/scene` and `/drawing`
+  std::vector<Topic> topics;     // whose messages say() gives
   Steering* steering = nullptr;  // null: nothing can be changed
   bool is_real = false;          // something real moves
   std::string key_file;          // of who may change the run; empty: none

@@ -57,8 +57,7 @@ bool read_channels(const Json& object, ServerMessage& to) {
   if (list == nullptr || list->kind != Json::Kind::array) return false;
   for (const Json& each : list->items) {
     auto& channel = to.channels.emplace_back();
-    if (!read_whole(each.find("id"), channel.id) ||
-        !read_text(each.find("topic"), channel.topic) ||
+    if (!read_whole(each.find("id"), channel.id) || !read_text(each.find("topic"), channel.topic) ||
         !read_text(each.find("encoding"), channel.encoding))
       return false;
   }
@@ -155,8 +154,7 @@ bool read_drawing(std::string_view json, std::uint32_t& episode, std::vector<flo
   const auto object = read_json(json);
   if (!object || !read_whole(object->find("episode"), episode)) return false;
   const Json* const list = object->find("rows");
-  if (list == nullptr || list->kind != Json::Kind::array ||
-      list->items.size() % kSceneColumns != 0)
+  if (list == nullptr || list->kind != Json::Kind::array || list->items.size() % kSceneColumns != 0)
     return false;
   rows.clear();
   double element = 0.0;

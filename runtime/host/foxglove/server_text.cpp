@@ -2,9 +2,9 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/scene.hpp>
-#include <runtime/host/trace/json_text.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
 #include <runtime/host/foxglove/server_text.hpp>
+#include <runtime/host/trace/json_text.hpp>
 
 namespace eagerx::foxglove {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/publish/sink.hpp>
 #include <string>
 #include <string_view>
-#include <runtime/host/publish/sink.hpp>
 #include <vector>
 
 namespace eagerx::foxglove {

@@ -26,9 +26,7 @@ class LwsClient final : public WebSocketClient {
   void send(std::string_view text) override {
     queue_.push_back(std::string(LWS_PRE, '\0') += text);
   }
-  int descriptor() const override {
-    return state_ == State::open ? lws.get_socket_fd(wsi_) : -1;
-  }
+  int descriptor() const override { return state_ == State::open ? lws.get_socket_fd(wsi_) : -1; }
   std::uint64_t too_large() const override { return too_large_; }
 
  private:

@@ -1,5 +1,5 @@
-// libwebsockets: its headers where a program is built, since its structs are others in each version,
-// and the library where it runs, if it speaks with somebody. Inside web_socket/ only.
+// libwebsockets: its headers where a program is built, since its structs are others in each
+// version, and the library where it runs, if it speaks with somebody. Inside web_socket/ only.
 #pragma once
 
 #include <libwebsockets.h>

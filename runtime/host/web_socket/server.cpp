@@ -151,8 +151,7 @@ void LwsServer::look_at_clocks() {
     const double s = std::chrono::duration<double>(now - connection.since).count();
     const bool is_new = connection.client == 0 && !connection.is_shown;
     const bool waits = !connection.queue.empty() || connection.is_shown;
-    if (is_new ? s > limits_.handshake_s : waits && s > limits_.silence_s)
-      end(wsi, connection);
+    if (is_new ? s > limits_.handshake_s : waits && s > limits_.silence_s) end(wsi, connection);
   }
 }
 
@@ -242,10 +241,11 @@ int LwsServer::write(::lws* wsi, Connection& to) {
 int LwsServer::show(::lws* wsi, Connection& to, std::string_view path) {
   constexpr unsigned kFound = 200, kRefused = 403;
   // A page of others cannot have this one in a frame, and no other page learns its address.
-  constexpr std::array<std::array<const char*, 2>, 4> kHeaders = {{{"cache-control:", "no-store"},
-                                                                   {"referrer-policy:", "no-referrer"},
-                                                                   {"x-frame-options:", "DENY"},
-                                                                   {"x-content-type-options:", "nosniff"}}};
+  constexpr std::array<std::array<const char*, 2>, 4> kHeaders = {
+      {{"cache-control:", "no-store"},
+       {"referrer-policy:", "no-referrer"},
+       {"x-frame-options:", "DENY"},
+       {"x-content-type-options:", "nosniff"}}};
   if (to.is_shown) return -1;
   static const Page refused{"refused: the address is not the one that was printed\n",
                             "text/plain; charset=utf-8"};
@@ -261,7 +261,8 @@ int LwsServer::show(::lws* wsi, Connection& to, std::string_view path) {
   for (const auto& [name, value] : kHeaders) {
     if (lws.add_http_header_by_name(wsi, reinterpret_cast<const unsigned char*>(name),
                                     reinterpret_cast<const unsigned char*>(value),
-                                    static_cast<int>(std::string_view(value).size()), &at, end) != 0)
+                                    static_cast<int>(std::string_view(value).size()), &at,
+                                    end) != 0)
       return -1;
   }
   if (lws.finalize_write_http_header(wsi, begin, &at, end) != 0) return -1;

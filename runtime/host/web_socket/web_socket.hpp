@@ -116,7 +116,6 @@ class WebSocketClient {
 /// Null: `problem` says why. Messages have at most `message_bytes`.
 std::unique_ptr<WebSocketClient> web_socket_client(WebSocketListener& listener,
                                                    const WebSocketAddress& to,
-                                                   std::size_t message_bytes,
-                                                   std::string& problem);
+                                                   std::size_t message_bytes, std::string& problem);
 
 }  // namespace eagerx::web_socket

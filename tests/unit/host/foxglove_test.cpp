@@ -4,11 +4,11 @@
 #include <cmath>
 #include <eagerx/message.hpp>
 #include <eagerx/scene.hpp>
-#include <string>
 #include <runtime/host/foxglove/access.hpp>
 #include <runtime/host/foxglove/client_message.hpp>
 #include <runtime/host/foxglove/json_reader.hpp>
 #include <runtime/host/foxglove/scene_update.hpp>
+#include <string>
 
 namespace eagerx::foxglove {
 namespace {
