@@ -60,3 +60,10 @@ eagerx_compiled_library(
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_publish eagerx_trace eagerx_web_sockets
   OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_dds UNITY
+  SOURCES ${eagerx_host_folder}/dds/dds_sink.cpp ${eagerx_host_folder}/dds/library.cpp ${eagerx_host_folder}/dds/messages.cpp
+          ${eagerx_host_folder}/dds/participant.cpp ${eagerx_host_folder}/dds/topics.cpp
+  FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
+  LINK eagerx_publish eagerx_trace ${CMAKE_DL_LIBS}
+  OPTIONS ${eagerx_host_options})

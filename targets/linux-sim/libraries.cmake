@@ -14,14 +14,14 @@ function(eagerx_linux_sim_libraries)
     list(APPEND names outside/outside_agent outside/outside_rows)
     list(APPEND names publish/destination publish/parameters publish/publishing publish/recording publish/remote
          publish/remote_watch)
-    list(APPEND names dds/dds_sink dds/library dds/messages dds/participant dds/remote_agent dds/topics)
+    list(APPEND names dds/graph_of dds/remote_agent)
     list(TRANSFORM names PREPEND ${here}/)
     list(TRANSFORM names APPEND .cpp)
     eagerx_compiled_library(
       eagerx_linux_sim UNITY
       SOURCES ${names} ${here}/../common/fault.cpp
       FOLDERS ${folders}
-      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_publish eagerx_foxglove ${CMAKE_DL_LIBS}
+      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_publish eagerx_foxglove eagerx_dds ${CMAKE_DL_LIBS}
       OPTIONS ${options})
   endif()
   # A library of its own: nothing of it is in the program of a graph that shows nothing.

@@ -37,8 +37,6 @@ class Server : public publish::PublishSink {
  public:
   /// Where it listens, once it is open: `http://127.0.0.1:8765`
   virtual std::string address() const = 0;
-  /// What the user should know, once it is open; empty: nothing.
-  virtual std::string note() const = 0;
   /// A message of the topic with this place in Served::topics.
   virtual void say(std::size_t topic, std::int64_t time_ns, const std::string& json) = 0;
 };

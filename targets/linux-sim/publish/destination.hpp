@@ -5,7 +5,7 @@
 #include <runtime/host/publish/address.hpp>
 #include <string>
 #include <string_view>
-#include <targets/linux-sim/dds/participant.hpp>
+#include <runtime/host/dds/participant.hpp>
 
 namespace eagerx::linux_sim {
 

@@ -7,7 +7,8 @@
 #include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <targets/linux-sim/background.hpp>
-#include <targets/linux-sim/dds/dds_sink.hpp>
+#include <runtime/host/dds/dds_sink.hpp>
+#include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
@@ -140,21 +141,22 @@ std::string Publishing::open_sinks() {
         sinks_.push_back(mcap_sink(to, channels_));
         break;
       case Destination::Kind::foxglove:
-        if (std::string problem = open_foxglove(to); !problem.empty()) return problem;
-        names_.push_back(to.written);
-        continue;
+        sinks_.push_back(foxglove_sink_of(to));
+        break;
       case Destination::Kind::dds:
-        sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
+        sinks_.push_back(dds::topic_sink(to.network, to.written, channels_,
+                                         graph_of(facts_), chosen_channels()));
         break;
     }
     names_.push_back(to.written);
     std::string problem = sinks_.back()->open();
     if (!problem.empty()) return problem;
+    if (const std::string note = sinks_.back()->note(); !note.empty()) fail(note, 0);
   }
   return {};
 }
 
-std::string Publishing::open_foxglove(const Destination& to) {
+std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to) {
   if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
   // A board draws its states itself, and does not wait.
   if (facts_.board == nullptr && !remote_) remote_ = std::make_unique<Remote>(fields_);
@@ -171,12 +173,7 @@ std::string Publishing::open_foxglove(const Destination& to) {
     parameters_.push_back(std::make_unique<Parameters>(fields_, *remote_, served.is_real));
     served.steering = parameters_.back().get();
   }
-  auto server = foxglove::server(to, std::move(served));
-  foxglove::Server& opened = *server;
-  sinks_.push_back(std::move(server));
-  std::string problem = opened.open();
-  if (problem.empty() && !opened.note().empty()) fail(opened.note(), 0);
-  return problem;
+  return foxglove::server(to, std::move(served));
 }
 
 /// [channels] whether it is published.

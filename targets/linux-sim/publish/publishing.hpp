@@ -95,8 +95,7 @@ class Publishing {
 
   std::string choose_channels();
   std::string open_sinks();
-  /// Empty, or what is wrong.
-  std::string open_foxglove(const Destination& to);
+  std::unique_ptr<PublishSink> foxglove_sink_of(const Destination& to);
   std::vector<bool> chosen_channels() const;
   void make_ring();
   void work();

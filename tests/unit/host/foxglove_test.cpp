@@ -1,4 +1,4 @@
-// targets/linux-sim/publish/foxglove: what clients say, who may do what, and drawings in space.
+// runtime/host/foxglove: what clients say, who may do what, and drawings in space.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <targets/linux-sim/dds/library.hpp>
+#include <runtime/host/dds/library.hpp>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::dds {
 
 /// `dds[:DOMAIN][@INTERFACE]`
 struct Network {
@@ -58,4 +58,4 @@ class Participant {
   std::string reach_;
 };
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::dds

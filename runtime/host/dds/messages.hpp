@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <targets/linux-sim/dds/library.hpp>
+#include <runtime/host/dds/library.hpp>
 
-namespace eagerx::linux_sim::ros {
+namespace eagerx::ros {
 
 using dds::Sequence;
 
@@ -163,4 +163,4 @@ struct Clock {
   static const dds::TopicType kType;
 };
 
-}  // namespace eagerx::linux_sim::ros
+}  // namespace eagerx::ros

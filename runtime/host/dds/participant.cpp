@@ -12,10 +12,10 @@
 #include <map>
 #include <set>
 #include <targets/linux-sim/background.hpp>
-#include <targets/linux-sim/dds/participant.hpp>
+#include <runtime/host/dds/participant.hpp>
 #include <vector>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::dds {
 namespace {
 
 constexpr std::uint32_t kMostDomain = 232;
@@ -215,4 +215,4 @@ std::string Participant::problem(Entity error, const std::string& topic) const {
   return "error: DDS has no topic `" + topic + "`: " + functions_->strretcode(error);
 }
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::dds

@@ -1,33 +1,40 @@
 #include <bit>
-#include <targets/linux-sim/dds/dds_sink.hpp>
-#include <targets/linux-sim/dds/messages.hpp>
-#include <targets/linux-sim/dds/participant.hpp>
-#include <targets/linux-sim/dds/ros_values.hpp>
-#include <targets/linux-sim/dds/topics.hpp>
-#include <targets/linux-sim/say.hpp>
+#include <runtime/host/dds/dds_sink.hpp>
+#include <runtime/host/dds/messages.hpp>
+#include <runtime/host/dds/participant.hpp>
+#include <runtime/host/dds/ros_values.hpp>
+#include <runtime/host/dds/topics.hpp>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::dds {
 namespace {
+
+using publish::PublishedChannels;
+using publish::PublishedMessage;
+using publish::PublishedStep;
+using publish::PublishSink;
 
 class DdsSink final : public PublishSink {
  public:
-  DdsSink(Destination to, const PublishedChannels& channels, const GraphFacts& facts,
+  DdsSink(Network to, std::string said, const PublishedChannels& channels, const Graph& graph,
           std::vector<bool> chosen)
       : to_(std::move(to)),
+        said_(std::move(said)),
         channels_(channels),
         chosen_(std::move(chosen)),
-        topics_(topics_of(facts)),
-        reset_topic_(topic_of_environment(facts.name, "reset", "")) {}
+        topics_(topics_of(graph)),
+        reset_topic_(topic_of_environment(graph.name, "reset", "")) {}
 
   std::string open() override {
     std::vector<std::string> names{kClockTopic, reset_topic_};
     for (const Topic& topic : topics_) names.push_back(topic.name);
     std::string problem = problem_of_names(names);
-    if (problem.empty()) problem = participant_.open(to_.network, false);
+    if (problem.empty()) problem = participant_.open(to_, false);
     if (problem.empty()) problem = make_writers();
-    if (problem.empty() && !participant_.reach().empty())
-      fail("note: `" + to_.written + "` publishes " + participant_.reach(), 0);
     return problem;
+  }
+  std::string note() const override {
+    const std::string reach = participant_.reach();
+    return reach.empty() ? "" : "note: `" + said_ + "` publishes " + reach;
   }
 
   void message(const PublishedMessage& message) override {
@@ -190,7 +197,8 @@ class DdsSink final : public PublishSink {
     write(writers_[message.channel], joints);
   }
 
-  Destination to_;
+  const Network to_;
+  const std::string said_;
   const PublishedChannels& channels_;
   const std::vector<bool> chosen_;
   const std::vector<Topic> topics_;
@@ -207,9 +215,10 @@ class DdsSink final : public PublishSink {
 
 }  // namespace
 
-std::unique_ptr<PublishSink> topic_sink(const Destination& to, const PublishedChannels& channels,
-                                        const GraphFacts& facts, std::vector<bool> chosen) {
-  return std::make_unique<DdsSink>(to, channels, facts, std::move(chosen));
+std::unique_ptr<PublishSink> topic_sink(const Network& to, std::string said,
+                                        const PublishedChannels& channels, const Graph& graph,
+                                        std::vector<bool> chosen) {
+  return std::make_unique<DdsSink>(to, std::move(said), channels, graph, std::move(chosen));
 }
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::dds

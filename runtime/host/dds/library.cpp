@@ -1,8 +1,8 @@
 #include <dlfcn.h>
 
-#include <targets/linux-sim/dds/library.hpp>
+#include <runtime/host/dds/library.hpp>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::dds {
 namespace {
 
 /// Both Debians have this name; another maker's library may be of another version.
@@ -52,4 +52,4 @@ const Functions* library(std::string& problem) {
   return found ? &functions : nullptr;
 }
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::dds

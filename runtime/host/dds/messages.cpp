@@ -1,8 +1,8 @@
 // Made by make_messages of messages.idl, with Cyclone DDS's idlc.
 #include <cstddef>
-#include <targets/linux-sim/dds/messages.hpp>
+#include <runtime/host/dds/messages.hpp>
 
-namespace eagerx::linux_sim::ros {
+namespace eagerx::ros {
 namespace {
 
 constexpr std::uint32_t kBoolOps[] = {0x10e0000U, offsetof(Bool, data), 0x0U};
@@ -376,4 +376,4 @@ const dds::TopicType Image::kType =
 const dds::TopicType Clock::kType =
     type_of<Clock>("rosgraph_msgs::msg::dds_::Clock_", 16, 5, kClockOps);
 
-}  // namespace eagerx::linux_sim::ros
+}  // namespace eagerx::ros

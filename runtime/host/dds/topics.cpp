@@ -1,8 +1,7 @@
-#include <charconv>
 #include <set>
-#include <targets/linux-sim/dds/topics.hpp>
+#include <runtime/host/dds/topics.hpp>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::dds {
 namespace {
 
 constexpr std::size_t kLongestName = 248;  // of ROS 2, without its `rt`
@@ -18,28 +17,14 @@ void append_part(std::string& to, std::string_view part) {
   }
 }
 
-std::vector<std::uint32_t> shape_of(const GraphFacts& facts, std::size_t channel) {
-  std::vector<std::uint32_t> shape;
-  for (std::size_t i = 0; i < facts.shape_count; ++i) {
-    if (facts.shapes[i].channel != channel) continue;
-    const std::string_view text = facts.shapes[i].sizes;  // "4x3"
-    const char* at = text.data();
-    const char* const end = at + text.size();
-    for (std::uint32_t size = 0; at < end; ++at) {
-      at = std::from_chars(at, end, size).ptr;
-      shape.push_back(size);
-    }
-  }
-  return shape;
-}
-
-Form form_of(const Channel& channel, const std::vector<std::uint32_t>& shape) {
-  const std::string_view port = channel.port, dtype = channel.dtype;
-  if (shape.empty()) return Form::number;
-  if (dtype == "uint8" && encoding_of(shape) != nullptr) return Form::image;
-  const bool is_sensor = channel.publisher == Publisher::engine_node && dtype.starts_with("float");
-  if (!is_sensor || shape.size() != 1) return Form::array;
-  if (port.ends_with(".imu") && shape[0] == 6) return Form::imu;
+Form form_of(const Port& of) {
+  using trace_log::Dtype;
+  const std::string_view port = of.name;
+  if (of.shape.empty()) return Form::number;
+  if (of.dtype == Dtype::uint8 && encoding_of(of.shape) != nullptr) return Form::image;
+  const bool is_real = of.dtype == Dtype::float32 || of.dtype == Dtype::float64;
+  if (!of.is_sensor || !is_real || of.shape.size() != 1) return Form::array;
+  if (port.ends_with(".imu") && of.shape[0] == 6) return Form::imu;
   if (port.ends_with(".position")) return Form::position;
   if (port.ends_with(".velocity")) return Form::velocity;
   if (port.ends_with(".torque")) return Form::effort;
@@ -73,16 +58,14 @@ std::string topic_of_environment(std::string_view graph, std::string_view kind,
   return topic;
 }
 
-std::vector<Topic> topics_of(const GraphFacts& facts) {
+std::vector<Topic> topics_of(const Graph& graph) {
   std::vector<Topic> topics;
-  for (std::size_t c = 0; c < facts.channel_count; ++c) {
-    const Channel& channel = facts.channels[c];
+  for (const Port& port : graph.ports) {
     Topic& topic = topics.emplace_back();
-    topic.name = topic_of_channel(facts.name, channel.name);
-    topic.shape = shape_of(facts, c);
-    topic.form = form_of(channel, topic.shape);
-    const std::string_view port = channel.port;
-    topic.frame = port.substr(0, port.find('.'));
+    topic.name = topic_of_channel(graph.name, port.channel);
+    topic.shape = port.shape;
+    topic.form = form_of(port);
+    topic.frame = port.name.substr(0, port.name.find('.'));
   }
   return topics;
 }
@@ -100,4 +83,4 @@ std::string problem_of_names(const std::vector<std::string>& names) {
   return {};
 }
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::dds

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::dds {
 
 // Of Cyclone DDS's headers, versions 0.10: Debian 12 and 13. They are not needed where a program is
 // built, and the library not where nobody asks for DDS.
@@ -87,4 +87,4 @@ struct Functions {
 /// Null, and what is wrong in `problem`: the library is not there.
 const Functions* library(std::string& problem);
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::dds

@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <runtime/host/trace/log_file.hpp>
 #include <string>
-#include <targets/linux-sim/dds/messages.hpp>
+#include <runtime/host/dds/messages.hpp>
 #include <type_traits>
 #include <vector>
 
-namespace eagerx::linux_sim::ros {
+namespace eagerx::ros {
 
 constexpr std::int64_t kSecondInNs = 1'000'000'000;
 
@@ -87,4 +87,4 @@ class Names {
   std::vector<char*> pointers_;
 };
 
-}  // namespace eagerx::linux_sim::ros
+}  // namespace eagerx::ros
