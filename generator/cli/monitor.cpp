@@ -76,13 +76,13 @@ Command monitor_commands(Options& options) {
   };
   Argument forward = texts("--forward", monitor.forward,
                            "also send the messages on: udp:HOST:PORT (PlotJuggler), "
-                           "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects; "
-                           "may be repeated",
+                           "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
+                           "dds[:DOMAIN], for ROS 2; may be repeated",
                            "KIND");
   forward.check = [](const std::string& to) {
     return is_destination(to) ? std::string()
                               : to + " is none of udp:HOST:PORT, teleplot:HOST:PORT, "
-                                     "foxglove:[HOST:]PORT";
+                                     "foxglove:[HOST:]PORT, dds[:DOMAIN]";
   };
   return {
       .name = "monitor",

@@ -120,6 +120,7 @@ void Watching::read() {
   model_.now(now_ns);
   state_ = source_->read(now_ns, both_);
   recording_.idle();
+  if (const std::string notes = recording_.take_notes(); !notes.empty()) complain("{}", notes);
 }
 
 std::optional<int> Watching::gives_up(std::int64_t began_ns) const {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <runtime/host/dds/dds_sink.hpp>
 #include <runtime/host/publish/address.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <utility>
@@ -18,7 +19,8 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::string_view kUdpTo = "udp:", kTeleplotTo = "teleplot:", kFoxgloveTo = "foxglove:";
+constexpr std::string_view kUdpTo = "udp:", kTeleplotTo = "teleplot:", kFoxgloveTo = "foxglove:",
+                           kDdsTo = "dds";
 
 bool is_trace(const std::string& path) {
   return path.ends_with(".trace") || path.ends_with(".log");
@@ -81,6 +83,7 @@ class Recording::Destinations {
       channels_.clear();
       for (const ExpectedChannel& each : expected->channels) channels_.push_back(each.channel);
       hash_ = expected->hash;
+      expected_ = expected;
       has_scenes_ = has_scenes_ || expected->has_scenes;
       facts_.graph = expected->graph;
       facts_.engine = expected->engine;
@@ -104,9 +107,12 @@ class Recording::Destinations {
     std::string problem;
     for (const auto& sink : sinks_) {
       if (problem.empty()) problem = sink->open();
+      if (problem.empty() && !sink->note().empty()) notes_ += sink->note() + "\n";
     }
     return problem;
   }
+  /// What the user should know, told once.
+  std::string take_notes() { return std::exchange(notes_, {}); }
   foxglove::Server* serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
                           std::string& problem) {
     foxglove::Served served = what_is_served();
@@ -180,11 +186,34 @@ class Recording::Destinations {
       has_clients_ = true;
       return foxglove::server(address, what_is_served());
     }
+    if (all.starts_with(kDdsTo)) {
+      dds::Network network;
+      dds::parse_network(all.substr(kDdsTo.size()), network);
+      return dds::topic_sink(network, "--forward " + to, channels_, dds_graph(),
+                             std::vector<bool>(channels_.size(), true));
+    }
     const bool is_udp = all.starts_with(kUdpTo);
     publish::parse_address(all.substr((is_udp ? kUdpTo : kTeleplotTo).size()), address);
     address.said = "--forward " + to;
     return is_udp ? publish::udp_sink(address, channels_, hash_)
                   : publish::teleplot_sink(address, channels_);
+  }
+  /// What nobody says of a channel is not known: its messages are arrays then.
+  [[nodiscard]] dds::Graph dds_graph() const {
+    dds::Graph graph{facts_.graph, {}};
+    for (const trace_log::RecordedChannel& channel : channels_) {
+      const auto* const known = expected_ != nullptr ? expected_->find(channel.name) : nullptr;
+      dds::Port port{channel.name, channel.name, channel.dtype, {}, false};
+      if (known != nullptr) {
+        port.name = known->port;
+        port.shape = known->shape;
+        port.is_sensor = known->is_sensor;
+      } else if (channel.size > 1) {
+        port.shape = {static_cast<std::uint32_t>(channel.size)};
+      }
+      graph.ports.push_back(std::move(port));
+    }
+    return graph;
   }
   [[nodiscard]] foxglove::Served what_is_served() const {
     foxglove::Served served;
@@ -220,6 +249,8 @@ class Recording::Destinations {
   std::vector<std::unique_ptr<publish::PublishSink>> sinks_;
   std::vector<std::uint64_t> bits_;
   std::uint64_t hash_ = 0;  // of the graph
+  const Expected* expected_ = nullptr;
+  std::string notes_;
   bool has_scenes_ = false, has_clients_ = false, has_begun_ = false;
   std::int64_t base_ns_ = 0, last_ns_ = 0;
   std::uint64_t steps_ = 0;  // so far, where nobody says their numbers
@@ -266,6 +297,9 @@ void Recording::step(const StreamStep& step) {
 void Recording::idle() {
   if (!destinations_->idle() && problem_.empty()) problem_ = destinations_->close();
 }
+std::string Recording::take_notes() {
+  return destinations_->take_notes();
+}
 bool Recording::has_clients() const {
   return destinations_->has_clients();
 }
@@ -289,6 +323,9 @@ bool is_destination(const std::string& text) {
   const std::string_view all = text;
   if (all.starts_with(kFoxgloveTo))
     return publish::parse_local_address(all.substr(kFoxgloveTo.size()), address);
+  dds::Network network;
+  if (all == kDdsTo || all.starts_with("dds:") || all.starts_with("dds@"))
+    return dds::parse_network(all.substr(kDdsTo.size()), network);
   if (all.starts_with(kUdpTo)) return publish::parse_address(all.substr(kUdpTo.size()), address);
   return all.starts_with(kTeleplotTo) &&
          publish::parse_address(all.substr(kTeleplotTo.size()), address);

@@ -23,7 +23,7 @@ class Recording final : public StreamListener {
 
   /// `path` ends in .mcap (Foxglove), .trace or .log (a trace, as programs write it).
   void record(const std::string& path);
-  /// `udp:HOST:PORT`, `teleplot:HOST:PORT` or `foxglove:[HOST:]PORT`.
+  /// `udp:HOST:PORT`, `teleplot:HOST:PORT`, `foxglove:[HOST:]PORT` or `dds[:DOMAIN][@INTERFACE]`.
   void forward(const std::string& destination);
   /// Serves the messages of the graph and a page of this machine from now on, with topics of one's
   /// own; the server is null and `problem` says why if it cannot. Only with a known graph.
@@ -37,6 +37,8 @@ class Recording final : public StreamListener {
   void scene(const StreamScene& scene) override;
   [[nodiscard]] bool wants_scenes() const override;
 
+  /// What the user should know since it was asked last, a line each.
+  std::string take_notes();
   /// Called often, and every few milliseconds where has_clients().
   void idle();
   [[nodiscard]] bool has_clients() const;

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <map>
 #include <set>
-#include <targets/linux-sim/background.hpp>
+#include <runtime/host/background.hpp>
 #include <runtime/host/dds/participant.hpp>
 #include <vector>
 
@@ -150,7 +150,7 @@ std::string Participant::open(const Network& network, bool alone) {
     reach_ = "on `" + network.interface + "`, to everybody there";
   }
   // The threads of the library are like those of ours.
-  thread_without_signals([&] {
+  host::thread_without_signals([&] {
     problem = join(network, as_user_says ? std::string() : config_of(network));
   }).join();
   return problem;

@@ -234,7 +234,7 @@ void RemoteAgent::look_for_strangers() {
   void* message[1] = {};
   dds::SampleInfo info;
   while (f.take(publications_, message, &info, 1, 1) == 1) {
-    const auto& writer = *static_cast<const Endpoint*>(message[0]);
+    const auto& writer = *static_cast<const dds::Endpoint*>(message[0]);
     const bool is_ours =
         info.is_valid && std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& input) {
           return input.topic == writer.topic_name;

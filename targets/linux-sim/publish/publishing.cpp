@@ -6,7 +6,7 @@
 #include <eagerx/trace.hpp>
 #include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/publish/datagrams.hpp>
-#include <targets/linux-sim/background.hpp>
+#include <runtime/host/background.hpp>
 #include <runtime/host/dds/dds_sink.hpp>
 #include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -209,7 +209,7 @@ void Publishing::make_ring() {
 }
 
 void Publishing::start() {
-  thread_ = thread_without_signals([this] { work(); });
+  thread_ = host::thread_without_signals([this] { work(); });
 }
 
 std::string Publishing::finish(Summary& summary) {

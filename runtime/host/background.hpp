@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-namespace eagerx::linux_sim {
+namespace eagerx::host {
 
 /// Runs `work` in a thread that gets no signals but those of its own crashes: they are for the one
 /// that sleeps until the next step.
@@ -20,4 +20,4 @@ std::thread thread_without_signals(Work work) {
   return thread;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host
