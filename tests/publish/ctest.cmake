@@ -14,5 +14,5 @@ add_test(NAME publish.foxglove COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST
 # The same as topics of ROS 2, and an agent in another process. With another maker's DDS: tests/publish/fastdds/run.
 eagerx_add_graph(TARGET publish_robot GRAPH ${CMAKE_CURRENT_LIST_DIR}/dds/robot.yaml)
 add_test(NAME publish.dds COMMAND Python3::Interpreter ${CMAKE_CURRENT_LIST_DIR}/dds/check $<TARGET_FILE:replay_swing_up>
-                                  $<TARGET_FILE:publish_robot>)
+                                  $<TARGET_FILE:publish_robot> $<TARGET_FILE:eagerx-gen>)
 set_tests_properties(publish.dds PROPERTIES SKIP_RETURN_CODE 77)
