@@ -74,11 +74,12 @@ Command monitor_commands(Options& options) {
   record.check = [](const std::string& path) {
     return is_recording(path) ? std::string() : path + " ends in none of .mcap, .trace, .log";
   };
-  Argument forward = texts("--forward", monitor.forward,
-                           "also send the messages on: udp:HOST:PORT (PlotJuggler), "
-                           "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
-                           "dds[:DOMAIN], for ROS 2; may be repeated",
-                           "KIND");
+  Argument forward =
+      texts("--forward", monitor.forward,
+            "also send the messages on: udp:HOST:PORT (PlotJuggler), "
+            "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
+            "dds[:DOMAIN], for ROS 2; may be repeated",
+            "KIND");
   forward.check = [](const std::string& to) {
     return is_destination(to) ? std::string()
                               : to + " is none of udp:HOST:PORT, teleplot:HOST:PORT, "

@@ -13,11 +13,11 @@ namespace eagerx::gen {
 
 struct ExpectedChannel {
   trace_log::RecordedChannel channel;
-  std::vector<double> low, high;  // what a message may hold, of each element; empty: no bounds
+  std::vector<double> low, high;     // what a message may hold, of each element; empty: no bounds
   std::string port;                  // as the graph calls it
   std::vector<std::uint32_t> shape;  // none: one number
   bool is_sensor = false;
-  std::vector<double> safe;       // of an action where the graph has `safety:`, of each element
+  std::vector<double> safe;  // of an action where the graph has `safety:`, of each element
 };
 
 struct Expected {

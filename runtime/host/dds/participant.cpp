@@ -10,9 +10,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
-#include <set>
 #include <runtime/host/background.hpp>
 #include <runtime/host/dds/participant.hpp>
+#include <set>
 #include <vector>
 
 namespace eagerx::dds {

@@ -3,9 +3,9 @@
 
 #include <cstdint>
 #include <memory>
+#include <runtime/host/dds/library.hpp>
 #include <string>
 #include <string_view>
-#include <runtime/host/dds/library.hpp>
 
 namespace eagerx::dds {
 

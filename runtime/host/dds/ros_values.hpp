@@ -4,9 +4,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/dds/messages.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <string>
-#include <runtime/host/dds/messages.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -1,5 +1,5 @@
-#include <set>
 #include <runtime/host/dds/topics.hpp>
+#include <set>
 
 namespace eagerx::dds {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/trace/log_file.hpp>
 #include <string>
 #include <string_view>
-#include <runtime/host/trace/log_file.hpp>
 #include <vector>
 
 namespace eagerx::dds {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <runtime/host/dds/topics.hpp>
 #include <runtime/host/trace/log_clock.hpp>
 #include <targets/linux-sim/dds/remote_agent.hpp>
-#include <runtime/host/dds/topics.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
@@ -13,7 +13,7 @@ namespace eagerx::linux_sim {
 namespace {
 
 constexpr std::int64_t kMsInNs = 1'000'000;
-constexpr std::int64_t kSlice = 50 * kMsInNs;  // in which a signal is seen
+constexpr std::int64_t kSlice = 50 * kMsInNs;       // in which a signal is seen
 constexpr dds::Entity kPublications = 0x7fff'0003;  // DDS_BUILTIN_TOPIC_DCPSPUBLICATION
 constexpr std::uint32_t kNotRead = 2U | 4U | 8U | 16U | 32U | 64U;  // in any other state
 
@@ -72,7 +72,8 @@ std::string RemoteAgent::make_topics() {
     f.waitset_attach(waitset_, f.create_readcondition(input.reader, kNotRead), 0);
   }
   for (Output& output : outputs_) {
-    output.writer = participant_.writer(ros::JointState::kType, output.topic, dds::Promise::exchange);
+    output.writer =
+        participant_.writer(ros::JointState::kType, output.topic, dds::Promise::exchange);
     if (output.writer < 0) return participant_.problem(output.writer, output.topic);
     output.names.make(output.field->name, output.field->type.size);
   }

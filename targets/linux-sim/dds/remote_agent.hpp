@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <runtime/host/dds/messages.hpp>
 #include <runtime/host/dds/participant.hpp>
 #include <runtime/host/dds/ros_values.hpp>
+#include <string>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/options.hpp>

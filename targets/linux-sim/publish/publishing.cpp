@@ -4,10 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <eagerx/trace.hpp>
-#include <runtime/host/foxglove/server.hpp>
-#include <runtime/host/publish/datagrams.hpp>
 #include <runtime/host/background.hpp>
 #include <runtime/host/dds/dds_sink.hpp>
+#include <runtime/host/foxglove/server.hpp>
+#include <runtime/host/publish/datagrams.hpp>
 #include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
@@ -144,8 +144,8 @@ std::string Publishing::open_sinks() {
         sinks_.push_back(foxglove_sink_of(to));
         break;
       case Destination::Kind::dds:
-        sinks_.push_back(dds::topic_sink(to.network, to.written, channels_,
-                                         graph_of(facts_), chosen_channels()));
+        sinks_.push_back(dds::topic_sink(to.network, to.written, channels_, graph_of(facts_),
+                                         chosen_channels()));
         break;
     }
     names_.push_back(to.written);

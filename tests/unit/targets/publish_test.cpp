@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <string>
 #include <runtime/host/dds/topics.hpp>
+#include <string>
 #include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/publish/destination.hpp>
 #include <targets/linux-sim/publish/ring.hpp>
