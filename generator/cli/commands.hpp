@@ -63,6 +63,7 @@ struct Options {
   std::vector<std::string> logs, images;            // report
   std::size_t points = 0;                           // report; 0: as many as fit
   bool simulate = false;                            // report
+  std::string live;                                 // report; empty: a file
   PolicyFile policy, second_policy;                 // policy
   std::string golden, observations;                 // policy
   std::size_t rows = 0;                             // policy; 0: not said
@@ -125,6 +126,7 @@ Command campaign_commands(Options& options);
 Command trace_commands(Options& options);
 Command plot_commands(Options& options);
 Command monitor_commands(Options& options);
+Command report_commands(Options& options);
 /// Writes `pages` below the folder `output`.
 int pages_command(const Options& options, const std::vector<CommandLinePage>& pages);
 

@@ -106,53 +106,6 @@ Command picture(Options& options) {
       .run = [&options] { return graph_command(options); }};
 }
 
-Command report(Options& options) {
-  Argument points{"--points",
-                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
-                  "2000); of more messages, the least and the greatest of each part are kept",
-                  "N", [&options](const auto& values) {
-                    options.points = std::strtoul(values.front().c_str(), nullptr, 10);
-                  }};
-  points.check = [](const std::string& text) {
-    const bool digits = !text.empty() && text.size() < 8 &&
-                        text.find_first_not_of("0123456789") == std::string::npos;
-    return digits && std::strtoul(text.c_str(), nullptr, 10) >= 2
-               ? std::string()
-               : text + " is not a number from 2 to 9999999";
-  };
-  return {
-      .name = "report",
-      .about = "show everything about a graph on one page for a browser",
-      .examples = {{"drawing, timetable, memory and ages, in pendulum.html",
-                    "eagerx-gen report pendulum.yaml"},
-                   {"with a run as plots, and the flash and RAM of an image",
-                    "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
-                    "run.html"},
-                   {"with the simulation, which runs in the browser; needs Emscripten",
-                    "eagerx-gen report pendulum.yaml --simulate"}},
-      .arguments = joined(
-          {{graph(options),
-            writes(text("-o,--output", options.output, "the page (default: <graph name>.html)",
-                        "FILE")),
-            reads(texts("--trace", options.logs, "what a run wrote with --trace, may be repeated",
-                        "LOG")),
-            reads(texts("--image", options.images, "an image of a board, may be repeated",
-                        "IMAGE.elf")),
-            folder(text("--build", options.build,
-                        "build folder of the image (default: the folder that it lies in)", "DIR")),
-            std::move(points),
-            flag("--simulate", options.simulate,
-                 "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
-                 "into "
-                 "the page: reset, step, play, by the policy or by hand")},
-           {variant(options), text("--engine", options.engine,
-                                   "run the graph on this engine instead of its own", "NAME")},
-           rates(options),
-           {library(options)},
-           diagnostics(options)}),
-      .run = [&options] { return report_command(options); }};
-}
-
 Command explain(Options& options) {
   return {
       .name = "explain",
@@ -329,7 +282,7 @@ CommandLine command_line(Options& options) {
                            info(options),
                            diff(options),
                            picture(options),
-                           report(options),
+                           report_commands(options),
                            explain(options),
                            import(options),
                            schema(options),

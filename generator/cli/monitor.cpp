@@ -68,19 +68,22 @@ Command monitor_commands(Options& options) {
   MonitorOptions& monitor = options.monitor;
   Argument record =
       writes(text("--record", monitor.record,
-                  "also write the messages into a file .mcap (Foxglove), or, not of udp, "
-                  ".trace",
+                  "also write the messages into a file .mcap (Foxglove), or, of a trace "
+                  "or a board, .trace",
                   "FILE"));
   record.check = [](const std::string& path) {
     return is_recording(path) ? std::string() : path + " ends in none of .mcap, .trace, .log";
   };
-  Argument forward = texts("--forward", monitor.forward,
-                           "also send the messages on: udp:HOST:PORT (PlotJuggler) or "
-                           "teleplot:HOST:PORT; may be repeated",
-                           "KIND");
+  Argument forward =
+      texts("--forward", monitor.forward,
+            "also send the messages on: udp:HOST:PORT (PlotJuggler), "
+            "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
+            "dds[:DOMAIN], for ROS 2; may be repeated",
+            "KIND");
   forward.check = [](const std::string& to) {
     return is_destination(to) ? std::string()
-                              : to + " is neither udp:HOST:PORT nor teleplot:HOST:PORT";
+                              : to + " is none of udp:HOST:PORT, teleplot:HOST:PORT, "
+                                     "foxglove:[HOST:]PORT, dds[:DOMAIN]";
   };
   return {
       .name = "monitor",
@@ -92,12 +95,16 @@ Command monitor_commands(Options& options) {
                    {"a trace that grows", "eagerx-gen monitor run.log"},
                    {"and recorded for Foxglove",
                     "eagerx-gen monitor udp:9870 --graph pendulum.yaml --record run.mcap"},
+                   {"a board's telemetry in Foxglove",
+                    "eagerx-gen monitor serial:/dev/ttyUSB0 --graph pendulum.yaml --forward "
+                    "foxglove:8765"},
                    {"once, for a script", "eagerx-gen monitor udp:9870 --once"}},
       .arguments = joined(
-          {{required(
-                reads(text("source", monitor.source,
-                           "udp:[HOST:]PORT, serial:DEVICE, or the file of a trace, which may grow",
-                           "SOURCE"))),
+          {{required(reads(
+                text("source", monitor.source,
+                     "udp:[HOST:]PORT, foxglove:[HOST:]PORT, serial:DEVICE, or a file, which may "
+                     "grow: a trace, or a recording .mcap",
+                     "SOURCE"))),
             reads(text("--graph", options.graph,
                        "the graph of the program: planned rates, limits, safe actions; the stream "
                        "of another graph is refused",

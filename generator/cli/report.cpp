@@ -2,11 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <utility>
 
+#include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
+#include "generator/monitor/live.hpp"
 #include "generator/page/page.hpp"
 #include "generator/plausibility/plausibility.hpp"
 
@@ -49,6 +53,14 @@ std::optional<std::string> build_module(const Options& options, int& code) {
   return module;
 }
 
+int show_live(Run& run, const Options& options, const std::string& page) {
+  const auto facts = facts_of_program(run, options);
+  const int code = finish(run, options);
+  if (!facts || code != kDone) return code;
+  return serve_live({options.live, facts->telemetry, page},
+                    {&*run.plan, options.graph, facts->hash});
+}
+
 }  // namespace
 
 int report_command(const Options& options) {
@@ -76,17 +88,79 @@ int report_command(const Options& options) {
   contents.diagnostics = &run.diagnostics;
   contents.images = std::move(images);
   contents.logs = std::move(logs);
-  const Json page = page_json(contents);
+  contents.is_live = !options.live.empty();
   const auto warnings =
       std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity);
-  run.diagnostics = {};  // what was found is on the page
-  const auto text = page_text((fs::path(run.root) / "templates" / "report").string(), page,
-                              contents.module.has_value(), run.diagnostics);
+  Diagnostics problems;  // those that were found are on the page
+  const auto text =
+      page_text((fs::path(run.root) / "templates" / "report").string(), contents, problems);
+  run.diagnostics = std::move(problems);
+  if (text && contents.is_live) return show_live(run, options, *text);
   const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;
   if (text && write_file(path, *text, run.diagnostics) && !options.quiet)
     say("{}: {} kB{}\n", path, (text->size() + 999) / 1000,
         warnings == 0 ? "" : fmt::format(", {} warning{}", warnings, warnings == 1 ? "" : "s"));
   return finish(run, options);
+}
+
+Command report_commands(Options& options) {
+  Argument points{"--points",
+                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
+                  "2000); of more messages, the least and the greatest of each part are kept",
+                  "N", [&options](const auto& values) {
+                    options.points = std::strtoul(values.front().c_str(), nullptr, 10);
+                  }};
+  points.check = [](const std::string& text) {
+    const bool digits = !text.empty() && text.size() < 8 &&
+                        text.find_first_not_of("0123456789") == std::string::npos;
+    return digits && std::strtoul(text.c_str(), nullptr, 10) >= 2
+               ? std::string()
+               : text + " is not a number from 2 to 9999999";
+  };
+  return {
+      .name = "report",
+      .about = "show everything about a graph on one page for a browser",
+      .examples = {{"drawing, timetable, memory and ages, in pendulum.html",
+                    "eagerx-gen report pendulum.yaml"},
+                   {"with a run as plots, and the flash and RAM of an image",
+                    "eagerx-gen report pendulum.yaml --trace run.log --image build/pendulum.elf -o "
+                    "run.html"},
+                   {"with the simulation, which runs in the browser; needs Emscripten",
+                    "eagerx-gen report pendulum.yaml --simulate"},
+                   {"of a program that was started with --publish foxglove:8765, while it runs",
+                    "eagerx-gen report pendulum.yaml --live foxglove:8765"}},
+      .arguments = joined(
+          {{graph(options),
+            writes(text("-o,--output", options.output, "the page (default: <graph name>.html)",
+                        "FILE")),
+            reads(texts("--trace", options.logs, "what a run wrote with --trace, may be repeated",
+                        "LOG")),
+            reads(texts("--image", options.images, "an image of a board, may be repeated",
+                        "IMAGE.elf")),
+            folder(text("--build", options.build,
+                        "build folder of the image (default: the folder that it lies in)", "DIR")),
+            std::move(points),
+            reads(text("--live", options.live,
+                       "show the page at an address of this machine, which is printed, with what a "
+                       "running program sends: udp:[HOST:]PORT, foxglove:[HOST:]PORT, "
+                       "serial:DEVICE, or a trace that grows",
+                       "SOURCE")),
+            flag("--simulate", options.simulate,
+                 "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
+                 "into "
+                 "the page: reset, step, play, by the policy or by hand")},
+           {variant(options), text("--engine", options.engine,
+                                   "run the graph on this engine instead of its own", "NAME")},
+           rates(options),
+           {agent_policy(options), library(options)},
+           diagnostics(options)}),
+      .check =
+          [&options] {
+            return options.live.empty() || options.output.empty()
+                       ? ""
+                       : "--live shows the page and writes none: --output has no meaning";
+          },
+      .run = [&options] { return report_command(options); }};
 }
 
 }  // namespace eagerx::gen

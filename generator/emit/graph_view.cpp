@@ -115,10 +115,7 @@ class GraphView {
       item.set("num", fmt::format("{}", node.rate_hz.num()));
       item.set("den", fmt::format("{}", node.rate_hz.den()));
       item.set("publisher", publisher(node.role));
-      const Output& output = node.outputs[channel.output];
-      const std::string owner = node.role == NodeRole::environment ? "actions" : node.name;
-      item.set("port", output.sensors.empty() ? owner + "." + output.name
-                                              : fmt::format("{}", fmt::join(output.sensors, ", ")));
+      item.set("port", channel.port);
       const std::vector<std::string> own = bounds_of(space);
       if (!own.empty()) {
         View place = object();

@@ -37,6 +37,8 @@ Expected expected_of(const Plan& plan, std::string file, std::uint64_t hash) {
   expected.engine = graph.engine_id();
   expected.hash = hash;
   expected.step_hz = graph.environment().rate_hz.to_double();
+  expected.has_scenes =
+      graph.render && graph.nodes[graph.render->node].inputs.front().space.dtype == Dtype::float32;
   for (const Channel& channel : plan.channels) {
     const GraphNode& node = graph.nodes[channel.node];
     const Space& sent = node.outputs[channel.output].space;
@@ -47,6 +49,10 @@ Expected expected_of(const Plan& plan, std::string file, std::uint64_t hash) {
     each.channel.size = sent.size();
     each.channel.rate_num = static_cast<std::uint64_t>(node.rate_hz.num());
     each.channel.rate_den = static_cast<std::uint64_t>(node.rate_hz.den());
+    each.port = channel.port;
+    for (const std::int64_t size : sent.shape)
+      each.shape.push_back(static_cast<std::uint32_t>(size));
+    each.is_sensor = node.role == NodeRole::engine_node;
     const Space& space = space_of(graph, channel);
     each.low = of_each(space.low, sent.size());
     each.high = of_each(space.high, sent.size());

@@ -13,8 +13,11 @@ namespace eagerx::gen {
 
 struct ExpectedChannel {
   trace_log::RecordedChannel channel;
-  std::vector<double> low, high;  // what a message may hold, of each element; empty: no bounds
-  std::vector<double> safe;       // of an action where the graph has `safety:`, of each element
+  std::vector<double> low, high;     // what a message may hold, of each element; empty: no bounds
+  std::string port;                  // as the graph calls it
+  std::vector<std::uint32_t> shape;  // none: one number
+  bool is_sensor = false;
+  std::vector<double> safe;  // of an action where the graph has `safety:`, of each element
 };
 
 struct Expected {
@@ -23,6 +26,7 @@ struct Expected {
   std::string engine;                                      // its id
   std::uint64_t hash = 0;                                  // of its program
   double step_hz = 0.0;                                    // the environment's rate
+  bool has_scenes = false;                                 // `render:` shows a drawing
   std::vector<ExpectedChannel> channels;                   // as in the trace
   std::map<std::string, std::size_t, std::less<>> places;  // by name
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <eagerx/scene.hpp>
 #include <memory>
 #include <optional>
 #include <runtime/host/trace/log_clock.hpp>
@@ -81,6 +82,7 @@ class LogSource final : public Source {
     facts.environment = log.environment;
     facts.channels = log.channels;
     facts.timed_by_sender = log.timed;
+    facts.has_scenes = log.scenes_num > 0;
     return listener.begin(facts);
   }
 
@@ -88,6 +90,7 @@ class LogSource final : public Source {
     trace_log::Log& log = reader_->log();
     if (!clock_) return;
     for (const trace_log::Row& row : log.rows) tell(log, row, now_ns, listener);
+    for (const trace_log::RecordedScene& scene : log.scenes) tell(log, scene, listener);
     log.rows.clear();
     log.values.clear();
     log.states.clear();
@@ -118,6 +121,19 @@ class LogSource final : public Source {
     if (steps_ == row.channel) listener.step({row.episode, row.seq + 1, time_ns, real_ns});
   }
 
+  /// The file has what differs from the scene before.
+  void tell(const trace_log::Log& log, const trace_log::RecordedScene& scene,
+            StreamListener& listener) {
+    const std::size_t size = std::size_t{scene.rows} * kSceneColumns;
+    scene_.resize(std::max(scene_.size(), size));
+    for (std::size_t i = scene.first; i < scene.first + scene.changes; ++i)
+      scene_[log.scene_changes[i].index] = log.scene_changes[i].value;
+    if (!listener.wants_scenes()) return;
+    const std::int64_t time_ns = clock_->in_log_of_other_ns(
+        scene.episode, trace_log::time_of_tick(scene.tick, log.scenes_num, log.scenes_den));
+    listener.scene({scene.episode, time_ns, std::span(scene_).first(size)});
+  }
+
   /// Another run writes into the same file.
   void begin_anew() {
     static_cast<void>(lseek(file_, 0, SEEK_SET));
@@ -125,6 +141,7 @@ class LogSource final : public Source {
     clock_.reset();
     steps_.reset();
     text_.clear();
+    scene_.clear();
     offset_ = 0;
     live_ = false;
   }
@@ -145,6 +162,7 @@ class LogSource final : public Source {
   std::optional<std::uint32_t> steps_;  // the channel that counts them
   std::string text_;                    // the beginning of a line
   std::vector<double> values_;
+  std::vector<float> scene_;  // numbers of the latest one
   off_t offset_ = 0;
   bool live_ = false;
   std::string problem_;
@@ -161,7 +179,9 @@ std::unique_ptr<Source> open_log_source(const std::string& path, std::string& pr
     if (file >= 0) ::close(file);
     problem = fmt::format("error: cannot read `{}`: {}", path, std::strerror(why));
     if (why == ENOENT)
-      problem += "\nhelp: a source is `udp:PORT`, `serial:DEVICE`, or the file of a trace";
+      problem +=
+          "\nhelp: a source is `udp:PORT`, `foxglove:PORT`, `serial:DEVICE`, or the file of a "
+          "trace";
     return nullptr;
   }
   return std::make_unique<LogSource>(path, file, S_ISREG(status.st_mode));

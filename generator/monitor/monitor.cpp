@@ -5,8 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -19,6 +17,7 @@
 #include "generator/monitor/recording.hpp"
 #include "generator/monitor/screen.hpp"
 #include "generator/monitor/source.hpp"
+#include "generator/monitor/watching.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -26,45 +25,22 @@ namespace {
 constexpr std::int64_t kNsPerMs = 1'000'000, kNsPerSec = 1'000'000'000;
 // A file that grows is looked at so often, and a screen is drawn so often.
 constexpr std::int64_t kLookNs = 20 * kNsPerMs, kDrawNs = 100 * kNsPerMs;
+constexpr std::int64_t kServeNs = 10 * kNsPerMs;  // of who is served
 
-volatile std::sig_atomic_t interrupts = 0;
-
-/// What was recorded is to be whole, and the terminal as it was.
-void end_at_signals() {
-  struct sigaction action {};
-  action.sa_handler = [](int) { interrupts = 1; };
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
-}
-
-std::int64_t now() {
-  return std::chrono::steady_clock::now().time_since_epoch() / std::chrono::nanoseconds(1);
-}
 std::int64_t ns_of(double seconds) {
   constexpr double kMost = 1e9;
   return static_cast<std::int64_t>(std::min(seconds, kMost) * static_cast<double>(kNsPerSec));
 }
 
-/// What is shown is also recorded, as soon as the stream was accepted.
-class Both final : public StreamListener {
- public:
-  Both(Model& model, Recording& recording) : model_(model), recording_(recording) {}
-  bool begin(const StreamFacts& facts) override {
-    return model_.begin(facts) && recording_.begin(facts);
-  }
-  void message(const StreamMessage& message) override {
-    model_.message(message);
-    recording_.message(message);
-  }
-  void step(const StreamStep& step) override {
-    model_.step(step);
-    recording_.step(step);
-  }
-  void fault(StreamFault fault, std::uint64_t count) override { model_.fault(fault, count); }
-
- private:
-  Model& model_;
-  Recording& recording_;
-};
+/// How a program is started that sends to `source`; empty: it is another kind.
+std::string help_to_publish(const std::string& source) {
+  constexpr std::string_view kUdp = "udp:", kFoxglove = "foxglove:";
+  const bool is_udp = source.starts_with(kUdp);
+  if (!is_udp && !source.starts_with(kFoxglove)) return {};
+  const bool has_host = source.find(':', (is_udp ? kUdp : kFoxglove).size()) != std::string::npos;
+  return fmt::format("help: start a program with `--publish {}`\n",
+                     is_udp && !has_host ? "udp:127.0.0.1:" + source.substr(kUdp.size()) : source);
+}
 
 class Watching {
  public:
@@ -81,7 +57,7 @@ class Watching {
       last_words_ = problem;
       code = kInputOutput;
     } else if (screen != nullptr && is_refused()) {
-      last_words_ = refusal();
+      last_words_ = refusal_text(model_);
     } else if (screen != nullptr && has_failed()) {
       last_words_ = source_->problem();
       code = this->code();
@@ -112,12 +88,6 @@ class Watching {
   [[nodiscard]] bool is_refused() const {
     return !model_.has_messages() && !model_.refusal().empty();
   }
-  [[nodiscard]] std::string refusal() const {
-    return fmt::format(
-        "error: {}\nhelp: build the program of this graph again, or name the graph that it was "
-        "built of, with the options that it was built with",
-        model_.refusal());
-  }
   /// Why there is nothing to show and never will be; nothing: there may be.
   [[nodiscard]] std::optional<int> gives_up(std::int64_t began_ns) const;
   bool print();
@@ -137,18 +107,20 @@ void Watching::wait(std::int64_t until_ns, bool with_keys) {
   pollfd waited[2] = {{-1, POLLIN, 0}, {with_keys ? STDIN_FILENO : -1, POLLIN, 0}};
   if (!is_over()) {
     waited[0].fd = source_->descriptor();
-    if (waited[0].fd < 0) until_ns = std::min(until_ns, now() + kLookNs);
+    if (waited[0].fd < 0) until_ns = std::min(until_ns, steady_ns() + kLookNs);
   }
-  const std::int64_t left_ns = std::max<std::int64_t>(until_ns - now(), 0);
+  if (recording_.has_clients()) until_ns = std::min(until_ns, steady_ns() + kServeNs);
+  const std::int64_t left_ns = std::max<std::int64_t>(until_ns - steady_ns(), 0);
   poll(waited, 2, static_cast<int>((left_ns + kNsPerMs - 1) / kNsPerMs));
 }
 
 void Watching::read() {
-  if (is_over()) return;
-  const std::int64_t now_ns = now();
+  if (is_over()) return recording_.idle();
+  const std::int64_t now_ns = steady_ns();
   model_.now(now_ns);
   state_ = source_->read(now_ns, both_);
   recording_.idle();
+  if (const std::string notes = recording_.take_notes(); !notes.empty()) complain("{}", notes);
 }
 
 std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
@@ -158,28 +130,22 @@ std::optional<int> Watching::gives_up(std::int64_t began_ns) const {
   }
   if (model_.has_messages()) return std::nullopt;
   if (is_refused()) {
-    complain("{}\n", refusal());
+    complain("{}\n", refusal_text(model_));
     return kProblems;
   }
   if (state_ == State::ended) {
     complain("error: `{}` has no messages\n", options_.source);
     return kProblems;
   }
-  if (now() - began_ns < ns_of(options_.timeout_s)) return std::nullopt;
+  if (steady_ns() - began_ns < ns_of(options_.timeout_s)) return std::nullopt;
   complain("error: nothing came from `{}` in {}\n{}", options_.source,
-           duration_text(options_.timeout_s),
-           options_.source.starts_with("udp:")
-               ? fmt::format("help: start a program with `--publish {}`\n",
-                             options_.source.find(':', 4) == std::string::npos
-                                 ? "udp:127.0.0.1:" + options_.source.substr(4)
-                                 : options_.source)
-               : "");
+           duration_text(options_.timeout_s), help_to_publish(options_.source));
   return kProblems;
 }
 
 /// False: nobody takes it.
 bool Watching::print() {
-  model_.now(now());
+  model_.now(steady_ns());
   say_table(lines_text(model_));
   const auto why = flush_output();
   if (why) complain("error: cannot write the standard output: {}\n", *why);
@@ -187,18 +153,18 @@ bool Watching::print() {
 }
 
 int Watching::lines() {
-  const std::int64_t began_ns = now();
+  const std::int64_t began_ns = steady_ns();
   std::int64_t next_ns = 0, heard_ns = 0;  // next_ns: of a table; 0: nothing has come
   std::uint64_t heard = 0;
   say_table(lines_head());  // who reads it knows that the source is open
   static_cast<void>(flush_output());
-  while (interrupts == 0) {
+  while (!is_interrupted()) {
     wait(next_ns != 0 ? next_ns : began_ns + ns_of(options_.timeout_s), false);
     read();
     if (const auto code = gives_up(began_ns)) return *code;
     if (!recording_.problem().empty()) return kInputOutput;
     if (!model_.has_messages()) continue;
-    const std::int64_t now_ns = now();
+    const std::int64_t now_ns = steady_ns();
     if (next_ns == 0) next_ns = now_ns + ns_of(options_.every_s);
     if (model_.messages() != heard) {
       heard = model_.messages();
@@ -217,7 +183,7 @@ int Watching::screen(Screen& screen) {
   ScreenView view;
   std::optional<Model> paused;
   std::int64_t draw_ns = 0;
-  while (interrupts == 0 && !view.ends && recording_.problem().empty()) {
+  while (!is_interrupted() && !view.ends && recording_.problem().empty()) {
     wait(draw_ns, true);
     read();
     if (is_refused()) return kProblems;
@@ -228,7 +194,7 @@ int Watching::screen(Screen& screen) {
     }
     if (view.paused && !paused) paused = model_;
     if (!view.paused) paused.reset();
-    const std::int64_t now_ns = now();
+    const std::int64_t now_ns = steady_ns();
     if (now_ns < draw_ns) continue;
     model_.now(now_ns);
     std::string note;

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <eagerx/scene.hpp>
 #include <eagerx/trace.hpp>
 #include <limits>
 #include <map>
 #include <optional>
+#include <runtime/host/dds/dds_sink.hpp>
 #include <runtime/host/publish/address.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <utility>
@@ -17,7 +19,8 @@
 namespace eagerx::gen {
 namespace {
 
-constexpr std::string_view kUdpTo = "udp:", kTeleplotTo = "teleplot:";
+constexpr std::string_view kUdpTo = "udp:", kTeleplotTo = "teleplot:", kFoxgloveTo = "foxglove:",
+                           kDdsTo = "dds";
 
 bool is_trace(const std::string& path) {
   return path.ends_with(".trace") || path.ends_with(".log");
@@ -74,11 +77,14 @@ class Recording::Destinations {
   std::string open(const StreamFacts& facts, const Expected* expected) {
     facts_ = facts;
     channels_ = facts.channels;
-    std::uint64_t hash = facts.hash.value_or(0);
+    hash_ = facts.hash.value_or(0);
+    has_scenes_ = facts.has_scenes;
     if (expected != nullptr) {
       channels_.clear();
       for (const ExpectedChannel& each : expected->channels) channels_.push_back(each.channel);
-      hash = expected->hash;
+      hash_ = expected->hash;
+      expected_ = expected;
+      has_scenes_ = has_scenes_ || expected->has_scenes;
       facts_.graph = expected->graph;
       facts_.engine = expected->engine;
     }
@@ -97,18 +103,47 @@ class Recording::Destinations {
       sinks_.push_back(mcap_file(path, channels_));
     }
     // The file, if there is one, is the first.
-    for (const std::string& to : forwards) sinks_.push_back(sink_to(to, hash));
+    for (const std::string& to : forwards) sinks_.push_back(sink_to(to));
     std::string problem;
     for (const auto& sink : sinks_) {
       if (problem.empty()) problem = sink->open();
+      if (problem.empty() && !sink->note().empty()) notes_ += sink->note() + "\n";
     }
     return problem;
   }
+  /// What the user should know, told once.
+  std::string take_notes() { return std::exchange(notes_, {}); }
+  foxglove::Server* serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
+                          std::string& problem) {
+    foxglove::Served served = what_is_served();
+    served.site = std::move(site);
+    served.topics = std::move(topics);
+    auto server = foxglove::server({"127.0.0.1", "0", "--live"}, std::move(served));
+    foxglove::Server* const opened = server.get();
+    sinks_.push_back(std::move(server));
+    has_clients_ = true;
+    problem = opened->open();
+    return problem.empty() ? opened : nullptr;
+  }
   [[nodiscard]] bool is_open() const { return !channels_.empty(); }
-  [[nodiscard]] bool has_some() const { return !path.empty() || !forwards.empty(); }
+  [[nodiscard]] bool has_some() const { return !path.empty() || !forwards.empty() || has_clients_; }
+  [[nodiscard]] bool has_clients() const { return has_clients_; }
+  [[nodiscard]] bool wants_scenes() const {
+    return has_clients_ || std::ranges::any_of(forwards, [](const std::string& to) {
+             return to.starts_with(kFoxgloveTo);
+           });
+  }
+  void scene(const StreamScene& scene) {
+    const std::int64_t time_ns = in_all_runs(scene.time_ns);
+    for (const auto& sink : sinks_)
+      sink->scene({scene.episode, time_ns, scene.rows.data(), scene.rows.size() / kSceneColumns});
+  }
 
   /// Another run begins: its time goes on behind that of the one before.
-  void next_run() { base_ns_ = last_ns_ + static_cast<std::int64_t>(kNsInSecond); }
+  void next_run() {
+    if (has_begun_) base_ns_ = last_ns_ + static_cast<std::int64_t>(kNsInSecond);
+    has_begun_ = true;
+  }
 
   /// False: the message is none of these channels.
   bool message(const StreamMessage& message) {
@@ -142,14 +177,53 @@ class Recording::Destinations {
   }
 
  private:
-  std::unique_ptr<publish::PublishSink> sink_to(const std::string& to, std::uint64_t hash) {
+  std::unique_ptr<publish::PublishSink> sink_to(const std::string& to) {
     publish::Address address;
+    const std::string_view all = to;
+    if (all.starts_with(kFoxgloveTo)) {
+      publish::parse_local_address(all.substr(kFoxgloveTo.size()), address);
+      address.said = "--forward " + to;
+      has_clients_ = true;
+      return foxglove::server(address, what_is_served());
+    }
+    if (all.starts_with(kDdsTo)) {
+      dds::Network network;
+      dds::parse_network(all.substr(kDdsTo.size()), network);
+      return dds::topic_sink(network, "--forward " + to, channels_, dds_graph(),
+                             std::vector<bool>(channels_.size(), true));
+    }
+    const bool is_udp = all.starts_with(kUdpTo);
+    publish::parse_address(all.substr((is_udp ? kUdpTo : kTeleplotTo).size()), address);
     address.said = "--forward " + to;
-    const bool is_udp = to.starts_with(kUdpTo);
-    publish::parse_address(std::string_view(to).substr((is_udp ? kUdpTo : kTeleplotTo).size()),
-                           address);
-    return is_udp ? publish::udp_sink(address, channels_, hash)
+    return is_udp ? publish::udp_sink(address, channels_, hash_)
                   : publish::teleplot_sink(address, channels_);
+  }
+  /// What nobody says of a channel is not known: its messages are arrays then.
+  [[nodiscard]] dds::Graph dds_graph() const {
+    dds::Graph graph{facts_.graph, {}};
+    for (const trace_log::RecordedChannel& channel : channels_) {
+      const auto* const known = expected_ != nullptr ? expected_->find(channel.name) : nullptr;
+      dds::Port port{channel.name, channel.name, channel.dtype, {}, false};
+      if (known != nullptr) {
+        port.name = known->port;
+        port.shape = known->shape;
+        port.is_sensor = known->is_sensor;
+      } else if (channel.size > 1) {
+        port.shape = {static_cast<std::uint32_t>(channel.size)};
+      }
+      graph.ports.push_back(std::move(port));
+    }
+    return graph;
+  }
+  [[nodiscard]] foxglove::Served what_is_served() const {
+    foxglove::Served served;
+    served.graph = facts_.graph;
+    served.engine = facts_.engine;
+    served.graph_hash = hash_;
+    served.channels = &channels_;
+    served.chosen.assign(channels_.size(), true);
+    served.has_scene = has_scenes_;
+    return served;
   }
   bool take_bits(const StreamMessage& message, const trace_log::RecordedChannel& channel) {
     bits_.clear();
@@ -174,6 +248,10 @@ class Recording::Destinations {
   std::map<std::string, std::size_t, std::less<>> places_;
   std::vector<std::unique_ptr<publish::PublishSink>> sinks_;
   std::vector<std::uint64_t> bits_;
+  std::uint64_t hash_ = 0;  // of the graph
+  const Expected* expected_ = nullptr;
+  std::string notes_;
+  bool has_scenes_ = false, has_clients_ = false, has_begun_ = false;
   std::int64_t base_ns_ = 0, last_ns_ = 0;
   std::uint64_t steps_ = 0;  // so far, where nobody says their numbers
 };
@@ -189,10 +267,18 @@ void Recording::forward(const std::string& destination) {
   destinations_->forwards.push_back(destination);
 }
 
+foxglove::Server* Recording::serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
+                                   std::string& problem) {
+  problem = destinations_->open({}, expected_);
+  return problem.empty() ? destinations_->serve(std::move(site), std::move(topics), problem)
+                         : nullptr;
+}
+
 bool Recording::begin(const StreamFacts& facts) {
   if (!destinations_->has_some() || !problem_.empty()) return true;
   if (!destinations_->is_open()) {
     problem_ = destinations_->open(facts, expected_);
+    destinations_->next_run();
   } else if (is_trace(destinations_->path)) {
     problem_ =
         fmt::format("error: another run begins, and `{}` is the trace of one", destinations_->path);
@@ -211,6 +297,18 @@ void Recording::step(const StreamStep& step) {
 void Recording::idle() {
   if (!destinations_->idle() && problem_.empty()) problem_ = destinations_->close();
 }
+std::string Recording::take_notes() {
+  return destinations_->take_notes();
+}
+bool Recording::has_clients() const {
+  return destinations_->has_clients();
+}
+void Recording::scene(const StreamScene& scene) {
+  if (destinations_->is_open()) destinations_->scene(scene);
+}
+bool Recording::wants_scenes() const {
+  return destinations_->wants_scenes();
+}
 std::string Recording::finish() {
   const std::string wrong = destinations_->close();
   return problem_.empty() ? wrong : problem_;
@@ -223,6 +321,11 @@ bool is_recording(const std::string& path) {
 bool is_destination(const std::string& text) {
   publish::Address address;
   const std::string_view all = text;
+  if (all.starts_with(kFoxgloveTo))
+    return publish::parse_local_address(all.substr(kFoxgloveTo.size()), address);
+  dds::Network network;
+  if (all == kDdsTo || all.starts_with("dds:") || all.starts_with("dds@"))
+    return dds::parse_network(all.substr(kDdsTo.size()), network);
   if (all.starts_with(kUdpTo)) return publish::parse_address(all.substr(kUdpTo.size()), address);
   return all.starts_with(kTeleplotTo) &&
          publish::parse_address(all.substr(kTeleplotTo.size()), address);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <runtime/host/foxglove/server.hpp>
 #include <string>
 #include <vector>
 
@@ -22,16 +23,25 @@ class Recording final : public StreamListener {
 
   /// `path` ends in .mcap (Foxglove), .trace or .log (a trace, as programs write it).
   void record(const std::string& path);
-  /// `udp:HOST:PORT` or `teleplot:HOST:PORT`.
+  /// `udp:HOST:PORT`, `teleplot:HOST:PORT`, `foxglove:[HOST:]PORT` or `dds[:DOMAIN][@INTERFACE]`.
   void forward(const std::string& destination);
+  /// Serves the messages of the graph and a page of this machine from now on, with topics of one's
+  /// own; the server is null and `problem` says why if it cannot. Only with a known graph.
+  foxglove::Server* serve(foxglove::Site site, std::vector<foxglove::Topic> topics,
+                          std::string& problem);
 
   bool begin(const StreamFacts& facts) override;
   void message(const StreamMessage& message) override;
   void step(const StreamStep& step) override;
   void fault(StreamFault /*fault*/, std::uint64_t /*count*/) override {}
+  void scene(const StreamScene& scene) override;
+  [[nodiscard]] bool wants_scenes() const override;
 
-  /// Called often.
+  /// What the user should know since it was asked last, a line each.
+  std::string take_notes();
+  /// Called often, and every few milliseconds where has_clients().
   void idle();
+  [[nodiscard]] bool has_clients() const;
   /// Empty, or what is wrong.
   std::string finish();
   /// What has gone wrong so far; empty: nothing.

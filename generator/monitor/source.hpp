@@ -31,8 +31,9 @@ class Source {
   [[nodiscard]] virtual std::string warning() const { return {}; }
 };
 
-/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `serial:DEVICE`, or the file of a trace.
-/// `layout`: the text of the board's `telemetry.json`, or empty. Null: `problem` says why.
+/// Opens what the user calls `name`: `udp:[HOST:]PORT`, `foxglove:[HOST:]PORT`, `serial:DEVICE`, or
+/// the file of a trace or a recording. `layout`: the text of the board's `telemetry.json`, or
+/// empty. Null: `problem` says why.
 std::unique_ptr<Source> open_source(const std::string& name, const std::string& layout,
                                     std::string& problem);
 
@@ -40,11 +41,16 @@ std::unique_ptr<Source> open_source(const std::string& name, const std::string& 
 /// Listens at `[HOST:]PORT`, on the loopback interface unless HOST says another.
 std::unique_ptr<Source> open_udp_source(const std::string& name, std::string_view address,
                                         std::string& problem);
+/// A client of a program's server of Foxglove's protocol at `[HOST:]PORT`.
+std::unique_ptr<Source> open_foxglove_source(const std::string& name, std::string_view address,
+                                             std::string& problem);
 /// The serial line of a board that sends telemetry, as `layout` (the text of its `telemetry.json`)
 /// says; also a pipe, or a file of what one has given.
 std::unique_ptr<Source> open_serial_source(const std::string& path, const std::string& layout,
                                            std::string& problem);
 /// The file of a trace, which may grow.
 std::unique_ptr<Source> open_log_source(const std::string& path, std::string& problem);
+/// A recording in MCAP, which may grow.
+std::unique_ptr<Source> open_mcap_source(const std::string& path, std::string& problem);
 
 }  // namespace eagerx::gen

@@ -28,6 +28,7 @@ struct StreamFacts {
   std::vector<std::uint64_t> every;  // of so many messages of a channel one comes; empty: all
   bool timed_by_sender = false;      // StreamMessage::real_ns is of the sender's clock
   bool one_message_a_step = false;   // of each channel, the last one
+  bool has_scenes = false;           // there is a drawing
 };
 
 struct StreamMessage {
@@ -41,6 +42,12 @@ struct StreamMessage {
   /// When it was sent or came, by a clock of real time; nothing if nobody knows.
   std::optional<std::int64_t> real_ns = {};
   std::uint32_t part = 0;  // of the episode, where its times begin anew within it
+};
+
+struct StreamScene {
+  std::uint32_t episode = 0;
+  std::int64_t time_ns = 0;
+  std::span<const float> rows;  // [rows][kSceneColumns], see eagerx/scene.hpp
 };
 
 struct StreamStep {
@@ -71,6 +78,9 @@ class StreamListener {
   virtual void message(const StreamMessage& message) = 0;
   virtual void step(const StreamStep& step) = 0;
   virtual void fault(StreamFault fault, std::uint64_t count) = 0;
+  /// What `render:` shows; told only to who wants it.
+  virtual void scene(const StreamScene& /*scene*/) {}
+  [[nodiscard]] virtual bool wants_scenes() const { return false; }
 };
 
 }  // namespace eagerx::gen

@@ -122,9 +122,7 @@ int bound(const addrinfo& address) {
 std::unique_ptr<Source> open_udp_source(const std::string& name, std::string_view address,
                                         std::string& problem) {
   publish::Address at;
-  if (publish::is_port(address)) {
-    at = {"127.0.0.1", std::string(address)};
-  } else if (!publish::parse_address(address, at)) {
+  if (!publish::parse_local_address(address, at)) {
     problem = fmt::format("error: `{}` is no source\nhelp: `udp:PORT` or `udp:HOST:PORT`", name);
     return nullptr;
   }

@@ -45,9 +45,15 @@ std::optional<std::string> with_included(std::string text, const std::string& fo
 /// Scripts that only pages with a simulation have.
 constexpr std::string_view kSimulation =
     "@include ../../targets/wasm/simulation.js@\n"
-    "@include live_plots.js@\n"
     "@include live_controls.js@\n"
     "@include live.js@\n";
+/// Those of pages that are told what a run sends.
+constexpr std::string_view kStream =
+    "@include stream.js@\n"
+    "@include stream_shown.js@\n"
+    "@include stream_view.js@\n";
+/// Plots that run, of both.
+constexpr std::string_view kPlots = "@include live_plots.js@\n";
 
 /// What is between the first `<name>` and its end.
 std::string_view element(std::string_view text, std::string_view name) {
@@ -95,13 +101,17 @@ std::optional<std::string> load_module(const std::string& path, Diagnostics& dia
   return std::nullopt;
 }
 
-std::optional<std::string> page_text(const std::string& folder, const Json& data, bool simulates,
+std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics) {
   auto text = read_part(std::filesystem::path(folder) / "report.html", diagnostics);
   if (text) {
+    const bool simulates = contents.module.has_value();
+    replace(*text, "@plots@", simulates || contents.is_live ? kPlots : "");
     replace(*text, "@simulation@", simulates ? kSimulation : "");
+    replace(*text, "@stream@", contents.is_live ? kStream : "");
     // Compiling a module counts as evaluating text; nothing else is allowed with it.
     replace(*text, "@wasm@", simulates ? " 'wasm-unsafe-eval'" : "");
+    replace(*text, "@connect@", contents.is_live ? "; connect-src 'self'" : "");
   }
   if (text) text = with_included(std::move(*text), folder, diagnostics);
   if (!text) return std::nullopt;
@@ -109,7 +119,7 @@ std::optional<std::string> page_text(const std::string& folder, const Json& data
   const std::string script = sha256_base64(element(*text, "script"));
   replace(*text, "@style-hash@", style);
   replace(*text, "@script-hash@", script);
-  replace(*text, "@data@", for_markup(dump_json(data)));
+  replace(*text, "@data@", for_markup(dump_json(page_json(contents))));
   return text;
 }
 

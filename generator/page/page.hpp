@@ -32,6 +32,7 @@ struct PageContents {
   std::vector<PageImage> images = {};
   Json logs = Json::list();                          // of read_logs()
   std::optional<std::string> module = std::nullopt;  // of WebAssembly, which simulates the graph
+  bool is_live = false;                              // who shows it also tells it what a run sends
 };
 
 /// The block of data of the page: `info` is what `eagerx-gen info --json` prints.
@@ -39,9 +40,9 @@ Json page_json(const PageContents& contents);
 
 /// The page: the file `report.html` of `folder` with what it includes, and the data in it. Bytes
 /// are the same on every machine. What stands in `data` stays data: it can close no element and
-/// begin none. `simulates`: the data has a module, which the page may run and shows. Problems:
+/// begin none. With a module the page may run it; a live one may speak with who shows it. Problems:
 /// E0301 a file of the template cannot be read.
-std::optional<std::string> page_text(const std::string& folder, const Json& data, bool simulates,
+std::optional<std::string> page_text(const std::string& folder, const PageContents& contents,
                                      Diagnostics& diagnostics);
 
 /// The bytes of a module of WebAssembly. Problems: E0301 it cannot be read, is none, or is too

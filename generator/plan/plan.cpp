@@ -15,6 +15,11 @@
 namespace eagerx::gen {
 namespace {
 
+std::string port_of(const GraphNode& node, const Output& output) {
+  if (!output.sensors.empty()) return fmt::format("{}", fmt::join(output.sensors, ", "));
+  return (node.role == NodeRole::environment ? "actions" : node.name) + "." + output.name;
+}
+
 constexpr std::uint64_t kMaxRingBytes = std::uint64_t{1} << 30U;
 // A power of two saves a division at every access; above this many wasted bytes the exact size is
 // better.
@@ -75,7 +80,8 @@ class Planner {
         const Output& output = graph_.nodes[n].outputs[o];
         // What only pictures need is left out of programs without pictures, and so of all traces.
         if (!graph_.nodes[n].drawn)
-          plan_.channels.push_back({graph_.nodes[n].name + "/" + output.name, n, o});
+          plan_.channels.push_back(
+              {graph_.nodes[n].name + "/" + output.name, n, o, port_of(graph_.nodes[n], output)});
         plan_.nodes[n].rings.push_back(plan_.rings.size());
         Ring ring;
         ring.node = n;

@@ -66,6 +66,7 @@ struct PlannedNode {
 struct Channel {
   std::string name;
   std::size_t node = 0, output = 0;
+  std::string port = {};  // as graphs call it: "smooth.filtered", "pendulum.theta", "actions.u"
 };
 
 enum class ScheduleForm : std::uint8_t {

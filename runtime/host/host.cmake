@@ -12,7 +12,7 @@ eagerx_compiled_library(
   SOURCES ${eagerx_host_folder}/trace/channel_name.cpp ${eagerx_host_folder}/trace/dtype.cpp
           ${eagerx_host_folder}/trace/json_text.cpp ${eagerx_host_folder}/trace/log_clock.cpp
           ${eagerx_host_folder}/trace/log_file.cpp ${eagerx_host_folder}/trace/mcap.cpp
-          ${eagerx_host_folder}/trace/replay.cpp ${eagerx_host_folder}/trace/scene_line.cpp
+          ${eagerx_host_folder}/trace/mcap_reader.cpp ${eagerx_host_folder}/trace/replay.cpp ${eagerx_host_folder}/trace/scene_line.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx::runtime
   OPTIONS ${eagerx_host_options})
@@ -34,4 +34,36 @@ eagerx_compiled_library(
   SOURCES ${eagerx_host_folder}/telemetry/decoder.cpp ${eagerx_host_folder}/telemetry/layout.cpp
   FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
   LINK eagerx_trace
+  OPTIONS ${eagerx_host_options})
+# A library of its own, so that the others are the same whether there is libwebsockets-dev or not. What it calls is looked for
+# when a program speaks with somebody.
+set(eagerx_web_socket_sources no_web_socket)
+find_file(EAGERX_LIBWEBSOCKETS libwebsockets.h)
+mark_as_advanced(EAGERX_LIBWEBSOCKETS)
+if(EAGERX_LIBWEBSOCKETS AND NOT CMAKE_CROSSCOMPILING)
+  set(eagerx_web_socket_sources client library server)
+endif()
+list(TRANSFORM eagerx_web_socket_sources PREPEND ${eagerx_host_folder}/web_socket/)
+list(TRANSFORM eagerx_web_socket_sources APPEND .cpp)
+eagerx_compiled_library(
+  eagerx_web_sockets
+  SOURCES ${eagerx_web_socket_sources} ${eagerx_host_folder}/web_socket/listener.cpp
+  FOLDERS ${eagerx_host_folder}/web_socket
+  LINK eagerx::runtime ${CMAKE_DL_LIBS}
+  OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_foxglove UNITY
+  SOURCES ${eagerx_host_folder}/foxglove/access.cpp ${eagerx_host_folder}/foxglove/client_message.cpp
+          ${eagerx_host_folder}/foxglove/json_reader.cpp ${eagerx_host_folder}/foxglove/scene_schema.cpp
+          ${eagerx_host_folder}/foxglove/scene_update.cpp ${eagerx_host_folder}/foxglove/server.cpp
+          ${eagerx_host_folder}/foxglove/server_message.cpp ${eagerx_host_folder}/foxglove/server_text.cpp
+  FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
+  LINK eagerx_publish eagerx_trace eagerx_web_sockets
+  OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
+  eagerx_dds UNITY
+  SOURCES ${eagerx_host_folder}/dds/dds_sink.cpp ${eagerx_host_folder}/dds/library.cpp ${eagerx_host_folder}/dds/messages.cpp
+          ${eagerx_host_folder}/dds/participant.cpp ${eagerx_host_folder}/dds/topics.cpp
+  FOLDERS ${eagerx_host_folder} ${eagerx_host_folder}/../eagerx
+  LINK eagerx_publish eagerx_trace ${CMAKE_DL_LIBS}
   OPTIONS ${eagerx_host_options})

@@ -154,7 +154,7 @@ int run_with(const Options& options, GraphProgram& program) {
     const std::string unconnected = connect(*program.link(), options);
     if (!unconnected.empty()) return fail(unconnected, kBadFile);
   }
-  std::optional<dds::RemoteAgent> agent;
+  std::optional<RemoteAgent> agent;
   if (options.agent == target::Agent::dds)
     agent.emplace(options, facts, fields, zero.data(), program.action_bytes());
   return run_told({options, fields, table, settings, faults}, program, agent ? &*agent : nullptr);

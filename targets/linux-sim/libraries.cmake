@@ -6,41 +6,22 @@ function(eagerx_linux_sim_libraries)
   set(folders ${here} ${here}/../common ${here}/../../runtime)
   # GCC 12's -Wrestrict is wrong about its own std::string (GCC bug 105329).
   set(options -Wall -Wextra $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-  # A library of its own, so that the others are the same whether there is libwebsockets-dev or not. What it calls is looked
-  # for when a program listens.
-  if(NOT TARGET eagerx_web_sockets)
-    set(source no_web_socket)
-    find_file(EAGERX_LIBWEBSOCKETS libwebsockets.h)
-    mark_as_advanced(EAGERX_LIBWEBSOCKETS)
-    if(EAGERX_LIBWEBSOCKETS AND NOT CMAKE_CROSSCOMPILING)
-      set(source web_socket)
-    endif()
-    eagerx_compiled_library(
-      eagerx_web_sockets
-      SOURCES ${here}/publish/foxglove/${source}.cpp
-      FOLDERS ${here}/publish/foxglove
-      LINK eagerx::runtime ${CMAKE_DL_LIBS}
-      OPTIONS ${options})
-  endif()
   if(NOT TARGET eagerx_linux_sim)
     set(names
         action_file app describe expression faults files float_environment identify interrupt link_port measures nearest
         options pacer progress recorder replay_log run_watch session spaces split state_record state_settings summary
         table_writer task_record text_file)
     list(APPEND names outside/outside_agent outside/outside_rows)
-    list(APPEND names publish/destination publish/publishing publish/recording publish/remote
+    list(APPEND names publish/destination publish/parameters publish/publishing publish/recording publish/remote
          publish/remote_watch)
-    foreach(name access client_message foxglove json_reader listener parameters scene_schema scene_update server_text)
-      list(APPEND names publish/foxglove/${name})
-    endforeach()
-    list(APPEND names dds/dds_sink dds/library dds/messages dds/participant dds/remote_agent dds/topics)
+    list(APPEND names dds/graph_of dds/remote_agent)
     list(TRANSFORM names PREPEND ${here}/)
     list(TRANSFORM names APPEND .cpp)
     eagerx_compiled_library(
       eagerx_linux_sim UNITY
       SOURCES ${names} ${here}/../common/fault.cpp
       FOLDERS ${folders}
-      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_publish eagerx_web_sockets ${CMAKE_DL_LIBS}
+      LINK eagerx::runtime eagerx_trace eagerx_identify eagerx_publish eagerx_foxglove eagerx_dds ${CMAKE_DL_LIBS}
       OPTIONS ${options})
   endif()
   # A library of its own: nothing of it is in the program of a graph that shows nothing.

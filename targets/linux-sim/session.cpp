@@ -81,7 +81,7 @@ std::string close_pictures(Pictures* pictures, Summary& summary) {
 
 class Session {
  public:
-  Session(const Told& told, GraphProgram& program, dds::RemoteAgent* agent)
+  Session(const Told& told, GraphProgram& program, RemoteAgent* agent)
       : options_(told.options),
         told_(told),
         program_(program),
@@ -113,7 +113,7 @@ class Session {
       step_all(watch);
       return end(watch);
     }
-    dds::AgentWatch<Watch> watch(*agent_, program_, told_, csv_, trace_, arguments...);
+    AgentWatch<Watch> watch(*agent_, program_, told_, csv_, trace_, arguments...);
     step_all(watch);
     return end(watch);
   }
@@ -243,7 +243,7 @@ class Session {
   const Told& told_;
   GraphProgram& program_;
   const GraphFacts& facts_;
-  dds::RemoteAgent* const agent_;
+  RemoteAgent* const agent_;
   TextFile csv_, trace_;
   std::optional<Publishing> publishing_;
   std::optional<OutsideAgent> outside_;
@@ -254,7 +254,7 @@ class Session {
 
 }  // namespace
 
-int run_told(const Told& told, GraphProgram& program, dds::RemoteAgent* agent) {
+int run_told(const Told& told, GraphProgram& program, RemoteAgent* agent) {
   return Session(told, program, agent).run();
 }
 

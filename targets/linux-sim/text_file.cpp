@@ -11,7 +11,7 @@
 #include <climits>
 #include <cstring>
 #include <ctime>
-#include <targets/linux-sim/background.hpp>
+#include <runtime/host/background.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/text_file.hpp>
@@ -77,7 +77,7 @@ void TextFile::start(Writing writing) {
   for (Buffer& buffer : buffers_) buffer.text = std::make_unique<char[]>(kBufferBytes);
   if (in_background) {
     empty_.release(kBackgroundBuffers - 1);  // all but the one that is being filled
-    writer_ = thread_without_signals([this] { write_in_background(); });
+    writer_ = host::thread_without_signals([this] { write_in_background(); });
   }
 }
 

@@ -1,17 +1,25 @@
-// Plots of the simulation while it runs: of each channel the newest message behind each step.
-const kKeptSteps = 6000, kShown_s = 20;
+// Plots of channels while they grow: of a simulation the newest message behind each step.
+const kKeptSteps = 6000, kShown_s = 20, kPlottedElements = 16;
 
 /** What was seen since a reset. */
 class LiveHistory {
   constructor(fields, step_s) {
     this.step_s = step_s;
     this.first = 0;  // step of the first point
-    this.rows = fields.map((field) => Array.from({length: Math.min(field.numbers, 16)}, () => []));
+    this.rows = fields.map((field) => Array.from({length: Math.min(field.numbers, kPlottedElements)}, () => []));
     this.fields = fields;
   }
 
   get length() {
     return this.rows.length && this.rows[0].length ? this.rows[0][0].length : 0;
+  }
+
+  get end_s() {
+    return (this.first + this.length) * this.step_s;
+  }
+
+  get kept_s() {
+    return Math.min(kShown_s, kKeptSteps * this.step_s);
   }
 
   add(values) {
@@ -58,7 +66,8 @@ function firstChannels(fields) {
 }
 
 class LivePlots {
-  constructor(fields) {
+  /** `changed()` when others are chosen. `history` is a LiveHistory, or has what is asked of one here. */
+  constructor(fields, changed = () => {}) {
     this.fields = fields;
     this.chosen = firstChannels(fields);
     this.stage = el("div.plots");
@@ -73,6 +82,7 @@ class LivePlots {
                           this.chosen[event.target.checked ? "add" : "delete"](f);
                           this.layOut();
                           this.draw();
+                          changed();
                         }
                       }),
                       el("span", {}, field.name))));
@@ -83,7 +93,9 @@ class LivePlots {
   layOut() {
     this.rows = [...this.chosen].sort((a, b) => a - b).map((f) => {
       const canvas = el("canvas"), values = el("span.values");
-      const more = this.fields[f].numbers > 16 ? `first 16 of ${count(this.fields[f].numbers)} elements` : "";
+      const more = this.fields[f].numbers > kPlottedElements ?
+          `first ${kPlottedElements} of ${count(this.fields[f].numbers)} elements` :
+          "";
       const element =
           el("article.plot", {}, el("header", {}, el("span", {}, this.fields[f].name), el("small", {}, more), values),
              el("div.cell", {}, canvas));
@@ -94,16 +106,15 @@ class LivePlots {
 
   draw() {
     if (!this.history) return;
-    const {history} = this, end = (history.first + history.length) * history.step_s;
-    const span = Math.min(kShown_s, kKeptSteps * history.step_s);
+    const {end_s: end, kept_s: span} = this.history;
     const frame = {begin: Math.max(0, end - span), span};
     this.rows.forEach((row, r) => {
-      const points = history.points(row.f);
+      const points = this.history.points(row.f);
       const width = Math.floor(row.canvas.parentElement.getBoundingClientRect().width);
       const last = r === this.rows.length - 1, height = last ? 104 : 88;
       const context = prepare(row.canvas, width, height);
       if (!context) return;
-      const axes = drawAxes(context, width, height, liveRange(points, span / history.step_s), last, frame);
+      const axes = drawAxes(context, width, height, liveRange(points, span / points.step), last, frame);
       context.save();
       context.beginPath();
       context.rect(kLeft, 0, width - kLeft, axes.bottom + 2);

@@ -1,5 +1,7 @@
 // Views, search, keys.
 const views = [
+  // Only pages that are told what a run sends have its function.
+  {id: "live", name: "Live", make: (panel) => makeStreamView(panel), there: data.live === true},
   {id: "graph", name: "Graph", make: makeGraphView, there: true},
   {id: "timetable", name: "Timetable", make: makeTimetableView, there: true},
   {id: "memory", name: "Memory", make: makeMemoryView, there: true},
@@ -193,4 +195,4 @@ document.getElementById("summary").textContent = [
 new ResizeObserver(onFrame(() => state.view && state.view.parts.resized())).observe(document.getElementById("views"));
 addEventListener("hashchange", () => showView(location.hash.slice(1)));
 showTheme(prefersDark.matches);
-showView(location.hash.slice(1) || (data.module ? "simulation" : "graph"));
+showView(location.hash.slice(1) || (data.live ? "live" : data.module ? "simulation" : "graph"));

@@ -376,6 +376,9 @@ function makeTimetableView(panel) {
        el("div.segment", {role: "group", "aria-label": "Zoom"}, button("−", () => zoomTimetable(1.25)),
           button("+", () => zoomTimetable(0.8)), button("Fit", fitTimetable)),
        paced.length ? segment("Times", choices, -1, (i) => measure(i < 0 ? null : paced[i])) : null,
+       data.live ?
+           segment("Times", [[false, "Planned"], [true, "As it comes"]], false, (on) => streamTimes.choose(on)) :
+           null,
        el("p.legend", {},
           data.schedule.rates.slice(0, 8).map((rate, i) => el("span", {}, el(`i.shade${i % 8}`), `${rate.rate} Hz`)))),
     el("p.note", {}, facts.join(" · "),

@@ -1,23 +1,26 @@
-// Any bytes as a message of a client of Foxglove's protocol, in text and in binary: no crash, and
-// either one that is complete or a reason. What is JSON stays within its bounds.
+// Any bytes as a message of Foxglove's protocol, of a client and of a server, in text and in
+// binary: no crash, and either one that is complete or a reason. What is JSON stays within its
+// bounds.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <runtime/host/foxglove/client_message.hpp>
+#include <runtime/host/foxglove/json_reader.hpp>
+#include <runtime/host/foxglove/server_message.hpp>
 #include <string_view>
-#include <targets/linux-sim/publish/foxglove/client_message.hpp>
-#include <targets/linux-sim/publish/foxglove/json_reader.hpp>
+#include <vector>
 
 namespace {
 
-using eagerx::linux_sim::ClientMessage;
-using eagerx::linux_sim::Json;
+using eagerx::foxglove::ClientMessage;
+using eagerx::foxglove::Json;
 
 void require(bool holds) {
   if (!holds) std::abort();
 }
 
 std::size_t count(const Json& value, int depth) {
-  require(depth <= eagerx::linux_sim::kDeepestJson);
+  require(depth <= eagerx::foxglove::kDeepestJson);
   std::size_t values = 1;
   require(value.names.empty() || value.names.size() == value.items.size());
   for (const Json& each : value.items) values += count(each, depth + 1);
@@ -30,15 +33,31 @@ void check(const ClientMessage& message) {
           !message.problem.empty());
 }
 
+/// What a server says, as `eagerx-gen monitor` reads it.
+void check_server(std::string_view bytes) {
+  using Said = eagerx::foxglove::ServerMessage::Kind;
+  static_cast<void>(eagerx::foxglove::read_server_text(bytes));
+  const auto message = eagerx::foxglove::read_server_bytes(bytes);
+  require(message.kind != Said::data || message.time_ns >= 0);
+  constexpr std::size_t kMost = 16;
+  eagerx::foxglove::ChannelValue value;
+  if (eagerx::foxglove::read_channel_value(bytes, kMost, value))
+    require(value.values.size() <= kMost && value.values.size() <= value.elements);
+  std::uint32_t episode = 0;
+  std::vector<float> rows;
+  if (eagerx::foxglove::read_drawing(bytes, episode, rows)) require(rows.size() % 16 == 0);
+}
+
 }  // namespace
 
 // The name is libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
-  check(eagerx::linux_sim::read_client_text(text));
-  check(eagerx::linux_sim::read_client_bytes(text));
-  eagerx::linux_sim::steps_of_request(text);
-  const auto json = eagerx::linux_sim::read_json(text);
-  if (json) require(count(*json, 0) <= eagerx::linux_sim::kMostJsonValues);
+  check(eagerx::foxglove::read_client_text(text));
+  check(eagerx::foxglove::read_client_bytes(text));
+  eagerx::foxglove::steps_of_request(text);
+  check_server(text);
+  const auto json = eagerx::foxglove::read_json(text);
+  if (json) require(count(*json, 0) <= eagerx::foxglove::kMostJsonValues);
   return 0;
 }

@@ -9,3 +9,11 @@ if(definitions MATCHES EAGERX_NCURSES)
                                        $<TARGET_FILE:replay_swing_up>)
   set_tests_properties(monitor.screen PROPERTIES SKIP_RETURN_CODE 77)
 endif()
+# Foxglove's protocol, of monitor and of the live page, which a browser shows where there is one.
+if(EAGERX_LIBWEBSOCKETS)
+  add_test(NAME monitor.foxglove COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/foxglove $<TARGET_FILE:eagerx-gen>
+                                         $<TARGET_FILE:replay_swing_up>)
+  add_test(NAME report.live COMMAND ${CMAKE_CURRENT_LIST_DIR}/../browser/live ${PROJECT_BINARY_DIR}
+                                    $<TARGET_FILE:replay_swing_up>)
+  set_tests_properties(report.live PROPERTIES SKIP_RETURN_CODE 77)
+endif()

@@ -26,4 +26,21 @@ bool parse_address(std::string_view text, Address& address) {
   return true;
 }
 
+bool parse_local_address(std::string_view text, Address& address) {
+  if (!is_port(text)) return parse_address(text, address);
+  address.host = "127.0.0.1";
+  address.port = text;
+  return true;
+}
+
+std::string hash_text(std::uint64_t hash) {
+  constexpr unsigned kBits = 64, kBitsPerDigit = 4;
+  std::string text = "0x";
+  for (unsigned shift = kBits; shift > 0;) {
+    shift -= kBitsPerDigit;
+    text += "0123456789abcdef"[(hash >> shift) & 0xfU];
+  }
+  return text;
+}
+
 }  // namespace eagerx::publish

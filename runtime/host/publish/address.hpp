@@ -1,6 +1,7 @@
-// Where datagrams are sent to.
+// Where messages are sent to, and of which graph they say that they are.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -16,5 +17,10 @@ struct Address {
 bool is_port(std::string_view text);
 /// False if the text is not `HOST:PORT`. A host with colons is in brackets.
 bool parse_address(std::string_view text, Address& address);
+
+/// The same of `[HOST:]PORT`; without a host it is this machine's own, 127.0.0.1.
+bool parse_local_address(std::string_view text, Address& address);
+/// "0x0123456789abcdef"
+std::string hash_text(std::uint64_t hash);
 
 }  // namespace eagerx::publish

@@ -23,17 +23,6 @@ void append_number(std::string& to, T value) {
   to.append(text.data(), result.ptr);
 }
 
-/// "0x0123456789abcdef"
-std::string hash_text(std::uint64_t hash) {
-  constexpr unsigned kBits = 64, kBitsPerDigit = 4;
-  std::string text = "0x";
-  for (unsigned shift = kBits; shift > 0;) {
-    shift -= kBitsPerDigit;
-    text += "0123456789abcdef"[(hash >> shift) & 0xfU];
-  }
-  return text;
-}
-
 /// Sends what is ready at the end of each step; a socket that takes no more loses it.
 class DatagramSink : public PublishSink {
  public:

@@ -35,6 +35,8 @@ class PublishSink {
   virtual ~PublishSink() = default;
   /// Empty, or what is wrong.
   virtual std::string open() = 0;
+  /// What the user should know, once it is open; empty: nothing.
+  virtual std::string note() const { return {}; }
   virtual void message(const PublishedMessage& message) = 0;
   virtual void step(const PublishedStep& step) = 0;
   /// What `render:` shows.

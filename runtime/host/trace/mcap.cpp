@@ -62,6 +62,11 @@ std::string definitions(const std::vector<RecordedChannel>& all) {
     append_text(metadata, "rate_hz");
     append_text(metadata,
                 std::to_string(channel.rate_num) + "/" + std::to_string(channel.rate_den));
+    // JSON has one type of numbers.
+    append_text(metadata, "dtype");
+    append_text(metadata, name_of(channel.dtype));
+    append_text(metadata, "size");
+    append_text(metadata, std::to_string(channel.size));
     append_text(record, metadata);
     append_record(channels, kChannel, record);
   }

@@ -5,7 +5,7 @@
 #include <targets/linux-sim/dds/remote_agent.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::linux_sim {
 
 /// `Base`: RunWatch, or what is derived from it.
 template <class Base>
@@ -36,4 +36,4 @@ class AgentWatch final : public Base {
   RemoteAgent& agent_;
 };
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::linux_sim

@@ -2,19 +2,19 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <runtime/host/dds/topics.hpp>
 #include <runtime/host/trace/log_clock.hpp>
 #include <targets/linux-sim/dds/remote_agent.hpp>
-#include <targets/linux-sim/dds/topics.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::linux_sim {
 namespace {
 
 constexpr std::int64_t kMsInNs = 1'000'000;
-constexpr std::int64_t kSlice = 50 * kMsInNs;  // in which a signal is seen
-constexpr Entity kPublications = 0x7fff'0003;  // DDS_BUILTIN_TOPIC_DCPSPUBLICATION
+constexpr std::int64_t kSlice = 50 * kMsInNs;       // in which a signal is seen
+constexpr dds::Entity kPublications = 0x7fff'0003;  // DDS_BUILTIN_TOPIC_DCPSPUBLICATION
 constexpr std::uint32_t kNotRead = 2U | 4U | 8U | 16U | 32U | 64U;  // in any other state
 
 bool equal(const ros::Time& a, const ros::Time& b) {
@@ -46,9 +46,9 @@ RemoteAgent::RemoteAgent(const Options& options, const GraphFacts& facts, const 
   std::memcpy(action_.data(), zero, bytes);
   wanted_ = action_;
   for (const Field& field : fields.actions)
-    inputs_.push_back({&field, topic_of_environment(facts.name, "actions", field.name)});
+    inputs_.push_back({&field, dds::topic_of_environment(facts.name, "actions", field.name)});
   for (const Field& field : fields.observations)
-    outputs_.push_back({&field, topic_of_environment(facts.name, "observations", field.name)});
+    outputs_.push_back({&field, dds::topic_of_environment(facts.name, "observations", field.name)});
 }
 
 std::string RemoteAgent::open() {
@@ -57,22 +57,23 @@ std::string RemoteAgent::open() {
   std::vector<std::string> names;
   for (const Input& input : inputs_) names.push_back(input.topic);
   for (const Output& output : outputs_) names.push_back(output.topic);
-  std::string problem = problem_of_names(names);
+  std::string problem = dds::problem_of_names(names);
   if (problem.empty()) problem = participant_.open({options_.agent_domain, ""}, true);
   return problem.empty() ? make_topics() : problem;
 }
 
 std::string RemoteAgent::make_topics() {
-  const Functions& f = participant_.functions();
+  const dds::Functions& f = participant_.functions();
   waitset_ = f.create_waitset(participant_.id());
   publications_ = f.create_reader(participant_.id(), kPublications, nullptr, nullptr);
   for (Input& input : inputs_) {
-    input.reader = participant_.reader(ros::JointState::kType, input.topic, Promise::exchange);
+    input.reader = participant_.reader(ros::JointState::kType, input.topic, dds::Promise::exchange);
     if (input.reader < 0) return participant_.problem(input.reader, input.topic);
     f.waitset_attach(waitset_, f.create_readcondition(input.reader, kNotRead), 0);
   }
   for (Output& output : outputs_) {
-    output.writer = participant_.writer(ros::JointState::kType, output.topic, Promise::exchange);
+    output.writer =
+        participant_.writer(ros::JointState::kType, output.topic, dds::Promise::exchange);
     if (output.writer < 0) return participant_.problem(output.writer, output.topic);
     output.names.make(output.field->name, output.field->type.size);
   }
@@ -81,8 +82,8 @@ std::string RemoteAgent::make_topics() {
 
 /// Somebody writes each action, and reads an observation.
 bool RemoteAgent::is_there() const {
-  const Functions& f = participant_.functions();
-  Matched matched{};
+  const dds::Functions& f = participant_.functions();
+  dds::Matched matched{};
   for (const Input& input : inputs_) {
     f.get_subscription_matched_status(input.reader, &matched);
     if (matched.current == 0) return false;
@@ -182,9 +183,9 @@ bool RemoteAgent::take_all() {
 
 void RemoteAgent::take(Input& input) {
   constexpr std::uint32_t kAtOnce = 16;
-  const Functions& f = participant_.functions();
+  const dds::Functions& f = participant_.functions();
   void* messages[kAtOnce] = {};
-  SampleInfo infos[kAtOnce];
+  dds::SampleInfo infos[kAtOnce];
   const std::int32_t count = f.take(input.reader, messages, infos, kAtOnce, kAtOnce);
   for (std::int32_t i = 0; i < count; ++i)
     if (infos[i].is_valid) judge(input, *static_cast<const ros::JointState*>(messages[i]));
@@ -214,7 +215,7 @@ void RemoteAgent::judge(Input& input, const ros::JointState& message) {
   input.has_come = true;
 }
 
-std::uint64_t* RemoteAgent::wrong_with(const Field& field, const Sequence<double>& numbers) {
+std::uint64_t* RemoteAgent::wrong_with(const Field& field, const dds::Sequence<double>& numbers) {
   const MessageType& type = field.type;
   if (numbers.length != type.size) return &lengths_;
   for (std::size_t i = 0; i < type.size; ++i) {
@@ -230,11 +231,11 @@ std::uint64_t* RemoteAgent::wrong_with(const Field& field, const Sequence<double
 
 /// Writers whose type is another one: DDS does not connect us.
 void RemoteAgent::look_for_strangers() {
-  const Functions& f = participant_.functions();
+  const dds::Functions& f = participant_.functions();
   void* message[1] = {};
-  SampleInfo info;
+  dds::SampleInfo info;
   while (f.take(publications_, message, &info, 1, 1) == 1) {
-    const auto& writer = *static_cast<const Endpoint*>(message[0]);
+    const auto& writer = *static_cast<const dds::Endpoint*>(message[0]);
     const bool is_ours =
         info.is_valid && std::any_of(inputs_.begin(), inputs_.end(), [&](const Input& input) {
           return input.topic == writer.topic_name;
@@ -273,4 +274,4 @@ void RemoteAgent::finish(Summary& summary) {
   add("agent: writers of another type", strangers_);
 }
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::linux_sim

@@ -2,17 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/dds/messages.hpp>
+#include <runtime/host/dds/participant.hpp>
+#include <runtime/host/dds/ros_values.hpp>
 #include <string>
-#include <targets/linux-sim/dds/messages.hpp>
-#include <targets/linux-sim/dds/participant.hpp>
-#include <targets/linux-sim/dds/ros_values.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <vector>
 
-namespace eagerx::linux_sim::dds {
+namespace eagerx::linux_sim {
 
 /// Writes the observations of a step, with a time that no other step has, and waits for the actions
 /// with this time. What is not an action is refused and counted.
@@ -44,13 +44,13 @@ class RemoteAgent {
   struct Input {
     const Field* field;
     std::string topic;
-    Entity reader = -1;
+    dds::Entity reader = -1;
     bool has_come = false;
   };
   struct Output {
     const Field* field;
     std::string topic;
-    Entity writer = -1;
+    dds::Entity writer = -1;
     bool is_written = false;
     std::vector<double> numbers{};  // [most][size]
     ros::Names names{};
@@ -66,15 +66,15 @@ class RemoteAgent {
   void take(Input& input);
   void judge(Input& input, const ros::JointState& message);
   /// Null, or what is wrong with its numbers.
-  std::uint64_t* wrong_with(const Field& field, const Sequence<double>& numbers);
+  std::uint64_t* wrong_with(const Field& field, const dds::Sequence<double>& numbers);
   void look_for_strangers();
   std::string silence(const std::string& what) const;
 
   const Options& options_;
   const GraphFacts& facts_;
   const Fields& fields_;
-  Participant participant_;
-  Entity waitset_ = -1, publications_ = -1;
+  dds::Participant participant_;
+  dds::Entity waitset_ = -1, publications_ = -1;
   std::vector<Input> inputs_;
   std::vector<Output> outputs_;
   std::vector<std::max_align_t> action_, wanted_;  // Action objects
@@ -87,4 +87,4 @@ class RemoteAgent {
   std::uint64_t lengths_ = 0, not_finite_ = 0, beyond_ = 0, not_whole_ = 0, strangers_ = 0;
 };
 
-}  // namespace eagerx::linux_sim::dds
+}  // namespace eagerx::linux_sim

@@ -20,10 +20,7 @@ bool parse_destination(std::string_view text, Destination& destination) {
   }
   if (kind == "foxglove") {
     destination.kind = Kind::foxglove;
-    if (rest.find(':') != std::string_view::npos) return publish::parse_address(rest, destination);
-    destination.host = "127.0.0.1";
-    destination.port = rest;
-    return publish::is_port(rest);
+    return publish::parse_local_address(rest, destination);
   }
   if (kind == "udp") {
     destination.kind = Kind::udp;

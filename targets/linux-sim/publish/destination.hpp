@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/dds/participant.hpp>
 #include <runtime/host/publish/address.hpp>
 #include <string>
 #include <string_view>
-#include <targets/linux-sim/dds/participant.hpp>
 
 namespace eagerx::linux_sim {
 

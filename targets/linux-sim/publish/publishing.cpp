@@ -4,14 +4,16 @@
 #include <chrono>
 #include <cmath>
 #include <eagerx/trace.hpp>
+#include <runtime/host/background.hpp>
+#include <runtime/host/dds/dds_sink.hpp>
+#include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/publish/datagrams.hpp>
-#include <targets/linux-sim/background.hpp>
-#include <targets/linux-sim/dds/dds_sink.hpp>
+#include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/nearest.hpp>
-#include <targets/linux-sim/publish/foxglove/foxglove.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
+#include <targets/linux-sim/say.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -142,12 +144,14 @@ std::string Publishing::open_sinks() {
         sinks_.push_back(foxglove_sink_of(to));
         break;
       case Destination::Kind::dds:
-        sinks_.push_back(dds::topic_sink(to, channels_, facts_, chosen_channels()));
+        sinks_.push_back(dds::topic_sink(to.network, to.written, channels_, graph_of(facts_),
+                                         chosen_channels()));
         break;
     }
     names_.push_back(to.written);
     std::string problem = sinks_.back()->open();
     if (!problem.empty()) return problem;
+    if (const std::string note = sinks_.back()->note(); !note.empty()) fail(note, 0);
   }
   return {};
 }
@@ -156,8 +160,20 @@ std::unique_ptr<PublishSink> Publishing::foxglove_sink_of(const Destination& to)
   if (facts_.is_scene) scene_rows_ = facts_.scene_rows;
   // A board draws its states itself, and does not wait.
   if (facts_.board == nullptr && !remote_) remote_ = std::make_unique<Remote>(fields_);
-  return foxglove_sink(to, {facts_, fields_, channels_, chosen_channels(), program_.is_real(),
-                            remote_.get(), options_.publish_key});
+  foxglove::Served served;
+  served.graph = facts_.name;
+  served.engine = facts_.engine;
+  served.graph_hash = facts_.graph_hash;
+  served.channels = &channels_;
+  served.chosen = chosen_channels();
+  served.has_scene = facts_.is_scene;
+  served.is_real = program_.is_real();
+  served.key_file = options_.publish_key;
+  if (remote_) {
+    parameters_.push_back(std::make_unique<Parameters>(fields_, *remote_, served.is_real));
+    served.steering = parameters_.back().get();
+  }
+  return foxglove::server(to, std::move(served));
 }
 
 /// [channels] whether it is published.
@@ -193,7 +209,7 @@ void Publishing::make_ring() {
 }
 
 void Publishing::start() {
-  thread_ = thread_without_signals([this] { work(); });
+  thread_ = host::thread_without_signals([this] { work(); });
 }
 
 std::string Publishing::finish(Summary& summary) {

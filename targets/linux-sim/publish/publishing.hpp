@@ -11,6 +11,7 @@
 #include <string>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/options.hpp>
+#include <targets/linux-sim/publish/parameters.hpp>
 #include <targets/linux-sim/publish/remote.hpp>
 #include <targets/linux-sim/publish/ring.hpp>
 #include <targets/linux-sim/publish/sink.hpp>
@@ -113,6 +114,7 @@ class Publishing {
   std::uint64_t step_every_ = 1, scene_every_ = 1;
   std::size_t scene_rows_ = 0;  // 0: nobody wants scenes
   std::unique_ptr<Remote> remote_;
+  std::vector<std::unique_ptr<Parameters>> parameters_;  // of each server
   std::unique_ptr<PublishRing> ring_;
   std::vector<std::unique_ptr<PublishSink>> sinks_;
   std::vector<std::string> names_;  // of sinks, as they are written

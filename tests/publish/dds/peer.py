@@ -5,7 +5,7 @@ import shutil
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-DDS = HERE.parents[2] / "targets/linux-sim/dds"
+DDS = HERE.parents[2] / "runtime/host/dds"
 DOMAIN = 1 + os.getpid() % 100  # tests that run at the same time do not hear each other
 LOOPBACK = ('<CycloneDDS><Domain Id="any"><General><Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces>'
             "<AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>auto</ParticipantIndex>"

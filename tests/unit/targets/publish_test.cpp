@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <runtime/host/dds/topics.hpp>
 #include <string>
-#include <targets/linux-sim/dds/topics.hpp>
+#include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/publish/destination.hpp>
 #include <targets/linux-sim/publish/ring.hpp>
 #include <thread>
@@ -140,7 +141,7 @@ dds::Form form_of(const char* dtype, const char* port, const char* sizes,
   facts.channel_count = 1;
   facts.shapes = &shape;
   facts.shape_count = *sizes == '\0' ? 0 : 1;
-  return dds::topics_of(facts).at(0).form;
+  return dds::topics_of(graph_of(facts)).at(0).form;
 }
 
 TEST(Topics, HaveATypeWhereTheShapeFits) {

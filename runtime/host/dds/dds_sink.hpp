@@ -1,0 +1,18 @@
+// Messages as topics of ROS 2.
+#pragma once
+
+#include <memory>
+#include <runtime/host/dds/participant.hpp>
+#include <runtime/host/dds/topics.hpp>
+#include <runtime/host/publish/sink.hpp>
+#include <string>
+#include <vector>
+
+namespace eagerx::dds {
+
+/// `said`: what the user wrote. `chosen`: [channels] which of them are topics.
+std::unique_ptr<publish::PublishSink> topic_sink(const Network& to, std::string said,
+                                                 const publish::PublishedChannels& channels,
+                                                 const Graph& graph, std::vector<bool> chosen);
+
+}  // namespace eagerx::dds

@@ -1,0 +1,61 @@
+// A program as one of those that speak with DDS.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <runtime/host/dds/library.hpp>
+#include <string>
+#include <string_view>
+
+namespace eagerx::dds {
+
+/// `dds[:DOMAIN][@INTERFACE]`
+struct Network {
+  std::uint32_t domain = 0;  // to 232
+  std::string interface;     // a name or an IPv4 address; empty: this machine only
+};
+/// What stands behind `dds`. False if it is wrong.
+bool parse_network(std::string_view text, Network& network);
+
+/// What a reader or writer promises.
+enum class Promise : std::uint8_t {
+  sensor_data,  // ROS 2's profile of this name: what is lost is lost; the last 5
+  clock,        // the same, the last one
+  event,        // what is lost is sent again; later readers have the last 5
+  exchange      // what is lost is sent again
+};
+
+class Participant {
+ public:
+  Participant() = default;
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+  ~Participant();
+
+  /// Empty, or what is wrong. With `alone` the user's CYCLONEDDS_URI does not count, and nothing of
+  /// another machine is taken.
+  std::string open(const Network& network, bool alone);
+  /// How far away readers can be, if that is beyond this machine; else empty.
+  std::string reach() const { return reach_; }
+
+  const Functions& functions() const { return *functions_; }
+  Entity id() const { return id_; }
+  /// Below 0: there is none, and problem() says why.
+  Entity writer(const TopicType& type, const std::string& topic, Promise promise);
+  Entity reader(const TopicType& type, const std::string& topic, Promise promise);
+  std::string problem(Entity error, const std::string& topic) const;
+
+ private:
+  struct Domain;
+
+  std::string join(const Network& network, const std::string& config);
+  template <class Make>
+  Entity endpoint(const TopicType& type, const std::string& topic, Promise promise, Make make);
+
+  const Functions* functions_ = nullptr;
+  std::shared_ptr<Domain> domain_;
+  Entity id_ = -1;
+  std::string reach_;
+};
+
+}  // namespace eagerx::dds

@@ -1,0 +1,51 @@
+// Who may read a run, and who may change it.
+#pragma once
+
+#include <runtime/host/web_socket/web_socket.hpp>
+#include <string>
+#include <string_view>
+
+namespace eagerx::foxglove {
+
+using web_socket::Handshake;
+
+/// Reads `--publish-key`: a file that nobody else can read, with a key of 16 to 512 printable
+/// characters in its first line. Empty, or what is wrong.
+std::string read_key(const std::string& path, std::string& key);
+
+/// Takes as long for a wrong text as for the right one of its length.
+bool is_key(std::string_view presented, std::string_view key);
+
+/// Whether a page is Foxglove's, or of this machine.
+bool is_known_origin(std::string_view origin);
+
+struct Access {
+  std::string key;  // empty: there is none
+  bool is_loopback = true;
+  bool is_real = false;
+  std::string only_host =
+      {};  // only a page of this `HOST:PORT`, and nobody without the key; empty: no
+
+  /// The page of `only_host`, for who has called it by that name.
+  bool may_see(const Handshake& who) const {
+    return !only_host.empty() && who.host == only_host && is_right(who);
+  }
+
+  /// A wrong key is no way in; without one everybody reads.
+  bool may_read(const Handshake& who) const {
+    if (!only_host.empty())
+      return is_right(who) && (who.origin.empty() || who.origin == "http://" + only_host);
+    return who.key.empty() || is_right(who);
+  }
+  /// With a key, who presents it. Without one, programs and known pages of this machine, if nothing
+  /// real moves.
+  bool may_change(const Handshake& who) const {
+    if (!key.empty()) return is_right(who);
+    return is_loopback && !is_real && (who.origin.empty() || is_known_origin(who.origin));
+  }
+
+ private:
+  bool is_right(const Handshake& who) const { return !key.empty() && is_key(who.key, key); }
+};
+
+}  // namespace eagerx::foxglove

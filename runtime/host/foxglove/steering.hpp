@@ -1,0 +1,37 @@
+// What clients may change of a run. Who has a run says how; a server without one only tells.
+#pragma once
+
+#include <cstdint>
+#include <runtime/host/foxglove/client_message.hpp>
+#include <runtime/host/foxglove/server_text.hpp>
+#include <runtime/host/web_socket/web_socket.hpp>
+#include <string>
+#include <vector>
+
+namespace eagerx::foxglove {
+
+class Steering {
+ public:
+  /// Whose values are those of no client any more.
+  static constexpr web_socket::ClientId kNobody = ~web_socket::ClientId{0};
+
+  virtual ~Steering() = default;
+
+  /// Parameters of these names, or all, if there are none.
+  virtual std::vector<ParameterValue> values(const std::vector<std::string>& names) = 0;
+  virtual bool has(const std::string& name) const = 0;
+  /// Empty, or what is wrong.
+  virtual std::string set(web_socket::ClientId client, const ClientMessage::Parameter& wanted) = 0;
+  /// What was a client's own is given back. True: there was some.
+  virtual bool release(web_socket::ClientId client) = 0;
+  /// Another one each time that parameters change by themselves; odd while they do.
+  virtual std::uint64_t version() const = 0;
+
+  /// Whether a client may ask for services: a simulation.
+  virtual bool has_services() const = 0;
+  /// The number of the request, which has been done when done() is not below it; 0: it is busy.
+  virtual std::uint64_t ask(Service service, std::uint32_t steps) = 0;
+  virtual std::uint64_t done() const = 0;
+};
+
+}  // namespace eagerx::foxglove

@@ -1,0 +1,17 @@
+// A socket that others connect to.
+#pragma once
+
+#include <string>
+
+namespace eagerx::web_socket {
+
+struct Listener {
+  int socket = -1;  // of whoever called listen_on()
+  bool is_loopback = false;
+  std::string port;  // that it got, if any was good enough
+};
+
+/// Port 0: any that is free. Empty, or what is wrong.
+std::string listen_on(const std::string& host, const std::string& port, Listener& listener);
+
+}  // namespace eagerx::web_socket

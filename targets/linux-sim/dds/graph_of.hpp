@@ -1,0 +1,11 @@
+// A graph's program as DDS has to know it.
+#pragma once
+
+#include <runtime/host/dds/topics.hpp>
+#include <targets/linux-sim/graph_program.hpp>
+
+namespace eagerx::linux_sim {
+
+dds::Graph graph_of(const GraphFacts& facts);
+
+}  // namespace eagerx::linux_sim
