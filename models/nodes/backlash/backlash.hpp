@@ -19,6 +19,11 @@ class Backlash {
     for (std::size_t i = 0; i < kSize; ++i) {
       y_[i] = each<Real>(kInitial, i);
       width_[i].reset(each<Real>(kWidth, i));
+    }
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) {
       if constexpr (requires { states.width; }) {
         if (states.width) {
           width_[i].set(static_cast<Real>(element(*states.width, kWidth.size() == 1 ? 0 : i)));

@@ -15,8 +15,11 @@ class Constant {
   void reset(const typename Io::States& states) {
     static_assert(is_one_or_each(kValue, kSize),
                   "Constant: `value` has one value for each element");
+    for (std::size_t i = 0; i < kSize; ++i) value_[i].reset(each<Real>(kValue, i));
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
     for (std::size_t i = 0; i < kSize; ++i) {
-      value_[i].reset(each<Real>(kValue, i));
       if constexpr (requires { states.value; }) {
         if (states.value) value_[i].set(static_cast<Real>(element(*states.value, i)));
       }

@@ -19,6 +19,11 @@ class FirstOrderLag {
     for (std::size_t i = 0; i < kSize; ++i) {
       y_[i] = each<Real>(kInitial, i);
       gain_[i].reset(gain_of(each<Real>(kTimeConstant, i)));
+    }
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) {
       if constexpr (requires { states.time_constant; }) {
         if (states.time_constant) {
           const std::size_t at = kTimeConstant.size() == 1 ? 0 : i;

@@ -18,6 +18,11 @@ class Saturation {
     for (std::size_t i = 0; i < kSize; ++i) {
       low_[i].reset(each<Real>(kLow, i));
       high_[i].reset(each<Real>(kHigh, i));
+    }
+    tune(states);
+  }
+  void tune(const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) {
       if constexpr (requires { states.low; }) {
         if (states.low) low_[i].set(static_cast<Real>(element(*states.low, at(i, kLow))));
       }
