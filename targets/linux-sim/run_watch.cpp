@@ -30,6 +30,7 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
 void RunWatch::listen_to(OutsideAgent& agent) {
   outside_ = &agent;
   paces_ = true;
+  tunes_ = tunes_ || std::ranges::any_of(told_.fields.states, &Field::tunable);
 }
 
 bool RunWatch::go_on() {

@@ -69,7 +69,8 @@ class RunWatch : public Watch {
   }
   /// The same of what is set before a step, all of it tunable.
   virtual bool set_parameters(Seq step, StateRow states) {
-    return told_.settings.apply_at(step, states);
+    const bool changed = told_.settings.apply_at(step, states);
+    return (outside_ != nullptr && outside_->apply_parameters(states)) || changed;
   }
   StateRow current_states() const { return record_.current(); }
   /// Between two steps.
