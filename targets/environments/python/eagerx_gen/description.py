@@ -74,10 +74,10 @@ class Described:
             raise ValueError(f"render_mode is {render_mode!r}; for {self.description['graph']} it is {known}")
 
 
-def states_row(library, states, count):
+def states_row(library, states, count, what="states"):
     """[count, numbers of states] of {name: value or [count, ...]}; NaN for what is not named."""
     if not hasattr(states, "items"):
-        raise ValueError(f"states is {reprlib.repr(states)}, not a dict")
+        raise ValueError(f"{what} is {reprlib.repr(states)}, not a dict")
     known = {field.name: field for field in library.states}
     row = np.full((count, library._sizes["states"]), np.nan, np.float32)
     for name, value in states.items():
@@ -104,7 +104,7 @@ def tuning_row(library, parameters, count):
         if name not in states:
             near = difflib.get_close_matches(str(name), tunable, 1)
             raise ValueError(f"there is no parameter {reprlib.repr(name)}; {f'did you mean {near[0]!r}? ' if near else ''}{can}")
-    return states_row(library, parameters, count)
+    return states_row(library, parameters, count, "parameters")
 
 
 def picture_size(size):
