@@ -111,8 +111,8 @@ class ResetView {
       bool tunes = false;
       for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s) {
         const State& state = graph_.nodes[n].states[s];
-        arguments.push_back(
-            {state.name, state.tunes_running ? optional("states." + names_.node_state[n][s],
+        arguments.push_back({state.name, state.tunes_running
+                                             ? optional("states." + names_.node_state[n][s],
                                                         names_.node_state_processor[n][s])
                                              : "{}"});
         tunes = tunes || state.tunes_running;

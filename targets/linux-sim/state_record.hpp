@@ -16,7 +16,8 @@ class StateRecord {
  public:
   explicit StateRecord(const std::vector<Field>& states);
 
-  /// An episode begins, or parameters are set while it runs. What `states` does not have stays as it was.
+  /// An episode begins, or parameters are set while it runs. What `states` does not have stays as
+  /// it was.
   void begin(StateRow states);
   /// What was set last.
   StateRow current() const { return current_.row(); }

@@ -198,8 +198,9 @@ std::string StateSettings::not_tunable(const StateSetting& setting) const {
   std::string list;
   for (const Field& state : states_)
     if (state.tunable) list += (list.empty() ? "" : ", ") + std::string(state.name);
-  return about(setting) + "`" + setting.name + "` can be set at a reset, not while an episode runs" +
-         "\nhelp: leave out `@" + std::to_string(*setting.step) + "`; while it runs " +
+  return about(setting) + "`" + setting.name +
+         "` can be set at a reset, not while an episode runs" + "\nhelp: leave out `@" +
+         std::to_string(*setting.step) + "`; while it runs " +
          (list.empty() ? "nothing of this program can be set" : "one can set " + list);
 }
 

@@ -13,7 +13,8 @@
 
 namespace eagerx::linux_sim {
 
-/// One `NAME=VALUE`, `NAME=VALUE,VALUE,…`, both with `@STEP` for a parameter while it runs, or `NAME=DISTRIBUTION:NUMBER,NUMBER,…`.
+/// One `NAME=VALUE`, `NAME=VALUE,VALUE,…`, both with `@STEP` for a parameter while it runs, or
+/// `NAME=DISTRIBUTION:NUMBER,NUMBER,…`.
 struct StateSetting {
   enum class Kind : std::uint8_t { value, uniform, log_uniform, normal, choice };
   std::string name;  // "pendulum.mass"

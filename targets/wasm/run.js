@@ -61,12 +61,15 @@ function wrong(word, value) {
 
 /** NAME=VALUE,… or NAME=VALUE,…@STEP as {first, values, step}. */
 function settingOf(text, simulation) {
-  const {about, statesLow, statesHigh} = simulation, [, name, list, at] = /^([^=]+)=([^@]+)(?:@(\d{1,19}))?$/.exec(text) || [];
+  const {about, statesLow, statesHigh} = simulation,
+                           [, name, list, at] = /^([^=]+)=([^@]+)(?:@(\d{1,19}))?$/.exec(text) || [];
   const refuse = (message, help) => new Failure(kBadUsage, `\`--set ${text}\`: ${message}`, help);
   const values = (list || "").split(",").map((value) => value.trim() === "" ? NaN : Number(value));
   if (!values.every(Number.isFinite)) throw refuse("this is no setting", "write NAME=NUMBER, or NAME=NUMBER@STEP");
   const field = about.states.find((each) => each.name === name);
-  if (!field) throw refuse(`there is no state \`${name}\``, `it has ${about.states.map((each) => each.name).join(", ") || "none"}`);
+  if (!field)
+    throw refuse(
+        `there is no state \`${name}\``, `it has ${about.states.map((each) => each.name).join(", ") || "none"}`);
   const {first, numbers} = field;
   if (values.length !== 1 && values.length !== numbers) throw refuse(`it has ${numbers} numbers`);
   if (at !== undefined && !about.tunable.includes(name))

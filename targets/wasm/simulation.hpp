@@ -106,8 +106,8 @@ class Simulation {
               ", \"steps\": " + std::to_string(target::default_plan<Graph>().steps) +
               ", \"render\": " + (target::has_render<Graph> ? "true" : "false") +
               ", \"actions\": " + actions.list() + ", \"states\": " + states.list() +
-              ", \"tunable\": " + tunable() +
-              ", \"messages\": " + messages.list() + ", \"outcome\": " + outcome.list() + "}";
+              ", \"tunable\": " + tunable() + ", \"messages\": " + messages.list() +
+              ", \"outcome\": " + outcome.list() + "}";
     }
     return text_.c_str();
   }

@@ -19,8 +19,9 @@ const kRows = {
   messages: "messages",
   outcome: "outcome"
 };
-const kCalls =
-    ["check", "describe", "begin", "reset", "tune", "step", "ended", "hash", "picture", "counts", ...Object.keys(kRows)];
+const kCalls = [
+  "check", "describe", "begin", "reset", "tune", "step", "ended", "hash", "picture", "counts", ...Object.keys(kRows)
+];
 /** Bytes of a text, and of what a module imports by name. */
 const kLongestText = 1 << 24, kMostImports = 1000;
 

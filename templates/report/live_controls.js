@@ -14,8 +14,8 @@ function numbersOf(fields, low, high, most = 64) {
 }
 
 /**
-   A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. Without bounds there is
-   a slider if it is `tunable`: around the first number that is typed.
+   A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. Without bounds there
+   is a slider if it is `tunable`: around the first number that is typed.
  */
 function numberControl(row, changed) {
   const bounded = Number.isFinite(row.high - row.low);
@@ -85,8 +85,8 @@ class ActionControls {
 }
 
 /**
-   States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. Tunable parameters are set
-   at once, too: `step()` is the step before which, or null if no episode runs.
+   States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. Tunable parameters are
+   set at once, too: `step()` is the step before which, or null if no episode runs.
  */
 class StateControls {
   constructor(simulation, step) {
@@ -95,8 +95,9 @@ class StateControls {
     /** Options of the program that do the same in the first episode. */
     this.tuned = [];
     const {about} = simulation;
-    const rows = about.states.flatMap((field) => numbersOf([field], simulation.statesLow, simulation.statesHigh).map(
-                                          (row) => ({...row, field, tunable: about.tunable.includes(field.name)})));
+    const rows = about.states.flatMap(
+        (field) => numbersOf([field], simulation.statesLow, simulation.statesHigh)
+                       .map((row) => ({...row, field, tunable: about.tunable.includes(field.name)})));
     this.controls = rows.slice(0, 64).map((row) => {
       const box = el("input", {
         type: "checkbox",
@@ -116,8 +117,8 @@ class StateControls {
                "Drawn as the graph says; where the box is ticked, it is the value beside it from the next reset on" +
                    (about.tunable.length ? ". What is tunable (bold) changes at once, too." : ".")),
             el("div.numbers", {},
-               this.controls.map(({row, box, elements}) => [el(row.tunable ? "b" : "span", {}, row.name), box,
-                                                            ...elements]))) :
+               this.controls.map(
+                   ({row, box, elements}) => [el(row.tunable ? "b" : "span", {}, row.name), box, ...elements]))) :
         null;
   }
 

@@ -21,7 +21,7 @@ class Gain {
     constexpr std::size_t kSize = elements_of<decltype(out.y)>;
     static_assert(is_one_or_each(kGain, kSize),
                   "Gain: `gain` has one value, or one for each element");
-    for (std::size_t i = 0; i < kSize; ++i) 
+    for (std::size_t i = 0; i < kSize; ++i)
       put(out.y, i, each<Real>(gain_.or_constants(kGain), i) * newest<Real>(in.signal, i));
   }
 

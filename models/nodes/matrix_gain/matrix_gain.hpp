@@ -25,7 +25,8 @@ class MatrixGain {
                   "MatrixGain: `gain` has `rows` times as many values as `signal` has elements");
     std::array<Real, kColumns> x;
     for (std::size_t i = 0; i < kColumns; ++i) x[i] = newest<Real>(in.signal, i);
-    for (std::size_t row = 0; row < kRows; ++row) put(out.y, row, row_times<Real>(gain_.or_constants(kGain), row, x));
+    for (std::size_t row = 0; row < kRows; ++row)
+      put(out.y, row, row_times<Real>(gain_.or_constants(kGain), row, x));
   }
 
  private:

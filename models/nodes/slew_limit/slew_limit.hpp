@@ -23,8 +23,7 @@ class SlewLimit {
     tune(states);
   }
   void tune([[maybe_unused]] const typename Io::States& states) {
-    if constexpr (requires { states.per_second; })
-      per_second_.reset(states.per_second, kPerSecond);
+    if constexpr (requires { states.per_second; }) per_second_.reset(states.per_second, kPerSecond);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {

@@ -156,8 +156,8 @@ std::string OutsideRows::problem_of_parameters(const float* row) const {
     const bool given =
         std::any_of(from, from + field.type.size, [](float x) { return !std::isnan(x); });
     if (given && !field.tunable)
-      problem = "`" + std::string(field.name) +
-                "` can be set at a reset, not while an episode runs";
+      problem =
+          "`" + std::string(field.name) + "` can be set at a reset, not while an episode runs";
   }
   return problem;
 }
