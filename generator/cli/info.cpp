@@ -40,7 +40,8 @@ void print_ports(const char* title, const std::vector<PortManifest>& ports) {
     if (port.settings.window) more += fmt::format(", window {}", text_of(*port.settings.window));
     if (port.settings.delay) more += fmt::format(", delay {} s", text_of(*port.settings.delay));
     if (skips(port.settings)) more += ", skip";
-    if (port.optional) more += ", optional";
+    if (port.optional) more += title == std::string_view("states") ? ", tunable" : ", optional";
+    if (port.tunes_running) more += port.optional ? " while it runs" : ", tunable while it runs";
     if (port.eagerx != port.name.value) more += ", in EAGERx " + port.eagerx;
     if (port.settings.max_delay)
       more += fmt::format("{} up to {} s", port.rate ? ", longest delay" : ", sets its delay",

@@ -10,10 +10,14 @@
 namespace eagerx::gen {
 namespace {
 
+/// Parameters, and states that can be set while an episode runs.
 std::vector<std::string> tunable_parameters(const Entity& entity) {
   std::vector<std::string> names;
   for (const Parameter& parameter : entity.config)
     if (parameter.tunable) names.push_back(parameter.name.value);
+  for (const PortManifest& state : entity.states)
+    if (state.tunes_running && !contains(names, state.name.value))
+      names.push_back(state.name.value);
   return names;
 }
 

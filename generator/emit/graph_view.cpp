@@ -275,8 +275,10 @@ class GraphView {
   /// Everything that States has.
   void add_states() {
     View states = list();
+    std::vector<std::string> tunable;
     const auto add = [&](const std::string& owner, const std::string& name, const Space& space,
-                         const std::string& field) {
+                         const std::string& field, bool tunes_running = false) {
+      tunable.emplace_back(tunes_running ? "true" : "false");
       View item = object();
       item.set("state", owner + "." + name);
       item.set("id", owner + "/" + name);
@@ -294,7 +296,8 @@ class GraphView {
       const GraphNode& node = graph_.nodes[n];
       for (std::size_t s = 0; s < node.states.size(); ++s) {
         if (node.states[s].settable)
-          add(node.name, node.states[s].name, node.states[s].space, names_.node_state[n][s]);
+          add(node.name, node.states[s].name, node.states[s].space, names_.node_state[n][s],
+              node.states[s].tunes_running && names_.runs(n));
       }
       for (std::size_t i = 0; i < node.inputs.size(); ++i) {
         if (names_.delay_state[n][i].empty()) continue;
@@ -303,6 +306,9 @@ class GraphView {
             names_.delay_state[n][i]);
       }
     }
+    const bool tunes = std::ranges::count(tunable, "true") > 0;
+    view_.set("tunable", tunes ? joined(tunable) : "");
+    view_.set("has_tunable", tunes);
     view_.set("has_states", states.is_non_empty_list());
     view_["states"] = std::move(states);
   }

@@ -15,6 +15,7 @@ class ResetView {
   View make() {
     collect_targets();
     add_nodes();
+    add_tuned();
     view_["engine"] = names_.has_engine() ? engine() : View(false);
     add_delays();
     add_cursors();
@@ -99,6 +100,30 @@ class ResetView {
       resets.push_back(reset);
     }
     view_["resets"] = std::move(resets);
+  }
+
+  /// Nodes with parameters that can be set while an episode runs.
+  void add_tuned() {
+    View nodes = list();
+    for (const std::size_t n : nodes_in_order(plan_)) {
+      if (!names_.runs(n)) continue;
+      std::vector<FieldValue> arguments;
+      bool tunes = false;
+      for (std::size_t s = 0; s < graph_.nodes[n].states.size(); ++s) {
+        const State& state = graph_.nodes[n].states[s];
+        arguments.push_back({state.name, state.tunes_running
+                                             ? optional("states." + names_.node_state[n][s],
+                                                        names_.node_state_processor[n][s])
+                                             : "{}"});
+        tunes = tunes || state.tunes_running;
+      }
+      if (!tunes) continue;
+      View node = object();
+      node.set("call", fmt::format("{}.tune({})", names_.node_member[n], designated(arguments)));
+      nodes.push_back(node);
+    }
+    view_.set("has_tuned", nodes.is_non_empty_list());
+    view_["tuned"] = std::move(nodes);
   }
 
   std::vector<FieldValue> state_arguments(std::size_t n) {

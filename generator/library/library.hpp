@@ -44,6 +44,7 @@ struct Parameter {
   std::string engine;                // model: the engine whose model of an object it is
   std::string eagerx;                // its name in EAGERx
   bool tunable = false;              // a state, too, where a graph says so
+  bool tunes_running = false;        // … that can be set while an episode runs
 };
 
 /// What parameters, ports and the rate must fulfil together.
@@ -63,6 +64,7 @@ struct PortManifest {
   std::optional<YamlValue> rate;  // sensors and actuators; may be `$(config x)`
   ConnectionSettings settings;    // with a `max_delay` the entity sets the delay at its reset
   bool optional = false;          // of a node: a graph may do without it
+  bool tunes_running = false;     // a state that can be set while an episode runs
 };
 
 /// A C++ class and the header that defines it, as generated code includes it.

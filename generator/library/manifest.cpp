@@ -68,6 +68,7 @@ std::vector<PortManifest> read_ports(const YamlValue& root, const char* key,
     port.rate = value_at(entry.value, "rate");
     port.settings = read_connection_settings(entry.value, diagnostics);
     port.optional = text_at(entry.value, "optional") == "true";
+    port.tunes_running = text_at(entry.value, "tunable") == "running";
     result.push_back(std::move(port));
   }
   return result;

@@ -42,9 +42,9 @@ FormatPtr parameter_format() {
         "value if none is given; without a default, a value must be given"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
-       {"tunable", format::boolean(), false,
+       {"tunable", format::keyword({"false", "true", "running"}), false,
         "whether a reset may set it where a graph says so: the class takes a state of this name "
-        "(nodes only; default: false)"},
+        "(nodes only; default: false); `running`: also between two steps, by the class's `tune()`"},
        {"options", texts(), false, "the choices of an enum"},
        {"class", format::text("a C++ enumeration"), false, "the C++ enumeration of an enum"},
        {"engine", format::name("the id of an engine"), false,
@@ -143,8 +143,8 @@ Fields config() {
 Fields engines() {
   return {{"engines", texts(), false, "engines it works with (default: all)"}};
 }
-Fields states() {
-  return {{"states", ports("states", port_fields()), false, "what can be set at a reset"}};
+Fields states(const Fields& more = {}) {
+  return {{"states", ports("states", port_fields() + more), false, "what can be set at a reset"}};
 }
 
 Fields node_ports(bool can_do_without) {
@@ -153,13 +153,15 @@ Fields node_ports(bool can_do_without) {
   const Field leave_out = {"optional", format::boolean(), false,
                            "whether a graph may leave it out (default: false)"};
   const Fields optional = can_do_without ? Fields{leave_out} : Fields{};
+  const Field tunable = {"tunable", format::keyword({"running"}), false,
+                         "`running`: between two steps, too, by the class's `tune()`"};
   return Fields{{"inputs",
                  ports("inputs", port_fields() + connection_defaults() + max_delay + optional),
                  false, "inputs"},
                 {"outputs", ports("outputs", port_fields(true) + optional), false, "outputs"},
                 {"counts", texts(), false,
                  "names of what its for_each_count() counts, for the summary"}} +
-         states();
+         states(can_do_without ? Fields{tunable} : Fields{});
 }
 
 Fields implementation() {

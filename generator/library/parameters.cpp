@@ -88,6 +88,7 @@ void add_tunable_states(Entity& entity) {
       shape.push_back(made_scalar(fmt::format("$(size {})", parameter.name.value), span));
     state.space.shape = made_list(std::move(shape), span);
     state.optional = true;
+    state.tunes_running = parameter.tunes_running;
     state.space.low = bound(parameter.low);
     state.space.high = bound(parameter.high);
     entity.states.push_back(std::move(state));
@@ -130,7 +131,8 @@ std::vector<Parameter> read_parameters(const YamlValue& root, Diagnostics& diagn
                         fmt::format("`{}`: a parameter of an object cannot be a model", entry.key));
     }
     refuse_bounds_without_numbers(entry, parameter.type, diagnostics);
-    parameter.tunable = text_at(entry.value, "tunable") == "true";
+    parameter.tunes_running = text_at(entry.value, "tunable") == "running";
+    parameter.tunable = parameter.tunes_running || text_at(entry.value, "tunable") == "true";
     check_tunable(parameter, root, diagnostics);
     result.push_back(std::move(parameter));
   }

@@ -119,6 +119,7 @@ struct State {
   std::string name;
   Space space;
   bool settable = true;          // named in the graph; a node also has states that nobody sets
+  bool tunes_running = false;    // can be set while an episode runs
   std::optional<Random> random;  // without: only set through the program's interface
   std::optional<Processor> processor;  // `space` is before it, as States holds it
   // objects only: the engine state that carries it out

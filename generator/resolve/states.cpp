@@ -194,6 +194,7 @@ std::vector<State> read_states(Draft& draft, const Entity& entity, const EntityS
     state.name = state_spec.name.value;
     state.space = *space;
     state.span = state_spec.name.span;
+    state.tunes_running = port->tunes_running;
     if (state_spec.random && bounded)
       state.random = read_random(state.name, *space, *state_spec.random, diagnostics);
     if (state_spec.processor && bounded)

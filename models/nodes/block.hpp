@@ -84,10 +84,10 @@ constexpr LaneOf<Real> constant(double value) {
   return static_cast<LaneOf<Real>>(value);
 }
 
-/// Constant `i` of a list that has one for all elements, or one for each.
-template <class Real, class Lane, std::size_t N>
-constexpr Real each(const std::array<Lane, N>& list, std::size_t i) {
-  return Real(list[N == 1 ? 0 : i]);
+/// Number `i` of a list that has one for all elements, or one for each.
+template <class Real, class List>
+constexpr Real each(const List& list, std::size_t i) {
+  return Real(list[list.size() == 1 ? 0 : i]);
 }
 
 /// Whether there are at least two values, each above the one before.
@@ -116,8 +116,8 @@ constexpr Real within_turn(const Real& x, LaneOf<Real> turn) {
 }
 
 /// Row `row` of a matrix [rows][columns] times a vector, added from left to right.
-template <class Real, class Lane, std::size_t N, class Vector>
-constexpr Real row_times(const std::array<Lane, N>& matrix, std::size_t row, const Vector& x) {
+template <class Real, class Matrix, class Vector>
+constexpr Real row_times(const Matrix& matrix, std::size_t row, const Vector& x) {
   Real sum = Real(matrix[row * x.size()]) * x[0];
   for (std::size_t k = 1; k < x.size(); ++k) sum += Real(matrix[row * x.size() + k]) * x[k];
   return sum;
@@ -147,7 +147,8 @@ struct ResetNumber {
 };
 
 /// A parameter that a graph may make `tunable:`. If it does, Io::States has a state of this name,
-/// `Settable`, and a reset may set the number; else it is the constant, and nothing is stored.
+/// `Settable`, and a reset may set the number; else it is the constant, and nothing is stored. With
+/// `tunable: running` the class's tune() sets it, too, which its reset() calls.
 /// `Number` tells the parameters of a class apart, so that none of them takes memory.
 template <class Real, bool Settable, int Number>
 struct Tunable {
@@ -164,6 +165,28 @@ struct Tunable {
 template <class Real, int Number>
 struct Tunable<Real, false, Number> {
   [[nodiscard]] static Real or_constant(const Real& constant) { return constant; }
+};
+
+/// The same of a list of N numbers, with one for all elements or one for each.
+template <class Real, std::size_t N, bool Settable, int Number>
+struct TunableList {
+  using Constants = std::array<LaneOf<Real>, N>;
+  std::array<Tunable<Real, true, Number>, N> numbers{};
+
+  template <class State>
+  void reset(const State& state, const Constants& constants) {
+    for (std::size_t i = 0; i < N; ++i) numbers[i].reset(state, Real(constants[i]), i);
+  }
+  /// What to ask for element `i`: this or the constants.
+  const TunableList& or_constants(const Constants& /*constants*/) const { return *this; }
+  static constexpr std::size_t size() { return N; }
+  const Real& operator[](std::size_t i) const { return numbers[i].number.value; }
+};
+
+template <class Real, std::size_t N, int Number>
+struct TunableList<Real, N, false, Number> {
+  using Constants = std::array<LaneOf<Real>, N>;
+  static constexpr const Constants& or_constants(const Constants& constants) { return constants; }
 };
 
 }  // namespace eagerx::models

@@ -3,6 +3,7 @@
 // hash.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <eagerx/random.hpp>
 #include <eagerx/rate.hpp>
@@ -177,6 +178,21 @@ typename Graph::States states_of(Watch& watch, EpisodeKey key) {
   } else {
     return Graph::draw(key);
   }
+}
+
+/// Whether a graph's state `i` can be set while an episode runs.
+template <class Graph>
+constexpr bool is_tunable([[maybe_unused]] std::size_t i) {
+  if constexpr (requires { Graph::kTunable; }) {
+    return Graph::kTunable[i];
+  } else {
+    return false;
+  }
+}
+/// Sets those of `states` between two steps; what is empty, and all others, stay as they are.
+template <class Program, class States>
+void tune([[maybe_unused]] Program& program, [[maybe_unused]] const States& states) {
+  if constexpr (requires { program.tune(states); }) program.tune(states);
 }
 
 /// Whether a step was the last of its episode, as the graph's task says.

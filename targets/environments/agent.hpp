@@ -85,6 +85,12 @@ const char* write_action(typename Graph::Action action, float* row) {
   return refused;
 }
 
+/// … as a problem.
+inline Problem no_such_float(const char* name) {
+  return Problem("float32 has no such action `" + std::string(name) +
+                 "` as the agent wants: generate the library for a graph of floats");
+}
+
 /// The agent that the graph names. Throws Problem if it is none that a library can have.
 template <class Graph>
 target::Agent agent_of_graph() {

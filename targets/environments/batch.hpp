@@ -24,6 +24,7 @@
 #include <targets/environments/task.hpp>
 #include <targets/environments/team.hpp>
 #include <targets/environments/traced.hpp>
+#include <targets/environments/tuning.hpp>
 #include <targets/environments/workload.hpp>
 #include <utility>
 #include <vector>
@@ -127,14 +128,20 @@ class Batch {
       const Rows rows{first, end, observations, actions};
       if (const char* name = agents_.act(member, rows, is_running, act_alone)) refused = name;
     });
-    if (refused != nullptr) {
-      throw Problem("float32 has no such action `" + std::string(refused) +
-                    "` as the agent wants: generate the library for a graph of floats");
-    }
+    if (refused != nullptr) throw no_such_float(refused);
   }
 
   void set_states(const std::uint8_t* mask, const float* states) {
     set_states_.set(size_, mask, states);
+  }
+
+  /// Parameters of episodes that go on; NaN: as it is. Throws Problem, with nothing changed.
+  void tune(const std::uint8_t* mask, const float* states) {
+    require_begun();
+    check_tuning<Graph>(size_, mask, states);
+    for (std::uint32_t k = 0; k < size_; ++k) {
+      if (mask == nullptr || mask[k] != 0) tune_one(k, states + k * layout_.states.numbers());
+    }
   }
 
   void get_states(float* states) const {
@@ -193,14 +200,7 @@ class Batch {
   bool has_threads() const { return team_.is_complete(); }
 
  private:
-  // Environments that a thread takes at a time: few, so that none waits for another's block.
-  static constexpr std::uint32_t kBlocks = 64;
-  static constexpr std::uint32_t kLargestBlock = 128;
-  std::uint32_t block() const {
-    const std::uint32_t wanted = std::clamp(size_ / kBlocks, 1U, kLargestBlock);
-    const std::uint32_t lanes = std::max(1U, packs_.lanes());
-    return (wanted + lanes - 1) / lanes * lanes;
-  }
+  std::uint32_t block() const { return block_of(size_, packs_.lanes()); }
   unsigned blocks() const { return (size_ + block() - 1) / block(); }
 
   /// f(first, end, member of the team) for all environments, by as many threads as the work is
@@ -374,11 +374,25 @@ class Batch {
     episode.steps = 0;
     episode.begun = true;
     episode.ended = false;
-    if (packs_.lanes() == 0 || episode.traced) return;
-    packs_.load(k, programs_[k]);
-    episode.packed = true;
+    if (packs_.lanes() != 0 && !episode.traced) put_in(k);
   }
 
+  void tune_one(std::uint32_t k, const float* row) {
+    const auto set = tuned_states<Graph>(row);
+    const bool was_packed = episodes_[k].packed;
+    take_out(k);
+    if (episodes_[k].traced) {
+      traces_.find(k)->second.now->tune(episodes_[k].steps, set);
+    } else {
+      untraced(k, [&](auto& program) { target::tune(program, set); });
+    }
+    if (was_packed) put_in(k);
+  }
+
+  void put_in(std::uint32_t k) {
+    packs_.load(k, programs_[k]);
+    episodes_[k].packed = true;
+  }
   /// Back into its own program.
   void take_out(std::uint32_t k) {
     if (!episodes_[k].packed) return;

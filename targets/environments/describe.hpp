@@ -11,6 +11,7 @@
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/task.hpp>
+#include <targets/environments/tuning.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -171,7 +172,8 @@ std::string describe(const char* generator, const PackKernel<Graph>& kernel, con
   json.key("lanes").whole(in_packs ? kernel.lanes : 1);
   if (!in_packs) json.key("why_no_lanes").text(why_not);
   return json.str() + ", \"observations\": " + observations + ", \"actions\": " + actions +
-         ", \"states\": " + describe_states<Graph>() + ", \"agent\": \"" + Graph::kDefaultAgent +
+         ", \"states\": " + describe_states<Graph>() +
+         ", \"tunable\": " + describe_tunable<Graph>() + ", \"agent\": \"" + Graph::kDefaultAgent +
          "\"" + ", \"task\": " + describe_task<Graph>() +
          ", \"render\": " + describe_render<Graph>() + "}";
 }

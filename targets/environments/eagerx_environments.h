@@ -26,7 +26,7 @@ extern "C" {
 #endif
 
 /* Of this interface. A program asks eagerx_version() before anything else and compares. */
-#define EAGERX_ENVIRONMENTS_VERSION 3
+#define EAGERX_ENVIRONMENTS_VERSION 4
 
 /* The most environments that eagerx_create() takes. */
 #define EAGERX_ENVIRONMENTS_MOST 1000000
@@ -68,12 +68,13 @@ typedef struct {
 uint32_t eagerx_version(void);
 
 /* JSON, valid as long as the library is loaded:
-   {"version": 3, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
+   {"version": 4, "generator": "0.9", "graph": "pendulum_swing_up", "engine": "OdeEngine", "hash": "0x…", "rate_hz": 30,
     "isa": "avx512", "lanes": 64,            of packs; else 1 and "why_no_lanes"
     "observations": [{"name": "angle", "shape": [2], "dtype": "float32", "window": 1, "low": […], "high": […],
                       "first": 0}, …],   in the order of the columns; `first`: column of the first number; a window of
                                          w > 1 messages is the shape's first number; bounds that are infinite: null
     "actions": [same without window], "states": [same without window],
+    "tunable": ["controller.kp", …],   states that eagerx_tune() sets
     "agent": "policy", "zero", "random" or "csv", which is what eagerx_act() does,
     "task": null or {"terms": ["angle", …], "success": true, "episode_steps": 150},
     "render": null or {"rate_hz": 30}}
@@ -116,6 +117,12 @@ int eagerx_act(eagerx_environments* environments, const float* observation, floa
    states  [environments][numbers of the states]; NaN: drawn as the graph says. One that is outside of its space is an
            error, and nothing is set. Delays are doubles: 0.1F is 0.1 s, the shortest decimal that reads back to it */
 int eagerx_set_states(eagerx_environments* environments, const uint8_t* mask, const float* states);
+
+/* Sets parameters of episodes that go on, for environments where `mask` is not 0 (null: all), each of which must have begun:
+   between two steps, so that they act as the next action does. They stay until they are set again, also by a reset.
+   states  [environments][numbers of the states]; NaN: stays as it is. All numbers of a state, or none. One that is not
+           `tunable`, or outside of its space, is an error, and nothing is set. Traces have it, and replays repeat it */
+int eagerx_tune(eagerx_environments* environments, const uint8_t* mask, const float* states);
 
 /* states  [environments][numbers of the states] what the episodes began with; NaN where nothing was set or drawn */
 int eagerx_get_states(eagerx_environments* environments, float* states);

@@ -126,6 +126,13 @@ class Library {
     });
   }
 
+  static int tune(Environments* environments, const std::uint8_t* mask, const float* states) {
+    return call(environments, [&](Batch<Graph>& batch) {
+      check_states(states);
+      batch.tune(mask, states);
+    });
+  }
+
   static int get_states(Environments* environments, float* states) {
     return call(environments, [&](Batch<Graph>& batch) {
       check_states(states);

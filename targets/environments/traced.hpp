@@ -85,10 +85,16 @@ class Traced {
     using Text = typename Recorder<Graph>::Text;
     if (file_.is_open() && episode_ == 0)
       Text::head(file_, traced_graph<Graph>(), key.seed, key.environment, "library", false);
-    if (file_.is_open()) write(states);
+    if (file_.is_open()) write(states, "# state ", episode_, nullptr);
     program.trace.episode(episode_++);
     program.trace.forget();
     return program.reset(states);
+  }
+
+  /// Parameters are set before step `step` (from 0) of its episode.
+  void tune(std::uint64_t step, const typename Graph::States& states) {
+    if (file_.is_open()) write(states, "# set ", episode_ - 1, &step);
+    target::tune(program, states);
   }
 
   bool has_begun() const { return episode_ > 0; }
@@ -121,14 +127,20 @@ class Traced {
         file_.error() == EINVAL ? "it is no file" : std::strerror(file_.error());
     return "cannot write `" + path_ + "`: " + why;
   }
-  /// Lines `# state EPISODE NAME VALUE,…`, from which a replay takes the states.
-  void write(const typename Graph::States& states) {
+  /// Lines `# state EPISODE NAME VALUE,…`, from which a replay takes the states, and
+  /// `# set EPISODE STEP NAME VALUE,…`.
+  void write(const typename Graph::States& states, const char* what, std::uint32_t episode,
+             const std::uint64_t* step) {
     Graph::for_each_state([&](const char*, const char* id, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(states.*member)>::value_type;
       if (!(states.*member)) return;
-      file_.text("# state ");
-      file_.number(episode_);
+      file_.text(what);
+      file_.number(episode);
       file_.text(" ");
+      if (step != nullptr) {
+        file_.number(*step);
+        file_.text(" ");
+      }
       file_.text(id);
       for (std::size_t i = 0; i < size_of<Message>; ++i) {
         file_.text(i == 0 ? " " : ",");

@@ -9,6 +9,16 @@
 
 namespace eagerx::environments {
 
+/// Environments that a thread takes at a time, whole packs of `lanes`: few, so that none waits for
+/// another's block.
+constexpr std::uint32_t block_of(std::uint32_t environments, std::uint32_t lanes) {
+  constexpr std::uint32_t kBlocks = 64;
+  constexpr std::uint32_t kLargest = 128;
+  const std::uint32_t wanted = std::clamp(environments / kBlocks, 1U, kLargest);
+  lanes = std::max(1U, lanes);
+  return (wanted + lanes - 1) / lanes * lanes;
+}
+
 /// How many members of a team are worth their waking, from what the last steps took.
 class Workload {
  public:

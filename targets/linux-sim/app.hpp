@@ -83,9 +83,12 @@ class GraphWatch {
     watch_.step(step, target::has_ended(outcome), view_of_outcome(outcome));
   }
 
-  /// The agent's action, with the faults of what it sees and gives.
+  /// The agent's action, with the faults of what it sees and gives. Parameters are set before it.
   template <class Program>
   Action action(EpisodeKey key, Seq step, const Observation& observation, Program& program) {
+    if constexpr (requires { Graph::kTunable; }) {
+      if (watch_.tunes()) tune(key, step, program);
+    }
     if (!watch_.has_faults()) return wanted(key, step, observation, program);
     copy_observation<Graph>(observation, watch_.observations());
     Observation seen = observation;
@@ -98,6 +101,14 @@ class GraphWatch {
  private:
   using Table = target::CsvTable<Graph, TableWriter>;
 
+  template <class Program>
+  [[gnu::noinline, gnu::cold]] void tune(EpisodeKey key, Seq step, Program& program) {
+    const StateRow row = watch_.states();
+    if (!watch_.tune(key.episode, step, row)) return;
+    States states;
+    take_states<Graph>(row, states);
+    target::tune(program, states);
+  }
   template <class Program>
   Action wanted(EpisodeKey key, Seq step, const Observation& observation, Program& program) {
     if (watch_.agent() < target::Agent::csv)
@@ -200,6 +211,13 @@ class ProgramOf final : public GraphProgram {
   void act(target::Agent agent, EpisodeKey key, Seq step, void* action) override {
     if constexpr (!LinkOf<Graph>::kIsSplit)
       *static_cast<Action*>(action) = target::act<Graph>(agent, key, step, *observation_, traced());
+  }
+  void tune(StateRow states) override {
+    if constexpr (!LinkOf<Graph>::kIsSplit) {
+      typename Graph::States set;
+      take_states<Graph>(states, set);
+      target::tune(traced(), set);
+    }
   }
   void guard(void* action) override {
     auto& checked = *static_cast<Action*>(action);

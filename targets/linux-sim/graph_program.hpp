@@ -60,6 +60,7 @@ struct Field {
   const void* high = nullptr;
   const char* id = "";     // of a state: what its draws are called
   std::size_t offset = 0;  // of an action, in Action
+  bool tunable = false;    // a state that can be set while an episode runs
   std::uint32_t most = 1;  // messages of an observation that there can be
   bool varies = false;     // there can be fewer
 };
@@ -137,6 +138,8 @@ class GraphProgram {
   /// What an agent that is no file wants, after the observation that the last call led to.
   virtual void act(target::Agent agent, EpisodeKey key, Seq step, void* action) = 0;
   virtual void guard(void* action) = 0;
+  /// Sets what `states` has, between two steps. Only what is Field::tunable.
+  virtual void tune(StateRow states) = 0;
   /// One step with an action that the guard has seen, or that is repeated from a log.
   virtual void apply(void* action) = 0;
 

@@ -283,8 +283,9 @@ constexpr std::array kOptions{
            "end the run after so many seconds without an answer of the board", set_link_timeout,
            true},
     Option{"--set", "STATE=VALUE", "such as `pendulum.mass=0.1` or `pendulum.mass=uniform:0.1,0.2`",
-           "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; may be "
-           "repeated",
+           "value of a state at each reset, or how it is drawn: uniform:LOW,HIGH and so on; "
+           "VALUE@STEP "
+           "of a tunable parameter: from that step on; may be repeated",
            set_state},
     Option{"--fault", "NAME=KIND@STEP", "such as `angle=silent@40` or `angle[0]=offset:0.1@40+5`",
            "spoil what the agent sees or gives: silent, nan, offset:X or value:X of an observation "

@@ -38,6 +38,8 @@ class Repetition {
       repeat_states(log_, episode, fields_.states, states_.row());
       program_.reset(episode, states_.row());
       for (Seq step = 0; replay_.go_on() && replay_.has_step(episode); ++step) {
+        if (repeat_settings(log_, episode, step, fields_.states, states_.row()))
+          program_.tune(states_.row());
         decide(key, step);
         program_.guard(action_.data());
         take_recorded(episode);

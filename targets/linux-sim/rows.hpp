@@ -108,9 +108,11 @@ void list_observations(FieldListener& listener) {
 
 template <class Graph>
 void list_states(FieldListener& listener) {
+  std::size_t i = 0;
   Graph::for_each_state([&](const char* name, const char* id, auto /*member*/, const auto& space) {
     Field field = field_of(name, space);
     field.id = id;
+    field.tunable = target::is_tunable<Graph>(i++);
     listener.state(field);
   });
   Graph::for_each_range([&](const char* name, auto /*member*/, const auto& space) {

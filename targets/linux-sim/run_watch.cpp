@@ -24,11 +24,13 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextF
   writes_ = csv.is_open();
   paces_ = pacer_.paces();
   has_faults_ = !told.faults.empty();
+  tunes_ = told.settings.tunes();
 }
 
 void RunWatch::listen_to(OutsideAgent& agent) {
   outside_ = &agent;
   paces_ = true;
+  tunes_ = tunes_ || std::ranges::any_of(told_.fields.states, &Field::tunable);
 }
 
 bool RunWatch::go_on() {
@@ -66,17 +68,30 @@ bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
   if (measures_of_run.is_used()) {
     measures_of_run.end_episode();
     measures_of_run.begin_episode();
-    const StateRow now = record_.current();
-    for (std::uint32_t i = 0; i < told_.fields.states.size(); ++i) {
-      const MessageType& type = told_.fields.states[i].type;
-      if (now.has_value[i])
-        measures_of_run.set_message(Variable::Kind::state, i,
-                                    {now.messages[i], type.scalar, type.size});
-    }
+    measure_states();
     is_over_ = measures_of_run.is_over();
   }
   if (trace_.is_open()) record_.trace(trace_, key.episode);
   return changed;
+}
+
+void RunWatch::measure_states() {
+  const StateRow now = record_.current();
+  for (std::uint32_t i = 0; i < told_.fields.states.size(); ++i) {
+    const MessageType& type = told_.fields.states[i].type;
+    if (now.has_value[i])
+      measures_of_run.set_message(Variable::Kind::state, i,
+                                  {now.messages[i], type.scalar, type.size});
+  }
+}
+
+bool RunWatch::tune(std::uint32_t episode, Seq step, StateRow states) {
+  std::fill_n(states.has_value, told_.fields.states.size(), false);
+  if (!set_parameters(step, states)) return false;
+  record_.begin(states);
+  if (measures_of_run.is_used()) measure_states();
+  if (trace_.is_open()) record_.trace_set(trace_, episode, step, states);
+  return true;
 }
 
 void RunWatch::reset(std::uint32_t episode) {

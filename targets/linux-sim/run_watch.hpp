@@ -41,6 +41,7 @@ class RunWatch : public Watch {
   bool ends_early() const override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
   StateRow states() final { return states_.row(); }
+  bool tune(std::uint32_t episode, Seq step, StateRow states) override;
   void reset(std::uint32_t episode) override;
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
   void state_column_names() final;
@@ -66,12 +67,19 @@ class RunWatch : public Watch {
   virtual bool set_states(EpisodeKey key, StateRow states) {
     return told_.settings.apply(key, states);
   }
+  /// The same of what is set before a step, all of it tunable.
+  virtual bool set_parameters(Seq step, StateRow states) {
+    const bool changed = told_.settings.apply_at(step, states);
+    return (outside_ != nullptr && outside_->apply_parameters(states)) || changed;
+  }
+  StateRow current_states() const { return record_.current(); }
   /// Between two steps.
   void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
   std::uint64_t lateness() const override;
   const Pacer& pacer() const { return pacer_; }
 
  private:
+  void measure_states();
   void hand_on(bool now);
 
   const GraphFacts& facts_;

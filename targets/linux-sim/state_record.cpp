@@ -60,6 +60,20 @@ void StateRecord::trace(TextFile& out, std::uint32_t episode) const {
   }
 }
 
+void StateRecord::trace_set(TextFile& out, std::uint32_t episode, Seq step, StateRow states) const {
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (!states.has_value[i]) continue;
+    out.text("# set ");
+    out.number(episode);
+    out.text(" ");
+    out.number(step);
+    out.text(" ");
+    out.text(states_[i].id);
+    values(out, i, " ");
+    out.text("\n");
+  }
+}
+
 void StateRecord::column_names(TextFile& out) const {
   for (const Field& state : states_) {
     for (std::size_t i = 0; i < state.type.size; ++i) {
@@ -115,26 +129,42 @@ bool read(const std::string& text, T& value) {
   }
 }
 
+/// False: the program has no such state.
+bool take(const std::string& name, const std::vector<std::string>& values,
+          const std::vector<Field>& states, StateRow row) {
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const MessageType& type = states[i].type;
+    if (name != states[i].id || values.size() != type.size) continue;
+    std::vector<std::byte> message(type.bytes);
+    return with_scalar(type.scalar, [&](auto zero) {
+      auto* const elements = reinterpret_cast<decltype(zero)*>(message.data());
+      for (std::size_t k = 0; k < type.size; ++k) {
+        if (!read(values[k], elements[k])) return false;
+      }
+      std::memcpy(row.messages[i], message.data(), type.bytes);
+      return row.has_value[i] = true;
+    });
+  }
+  return false;
+}
+
 }  // namespace
 
 void repeat_states(const trace_log::Log& log, std::uint32_t episode,
                    const std::vector<Field>& states, StateRow row) {
-  for (const trace_log::RecordedState& recorded : log.states) {
-    if (recorded.episode != episode) continue;
-    for (std::size_t i = 0; i < states.size(); ++i) {
-      const MessageType& type = states[i].type;
-      if (recorded.name != states[i].id || recorded.values.size() != type.size) continue;
-      with_scalar(type.scalar, [&](auto zero) {
-        std::vector<std::byte> message(type.bytes);
-        auto* const elements = reinterpret_cast<decltype(zero)*>(message.data());
-        for (std::size_t k = 0; k < type.size; ++k) {
-          if (!read(recorded.values[k], elements[k])) return;
-        }
-        std::memcpy(row.messages[i], message.data(), type.bytes);
-        row.has_value[i] = true;
-      });
-    }
+  for (const trace_log::RecordedState& recorded : log.states)
+    if (recorded.episode == episode) take(recorded.name, recorded.values, states, row);
+}
+
+bool repeat_settings(const trace_log::Log& log, std::uint32_t episode, Seq step,
+                     const std::vector<Field>& states, StateRow row) {
+  std::fill_n(row.has_value, states.size(), false);
+  bool any = false;
+  for (const trace_log::RecordedSetting& recorded : log.settings) {
+    if (recorded.episode == episode && recorded.step == step)
+      any = take(recorded.name, recorded.values, states, row) || any;
   }
+  return any;
 }
 
 }  // namespace eagerx::linux_sim

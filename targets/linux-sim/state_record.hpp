@@ -16,13 +16,16 @@ class StateRecord {
  public:
   explicit StateRecord(const std::vector<Field>& states);
 
-  /// An episode begins. What `states` does not have stays as it was.
+  /// An episode begins, or parameters are set while it runs. What `states` does not have stays as
+  /// it was.
   void begin(StateRow states);
   /// What was set last.
   StateRow current() const { return current_.row(); }
 
   /// Lines `# state EPISODE NAME VALUE,…`, which are no messages: the hash does not see them.
   void trace(TextFile& out, std::uint32_t episode) const;
+  /// Lines `# set EPISODE STEP NAME VALUE,…` of what `states` has, which was set before that step.
+  void trace_set(TextFile& out, std::uint32_t episode, Seq step, StateRow states) const;
   void column_names(TextFile& out) const;
   void columns(TextFile& out) const;
   /// A line for each state: its value, or from where to where it was drawn.
@@ -39,5 +42,8 @@ class StateRecord {
 /// Puts what a log says of its episode's states into `row`.
 void repeat_states(const trace_log::Log& log, std::uint32_t episode,
                    const std::vector<Field>& states, StateRow row);
+/// The same of what was set before a step. False: nothing was.
+bool repeat_settings(const trace_log::Log& log, std::uint32_t episode, Seq step,
+                     const std::vector<Field>& states, StateRow row);
 
 }  // namespace eagerx::linux_sim

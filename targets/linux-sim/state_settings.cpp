@@ -34,6 +34,11 @@ bool read_numbers(std::string_view text, std::vector<double>& numbers) {
   }
 }
 
+bool read_step(std::string_view text, Seq& step) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), step);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
 std::string about(const StateSetting& setting) {
   return "error: `" + setting.name + "=" + setting.written + "`: ";
 }
@@ -59,6 +64,11 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
     value.remove_prefix(form.prefix.size());
     break;
   }
+  if (const std::size_t at = value.find('@'); at != std::string_view::npos) {
+    if (setting.kind != Kind::value || !read_step(value.substr(at + 1), setting.step.emplace()))
+      return std::nullopt;
+    value = value.substr(0, at);
+  }
   if (!read_numbers(value, setting.numbers)) return std::nullopt;
   return setting;
 }
@@ -70,9 +80,9 @@ std::string unknown_state(const std::string& name, const std::vector<std::string
   return "error: this program has no state `" + name +
          "`\nhelp: " + (near.empty() ? "" : "did you mean `" + near + "`? ") +
          (known.empty() ? "it has none" : "it has " + list) +
-         "; others are named under `states:` in the graph. What is under `config:` is compiled "
-         "into "
-         "the program: change it in the graph";
+         "; others are named under `states:` in the graph, and parameters of nodes under "
+         "`tunable:`. What else is under `config:` is compiled into the program: change it in the "
+         "graph";
 }
 
 std::string problem_of(const StateSetting& setting, const std::vector<double>& low,
@@ -164,7 +174,7 @@ std::string StateSettings::read(const std::vector<std::string>& texts) {
       return "error: `" + text +
              "` is no setting\nhelp: write NAME=NUMBER, NAME=NUMBER,NUMBER,… (one for each "
              "element), or NAME=uniform:LOW,HIGH, log_uniform:LOW,HIGH, normal:MEAN,STD, "
-             "choice:NUMBER,NUMBER,…";
+             "choice:NUMBER,NUMBER,…; a parameter while it runs: NAME=NUMBER@STEP";
     }
     const auto found = std::find(known.begin(), known.end(), setting->name);
     if (found == known.end()) return unknown_state(setting->name, known);
@@ -173,9 +183,25 @@ std::string StateSettings::read(const std::vector<std::string>& texts) {
     std::string problem =
         problem_of(*setting, numbers_of(state, state.low), numbers_of(state, state.high));
     if (!problem.empty()) return problem;
-    settings_[index] = std::move(setting);
+    if (!setting->step) {
+      settings_[index] = std::move(setting);
+    } else if (state.tunable) {
+      running_.push_back({index, std::move(*setting)});
+    } else {
+      return not_tunable(*setting);
+    }
   }
   return {};
+}
+
+std::string StateSettings::not_tunable(const StateSetting& setting) const {
+  std::string list;
+  for (const Field& state : states_)
+    if (state.tunable) list += (list.empty() ? "" : ", ") + std::string(state.name);
+  return about(setting) + "`" + setting.name +
+         "` can be set at a reset, not while an episode runs" + "\nhelp: leave out `@" +
+         std::to_string(*setting.step) + "`; while it runs " +
+         (list.empty() ? "nothing of this program can be set" : "one can set " + list);
 }
 
 bool StateSettings::apply(EpisodeKey key, StateRow states) const {
@@ -186,6 +212,17 @@ bool StateSettings::apply(EpisodeKey key, StateRow states) const {
     states.has_value[i] = true;
   }
   return !settings_.empty();
+}
+
+bool StateSettings::apply_at(Seq step, StateRow states) const {
+  bool any = false;
+  for (const auto& [state, setting] : running_) {
+    if (setting.step != step) continue;
+    with_elements(states_[state].type.scalar, states.messages[state],
+                  [&](auto* elements) { draw(setting, {}, states_[state], elements); });
+    states.has_value[state] = any = true;
+  }
+  return any;
 }
 
 }  // namespace eagerx::linux_sim

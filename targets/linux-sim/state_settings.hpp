@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/random.hpp>
+#include <eagerx/rate.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,13 +13,15 @@
 
 namespace eagerx::linux_sim {
 
-/// One `NAME=VALUE`, `NAME=VALUE,VALUE,…` or `NAME=DISTRIBUTION:NUMBER,NUMBER,…`.
+/// One `NAME=VALUE`, `NAME=VALUE,VALUE,…`, both with `@STEP` for a parameter while it runs, or
+/// `NAME=DISTRIBUTION:NUMBER,NUMBER,…`.
 struct StateSetting {
   enum class Kind : std::uint8_t { value, uniform, log_uniform, normal, choice };
   std::string name;  // "pendulum.mass"
   Kind kind = Kind::value;
   std::vector<double> numbers;
-  std::string written;  // the text behind `=`
+  std::optional<Seq> step;  // before which it is set; else at resets
+  std::string written;      // the text behind `=`
 
   /// For elements beyond the last number, the first group again.
   double number(std::size_t group, std::size_t i) const {
@@ -51,9 +54,22 @@ class StateSettings {
   /// same key. Does not allocate. False: nothing is set.
   bool apply(EpisodeKey key, StateRow states) const;
 
+  /// Whether something is set while an episode runs.
+  bool tunes() const { return !running_.empty(); }
+  /// Puts what is set before step `step` (from 0) of every episode into `states`. False: nothing.
+  bool apply_at(Seq step, StateRow states) const;
+
  private:
+  struct Running {
+    std::size_t state;
+    StateSetting setting;
+  };
+
+  std::string not_tunable(const StateSetting& setting) const;
+
   const std::vector<Field>& states_;
   std::vector<std::optional<StateSetting>> settings_;  // of each, or none at all
+  std::vector<Running> running_;                       // as given; the last one counts
 };
 
 }  // namespace eagerx::linux_sim

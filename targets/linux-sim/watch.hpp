@@ -25,6 +25,10 @@ class Watch {
   virtual bool begin_episode(EpisodeKey key, StateRow states) = 0;
   /// Memory for them.
   virtual StateRow states() = 0;
+  /// Whether parameters may be set while an episode runs.
+  bool tunes() const { return tunes_; }
+  /// Puts what is set before step `step` (from 0) into `states`. False: nothing is.
+  virtual bool tune(std::uint32_t episode, Seq step, StateRow states) = 0;
   virtual void reset(std::uint32_t episode) = 0;
   virtual void step(Seq step, bool has_ended, const OutcomeView& outcome) = 0;
   /// Whether an episode is over before its last step.
@@ -69,6 +73,7 @@ class Watch {
   bool is_over_ = false;
   bool paces_ = false;
   bool has_faults_ = false;
+  bool tunes_ = false;
 };
 
 }  // namespace eagerx::linux_sim

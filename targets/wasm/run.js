@@ -21,14 +21,15 @@ const kHelp = `Options (defaults in brackets):
   --seed N          what random numbers are drawn from [1]
   --environment N   one of many environments with this seed [0]
   --agent NAME      policy, zero or random [the agent of the graph]
+  --set NAME=VALUE  of a state at each reset, VALUE@STEP of a tunable parameter from that step on; may be repeated
   --hash            only the line with the hash of the trace
   --time            also how long the steps took
   --help            this text
 `;
 
-/** {steps, episodes, seed, environment, agent}; numbers as BigInt. */
+/** {steps, episodes, seed, environment, agent, sets}; numbers as BigInt. */
 function parse(words) {
-  const options = {episodes: 1n, seed: 1n, environment: 0n};
+  const options = {episodes: 1n, seed: 1n, environment: 0n, sets: []};
   const most = {steps: kMost64, episodes: kMost32, seed: kMost64, environment: kMost32};
   for (let i = 0; i < words.length; ++i) {
     const name = words[i].replace(/^--/, "");
@@ -39,6 +40,8 @@ function parse(words) {
     const value = words[++i];
     if (words[i - 1] === "--agent" && kDrivers.slice(0, 3).includes(value)) {
       options.agent = value;
+    } else if (words[i - 1] === "--set" && value !== undefined) {
+      options.sets.push(value);
     } else if (
         words[i - 1].startsWith("--") && name in most && /^\d{1,20}$/.test(value) && BigInt(value) <= most[name]) {
       options[name] = BigInt(value);
@@ -52,7 +55,31 @@ function parse(words) {
 function wrong(word, value) {
   return new Failure(
       kBadUsage, `wrong option or value at ${word}${value === undefined ? "" : ` ${value}`}`,
-      "[--steps N] [--episodes N] [--seed N] [--environment N] [--agent policy|zero|random] [--hash] [--time]");
+      "[--steps N] [--episodes N] [--seed N] [--environment N] [--agent policy|zero|random] " +
+          "[--set NAME=VALUE] [--hash] [--time]");
+}
+
+/** NAME=VALUE,… or NAME=VALUE,…@STEP as {first, values, step}. */
+function settingOf(text, simulation) {
+  const {about, statesLow, statesHigh} = simulation,
+                           [, name, list, at] = /^([^=]+)=([^@]+)(?:@(\d{1,19}))?$/.exec(text) || [];
+  const refuse = (message, help) => new Failure(kBadUsage, `\`--set ${text}\`: ${message}`, help);
+  const values = (list || "").split(",").map((value) => value.trim() === "" ? NaN : Number(value));
+  if (!values.every(Number.isFinite)) throw refuse("this is no setting", "write NAME=NUMBER, or NAME=NUMBER@STEP");
+  const field = about.states.find((each) => each.name === name);
+  if (!field)
+    throw refuse(
+        `there is no state \`${name}\``, `it has ${about.states.map((each) => each.name).join(", ") || "none"}`);
+  const {first, numbers} = field;
+  if (values.length !== 1 && values.length !== numbers) throw refuse(`it has ${numbers} numbers`);
+  if (at !== undefined && !about.tunable.includes(name))
+    throw refuse(
+        "it can be set at a reset, not while an episode runs",
+        `while it runs one can set ${about.tunable.join(", ") || "nothing of this program"}`);
+  const all = Array.from({length: numbers}, (_, i) => values.length === 1 ? values[0] : values[i]);
+  const outside = all.find((value, i) => value < statesLow[first + i] || value > statesHigh[first + i]);
+  if (outside !== undefined) throw refuse(`${outside} is out of its space`);
+  return {first, values: all, step: at === undefined ? null : BigInt(at)};
 }
 
 async function load(path) {
@@ -94,9 +121,10 @@ async function main(words) {
   }
   const simulation = await load(path), {about} = simulation;
   const agent = agentOf(options, about), steps = options.steps ?? BigInt(about.steps);
+  const sets = options.sets.map((text) => settingOf(text, simulation));
   simulation.begin(options.seed, {environment: Number(options.environment)});
   const began = process.hrtime.bigint();
-  const done = simulation.episodes(agent, options.episodes, steps);
+  const done = simulation.episodes(agent, options.episodes, steps, sets);
   const seconds = Number(process.hrtime.bigint() - began) * 1e-9;
   const lines = options.hash ? [] : [
     `graph ${about.graph}`, `engine ${about.engine}`, "target wasm", `agent ${agent}`, `seed ${options.seed}`,

@@ -1,6 +1,7 @@
 // A simulation of a generated graph that JavaScript steps. No threads, no files, no clock.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/float_environment.hpp>
@@ -105,7 +106,8 @@ class Simulation {
               ", \"steps\": " + std::to_string(target::default_plan<Graph>().steps) +
               ", \"render\": " + (target::has_render<Graph> ? "true" : "false") +
               ", \"actions\": " + actions.list() + ", \"states\": " + states.list() +
-              ", \"messages\": " + messages.list() + ", \"outcome\": " + outcome.list() + "}";
+              ", \"tunable\": " + tunable() + ", \"messages\": " + messages.list() +
+              ", \"outcome\": " + outcome.list() + "}";
     }
     return text_.c_str();
   }
@@ -140,6 +142,15 @@ class Simulation {
     program().trace.episode(key_.episode);
     observation_.emplace(program().reset(drawn));
     write(Outcome{});
+    return true;
+  }
+
+  /// Sets what `settings` has of parameters that an episode can change, before the next step; false
+  /// if one is outside of its space, and then nothing happens.
+  bool tune() {
+    States set{};
+    if (!apply_settings(set, true)) return false;
+    target::tune(program(), set);
     return true;
   }
 
@@ -204,6 +215,16 @@ class Simulation {
 
   static Program& program() { return target::program_of_run<Program>; }
 
+  /// A list of names.
+  static std::string tunable() {
+    std::string names;
+    std::size_t state = 0;
+    Graph::for_each_state([&](const char* name, const char*, auto, const auto&) {
+      if (target::is_tunable<Graph>(state++)) names += (names.empty() ? "" : ", ") + quoted(name);
+    });
+    return "[" + names + "]";
+  }
+
   Action act(Driver driver) {
     const target::Agent agent = driver == Driver::policy   ? target::Agent::policy
                                 : driver == Driver::random ? target::Agent::random
@@ -222,16 +243,21 @@ class Simulation {
     return action;
   }
 
-  bool apply_settings(States& to) const {
+  bool apply_settings(States& to, bool only_tunable = false) const {
     for (std::size_t i = 0; i < settings.size(); ++i) {
       // NaN is no setting, and passes both.
       if (settings[i] < states.low[i] || settings[i] > states.high[i]) return false;
     }
     const double* from = settings.data();
+    std::size_t state = 0;
     Graph::for_each_state([&](const char*, const char*, auto member, const auto&) {
       using Message = typename std::remove_cvref_t<decltype(to.*member)>::value_type;
+      // While an episode runs, all numbers of one are set, or none.
+      const bool skipped = only_tunable && (!target::is_tunable<Graph>(state++) ||
+                                            std::any_of(from, from + size_of<Message>,
+                                                        [](double x) { return x != x; }));
       for (std::size_t i = 0; i < size_of<Message>; ++i, ++from) {
-        if (*from != *from) continue;
+        if (skipped || *from != *from) continue;
         if (!(to.*member)) to.*member = Message{};
         element(*(to.*member), i) = target::from_number<ScalarOf<Message>>(*from);
       }

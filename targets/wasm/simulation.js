@@ -19,8 +19,9 @@ const kRows = {
   messages: "messages",
   outcome: "outcome"
 };
-const kCalls =
-    ["check", "describe", "begin", "reset", "step", "ended", "hash", "picture", "counts", ...Object.keys(kRows)];
+const kCalls = [
+  "check", "describe", "begin", "reset", "tune", "step", "ended", "hash", "picture", "counts", ...Object.keys(kRows)
+];
 /** Bytes of a text, and of what a module imports by name. */
 const kLongestText = 1 << 24, kMostImports = 1000;
 
@@ -47,6 +48,8 @@ function readAbout(text, memoryBytes) {
     if (typeof about[name] !== "string") throw wrong(`\`${name}\` is no text`);
   if (!Array.isArray(about.rate) || about.rate.length !== 2 || !about.rate.every(positive))
     throw wrong("`rate` is not two whole numbers");
+  if (!Array.isArray(about.tunable) || !about.tunable.every((name) => typeof name === "string"))
+    throw wrong("`tunable` is no list of names");
   if (!Number.isInteger(about.steps) || about.steps < 0) throw wrong("`steps` is no whole number");
   for (const name of new Set(Object.values(kRows))) {
     const fields = about[name];
@@ -91,8 +94,9 @@ class Simulation {
     ][this.calls.eagerx_check()];
     if (problem) throw new Error(problem);
     /**
-       {graph, engine, rate: [num, den], agent, policy, steps, render, actions, states, messages, outcome}, the last
-        four lists of {name, dtype, first, numbers, messages}: places in the rows of these names.
+       {graph, engine, rate: [num, den], agent, policy, steps, render, actions, states, tunable, messages, outcome}.
+        `tunable` has names of states that tune() sets; actions, states, messages and outcome are lists of {name, dtype,
+        first, numbers, messages}: places in the rows of these names.
      */
     this.about = readAbout(this.text(this.calls.eagerx_describe()), this.calls.memory.buffer.byteLength);
     const row = (name) => {
@@ -129,23 +133,45 @@ class Simulation {
     return this.calls.eagerx_reset() === 1;
   }
 
+  /**
+     Sets what `settings` has of `about.tunable`, before the next step. False if one of `settings` is outside of its
+     space: then nothing happens.
+   */
+  tune() {
+    return this.calls.eagerx_tune() === 1;
+  }
+
   /** At most `steps` steps, fewer if the graph's task ends the episode; how many it were. */
   step(driver, steps = 1) {
     return this.calls.eagerx_step(kDrivers.indexOf(driver), steps);
   }
 
-  /** Whole episodes of at most `steps` steps (BigInt, as what comes back), reset included: how many steps they were. */
-  episodes(driver, episodes, steps) {
+  /**
+     Whole episodes of at most `steps` steps (BigInt, as what comes back), reset included: how many steps they were.
+     `sets`: [{first, values, step}] places in `settings`, and before which step of each episode, null: at its reset.
+   */
+  episodes(driver, episodes, steps, sets = []) {
+    const least = (a, b) => a < b ? a : b;
     let done = 0n;
     for (let episode = 0n; episode < episodes; ++episode) {
+      this.take(sets, null);
       this.reset();
-      for (let left = steps; left > 0n && !this.ended;) {
-        const taken = BigInt(this.step(driver, Number(left < kMostSteps ? left : kMostSteps)));
+      for (let step = 0n; step < steps && !this.ended;) {
+        if (this.take(sets, step)) this.tune();
+        const next = sets.reduce((next, set) => set.step > step ? least(next, set.step) : next, steps);
+        const taken = BigInt(this.step(driver, Number(least(next - step, kMostSteps))));
         done += taken;
-        left -= taken;
+        step += taken;
       }
     }
     return done;
+  }
+  /** Makes `settings` what is set at a step. False: nothing. */
+  take(sets, step) {
+    const now = sets.filter((set) => set.step === step);
+    this.settings.fill(NaN);
+    for (const set of now) this.settings.set(set.values, set.first);
+    return now.length > 0;
   }
 
   /** Whether the graph's task has ended the episode. */

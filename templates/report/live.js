@@ -119,7 +119,8 @@ function sameOnLinux() {
   if (live.drivers.size > 1 || driver === "hand") return "no command: several, or a hand, have decided";
   if (live.episode > 0 || live.states.any) return "no command: more than one episode, or states were set";
   const file = /^[\w.-]+$/.test(data.source.name) ? data.source.name : "GRAPH";
-  return `eagerx-gen run ${file} -- --seed ${live.seed.value} --steps ${live.steps} --agent ${driver} --hash`;
+  return `eagerx-gen run ${file} -- --seed ${live.seed.value} --steps ${live.steps} --agent ${driver} --hash` +
+      live.states.tuned.map((option) => ` ${option}`).join("");
 }
 
 const showLive = onFrame(() => {
@@ -182,7 +183,7 @@ function showSimulation(panel, simulation) {
     live.hand = simulation.actions.slice();
     if (live.driver !== "hand") live.driverChoice.choose("hand");
   });
-  live.states = new StateControls(simulation);
+  live.states = new StateControls(simulation, () => live.episode < 0 || simulation.ended ? null : live.steps);
   live.canvas = about.render ? el("canvas", {role: "img", "aria-label": "What render: shows"}) : null;
   const toolbar = liveToolbar(about);
   panel.replaceChildren();

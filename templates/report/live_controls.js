@@ -13,7 +13,10 @@ function numbersOf(fields, low, high, most = 64) {
   return rows.slice(0, most);
 }
 
-/** A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. */
+/**
+   A slider and a field for one number. `changed(value)` when somebody moves it. Has `show(value)`. Without bounds there
+   is a slider if it is `tunable`: around the first number that is typed.
+ */
 function numberControl(row, changed) {
   const bounded = Number.isFinite(row.high - row.low);
   const step = row.whole ? 1 : "any";
@@ -22,12 +25,19 @@ function numberControl(row, changed) {
     max: Number.isFinite(row.high) ? row.high : undefined
   };
   const label = {"aria-label": row.name};
-  const slider = bounded ? el("input", {type: "range", ...limits, step, ...label}) : null;
+  const slider = bounded || row.tunable ? el("input", {type: "range", ...limits, step, ...label}) : null;
+  if (slider && !bounded) slider.style.visibility = "hidden";
   const field = el("input", {type: "number", ...limits, step, ...label});
+  const around = (value) => {
+    slider.min = Math.max(row.low, Math.min(0, 3 * value));
+    slider.max = Math.min(row.high, Math.max(0, 3 * value));
+    slider.style.visibility = value === 0 ? "hidden" : "visible";
+  };
   const take = (event) => {
     const value = event.target.valueAsNumber;
     if (Number.isNaN(value)) return;
     const inside = Math.min(row.high, Math.max(row.low, value));
+    if (slider && !bounded && event.target !== slider) around(inside);
     if (slider && event.target !== slider) slider.value = inside;
     if (event.target !== field) field.value = short(inside, 5);
     changed(inside);
@@ -36,7 +46,7 @@ function numberControl(row, changed) {
     if (input) input.addEventListener("input", take);
   // What was typed may be outside.
   field.addEventListener("change", () => {
-    if (slider && !Number.isNaN(field.valueAsNumber)) field.value = short(slider.valueAsNumber, 5);
+    if (slider && bounded && !Number.isNaN(field.valueAsNumber)) field.value = short(slider.valueAsNumber, 5);
   });
   return {
     elements: [slider || el("span"), field],
@@ -74,12 +84,21 @@ class ActionControls {
   }
 }
 
-/** States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. */
+/**
+   States, parameters and delays of the next episodes: drawn, or fixed where the box is ticked. Tunable parameters are
+   set at once, too: `step()` is the step before which, or null if no episode runs.
+ */
 class StateControls {
-  constructor(simulation) {
+  constructor(simulation, step) {
     this.simulation = simulation;
-    const rows = numbersOf(simulation.about.states, simulation.statesLow, simulation.statesHigh);
-    this.controls = rows.map((row) => {
+    this.step = step;
+    /** Options of the program that do the same in the first episode. */
+    this.tuned = [];
+    const {about} = simulation;
+    const rows = about.states.flatMap(
+        (field) => numbersOf([field], simulation.statesLow, simulation.statesHigh)
+                       .map((row) => ({...row, field, tunable: about.tunable.includes(field.name)})));
+    this.controls = rows.slice(0, 64).map((row) => {
       const box = el("input", {
         type: "checkbox",
         "aria-label": `set ${row.name}`,
@@ -89,30 +108,44 @@ class StateControls {
         box.checked = true;
         this.set(row, value);
       });
-      return {row, box, ...control};
+      return {row, box, atReset: false, ...control};
     });
     this.element = rows.length ?
         card(
             "An episode begins with",
             el("p.note", {},
-               "Drawn as the graph says; where the box is ticked, it is the value beside it from the next reset on."),
+               "Drawn as the graph says; where the box is ticked, it is the value beside it from the next reset on" +
+                   (about.tunable.length ? ". What is tunable (bold) changes at once, too." : ".")),
             el("div.numbers", {},
-               this.controls.map(({row, box, elements}) => [el("span", {}, row.name), box, ...elements]))) :
+               this.controls.map(
+                   ({row, box, elements}) => [el(row.tunable ? "b" : "span", {}, row.name), box, ...elements]))) :
         null;
   }
 
   /** NaN: drawn again. */
   set(row, value) {
     this.simulation.settings[row.at] = value;
+    const step = this.step();
+    if (!row.tunable || step === null || !this.simulation.tune()) return;
+    const {first, numbers, name} = row.field;
+    const values = Array.from(this.simulation.settings.subarray(first, first + numbers));
+    if (values.some(Number.isNaN)) return;
+    // Of several at one step the last one counts.
+    this.tuned = this.tuned.filter((option) => !option.startsWith(`--set ${name}=`) || !option.endsWith(`@${step}`));
+    this.tuned.push(`--set ${name}=${values.join(",")}@${step}`);
   }
 
-  /** What the episode began with, where nothing is set. */
+  /** An episode has begun: what it began with, where nothing is set. */
   show() {
-    for (const {row, box, show} of this.controls)
-      if (!box.checked) show(this.simulation.states[row.at]);
+    this.tuned = [];
+    for (const control of this.controls) {
+      control.atReset = control.box.checked;
+      if (!control.box.checked) control.show(this.simulation.states[control.row.at]);
+    }
   }
 
+  /** Whether the episode began with something that is not as the graph says. */
   get any() {
-    return this.controls.some(({box}) => box.checked);
+    return this.controls.some(({atReset}) => atReset);
   }
 }

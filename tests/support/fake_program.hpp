@@ -48,7 +48,10 @@ class FakeProgram final : public GraphProgram {
     Field count{"count", TypeOf<std::uint8_t>::value};
     for (const Field& each : {seen, count}) listener.observation(each);
     listener.state({"delay", TypeOf<double>::value, &kLeast, &kMost});
-    listener.state({"at", TypeOf<Array<float, 2>>::value});
+    static constexpr Array<float, 2> kBack{-9.0F, -9.0F}, kFront{9.0F, 9.0F};
+    Field at{"at", TypeOf<Array<float, 2>>::value, &kBack, &kFront};
+    at.tunable = true;
+    listener.state(at);
     listener.outcome("reward", false);
     listener.outcome("terminated", true);
     listener.outcome("effort", false);
@@ -73,6 +76,7 @@ class FakeProgram final : public GraphProgram {
   void warm_up() override {}
   void reset(std::uint32_t /*episode*/, StateRow /*states*/) override {}
   void act(target::Agent /*agent*/, EpisodeKey /*key*/, Seq /*step*/, void* /*action*/) override {}
+  void tune(StateRow /*states*/) override {}
   void guard(void* /*action*/) override {}
   void apply(void* /*action*/) override {}
 };

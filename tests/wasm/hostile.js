@@ -45,6 +45,7 @@ const kAbout = {
   render: false,
   actions: [{name: "u", dtype: "float32", first: 0, numbers: 2, messages: 1}],
   states: [],
+  tunable: [],
   messages: [
     {name: "a/</script><script>alert(1)</script>", dtype: "float32", first: 0, numbers: 1},
     {name: "__proto__", dtype: "float32", first: 1, numbers: 2}
@@ -65,7 +66,7 @@ const kSignatures = {
 };
 const kTextAt = 1024, kRowAt = 32768;
 const kNames = [
-  "check", "describe", "begin", "reset", "step", "ended", "hash", "picture", "counts", "actions", "actions_low",
+  "check", "describe", "begin", "reset", "tune", "step", "ended", "hash", "picture", "counts", "actions", "actions_low",
   "actions_high", "settings", "states", "states_low", "states_high", "messages", "outcome"
 ];
 

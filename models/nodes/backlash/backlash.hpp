@@ -19,12 +19,11 @@ class Backlash {
     for (std::size_t i = 0; i < kSize; ++i) {
       y_[i] = each<Real>(kInitial, i);
       width_[i].reset(each<Real>(kWidth, i));
-      if constexpr (requires { states.width; }) {
-        if (states.width) {
-          width_[i].set(static_cast<Real>(element(*states.width, kWidth.size() == 1 ? 0 : i)));
-        }
-      }
+      tune(states, i);
     }
+  }
+  void tune(const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) tune(states, i);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
@@ -45,6 +44,14 @@ class Backlash {
   static constexpr auto kInitial = constants<Real>(Io::Config::initial);
   static_assert(is_one_or_each(kWidth, kSize) && is_one_or_each(kInitial, kSize),
                 "Backlash: `width` and `initial` have one value, or one for each element");
+
+  void tune([[maybe_unused]] const typename Io::States& states, std::size_t i) {
+    if constexpr (requires { states.width; }) {
+      if (states.width) {
+        width_[i].set(static_cast<Real>(element(*states.width, kWidth.size() == 1 ? 0 : i)));
+      }
+    }
+  }
 
   std::array<Real, kSize> y_{};
   std::array<ResetNumber<Real>, kSize> width_{};

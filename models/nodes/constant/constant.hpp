@@ -17,10 +17,11 @@ class Constant {
                   "Constant: `value` has one value for each element");
     for (std::size_t i = 0; i < kSize; ++i) {
       value_[i].reset(each<Real>(kValue, i));
-      if constexpr (requires { states.value; }) {
-        if (states.value) value_[i].set(static_cast<Real>(element(*states.value, i)));
-      }
+      tune(states, i);
     }
+  }
+  void tune(const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) tune(states, i);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& /*in*/,
@@ -32,6 +33,12 @@ class Constant {
   using Real = typename Io::Real;
   static constexpr std::size_t kSize = elements_of<decltype(Io::Outputs::y)>;
   static constexpr auto kValue = constants<Real>(Io::Config::value);
+
+  void tune([[maybe_unused]] const typename Io::States& states, std::size_t i) {
+    if constexpr (requires { states.value; }) {
+      if (states.value) value_[i].set(static_cast<Real>(element(*states.value, i)));
+    }
+  }
 
   std::array<ResetNumber<Real>, kSize> value_{};
 };

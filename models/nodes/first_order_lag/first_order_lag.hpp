@@ -19,13 +19,11 @@ class FirstOrderLag {
     for (std::size_t i = 0; i < kSize; ++i) {
       y_[i] = each<Real>(kInitial, i);
       gain_[i].reset(gain_of(each<Real>(kTimeConstant, i)));
-      if constexpr (requires { states.time_constant; }) {
-        if (states.time_constant) {
-          const std::size_t at = kTimeConstant.size() == 1 ? 0 : i;
-          gain_[i].set(gain_of(static_cast<Real>(element(*states.time_constant, at))));
-        }
-      }
+      tune(states, i);
     }
+  }
+  void tune(const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) tune(states, i);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
@@ -48,6 +46,14 @@ class FirstOrderLag {
                 "FirstOrderLag: `time_constant` and `initial` have one value, or one for each "
                 "element");
 
+  void tune([[maybe_unused]] const typename Io::States& states, std::size_t i) {
+    if constexpr (requires { states.time_constant; }) {
+      if (states.time_constant) {
+        const std::size_t at = kTimeConstant.size() == 1 ? 0 : i;
+        gain_[i].set(gain_of(static_cast<Real>(element(*states.time_constant, at))));
+      }
+    }
+  }
   static Real gain_of(const Real& time_constant) {
     // 1 − exp(−2x) = 2·tanh(x)/(1 + tanh(x)), which is exact to the last digits for a small x.
     const Real t = eagerx::tanh(Real(constant<Real>(Io::Rate::period_s / 2.0)) / time_constant);

@@ -1,12 +1,10 @@
 // Every element times a factor.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <eagerx/rate.hpp>
 #include <models/nodes/action_limits/per_element.hpp>
 #include <models/nodes/block.hpp>
-#include <type_traits>
 
 namespace eagerx::models {
 
@@ -14,16 +12,17 @@ namespace eagerx::models {
 template <class Io>
 class Gain {
  public:
-  void reset([[maybe_unused]] const typename Io::States& states) {
-    if constexpr (kIsTunable)
-      for (std::size_t i = 0; i < kGain.size(); ++i) gain_[i].reset(states.gain, kGain[i], i);
+  void reset(const typename Io::States& states) { tune(states); }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    if constexpr (kIsTunable) gain_.reset(states.gain, kGain);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     constexpr std::size_t kSize = elements_of<decltype(out.y)>;
     static_assert(is_one_or_each(kGain, kSize),
                   "Gain: `gain` has one value, or one for each element");
-    for (std::size_t i = 0; i < kSize; ++i) put(out.y, i, gain(i) * newest<Real>(in.signal, i));
+    for (std::size_t i = 0; i < kSize; ++i)
+      put(out.y, i, each<Real>(gain_.or_constants(kGain), i) * newest<Real>(in.signal, i));
   }
 
  private:
@@ -32,16 +31,7 @@ class Gain {
   static constexpr auto kGain = constants<Real>(Io::Config::gain);
   static constexpr bool kIsTunable = requires(States states) { states.gain; };
 
-  [[nodiscard]] Real gain([[maybe_unused]] std::size_t i) const {
-    if constexpr (kIsTunable)
-      return gain_[kGain.size() == 1 ? 0 : i].number.value;
-    else
-      return each<Real>(kGain, i);
-  }
-
-  struct Nothing {};
-  using Numbers = std::array<Tunable<Real, true, 0>, kGain.size()>;
-  [[no_unique_address]] std::conditional_t<kIsTunable, Numbers, Nothing> gain_{};
+  [[no_unique_address]] TunableList<Real, kGain.size(), kIsTunable, 0> gain_{};
 };
 
 }  // namespace eagerx::models

@@ -13,7 +13,13 @@ namespace eagerx::models {
 template <class Io>
 class Observer {
  public:
-  void reset(const typename Io::States& states) { model_.reset(states); }
+  void reset(const typename Io::States& states) {
+    model_.reset(states);
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    if constexpr (requires { states.gain; }) gain_.reset(states.gain, kGain);
+  }
 
   template <class AnyTick = Tick>
   void callback(const AnyTick& tick, const typename Io::Inputs& in, typename Io::Outputs& out) {
@@ -23,7 +29,7 @@ class Observer {
       innovation[i] = model_.innovation(in, i);
     }
     for (std::size_t i = 0; i < Model::kOrder; ++i) {
-      model_.x[i] += row_times<Real>(kGain, i, innovation);
+      model_.x[i] += row_times<Real>(gain_.or_constants(kGain), i, innovation);
       put(out.x, i, model_.x[i]);
     }
   }
@@ -36,6 +42,10 @@ class Observer {
                 "Observer: `gain` has `order` times as many values as `measured` has elements");
 
   Model model_{};
+
+  using States = typename Io::States;
+  [[no_unique_address]] TunableList < Real, kGain.size(), requires(States s) { s.gain; }
+  , 0 > gain_{};
 };
 
 }  // namespace eagerx::models

@@ -12,10 +12,13 @@ namespace eagerx::models {
 template <class Io>
 class PidController {
  public:
-  void reset([[maybe_unused]] const typename Io::States& states) {
+  void reset(const typename Io::States& states) {
     sum_ = {};
     last_ = {};
     has_last_ = {};
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
     if constexpr (requires { states.kp; }) kp_.reset(states.kp, constant<Real>(Config::kp));
     if constexpr (requires { states.ki; }) ki_.reset(states.ki, constant<Real>(Config::ki));
     if constexpr (requires { states.kd; }) kd_.reset(states.kd, constant<Real>(Config::kd));

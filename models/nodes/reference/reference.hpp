@@ -23,7 +23,11 @@ enum class ReferenceShape : std::uint8_t { step, ramp, sine, chirp, table };
 template <class Io>
 class Reference {
  public:
-  void reset([[maybe_unused]] const typename Io::States& states) {
+  void reset(const typename Io::States& states) {
+    if constexpr (requires { states.frequency; }) frequency_.reset(states.frequency, kFrequency);
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
     if constexpr (requires { states.amplitude; }) amplitude_.reset(states.amplitude, kAmplitude);
     if constexpr (requires { states.offset; }) offset_.reset(states.offset, kOffset);
   }
@@ -53,13 +57,14 @@ class Reference {
   static_assert(Config::shape != ReferenceShape::table || increases(Config::times),
                 "Reference: there are at least two `times`, each after the one before");
 
-  static Real shape(const Real& t) {
+  Real shape(const Real& t) const {
+    [[maybe_unused]] const Real frequency = frequency_.or_constant(kFrequency);
     if constexpr (Config::shape == ReferenceShape::step) {
       return Real(Lane(1));
     } else if constexpr (Config::shape == ReferenceShape::ramp) {
       return eagerx::min(t / Real(kDuration), Real(Lane(1)));
     } else if constexpr (Config::shape == ReferenceShape::sine) {
-      return wave(Real(kFrequency) * t);
+      return wave(frequency * t);
     } else if constexpr (Config::shape == ReferenceShape::table) {
       Real y(Lane(0));
       for (int k = 0; k < lanes<Real>; ++k) set_lane(y, k, between_points(lane(t, k)));
@@ -67,8 +72,8 @@ class Reference {
     } else {
       const Real sweep = eagerx::min(t, Real(kDuration));
       const Real rise =
-          Real(kEndFrequency - kFrequency) * (sweep / Real(Lane(2) * kDuration)) * sweep;
-      return wave(Real(kFrequency) * sweep + rise + Real(kEndFrequency) * (t - sweep));
+          (Real(kEndFrequency) - frequency) * (sweep / Real(Lane(2) * kDuration)) * sweep;
+      return wave(frequency * sweep + rise + Real(kEndFrequency) * (t - sweep));
     }
   }
   static constexpr std::size_t kPoints = Config::times.size();
@@ -99,6 +104,8 @@ class Reference {
   , 0 > amplitude_;
   [[no_unique_address]] Tunable < Real, requires(States s) { s.offset; }
   , 1 > offset_;
+  [[no_unique_address]] Tunable < Real, requires(States s) { s.frequency; }
+  , 2 > frequency_;
 };
 
 }  // namespace eagerx::models

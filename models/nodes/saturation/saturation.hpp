@@ -18,13 +18,11 @@ class Saturation {
     for (std::size_t i = 0; i < kSize; ++i) {
       low_[i].reset(each<Real>(kLow, i));
       high_[i].reset(each<Real>(kHigh, i));
-      if constexpr (requires { states.low; }) {
-        if (states.low) low_[i].set(static_cast<Real>(element(*states.low, at(i, kLow))));
-      }
-      if constexpr (requires { states.high; }) {
-        if (states.high) high_[i].set(static_cast<Real>(element(*states.high, at(i, kHigh))));
-      }
+      tune(states, i);
     }
+  }
+  void tune(const typename Io::States& states) {
+    for (std::size_t i = 0; i < kSize; ++i) tune(states, i);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
@@ -43,6 +41,14 @@ class Saturation {
   static_assert(in_order(Io::Config::low, Io::Config::high),
                 "Saturation: `low` is not above `high`");
 
+  void tune([[maybe_unused]] const typename Io::States& states, std::size_t i) {
+    if constexpr (requires { states.low; }) {
+      if (states.low) low_[i].set(static_cast<Real>(element(*states.low, at(i, kLow))));
+    }
+    if constexpr (requires { states.high; }) {
+      if (states.high) high_[i].set(static_cast<Real>(element(*states.high, at(i, kHigh))));
+    }
+  }
   template <class List>
   static constexpr std::size_t at(std::size_t i, const List& list) {
     return list.size() == 1 ? 0 : i;

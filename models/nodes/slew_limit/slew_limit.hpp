@@ -18,8 +18,12 @@ namespace eagerx::models {
 template <class Io>
 class SlewLimit {
  public:
-  void reset(const typename Io::States& /*states*/) {
+  void reset(const typename Io::States& states) {
     for (std::size_t i = 0; i < kSize; ++i) value_[i] = value_for<Real>(Io::Config::initial, i);
+    tune(states);
+  }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    if constexpr (requires { states.per_second; }) per_second_.reset(states.per_second, kPerSecond);
   }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
@@ -47,6 +51,7 @@ class SlewLimit {
   using Real = typename Io::Real;
   using Message = typename decltype(Io::Inputs::signal)::value_type;
   static constexpr std::size_t kSize = size_of<Message>;
+  static constexpr auto kPerSecond = constants<Real>(Io::Config::per_second);
   static_assert(is_one_or_each(Io::Config::per_second, kSize) &&
                     is_one_or_each(Io::Config::initial, kSize),
                 "SlewLimit: `per_second` and `initial` have one value, or one for each element");
@@ -54,7 +59,7 @@ class SlewLimit {
   /// True if element `i` could not follow. A signal within reach is taken as it is, to the bit.
   TruthOf<Real> follow(std::size_t i, Real wanted) {
     const Real step =
-        value_for<Real>(Io::Config::per_second, i) * static_cast<Real>(Io::Rate::period_s);
+        each<Real>(per_second_.or_constants(kPerSecond), i) * static_cast<Real>(Io::Rate::period_s);
     const Real up = value_[i] + step;
     const Real down = value_[i] - step;
     const TruthOf<Real> within = !(wanted > up || wanted < down || eagerx::isnan(wanted));
@@ -65,6 +70,10 @@ class SlewLimit {
 
   std::array<Real, kSize> value_{};
   CountOf<Real> limited_{};
+
+  using States = typename Io::States;
+  [[no_unique_address]] TunableList < Real, kPerSecond.size(), requires(States s) { s.per_second; }
+  , 0 > per_second_{};
 };
 
 }  // namespace eagerx::models

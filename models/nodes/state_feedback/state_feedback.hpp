@@ -14,7 +14,12 @@ namespace eagerx::models {
 template <class Io>
 class StateFeedback {
  public:
-  void reset(const typename Io::States& /*states*/) {}
+  void reset(const typename Io::States& states) { tune(states); }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    if constexpr (requires { states.gain; }) gain_.reset(states.gain, kGain);
+    if constexpr (requires { states.reference_gain; })
+      reference_gain_.reset(states.reference_gain, kReferenceGain);
+  }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     Real sum_of_zeros(0);  // NaN if an input is not finite
@@ -27,11 +32,14 @@ class StateFeedback {
       static_assert(kReferenceGain.size() == kRows * r.size(),
                     "StateFeedback: `reference_gain` has `rows` times as many values as "
                     "`reference` has elements");
-      for (std::size_t i = 0; i < kRows; ++i) forward[i] = row_times<Real>(kReferenceGain, i, r);
+      for (std::size_t i = 0; i < kRows; ++i)
+        forward[i] = forward[i] =
+            row_times<Real>(reference_gain_.or_constants(kReferenceGain), i, r);
     }
     const auto right = sum_of_zeros == Real(0);
     for (std::size_t i = 0; i < kRows; ++i) {
-      const Real u = select(right, forward[i] - row_times<Real>(kGain, i, x), Real(0));
+      const Real u =
+          select(right, forward[i] - row_times<Real>(gain_.or_constants(kGain), i, x), Real(0));
       put(out.u, i, eagerx::clamp(u, each<Real>(kLow, i), each<Real>(kHigh, i)));
     }
   }
@@ -58,6 +66,14 @@ class StateFeedback {
     }
     return x;
   }
+
+  using States = typename Io::States;
+  [[no_unique_address]] TunableList < Real, kGain.size(), requires(States s) { s.gain; }
+  , 0 > gain_{};
+  [[no_unique_address]] TunableList < Real, kReferenceGain.size(), requires(States s) {
+    s.reference_gain;
+  }
+  , 1 > reference_gain_{};
 };
 
 }  // namespace eagerx::models

@@ -13,7 +13,10 @@ namespace eagerx::models {
 template <class Io>
 class Sum {
  public:
-  void reset(const typename Io::States& /*states*/) {}
+  void reset(const typename Io::States& states) { tune(states); }
+  void tune([[maybe_unused]] const typename Io::States& states) {
+    if constexpr (requires { states.gains; }) gains_.reset(states.gains, kGains);
+  }
 
   void callback(const Tick& /*tick*/, const typename Io::Inputs& in, typename Io::Outputs& out) {
     for (std::size_t i = 0; i < kSize; ++i) {
@@ -39,10 +42,14 @@ class Sum {
                 "Sum: `gains` has one value, or one for each input");
 
   template <class Window>
-  static Real term(const Window& window, std::size_t input, std::size_t i) {
+  Real term(const Window& window, std::size_t input, std::size_t i) const {
     static_assert(elements_of<Window> == kSize, "Sum: all inputs have as many elements as `a`");
-    return each<Real>(kGains, input) * newest<Real>(window, i);
+    return each<Real>(gains_.or_constants(kGains), input) * newest<Real>(window, i);
   }
+
+  using States = typename Io::States;
+  [[no_unique_address]] TunableList < Real, kGains.size(), requires(States s) { s.gains; }
+  , 0 > gains_{};
 };
 
 }  // namespace eagerx::models

@@ -224,6 +224,7 @@ class LogReader::Lines {
   bool read_body() {
     if (text_.starts_with("# end ")) return read_end(text_.substr(6));
     if (text_.starts_with("# state ")) return read_state(text_.substr(8));
+    if (text_.starts_with("# set ")) return read_setting(text_.substr(6));
     if (text_.starts_with("# scene")) {
       std::string what;
       std::string_view place = text_;
@@ -240,14 +241,34 @@ class LogReader::Lines {
     if (first == last || !parse(fact.substr(0, first), state.episode))
       return fail(fact, "a state is `episode name values`, not " + shown(fact));
     state.name = fact.substr(first + 1, last - first - 1);
-    std::string_view rest = fact.substr(last + 1);
+    if (!read_numbers(fact.substr(last + 1), state.values)) return false;
+    log_.states.push_back(std::move(state));
+    return true;
+  }
+
+  /// EPISODE STEP NAME VALUE,…
+  bool read_setting(std::string_view fact) {
+    RecordedSetting setting;
+    const std::size_t first = fact.find(' ');
+    const std::size_t second = fact.find(' ', std::min(first, fact.size() - 1) + 1);
+    const std::size_t last = fact.rfind(' ');
+    if (second == std::string_view::npos || second == last ||
+        !parse(fact.substr(0, first), setting.episode) ||
+        !parse(fact.substr(first + 1, second - first - 1), setting.step))
+      return fail(fact, "what is set is `episode step name values`, not " + shown(fact));
+    setting.name = fact.substr(second + 1, last - second - 1);
+    if (!read_numbers(fact.substr(last + 1), setting.values)) return false;
+    log_.settings.push_back(std::move(setting));
+    return true;
+  }
+
+  bool read_numbers(std::string_view rest, std::vector<std::string>& values) {
     std::string_view cell;
     while (take(rest, cell)) {
       double value = 0.0;
       if (!parse(cell, value)) return fail(cell, shown(cell) + " is not a number");
-      state.values.emplace_back(cell);
+      values.emplace_back(cell);
     }
-    log_.states.push_back(std::move(state));
     return true;
   }
 

@@ -56,6 +56,14 @@ struct RecordedState {
   std::vector<std::string> values;
 };
 
+/// What was set while an episode ran, before step `step` (from 0), as written.
+struct RecordedSetting {
+  std::uint32_t episode = 0;
+  std::uint64_t step = 0;
+  std::string name;  // "controller/kp"
+  std::vector<std::string> values;
+};
+
 /// A drawing: what differs from the scene before in the file, of the rows that it has.
 struct RecordedScene {
   std::uint64_t tick = 0;
@@ -76,6 +84,7 @@ struct Log {
   std::vector<Row> rows;  // in the order of the file
   std::vector<std::uint64_t> values;
   std::vector<RecordedState> states;
+  std::vector<RecordedSetting> settings;  // in the order of the file
   std::vector<RecordedScene> scenes;
   std::vector<SceneChange> scene_changes;
   std::uint64_t scenes_num = 0, scenes_den = 1;  // scenes a second; 0: there are none

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <ctime>
 #include <eagerx/version.hpp>
+#include <limits>
 #include <runtime/host/trace/json_text.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -85,6 +86,7 @@ OutsideAgent::OutsideAgent(const Options& options, const Fields& fields, GraphPr
       row_(terms_.size() + rows_.action_numbers() + rows_.observation_numbers()),
       given_(std::max(rows_.action_numbers(), rows_.state_numbers())),
       states_(rows_.state_numbers()),
+      tuned_(rows_.state_numbers(), std::numeric_limits<float>::quiet_NaN()),
       socket_(options.agent_socket),
       patience_ns_(patience_ns(options, facts_, program.is_real())),
       is_traced_(traced),
@@ -216,6 +218,9 @@ bool OutsideAgent::serve() {
     case Ask::close:
       ends_ = is_told_ = true;
       break;
+    case Ask::tune:
+      take_parameters();
+      break;
     case Ask::hash: {
       Answer answer{};
       answer.said = Said::number;
@@ -238,7 +243,11 @@ bool OutsideAgent::serve() {
 bool OutsideAgent::take_reset() {
   const std::string problem = rows_.problem_of_states(given_.data(), drawn_.row().has_value);
   if (!problem.empty()) return answer_problem(problem), false;
-  std::copy_n(given_.data(), states_.size(), states_.data());
+  // Parameters for a step that does not come are those of the episode.
+  for (std::size_t i = 0; i < states_.size(); ++i)
+    states_[i] = std::isnan(given_[i]) ? tuned_[i] : given_[i];
+  std::ranges::fill(tuned_, std::numeric_limits<float>::quiet_NaN());
+  has_tuned_ = false;
   has_states_ = std::ranges::any_of(states_, [](float number) { return !std::isnan(number); });
   if (request_.number != 0) {
     has_seed_ = true;
@@ -247,6 +256,27 @@ bool OutsideAgent::take_reset() {
   }
   in_episode_ = false;
   return waits_ = wants_reset_ = true;
+}
+
+void OutsideAgent::take_parameters() {
+  if (!in_episode_)
+    return answer_problem("no episode has begun, or it has ended: set states at the next reset");
+  const std::string problem = rows_.problem_of_parameters(given_.data());
+  if (!problem.empty()) return answer_problem(problem);
+  for (std::size_t i = 0; i < tuned_.size(); ++i) {
+    if (!std::isnan(given_[i])) tuned_[i] = given_[i];
+  }
+  has_tuned_ = true;
+  Answer answer{};
+  answer.said = Said::number;
+  say(answer, nullptr, 0);
+}
+
+bool OutsideAgent::apply_parameters(StateRow states) {
+  if (!std::exchange(has_tuned_, false)) return false;
+  rows_.read_states(tuned_.data(), states);
+  std::ranges::fill(tuned_, std::numeric_limits<float>::quiet_NaN());
+  return true;
 }
 
 bool OutsideAgent::take_step() {
@@ -334,6 +364,9 @@ std::string OutsideAgent::description() const {
     trace_log::append_json_string(result, text);
     return result;
   };
+  std::string tunable;
+  for (const Field& state : fields_.states)
+    if (state.tunable) tunable += (tunable.empty() ? "" : ", ") + quoted(state.name);
   std::string terms;
   bool is_first = true;
   for (const Fields::Outcome& each : fields_.outcomes) {
@@ -356,6 +389,7 @@ std::string OutsideAgent::description() const {
                            : "null") +
          ", \"observations\": " + rows_.describe_observations() +
          ", \"actions\": " + rows_.describe_actions() + ", \"states\": " + rows_.describe_states() +
+         ", \"tunable\": [" + tunable + "]" +
          ", \"task\": " + (is_first ? "null" : "{\"terms\": [" + terms + "]}") +
          ", \"render\": " + render + "}";
 }

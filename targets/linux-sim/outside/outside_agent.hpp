@@ -51,6 +51,8 @@ class OutsideAgent {
   EpisodeKey key(EpisodeKey planned);
   /// Puts the states that the agent gave in place of others. False: there are none.
   bool apply_states(StateRow states);
+  /// The same of parameters that it gave since the last step.
+  bool apply_parameters(StateRow states);
 
   /// Whether the run ends within an episode, and somebody may have relied on the agent.
   bool leaves_something() const { return in_episode_ && ends_ && (is_real_ || !is_told_); }
@@ -65,6 +67,7 @@ class OutsideAgent {
   bool serve();
   bool take_reset();
   bool take_step();
+  void take_parameters();
   void give_picture();
   void answer_observation();
   void answer_problem(const std::string& text);
@@ -90,6 +93,7 @@ class OutsideAgent {
   std::vector<float> row_;     // of an answer: terms, action, observation
   std::vector<float> given_;   // of a request: a row of actions or states
   std::vector<float> states_;  // of the next episode
+  std::vector<float> tuned_;   // before the next step; NaN: as it is
   Answer answer_{};            // the next one with an observation
   Request request_{};          // the last one
   std::string text_;           // of which pieces are asked for
@@ -100,7 +104,7 @@ class OutsideAgent {
   std::uint64_t late_in_a_row_ = 0;
   std::uint64_t seed_ = 0;
   std::uint32_t episode_of_seed_ = 0;
-  bool has_seed_ = false, has_states_ = false;
+  bool has_seed_ = false, has_states_ = false, has_tuned_ = false;
   bool waits_ = false;        // the agent waits for an observation
   bool in_episode_ = false;   // and not behind its last step
   bool end_is_news_ = false;  // an episode has ended in a step that the agent was late for

@@ -142,10 +142,24 @@ std::string OutsideRows::problem_of_states(const float* row, const bool* drawn) 
         return "`" + std::string(field.name) + "` is out of its space: element " +
                std::to_string(i) + " is " + number_text(from[i]);
     }
-    if (!drawn[f] && missing != 0 && missing != field.type.size)
+    if ((drawn == nullptr || !drawn[f]) && missing != 0 && missing != field.type.size)
       return "`" + std::string(field.name) + "` is not drawn: set all of its elements, or none";
   }
   return {};
+}
+
+std::string OutsideRows::problem_of_parameters(const float* row) const {
+  std::string problem = problem_of_states(row, nullptr);
+  for (std::size_t f = 0; f < fields_.states.size() && problem.empty(); ++f) {
+    const Field& field = fields_.states[f];
+    const float* const from = row + states_.first(f);
+    const bool given =
+        std::any_of(from, from + field.type.size, [](float x) { return !std::isnan(x); });
+    if (given && !field.tunable)
+      problem =
+          "`" + std::string(field.name) + "` can be set at a reset, not while an episode runs";
+  }
+  return problem;
 }
 
 void OutsideRows::read_states(const float* row, StateRow states) const {

@@ -40,6 +40,8 @@ class OutsideRows {
   void write_observation(ObservationRow observation, float* row) const;
   /// What is wrong with a row of states, or nothing. `drawn`: whether the graph gives each a value.
   std::string problem_of_states(const float* row, const bool* drawn) const;
+  /// The same of what is set while an episode runs.
+  std::string problem_of_parameters(const float* row) const;
   /// Puts the numbers of a row that are not NaN into `states`.
   void read_states(const float* row, StateRow states) const;
 

@@ -8,7 +8,7 @@
 namespace eagerx::linux_sim {
 
 /// Of what is written here; the first thing that an agent looks at.
-inline constexpr std::uint32_t kOutsideVersion = 1;
+inline constexpr std::uint32_t kOutsideVersion = 2;
 
 /// What an agent asks for; each is answered once.
 enum class Ask : std::uint32_t {
@@ -18,7 +18,8 @@ enum class Ask : std::uint32_t {
   counts = 4,    // piece of what was counted, JSON
   hash = 5,      // of all messages; in Answer::step
   picture = 6,   // piece of what `render:` showed last, RGB
-  close = 7      // the end of the run; not answered
+  close = 7,     // the end of the run; not answered
+  tune = 8       // parameters before the next step; behind it a row of states, NaN: as it is
 };
 
 /// What an agent sends; behind it a row of float32.
@@ -57,6 +58,7 @@ constexpr const char* problem_of_request(const Request& request, std::size_t byt
   const std::size_t row = bytes - sizeof(Request);
   switch (request.ask) {
     case Ask::reset:
+    case Ask::tune:
       return row == state_numbers * sizeof(float) ? nullptr : "its row of states has another size";
     case Ask::step:
       return row == action_numbers * sizeof(float) ? nullptr

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <bit>
 #include <limits>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/publish/remote_watch.hpp>
+#include <utility>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -24,6 +26,7 @@ RemoteWatch::RemoteWatch(GraphProgram& program, const Told& told, TextFile& csv,
       states_(told.fields.states.size()),
       actions_(told.fields.actions.size()),
       had_faults_(has_faults_) {
+  tunes_ = tunes_ || std::ranges::any_of(fields_.states, &Field::tunable);
   for (std::size_t i = 0; i < states_.size(); ++i)
     states_[i].numbers.resize(fields_.states[i].type.size);
   for (std::size_t i = 0; i < actions_.size(); ++i)
@@ -53,6 +56,8 @@ void RemoteWatch::take_requests() {
       auto& all = request.wish == Remote::Wish::state ? states_ : actions_;
       Values& values = all[request.index];
       values.are_set = request.count > 0;
+      values.are_new = values.are_set && request.wish == Remote::Wish::state &&
+                       fields_.states[request.index].tunable;
       for (std::size_t i = 0; i < request.count; ++i)
         values.numbers[i] = std::bit_cast<double>(request.values[i]);
       has_faults_ = had_faults_;
@@ -106,6 +111,23 @@ bool RemoteWatch::set_states(EpisodeKey key, StateRow states) {
   bool changed = PublishWatch::set_states(key, states);
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (!states_[i].are_set) continue;
+    put(fields_.states[i], states.messages[i], states_[i].numbers);
+    states.has_value[i] = changed = true;
+    states_[i].are_new = false;
+  }
+  return changed;
+}
+
+bool RemoteWatch::tune(std::uint32_t episode, Seq step, StateRow states) {
+  const bool changed = PublishWatch::tune(episode, step, states);
+  if (changed) remote_.tell_states(current_states());
+  return changed;
+}
+
+bool RemoteWatch::set_parameters(Seq step, StateRow states) {
+  bool changed = PublishWatch::set_parameters(step, states);
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (!std::exchange(states_[i].are_new, false)) continue;
     put(fields_.states[i], states.messages[i], states_[i].numbers);
     states.has_value[i] = changed = true;
   }

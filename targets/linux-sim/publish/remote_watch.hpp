@@ -15,18 +15,21 @@ class RemoteWatch : public PublishWatch {
 
   bool go_on() override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
+  bool tune(std::uint32_t episode, Seq step, StateRow states) override;
   void reset(std::uint32_t episode) override;
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
   void given(Seq step, void* action) override;
 
  protected:
   bool set_states(EpisodeKey key, StateRow states) override;
+  bool set_parameters(Seq step, StateRow states) override;
 
  private:
   /// One number for each element, if there are any.
   struct Values {
     std::vector<double> numbers;  // [elements]
     bool are_set = false;
+    bool are_new = false;  // parameters that are set before the next step
   };
 
   void take_requests();

@@ -51,6 +51,21 @@ TEST(LogFile, Reads) {
   EXPECT_EQ(log->values_of(log->rows[1])[1], 0x7fc00000U);
 }
 
+TEST(LogFile, HasWhatWasSetWhileAnEpisodeRan) {
+  std::string problem;
+  const auto log = read_log(
+      "x", kHead + "0,a/b,0,1\n# set 0 40 controller/kp 3.5\n# set 0 41 a/b 1,2\n", problem);
+  ASSERT_TRUE(log) << problem;
+  ASSERT_EQ(log->settings.size(), 2U);
+  EXPECT_EQ(log->settings[0].step, 40U);
+  EXPECT_EQ(log->settings[0].name, "controller/kp");
+  EXPECT_EQ(log->settings[1].values, (std::vector<std::string>{"1", "2"}));
+  for (const char* wrong : {"# set ", "# set 0", "# set 0 1", "# set 0 1 a", "# set x 1 a 2",
+                            "# set 0 -1 a 2", "# set 0 1 a two", "# set 0 1 a 1,,2"}) {
+    EXPECT_FALSE(read_log("x", kHead + wrong + "\n0,a/b,0,1\n", problem)) << wrong;
+  }
+}
+
 /// As a monitor reads: the file grows, and what was read is taken away.
 TEST(LogFile, ReadsPieceByPiece) {
   const std::string text = kHead +

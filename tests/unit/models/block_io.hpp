@@ -96,6 +96,12 @@ struct GainConfig {
 };
 template <class Real>
 using GainIo = SignalIo<Real, GainConfig, 2>;
+template <class Real>
+struct TunedGainIo : GainIo<Real> {
+  struct States {
+    std::optional<V<float, 2>> gain{};
+  };
+};
 struct MatrixConfig {
   static constexpr std::array<double, 6> gain = {1.0, 2.0, 3.0, 4.0, -5.0, 0.1};
 };

@@ -140,6 +140,22 @@ TEST(Saturation, MovesIntoLimitsThatAResetMaySet) {
   EXPECT_EQ(drawn(D2{{-3.0, 1.0}}), (D2{{-0.25, 0.5}}));
   expect_lanes<Saturation, LimitsIo, 2>();
 }
+TEST(Tunable, ParametersStayUntilTheyAreSetAgain) {
+  Ticking<Gain, TunedGainIo<double>> gain;
+  EXPECT_EQ(gain(D2{{1.0, 2.0}}), (D2{{3.0, -1.0}}));  // as configured
+  gain.node.tune({V<float, 2>{{2.0F, 0.5F}}});
+  EXPECT_EQ(gain(D2{{1.0, 2.0}}), (D2{{2.0, 1.0}}));
+  gain.node.tune({});
+  gain.reset();
+  EXPECT_EQ(gain(D2{{1.0, 2.0}}), (D2{{2.0, 1.0}}));
+  gain.reset({V<float, 2>{{4.0F, 0.5F}}});
+  EXPECT_EQ(gain(D2{{1.0, 2.0}}), (D2{{4.0, 1.0}}));
+  static_assert(sizeof(Gain<GainIo<double>>) == 1, "a constant takes no memory");
+
+  Ticking<Saturation, DrawnLimitsIo<double>> limits;
+  limits.node.tune({V<float>{{-0.25F}}, std::nullopt});
+  EXPECT_EQ(limits(D2{{-3.0, 1.0}}), (D2{{-0.25, 0.5}}));
+}
 TEST(DeadZone, IsWhatIsBeyond) {
   Ticking<DeadZone, LimitsIo<double>> zone;
   EXPECT_EQ(zone(D2{{-3.0, 1.0}}), (D2{{-2.0, 0.5}}));

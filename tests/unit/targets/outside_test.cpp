@@ -83,7 +83,9 @@ TEST(OutsideProtocol, EachRequestHasItsSize) {
   EXPECT_FALSE(problem(3, 16 + 16));
   EXPECT_TRUE(problem(3, 16));
   EXPECT_TRUE(problem(0, 16));
+  EXPECT_FALSE(problem(8, 16 + 12));
   EXPECT_TRUE(problem(8, 16));
+  EXPECT_TRUE(problem(9, 16));
   for (const std::uint32_t ask : {1U, 4U, 5U, 6U, 7U}) {
     EXPECT_FALSE(problem(ask, 16)) << ask;
     EXPECT_TRUE(problem(ask, 17)) << ask;
@@ -194,6 +196,34 @@ TEST_F(Outside, AnswersQuestionsAndRefusesWhatIsNone) {
   EXPECT_EQ(answer(&text).said, Said::piece);
   EXPECT_NE(text.find(R"("task": {"terms": ["effort"]})"), std::string::npos) << text;
   EXPECT_NE(agent.problem().find("its row of actions has another size"), std::string::npos);
+}
+
+TEST_F(Outside, ParametersAreThoseOfTheNextStep) {
+  OutsideAgent agent(options, fields, program, true);
+  ASSERT_EQ(agent.open(), "");
+  std::string text;
+  ask(Ask::tune, {1.0F, 2.0F, kNone});  // at, delay
+  ask(Ask::reset, kDrawn);
+  ASSERT_TRUE(agent.go_on());
+  EXPECT_EQ(answer(&text).said, Said::problem);
+  EXPECT_NE(text.find("no episode has begun"), std::string::npos) << text;
+  agent.reset(0);
+  ask(Ask::tune, {kNone, kNone, 0.1F});
+  ask(Ask::tune, {1.0F, kNone, kNone});
+  ask(Ask::tune, {1.0F, 2.0F, kNone});
+  ask(Ask::step, kAction);
+  ASSERT_TRUE(agent.go_on());
+  EXPECT_EQ(answer().said, Said::observation);
+  EXPECT_EQ(answer(&text).said, Said::problem);
+  EXPECT_EQ(text, "`delay` can be set at a reset, not while an episode runs");
+  EXPECT_EQ(answer(&text).said, Said::problem);
+  EXPECT_NE(text.find("set all of its elements, or none"), std::string::npos) << text;
+  EXPECT_EQ(answer().said, Said::number);
+  const StateMemory states(fields.states);
+  ASSERT_TRUE(agent.apply_parameters(states.row()));
+  EXPECT_FALSE(states.row().has_value[0]);
+  EXPECT_EQ(static_cast<const float*>(states.row().messages[1])[1], 2.0F);
+  EXPECT_FALSE(agent.apply_parameters(states.row()));
 }
 
 TEST_F(Outside, AnAgentThatIsGoneInAnEpisodeLeavesSomething) {

@@ -18,7 +18,7 @@ from .library import VERSION, Environments, Library
 
 __all__ = ["VERSION", "Environments", "Error", "Library", "RewardNotFinite", "load", "make", "make_vec_env"]
 
-_BUILDING = ("engine", "paths", "progress")
+_BUILDING = ("engine", "paths", "progress", "variant")
 _IN_REAL_TIME = ("publish", "publish_only", "publish_rate", "trace", "variables")
 
 
@@ -43,24 +43,28 @@ def _say_stepping(made, progress=True, **_building):
 
 def _with_program(start, graph, building):
     """What `start` makes of the path of a graph's program; of a program that is built already, itself."""
-    graph, paths = checked(graph, building.get("engine"), building.get("paths", ()))
+    engine, variant = building.get("engine"), building.get("variant")
+    graph, paths = checked(graph, engine, building.get("paths", ()), variant)
     if is_program(graph):
+        if variant is not None:
+            raise ValueError("variant: a program is built already; give the graph's file")
         return start(graph)
-    return build.build(graph, building.get("engine"), paths, building.get("progress", True), target="linux-sim", ending=".program",
+    return build.build(graph, engine, paths, building.get("progress", True), variant, target="linux-sim", ending=".program",
                        opened=lambda path: start(str(path)))
 
 
 def _is_real(graph, building):
     if isinstance(graph, Library):
         return False
-    graph, paths = checked(graph, building.get("engine"), building.get("paths", ()))
-    return is_program(graph) or not graph.endswith(".so") and moves_hardware(graph, building.get("engine"), paths)
+    engine, variant = building.get("engine"), building.get("variant")
+    graph, paths = checked(graph, engine, building.get("paths", ()), variant)
+    return is_program(graph) or not graph.endswith(".so") and moves_hardware(graph, engine, paths, variant)
 
 
 def make(graph, num_envs=None, *, real_time_factor=None, **keywords):
     """An `Env` (num_envs=None) or a `VectorEnv` of a graph's file, or of a library that is built already (`*.so`).
 
-    `engine`, `paths` and `progress` are those of load(); all others go to Env or VectorEnv. Unless `progress` is False, a
+    `engine`, `paths`, `progress` and `variant` are those of load(); all others go to Env or VectorEnv. Unless `progress` is False, a
     line on the standard error says whether environments step in packs, and if not, why.
 
     real_time_factor  a `RealTimeEnv`, which goes on by the clock: so many simulated seconds a second. With an engine of

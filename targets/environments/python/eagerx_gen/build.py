@@ -113,9 +113,10 @@ def made_in(folder, lock, command, progress, ending):
     return library
 
 
-def options_of(engine, paths):
+def options_of(engine, paths, variant=None):
     """Of eagerx-gen."""
     options = ["--engine", engine] if engine else []
+    options += ["--variant", variant] if variant else []
     for path in paths:
         options += ["--path", str(pathlib.Path(path).resolve())]
     return options
@@ -129,9 +130,9 @@ def is_program(path):
         return file.read(4).startswith((b"\x7fELF", b"#!"))
 
 
-def moves_hardware(graph, engine, paths):
+def moves_hardware(graph, engine, paths, variant=None):
     """Whether the engine of a graph's file is one of real hardware. False, too, if it cannot be read: its build says why."""
-    command = [eagerx_gen(), "info", graph, "--json", *options_of(engine, paths)]
+    command = [eagerx_gen(), "info", graph, "--json", *options_of(engine, paths, variant)]
     with started(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace") as process:
         said = process.communicate()[0]
     try:
@@ -140,7 +141,7 @@ def moves_hardware(graph, engine, paths):
         return False
 
 
-def build(graph, engine=None, paths=(), progress=True, *, target="environments", ending=".so", opened=Library):
+def build(graph, engine=None, paths=(), progress=True, variant=None, *, target="environments", ending=".so", opened=Library):
     """The Library of a graph's file. Only what has changed since the last time is made: of graph, entities, eagerx-gen.
 
     For another target: what `opened` makes of the path, which ends with `ending`.
@@ -149,7 +150,7 @@ def build(graph, engine=None, paths=(), progress=True, *, target="environments",
     if not graph.is_file():
         raise Error(f"there is no file {graph}")
     program = eagerx_gen()
-    options = ["--target", target, *options_of(engine, paths)]
+    options = ["--target", target, *options_of(engine, paths, variant)]
     with started([program, "--version"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, errors="replace") as process:
         version = process.communicate()[0]
     key = hashlib.sha256("\0".join([str(graph), version, os.path.realpath(program), *options]).encode(errors="surrogateescape")).hexdigest()[:16]
@@ -164,24 +165,30 @@ def build(graph, engine=None, paths=(), progress=True, *, target="environments",
                     "variable EAGERX_GEN_CACHE") from problem
 
 
-def checked(graph, engine, paths):
+def checked(graph, engine, paths, variant=None):
     """Path of the graph, and folders, as texts."""
     graph = os.fsdecode(checks.path("the graph", graph))
-    if engine is not None and not (isinstance(engine, str) and "\0" not in engine):
-        raise ValueError(f"engine is {reprlib.repr(engine)}, no name of an engine")
+    for what, name in (("an engine", engine), ("a variant", variant)):
+        if name is not None and not (isinstance(name, str) and "\0" not in name):
+            raise ValueError(f"{what[2:].strip()} is {reprlib.repr(name)}, no name of {what}")
     if isinstance(paths, (str, bytes, os.PathLike)) or not hasattr(paths, "__iter__"):
         raise ValueError(f"paths is {reprlib.repr(paths)}, no list of folders")
     return graph, [os.fsdecode(checks.path("a folder of `paths`", path)) for path in paths]
 
 
-def load(graph, engine=None, paths=(), progress=True):
+def load(graph, engine=None, paths=(), progress=True, variant=None):
     """The Library of a graph's file, or of one that is built already (`*.so`).
 
     engine    in place of the graph's
     paths     folders of entities of one's own, as `eagerx-gen --path`
     progress  whether eagerx-gen tells on the standard error how far it is
+    variant   of the graph's `variants:`
     """
     if isinstance(graph, Library):
         return graph
-    graph, paths = checked(graph, engine, paths)
-    return Library(graph) if graph.endswith(".so") else build(graph, engine, paths, progress)
+    graph, paths = checked(graph, engine, paths, variant)
+    if not graph.endswith(".so"):
+        return build(graph, engine, paths, progress, variant)
+    if variant is not None:
+        raise ValueError("variant: a library is built already; give the graph's file")
+    return Library(graph)

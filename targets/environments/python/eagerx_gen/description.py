@@ -1,6 +1,7 @@
 """What a library or a program says of its graph."""
 from __future__ import annotations
 
+import difflib
 import reprlib
 
 import numpy as np
@@ -73,10 +74,10 @@ class Described:
             raise ValueError(f"render_mode is {render_mode!r}; for {self.description['graph']} it is {known}")
 
 
-def states_row(library, states, count):
+def states_row(library, states, count, what="states"):
     """[count, numbers of states] of {name: value or [count, ...]}; NaN for what is not named."""
     if not hasattr(states, "items"):
-        raise ValueError(f"states is {reprlib.repr(states)}, not a dict")
+        raise ValueError(f"{what} is {reprlib.repr(states)}, not a dict")
     known = {field.name: field for field in library.states}
     row = np.full((count, library._sizes["states"]), np.nan, np.float32)
     for name, value in states.items():
@@ -90,6 +91,20 @@ def states_row(library, states, count):
         except ValueError:
             raise ValueError(f"{name!r} has shape {array.shape}, not {field.shape} or {(count, *field.shape)}") from None
     return row
+
+
+def tuning_row(library, parameters, count):
+    """The same of what is set while an episode runs. ValueError for what can be set at resets only."""
+    tunable = library.description["tunable"]
+    can = f"what can be set while an episode runs: {', '.join(tunable) or 'nothing of this graph'}"
+    states = {field.name for field in library.states}
+    for name in parameters if hasattr(parameters, "items") else ():
+        if name in states and name not in tunable:
+            raise ValueError(f"{name!r} can be set at a reset, not while an episode runs; {can}")
+        if name not in states:
+            near = difflib.get_close_matches(str(name), tunable, 1)
+            raise ValueError(f"there is no parameter {reprlib.repr(name)}; {f'did you mean {near[0]!r}? ' if near else ''}{can}")
+    return states_row(library, parameters, count, "parameters")
 
 
 def picture_size(size):

@@ -26,7 +26,8 @@ class Env(checks.Single, gymnasium.Env):
     render_mode        "rgb_array" where the graph has `render:`: render() gives uint8 [height, width, 3]
     render_size        (width, height) of it, in pixels
 
-    reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws. Without `task:` in the graph rewards
+    reset(options={"states": {"pendulum.mass": 0.03}}) sets states in place of draws, and set({"controller.kp": 3.0})
+    tunable parameters between two steps. Without `task:` in the graph rewards
     are 0. info of a step has `success` and the weighted `terms` of the reward, where the graph has a task.
     """
 
@@ -64,6 +65,13 @@ class Env(checks.Single, gymnasium.Env):
         self.environments.reset(seeds=None if seed is None else [seed])
         self._begun, self._ended = True, False
         return self._observation(), {}
+
+    def set(self, parameters):
+        """Sets tunable parameters between two steps: {"controller.kp": 3.0}. They stay until they are set again."""
+        self.environments.check_open()
+        if not self._begun:
+            raise Error("nothing has begun: reset(options={'states': …}) sets parameters before the first step")
+        self.environments.set(parameters)
 
     def step(self, action):
         self.environments.check_open()

@@ -99,6 +99,16 @@ class VectorEnv(checks.Single, _vector.VectorEnv):
             raise ValueError(f"reset_mask is {reprlib.repr(mask)}, not an array of {self.num_envs} bool with one that is True")
         return mask
 
+    def set(self, parameters, mask=None):
+        """Sets tunable parameters between two steps: {"controller.kp": 3.0, or [num_envs, ...]}, where `mask` [num_envs] is true.
+
+        They stay until they are set again.
+        """
+        self.environments.check_open()
+        if not self._begun.all():
+            raise Error("not all environments have begun: reset(options={'states': …}) sets parameters before the first step")
+        self.environments.set(parameters, mask)
+
     def step(self, actions):
         rows, mode = self.environments, self.environments.autoreset
         if mode == "disabled" and is_any(self._ended):

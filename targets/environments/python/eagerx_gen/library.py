@@ -12,10 +12,10 @@ from ctypes import c_char_p, c_int, c_uint32, c_uint64, c_void_p
 import numpy as np
 
 from . import checks
-from .description import Described, picture_size, states_row
+from .description import Described, picture_size, states_row, tuning_row
 from .errors import Error, RewardNotFinite
 
-VERSION = 3
+VERSION = 4
 """Of the C interface."""
 
 MOST = 1_000_000
@@ -45,6 +45,7 @@ _FUNCTIONS = {
     "eagerx_reset": (c_int, [c_void_p] * 4),
     "eagerx_step": (c_int, [c_void_p] * 3),
     "eagerx_set_states": (c_int, [c_void_p] * 3),
+    "eagerx_tune": (c_int, [c_void_p] * 3),
     "eagerx_get_states": (c_int, [c_void_p] * 2),
     "eagerx_trace": (c_int, [c_void_p, c_uint32, c_char_p]),
     "eagerx_hash": (c_uint64, [c_void_p, c_uint32]),
@@ -229,6 +230,13 @@ class Environments(checks.Single):
         row = states_row(self._library, states, self._count)
         mask = checks.mask(mask, self._count)
         if self._call(self._library.c.eagerx_set_states, None if mask is None else mask.ctypes.data, row.ctypes.data) != 0:
+            self._fail()
+
+    def set(self, parameters, mask=None):
+        """Sets tunable parameters while episodes run, before the next step: {name: value or [count, ...]}."""
+        row = tuning_row(self._library, parameters, self._count)
+        mask = checks.mask(mask, self._count)
+        if self._call(self._library.c.eagerx_tune, None if mask is None else mask.ctypes.data, row.ctypes.data) != 0:
             self._fail()
 
     def states(self):

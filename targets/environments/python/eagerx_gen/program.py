@@ -16,13 +16,13 @@ import weakref
 import numpy as np
 
 from . import checks
-from .description import Described, picture_size, states_row
+from .description import Described, picture_size, states_row, tuning_row
 from .errors import Error, RewardNotFinite
 
-VERSION = 1
+VERSION = 2
 """Of the protocol."""
 
-_DESCRIBE, _RESET, _STEP, _COUNTS, _HASH, _PICTURE, _CLOSE = range(1, 8)
+_DESCRIBE, _RESET, _STEP, _COUNTS, _HASH, _PICTURE, _CLOSE, _TUNE = range(1, 9)
 _PROBLEM, _PIECE, _NUMBER, _OBSERVATION = range(1, 5)
 _TERMINATED, _TRUNCATED, _SUCCESS = 1, 2, 4
 _REQUEST = struct.Struct("=IIQ")
@@ -220,6 +220,11 @@ class RunningProgram(checks.Single):
         """The states of the next episode: {name: value}; what is not named is drawn."""
         self.check_open()
         self._states = states_row(self.library, states, 1)[0]
+
+    def set(self, parameters, mask=None):
+        """Sets tunable parameters before the next step: {name: value}."""
+        self.check_open()
+        self._ask(_TUNE, row=tuning_row(self.library, parameters, 1)[0].tobytes())
 
     def counts(self):
         """What guards, engine and nodes have counted: {"safe: times": 1}."""
