@@ -82,13 +82,14 @@ bool read_own_graph(Run& run, const Options& options, Reading reading) {
   load_library_for(
       run, options, library_folders(run.tree, options.graph),
       reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
-  FlatGraph flat{run.tree, GraphForm::written};
+  FlatGraph flat{run.tree, GraphForm::written, {}};
   if (run.diagnostics.error_count() == errors_before)
     flat = compose(run.tree, run.library, run.sources, run.diagnostics);
   const bool composed = run.diagnostics.error_count() == errors_before;
   run.spec = read_graph_spec(flat.root, options.graph, run.diagnostics, flat.form);
   run.flat = std::move(flat.root);
   if (run.spec) {
+    run.spec->composites = std::move(flat.composites);
     if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
     if (options.engine_rate_hz && run.spec->has_engine())
       run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();

@@ -39,9 +39,9 @@ class Composer {
       : root_(root), library_(library), sources_(sources), diagnostics_(diagnostics) {}
 
   FlatGraph run() {
-    if (!root_.is_map()) return {root_, GraphForm::written};
+    if (!root_.is_map()) return {root_, GraphForm::written, {}};
     expand(root_, {});
-    if (!changed_) return {root_, GraphForm::written};
+    if (!changed_) return {root_, GraphForm::written, {}};
     YamlValue flat = root_;
     replace(flat, "objects", std::move(objects_));
     replace(flat, "nodes", std::move(nodes_));
@@ -49,7 +49,7 @@ class Composer {
     if (list != flat.entries.end() && list->value.is_sequence())
       list->value.items = std::move(connections_);
     rename_ports(flat, inner_.ends, counter({}), diagnostics_);
-    return {std::move(flat), GraphForm::flat};
+    return {std::move(flat), GraphForm::flat, std::move(composites_)};
   }
 
  private:
@@ -178,6 +178,8 @@ class Composer {
     expand(*inside.find("graph"), scope);
     bind(inside, written, receiving, scope, ports);
     bind_sources(inside, sending, scope, ports);
+    composites_.push_back(
+        shown_composite(full, entry.key_span, entity, written.find("rate"), ports));
     inner_.entity_of.erase(full);
     inner_.ends.add(full, std::move(ports));
   }
@@ -395,6 +397,7 @@ class Composer {
   Diagnostics& diagnostics_;
   std::vector<YamlValue::Entry> objects_, nodes_;
   std::vector<YamlValue> connections_;
+  std::vector<CompositeSpec> composites_;
   std::map<std::string, std::int64_t> counts_;  // of arrays, by their full names
   InnerPorts inner_;
   std::size_t entities_ = 0;

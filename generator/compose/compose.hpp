@@ -10,6 +10,7 @@ namespace eagerx::gen {
 struct FlatGraph {
   YamlValue root;
   GraphForm form = GraphForm::written;  // flat: something was composed
+  std::vector<CompositeSpec> composites;
 };
 
 /// The flat graph. Inner names are `arm/position`, those of arrays `leg[0]`. Problems: E0390 a

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "generator/read/tree.hpp"
+#include "generator/library/library.hpp"
 #include "generator/spec/settings.hpp"
 
 namespace eagerx::gen {
@@ -42,6 +42,10 @@ class Ends {
  private:
   std::map<std::string, CompositePorts> composites_;
 };
+
+/// What pictures show of the composite `name`, with its ports in the order of its manifest.
+CompositeSpec shown_composite(const std::string& name, Span span, const Entity& entity,
+                              const YamlValue* rate, const CompositePorts& ports);
 
 /// `connection` between two ports inside: with the settings of both ends, of which what the
 /// connection itself says comes first.
