@@ -52,7 +52,7 @@ Json drawing_json(const Drawing& drawing) {
   for (std::size_t b = 0; b < drawing.boxes.size(); ++b) {
     const Box& box = drawing.boxes[b];
     const PlacedBox& place = layout.boxes[b];
-    json["boxes"].push_back(Json{{"kind", name_of(box.kind)},
+    Json placed{{"kind", name_of(box.kind)},
                                  {"name", box.name},
                                  {"title", shown(box.name)},
                                  {"subtitle", shown(box.subtitle)},
@@ -64,11 +64,12 @@ Json drawing_json(const Drawing& drawing) {
                                  {"node", number(box.node)},
                                  {"object", number(box.object)},
                                  {"inputs", ports_json(box.inputs, place.input_y)},
-                                 {"outputs", ports_json(box.outputs, place.output_y)}});
-    if (box.inside == nullptr) continue;
-    Json& composite = json["boxes"].as<Json::List>()->back();
-    composite["composite"] = box.full_name;
-    composite["inside"] = drawing_json(*box.inside);
+                                 {"outputs", ports_json(box.outputs, place.output_y)}};
+    if (box.inside != nullptr) {
+      placed["composite"] = box.full_name;
+      placed["inside"] = drawing_json(*box.inside);
+    }
+    json["boxes"].push_back(std::move(placed));
   }
   for (std::size_t w = 0; w < drawing.wires.size(); ++w) {
     const Wire& wire = drawing.wires[w];

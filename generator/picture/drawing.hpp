@@ -66,7 +66,7 @@ struct Wire {
 };
 
 /// A composite: boxes that are drawn in a frame, or as one.
-struct Group {
+struct PictureGroup {
   Box box;                            // as one
   std::optional<std::size_t> around;  // the group that it is in
   /// For a port of a box inside, as `box.port`, the number of the port that stands for it.
@@ -79,7 +79,7 @@ struct Drawing {
   std::string title;
   std::vector<Box> boxes;
   std::vector<Wire> wires;
-  std::vector<Group> groups;  // of a drawing that is not nested
+  std::vector<PictureGroup> groups;  // of a drawing that is not nested
 };
 
 /// All boxes and wires beside each other; each box says in which group it is.
