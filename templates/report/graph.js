@@ -177,9 +177,16 @@ function reopen(opened, still) {
     graphView.x += (before.x - after.x) * graphView.zoom;
     graphView.y += (before.y - after.y) * graphView.zoom;
     place();
+    if (after.open && !isWithinWindow(after)) frame([after]);
   } else
     beginGraph();
-  markGraph();
+  select(state.selected);
+}
+
+function isWithinWindow(box) {
+  const {zoom, x, y} = graphView, place = graphSvg.getBoundingClientRect();
+  const left = x + box.x * zoom, top = y + box.y * zoom;
+  return left >= 0 && top >= 0 && left + box.width * zoom <= place.width && top + box.height * zoom <= place.height;
 }
 
 function toggle(composite) {
@@ -266,6 +273,13 @@ function markGraph() {
       if (wire.from === b || wire.to === b) withEnds(w);
     });
   }
+  // Frames around what is marked, and what is in a chosen one.
+  drawing.boxes.forEach((box, b) => {
+    for (let frame = box.around; frame !== undefined; frame = drawing.boxes[frame].around) {
+      if (boxes.has(b)) boxes.add(frame);
+      if (chosen.has(frame)) boxes.add(b);
+    }
+  });
   graphSvg.classList.toggle("marked", boxes.size > 0 && !boxes.has(-1));
   drawing.boxElements.forEach((element, i) => {
     element.classList.toggle("on", boxes.has(i));

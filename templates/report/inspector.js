@@ -153,7 +153,9 @@ function showObject(number) {
 
 function showComposite(number) {
   const composite = data.composites[number];
-  const isInside = ({name}) => name.startsWith(composite.name + "/");
+  const isIn = ({name}, other) => name.startsWith(other.name + "/");
+  const others = data.composites.filter((other) => isIn(other, composite));
+  const isInside = (part) => isIn(part, composite) && !others.some((other) => isIn(part, other));
   const open = graphView.opened.has(composite.name);
   const link = (name, selected) => button(name.slice(composite.name.length + 1), () => select(selected), {className: "plain"});
   return [
@@ -170,7 +172,10 @@ function showComposite(number) {
          select({composite: number});
        })),
     el("h3", {}, "Inside"),
-    el("ul.ports", {}, data.objects.map((object, i) => (isInside(object) ? el("li", {}, link(object.name, {object: i}), el("small", {}, ` ${object.type}`)) : null)),
+    el("ul.ports", {},
+       [["composite", data.composites], ["object", data.objects]].map(
+           ([kind, parts]) => parts.map(
+               (part, i) => (isInside(part) ? el("li", {}, link(part.name, {[kind]: i}), el("small", {}, ` ${part.type}`)) : null))),
        nodes.filter((node) => isInside(node) && node.object === null)
            .map((node) => el("li", {}, link(node.name, {node: node.number}), el("small", {}, ` ${node.type}, ${node.rate} Hz`)))),
   ];

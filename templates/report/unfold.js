@@ -102,7 +102,7 @@ function unfold(drawing, opened) {
     const number = (box) => (box < 2 ? around : box + base);
     for (const wire of part.wires) {
       const points = wire.points.map(([x, y]) => [x + frame.x, y + frame.y]);
-      if (wire.to === 1) points[points.length - 1][0] = frame.x + frame.width;
+      if (wire.to === 1) points[points.length - 1][0] += frame.width - part.width;
       result.wires.push({...wire, from: number(wire.from), to: number(wire.to), points});
     }
   }
