@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,7 @@ struct Sink {
 struct CompositePorts {
   std::map<std::string, std::vector<Sink>> sinks;
   std::map<std::string, std::string> sources;
+  std::set<std::string, std::less<>> broken;  // those that send, and what is wrong has been said
 };
 
 class Ends {

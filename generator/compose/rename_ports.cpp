@@ -42,24 +42,10 @@ void name_channels(YamlValue& channels, const Ends& ends, const CountOf& count_o
   channels.items = std::move(named);
 }
 
-/// A composite or an array is placed with all that is in it.
-void place_all(YamlValue& placement, const YamlValue& nodes) {
-  std::vector<YamlValue::Entry> placed;
-  for (const auto& entry : placement.entries) {
-    const std::size_t before = placed.size();
-    for (const auto& [node, span, settings] : nodes.entries)
-      if (node.starts_with(entry.key + "/") || node.starts_with(entry.key + "["))
-        placed.push_back({node, entry.key_span, entry.value});
-    if (placed.size() == before) placed.push_back(entry);
-  }
-  placement.entries = std::move(placed);
-}
-
 }  // namespace
 
 void rename_ports(YamlValue& root, const Ends& ends, const CountOf& count_of,
                   Diagnostics& diagnostics) {
-  const YamlValue* nodes = root.find("nodes");
   const auto source = [&ends](YamlValue& port) {
     if (port.is_scalar()) port.text = ends.source(port.text);
   };
@@ -84,7 +70,6 @@ void rename_ports(YamlValue& root, const Ends& ends, const CountOf& count_of,
         for (auto& actuator : actuators.entries)
           actuator.key = ends.sinks(actuator.key).front().port;
       });
-    if (entry.key == "placement" && nodes != nullptr) place_all(entry.value, *nodes);
     if (entry.key == "telemetry")
       with(entry.value, "channels",
            [&](YamlValue& channels) { name_channels(channels, ends, count_of, diagnostics); });

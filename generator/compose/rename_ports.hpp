@@ -6,9 +6,8 @@
 
 namespace eagerx::gen {
 
-/// `task:`, `render:`, `budget:`, `safety:`, `placement:`, `telemetry:` and `like:` of a graph
-/// whose nodes and connections are flat: ports of composites become those inside, and a composite
-/// or an array is placed with all that is in it. Problems: those of indexed_ports().
+/// `task:`, `render:`, `budget:`, `safety:`, `telemetry:` and `like:` of a graph whose nodes and
+/// connections are flat: ports of composites become those inside. Problems: those of indexed_ports().
 void rename_ports(YamlValue& root, const Ends& ends, const CountOf& count_of,
                   Diagnostics& diagnostics);
 

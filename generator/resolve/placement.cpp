@@ -71,11 +71,13 @@ class Placer {
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       if (nodes[n].node.role != NodeRole::node || draft_.is_added(n)) continue;
       known.push_back(nodes[n].node.name);
+      known.push_back(known.back().substr(0, known.back().find_first_of("/[")));
       // A node that is called so comes before the word.
       if (nodes[n].node.name != name) continue;
       placement_.on_board[n] = true;
       return;
     }
+    if (place_inside(name)) return;
     if (name == "agent" || name == "controller") {
       placement_.on_board[Graph::kEnvironment] = true;
       for (std::size_t n = 0; name == "controller" && n < nodes.size(); ++n)
@@ -92,6 +94,24 @@ class Placer {
     }
     draft_.diagnostics.error("E0307", item.name.span, fmt::format("there is no node `{}`", name))
         .help = suggestion(name, known, "");
+  }
+
+  /// All that is in a composite, or all elements of an array, `leg` or `leg[*]`; with what compose/
+  /// adds for their inputs, `mux/leg[2]/…`.
+  bool place_inside(std::string_view name) {
+    constexpr std::string_view kAll = "[*]", kAdded = "mux/";
+    if (name.ends_with(kAll)) name.remove_suffix(kAll.size());
+    bool found = false;
+    for (std::size_t n = 0; n < draft_.nodes.size(); ++n) {
+      if (draft_.nodes[n].node.role != NodeRole::node || draft_.is_added(n)) continue;
+      std::string_view inner = draft_.nodes[n].node.name;
+      if (inner.starts_with(kAdded)) inner.remove_prefix(kAdded.size());
+      if (!inner.starts_with(name) || inner.size() == name.size()) continue;
+      if (inner[name.size()] != '/' && inner[name.size()] != '[') continue;
+      placement_.on_board[n] = true;
+      found = true;
+    }
+    return found;
   }
 
   Draft& draft_;
