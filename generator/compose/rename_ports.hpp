@@ -7,7 +7,8 @@
 namespace eagerx::gen {
 
 /// `task:`, `render:`, `budget:`, `safety:`, `telemetry:` and `like:` of a graph whose nodes and
-/// connections are flat: ports of composites become those inside. Problems: those of indexed_ports().
+/// connections are flat: ports of composites become those inside. Problems: those of
+/// indexed_ports().
 void rename_ports(YamlValue& root, const Ends& ends, const CountOf& count_of,
                   Diagnostics& diagnostics);
 

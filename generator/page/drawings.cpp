@@ -53,18 +53,18 @@ Json drawing_json(const Drawing& drawing) {
     const Box& box = drawing.boxes[b];
     const PlacedBox& place = layout.boxes[b];
     Json placed{{"kind", name_of(box.kind)},
-                                 {"name", box.name},
-                                 {"title", shown(box.name)},
-                                 {"subtitle", shown(box.subtitle)},
-                                 {"about", box.about},
-                                 {"x", place.corner.x},
-                                 {"y", place.corner.y},
-                                 {"width", place.width},
-                                 {"height", place.height},
-                                 {"node", number(box.node)},
-                                 {"object", number(box.object)},
-                                 {"inputs", ports_json(box.inputs, place.input_y)},
-                                 {"outputs", ports_json(box.outputs, place.output_y)}};
+                {"name", box.name},
+                {"title", shown(box.name)},
+                {"subtitle", shown(box.subtitle)},
+                {"about", box.about},
+                {"x", place.corner.x},
+                {"y", place.corner.y},
+                {"width", place.width},
+                {"height", place.height},
+                {"node", number(box.node)},
+                {"object", number(box.object)},
+                {"inputs", ports_json(box.inputs, place.input_y)},
+                {"outputs", ports_json(box.outputs, place.output_y)}};
     if (box.inside != nullptr) {
       placed["composite"] = box.full_name;
       placed["inside"] = drawing_json(*box.inside);

@@ -46,7 +46,7 @@ struct Box {
   std::string about;     // the summary of its manifest
   std::vector<PicturePort> inputs, outputs;
   std::optional<std::size_t> node = {}, object = {};  // of the graph; `actions` is node 0, too
-  std::optional<std::size_t> group = {};  // that it is in
+  std::optional<std::size_t> group = {};              // that it is in
   /// Of a composite: what is in it. Its ends are its boxes 0 (entry) and 1 (exit).
   std::shared_ptr<const Drawing> inside = {};
   std::string full_name = {};  // where `name` is that within a composite

@@ -181,10 +181,10 @@ class Nester {
 
   const Drawing& flat_;
   std::vector<PictureGroup> groups_;
-  std::vector<Drawing> drawings_;       // the outermost, then of each group
-  std::vector<std::size_t> of_box_;     // of each flat box, its number where it is
-  std::vector<std::size_t> of_group_;   // of each group, the same
-  std::vector<bool> is_placed_;         // groups with boxes in them
+  std::vector<Drawing> drawings_;      // the outermost, then of each group
+  std::vector<std::size_t> of_box_;    // of each flat box, its number where it is
+  std::vector<std::size_t> of_group_;  // of each group, the same
+  std::vector<bool> is_placed_;        // groups with boxes in them
   std::map<std::array<std::size_t, 5>, std::size_t> known_;  // wires, by their ends
 };
 

@@ -114,7 +114,8 @@ Layers layers_of(const Drawing& drawing) {
   }
   if (within) {
     const auto is_last = [&](std::size_t layer) { return layer == result.count - 1; };
-    const auto shared = std::ranges::count_if(result.layer.begin() + 2, result.layer.end(), is_last);
+    const auto shared =
+        std::ranges::count_if(result.layer.begin() + 2, result.layer.end(), is_last);
     result.count += shared > 0 ? 1 : 0;
     result.layer[1] = result.count - 1;
   }

@@ -49,6 +49,7 @@ PlacedBox measure(const Box& box) {
     placed.width = std::max(placed.width, left + right + 2 * padding);
     y += height;
   }
+  if (box.inside != nullptr) placed.width += 2 * padding;  // for the sign that opens it
   placed.width += 2 * padding;
   placed.height = y + padding / 2;
   return placed;
@@ -69,8 +70,8 @@ void widen(const Drawing& drawing, Layout& layout, std::int64_t width) {
 PlacedBox measure_open(const Box& box) {
   PlacedBox placed;
   Layout inside = layout_of(*box.inside, Composites::open);
-  placed.width = std::max(inside.width, std::max(width_of(box.name, 9), width_of(box.subtitle, 7)) +
-                                            2 * padding);
+  placed.width = std::max(inside.width,
+                          std::max(width_of(box.name, 9), width_of(box.subtitle, 7)) + 2 * padding);
   placed.height = inside.height;
   for (const std::int64_t y : inside.boxes[0].output_y)
     placed.input_y.push_back(inside.boxes[0].corner.y + y);

@@ -122,10 +122,10 @@ std::string box_text(const Box& box, const PlacedBox& placed, Point origin) {
   std::string text = "<g>";
   if (!box.about.empty())
     text += fmt::format("<title>{}</title>", xml_text(box.name + ": " + box.about));
-  text += fmt::format(
-      "<rect class=\"{}{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>",
-      placed.inside.empty() ? "" : "frame ", look_of(box.kind).name, corner.x, corner.y,
-      placed.width, placed.height);
+  text +=
+      fmt::format("<rect class=\"{}{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>",
+                  placed.inside.empty() ? "" : "frame ", look_of(box.kind).name, corner.x, corner.y,
+                  placed.width, placed.height);
   text += fmt::format(
       "<text class=\"name\" x=\"{0}\" y=\"{1}\">{2}</text>"
       "<text class=\"type\" x=\"{0}\" y=\"{3}\">{4}</text>",

@@ -31,15 +31,17 @@ function signOf(box) {
   const x = box.x + box.width - 24, y = box.y + 8;
   return svg(
       "g", {class: "sign"}, svg("title", {}, box.open ? "Close (Enter)" : "Open (Enter)"),
-      svg("rect", {x, y, width: 16, height: 16, rx: 4}), svg("path", {d: `M${x + 4} ${y + 8}h8` + (box.open ? "" : "m-4 -4v8")}));
+      svg("rect", {x, y, width: 16, height: 16, rx: 4}),
+      svg("path", {d: `M${x + 4} ${y + 8}h8` + (box.open ? "" : "m-4 -4v8")}));
 }
 
 function boxElement(box) {
-  const group = svg(
-      "g", {class: "box " + box.kind + (box.inside ? " composite" : "") + (box.open ? " open" : "")}, svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
-      svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
-      svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle), portTexts(box, box.inputs, false),
-      portTexts(box, box.outputs, true), box.inside ? signOf(box) : null);
+  const group =
+      svg("g", {class: "box " + box.kind + (box.inside ? " composite" : "") + (box.open ? " open" : "")},
+          svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
+          svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
+          svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle), portTexts(box, box.inputs, false),
+          portTexts(box, box.outputs, true), box.inside ? signOf(box) : null);
   if (box.about) group.append(svg("title", {}, `${box.name}: ${box.about}`));
   return group;
 }
@@ -47,9 +49,8 @@ function boxElement(box) {
 function wireElement(wire) {
   const [x, y] = wire.points[wire.points.length - 1], d = pathOf(wire.points, wire.backwards);
   return svg(
-      "g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about),
-      svg("path", {class: "near", d}), svg("path", {class: "line", d}),
-      svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
+      "g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about), svg("path", {class: "near", d}),
+      svg("path", {class: "line", d}), svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
 }
 
 /** Elements of a drawing; made when it is looked at first. */
@@ -213,8 +214,9 @@ function toggleAll() {
 /** Opens what the nodes or the object of `selected` are in. */
 function openTo(selected) {
   const inputs = inputsOf(selected);
-  const names = inputs ? inputs.flatMap(([node, input]) => [node, nodes[node].inputs[input].source[0]]).map((n) => nodes[n].name) :
-                         [nameOf(selected)];
+  const names = inputs ?
+      inputs.flatMap(([node, input]) => [node, nodes[node].inputs[input].source[0]]).map((n) => nodes[n].name) :
+      [nameOf(selected)];
   const inside = data.composites.filter(({name}) => names.some((other) => other.startsWith(name + "/")));
   if (inside.every(({name}) => graphView.opened.has(name))) return;
   reopen(new Set([...graphView.opened, ...inside.map(({name}) => name)]), null);
@@ -414,7 +416,8 @@ function makeGraphView(panel) {
             button("+", () => zoomGraph(1.25), {title: "Zoom in ( + )"}),
             button("Fit", fitGraph, {title: "Show all ( 0 )"})),
          data.composites.length ?
-             el("div.segment", {}, button("Open / close", toggleAll, {title: "Show what composites are made of ( o )"})) :
+             el("div.segment", {},
+                button("Open / close", toggleAll, {title: "Show what composites are made of ( o )"})) :
              null,
          el("p.legend", {},
             kinds.filter(([kind]) => used.has(kind)).map(([kind, name]) => el("span", {}, el("i." + kind), name)))),

@@ -157,7 +157,8 @@ function showComposite(number) {
   const others = data.composites.filter((other) => isIn(other, composite));
   const isInside = (part) => isIn(part, composite) && !others.some((other) => isIn(part, other));
   const open = graphView.opened.has(composite.name);
-  const link = (name, selected) => button(name.slice(composite.name.length + 1), () => select(selected), {className: "plain"});
+  const link = (name, selected) =>
+      button(name.slice(composite.name.length + 1), () => select(selected), {className: "plain"});
   return [
     el("p.kind", {}, "composite"),
     el("h2", {}, composite.name),
@@ -166,18 +167,25 @@ function showComposite(number) {
       ["type", composite.type], ["rate", composite.rate ? `${composite.rate} Hz` : null],
       ["written in", lineLink(composite.line)]
     ]),
-    el("p.actions", {}, button(open ? "Close" : "Open", () => {
-         showInGraph();
-         toggle(composite.name);
-         select({composite: number});
-       })),
+    el("p.actions", {},
+       button(
+           open ? "Close" : "Open",
+           () => {
+             showInGraph();
+             toggle(composite.name);
+             select({composite: number});
+           })),
     el("h3", {}, "Inside"),
     el("ul.ports", {},
        [["composite", data.composites], ["object", data.objects]].map(
            ([kind, parts]) => parts.map(
-               (part, i) => (isInside(part) ? el("li", {}, link(part.name, {[kind]: i}), el("small", {}, ` ${part.type}`)) : null))),
+               (part, i) =>
+                   (isInside(part) ? el("li", {}, link(part.name, {[kind]: i}), el("small", {}, ` ${part.type}`)) :
+                                     null))),
        nodes.filter((node) => isInside(node) && node.object === null)
-           .map((node) => el("li", {}, link(node.name, {node: node.number}), el("small", {}, ` ${node.type}, ${node.rate} Hz`)))),
+           .map(
+               (node) => el(
+                   "li", {}, link(node.name, {node: node.number}), el("small", {}, ` ${node.type}, ${node.rate} Hz`)))),
   ];
 }
 

@@ -144,8 +144,9 @@ function showHelp() {
     ["1 … 9", "views"], ["/", "search"], ["Escape", "nothing is selected"], ["t", "light or dark"],
     ["arrows", "graph: from box to box; timetable and plots: move"], ["Shift and arrows", "graph: move"],
     ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"],
-    ["Enter", "graph: opens a composite, or closes the one around"], ["o", "graph: all of them"], ["Space", "plots: plays the drawing"],
-    ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"], ["?", "these keys"]
+    ["Enter", "graph: opens a composite, or closes the one around"], ["o", "graph: all of them"],
+    ["Space", "plots: plays the drawing"], ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"],
+    ["?", "these keys"]
   ];
   help.replaceChildren(
       el("h2", {}, "Keys"),

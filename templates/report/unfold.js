@@ -37,7 +37,8 @@ function stretchOf(boxes) {
  * in it has it as `around`.
  */
 function unfold(drawing, opened) {
-  const inner = drawing.boxes.map((box) => (box.inside && opened.has(box.composite) ? unfold(box.inside, opened) : null));
+  const inner =
+      drawing.boxes.map((box) => (box.inside && opened.has(box.composite) ? unfold(box.inside, opened) : null));
   const sizes = drawing.boxes.map((box, i) => ({
                                     box,
                                     width: Math.max(box.width, inner[i] ? inner[i].width : 0),
@@ -76,7 +77,10 @@ function unfold(drawing, opened) {
     if (wire.backwards) {
       const [right, , left] = inside;
       const lane = right && inside[1][1] + stretch.lowest;
-      points = [[stretch.x(right[0]), begin[1]], [stretch.x(right[0]), lane], [stretch.x(left[0]), lane], [stretch.x(left[0]), end[1]]];
+      points = [
+        [stretch.x(right[0]), begin[1]], [stretch.x(right[0]), lane], [stretch.x(left[0]), lane],
+        [stretch.x(left[0]), end[1]]
+      ];
     } else {
       // Pairs of points at the left and right of a column that it passes.
       points = inside.map(([x, y], p) => [stretch.x(x), stretch.y(inside[p | 1][0], y)]);
