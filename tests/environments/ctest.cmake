@@ -23,7 +23,7 @@ foreach(graph swing multi_rate rigid pushed_box)
   endif()
   list(APPEND environments_programs ${graph} $<TARGET_FILE:environments_${graph}> ${environments_alone})
 endforeach()
-# Graphs that run in packs; `tests/environments/packs --episodes 1000 LIBRARY...` compares more of them.
+# Graphs that run in packs; `tests/environments/packs_of` compares those of every example.
 set(environments_packs $<TARGET_FILE:environments_swing>)
 foreach(graph blocks rates phases estimates classics policies)
   set(environments_graph ${CMAKE_CURRENT_LIST_DIR}/${graph}.yaml)
