@@ -97,8 +97,7 @@ def save(model, folder):
         for name in ("data", "policy.pth", "_stable_baselines3_version"):
             kept.writestr(zipfile.ZipInfo(name), whole.read(name), zipfile.ZIP_DEFLATED)
     (folder / "whole.zip").unlink()
-    graph = (HERE / "graph.yaml").read_text()
-    (folder / "fine_tuned.yaml").write_text(graph.replace("# before: PPO's", "# after: PPO's").replace("../policy_from_stable_baselines/swing_up.zip", "fine_tuned.zip"))
+    (folder / "fine_tuned.yaml").write_text((HERE / "fine_tuned.yaml").read_text())
 
 
 def write_curve(rows, folder):

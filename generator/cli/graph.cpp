@@ -10,8 +10,8 @@ namespace eagerx::gen {
 int graph_command(const Options& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
-  const Drawing drawing =
-      drawing_of(*run.graph, options.engine_graph ? GraphView::engine : GraphView::user);
+  const Drawing drawing = drawing_of(*run.graph, run.spec->composites,
+                                     options.engine_graph ? GraphView::engine : GraphView::user);
   const std::string path = options.output.empty() ? run.graph->name + ".svg" : options.output;
   const std::string text = picture_of(drawing, *picture_format_of(path));
   if (write_file(path, text, run.diagnostics) && !options.quiet)

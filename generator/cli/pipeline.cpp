@@ -90,6 +90,7 @@ bool read_own_graph(Run& run, const Options& options, Reading reading) {
   run.flat = std::move(flat.root);
   run.composites = std::move(flat.ends);
   if (run.spec) {
+    run.spec->composites = std::move(flat.composites);
     if (options.rate_hz) run.spec->rate.value = *options.rate_hz;
     if (options.engine_rate_hz && run.spec->has_engine())
       run.spec->engine.rate->value.text = options.engine_rate_hz->to_string();

@@ -49,7 +49,7 @@ class Composer {
     if (list != flat.entries.end() && list->value.is_sequence())
       list->value.items = std::move(connections_);
     rename_ports(flat, inner_.ends, counter({}), diagnostics_);
-    return {std::move(flat), GraphForm::flat, std::move(inner_.ends)};
+    return {std::move(flat), GraphForm::flat, std::move(inner_.ends), std::move(composites_)};
   }
 
  private:
@@ -175,9 +175,15 @@ class Composer {
     const char* sending = object ? "sensors" : "outputs";
     if (!knows_ports(written, entity, receiving) || !knows_ports(written, entity, sending)) return;
     if (object) take_settings_of_ports(written, inside, scope);
+    const std::size_t connections_before = connections_.size();
     expand(*inside.find("graph"), scope);
-    bind(inside, written, receiving, scope, ports);
+    Feeds feeds;
+    for (std::size_t c = connections_before; c < connections_.size(); ++c)
+      feeds.add_connection(connections_[c]);
+    bind(inside, written, receiving, scope, feeds, ports);
     bind_sources(inside, sending, scope, ports);
+    composites_.push_back(
+        shown_composite(full, entry.key_span, entity, written.find("rate"), ports));
     inner_.entity_of.erase(full);
     inner_.ends.add(full, std::move(ports));
   }
@@ -268,7 +274,7 @@ class Composer {
   }
 
   void bind(const YamlValue& inside, const YamlValue& written, const char* key, const Scope& scope,
-            CompositePorts& ports) {
+            Feeds& feeds, CompositePorts& ports) {
     const YamlValue* map = inside.find(key);
     if (map == nullptr) return;
     const YamlValue* chosen = written.find(key);
@@ -279,6 +285,7 @@ class Composer {
         for (const std::string& port : ports_of(text, scope)) {
           if (!inner_.is_there(text, port, false, diagnostics_)) continue;
           for (Sink sink : inner_.ends.sinks(port)) {
+            feeds.bind(sink.port, text, diagnostics_);
             sink.settings.insert(sink.settings.begin(), settings_of(entry.value, scope));
             if (of_use != nullptr && of_use->is_map() &&
                 scope.around.back()->kind == EntityKind::node)
@@ -315,13 +322,13 @@ class Composer {
       const YamlValue& from = *entry.value.find("from");
       const Spanned<std::string> text{from.text, from.span};
       const auto found = ports_of(text, scope);
-      if (found.size() > 1) {
+      if (found.size() > 1)
         diagnostics_.error("E0390", text.span,
                            fmt::format("`{}` is more than one output", text.value));
-        continue;
-      }
-      if (found.empty() || !inner_.is_there(text, found.front(), true, diagnostics_)) continue;
-      ports.sources[entry.key] = inner_.ends.source(found.front());
+      if (found.size() == 1 && inner_.is_there(text, found.front(), true, diagnostics_))
+        ports.sources[entry.key] = inner_.ends.source(found.front());
+      else
+        ports.broken.insert(entry.key);
     }
   }
 
@@ -395,6 +402,7 @@ class Composer {
   Diagnostics& diagnostics_;
   std::vector<YamlValue::Entry> objects_, nodes_;
   std::vector<YamlValue> connections_;
+  std::vector<CompositeSpec> composites_;
   std::map<std::string, std::int64_t> counts_;  // of arrays, by their full names
   InnerPorts inner_;
   std::size_t entities_ = 0;

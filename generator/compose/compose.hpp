@@ -12,6 +12,7 @@ struct FlatGraph {
   YamlValue root;
   GraphForm form = GraphForm::written;  // flat: something was composed
   Ends ends = {};                       // ports of its composites
+  std::vector<CompositeSpec> composites;  // where they are, for pictures
 };
 
 /// The flat graph. Inner names are `arm/position`, those of arrays `leg[0]`. Problems: E0390 a

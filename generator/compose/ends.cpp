@@ -50,6 +50,26 @@ std::vector<Sink> Ends::sinks(const std::string& port) const {
   return takes && found != composite->sinks.end() ? found->second : std::vector<Sink>{{port, {}}};
 }
 
+CompositeSpec shown_composite(const std::string& name, Span span, const Entity& entity,
+                              const YamlValue* rate, const CompositePorts& ports) {
+  CompositeSpec shown{name, entity.id.value, entity.summary, {}, {}, {}, {}, span};
+  shown.is_object = entity.kind == EntityKind::object;
+  if (rate != nullptr) shown.rate_hz = rate->text;
+  for (const auto& port : shown.is_object ? entity.actuators : entity.inputs) {
+    std::vector<std::string> inside;
+    const auto found = ports.sinks.find(port.name.value);
+    if (found != ports.sinks.end())
+      for (const Sink& sink : found->second) inside.push_back(sink.port);
+    shown.inputs.emplace_back(port.name.value, std::move(inside));
+  }
+  for (const auto& port : shown.is_object ? entity.sensors : entity.outputs) {
+    const auto found = ports.sources.find(port.name.value);
+    if (found != ports.sources.end())
+      shown.outputs.emplace_back(port.name.value, std::vector{found->second});
+  }
+  return shown;
+}
+
 void set_entry(YamlValue& map, const std::string& key, Span span, YamlValue value) {
   const auto found = std::ranges::find(map.entries, key, &YamlValue::Entry::key);
   if (found != map.entries.end())

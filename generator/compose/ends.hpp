@@ -2,11 +2,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "generator/read/tree.hpp"
+#include "generator/library/library.hpp"
 #include "generator/spec/settings.hpp"
 
 namespace eagerx::gen {
@@ -22,6 +23,7 @@ struct Sink {
 struct CompositePorts {
   std::map<std::string, std::vector<Sink>> sinks;
   std::map<std::string, std::string> sources;
+  std::set<std::string, std::less<>> broken;  // those that send, and what is wrong has been said
 };
 
 class Ends {
@@ -47,6 +49,10 @@ class Ends {
  private:
   std::map<std::string, CompositePorts> composites_;
 };
+
+/// What pictures show of the composite `name`, with its ports in the order of its manifest.
+CompositeSpec shown_composite(const std::string& name, Span span, const Entity& entity,
+                              const YamlValue* rate, const CompositePorts& ports);
 
 /// `connection` between two ports inside: with the settings of both ends, of which what the
 /// connection itself says comes first.

@@ -48,6 +48,7 @@ bool InnerPorts::has_port(const Spanned<std::string>& written, const std::string
   if (ends.find(name.owner) == nullptr) return true;
   const auto known = this->known(name, sends);
   if (contains(*known, name.name)) return true;
+  if (sends && ends.find(name.owner)->broken.contains(name.name)) return false;
   auto& problem = diagnostics.error(
       "E0307", written.span,
       fmt::format("`{}` has no {} `{}`", name.owner, sends ? "output" : "input", name.name));
@@ -55,6 +56,25 @@ bool InnerPorts::has_port(const Spanned<std::string>& written, const std::string
   problem.help = near.empty() ? fmt::format("it has {}", fmt::join(*known, ", "))
                               : fmt::format("did you mean `{}.{}`?", name.owner, near);
   return false;
+}
+
+void Feeds::add_connection(const YamlValue& connection) {
+  const YamlValue* to = connection.find("to");
+  if (to != nullptr) connected_.emplace(to->text, to->span);
+}
+
+void Feeds::bind(const std::string& port, const Spanned<std::string>& written,
+                 Diagnostics& diagnostics) {
+  const auto connection = connected_.find(port);
+  const auto [first, is_new] = bound_.emplace(port, written.span);
+  if (is_new && connection == connected_.end()) return;
+  const bool twice = !is_new;
+  auto& problem = diagnostics.error(
+      "E0390", written.span,
+      fmt::format("`{}` is bound {}", written.value, twice ? "twice" : "and connected inside"));
+  problem.notes.push_back(twice ? Diagnostic::Note{"first here", first->second, ""}
+                                : Diagnostic::Note{"connected here", connection->second, ""});
+  problem.help = "an input takes one connection: add a node that puts two together, such as `Sum`";
 }
 
 }  // namespace eagerx::gen

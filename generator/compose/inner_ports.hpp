@@ -28,4 +28,15 @@ struct InnerPorts {
                 Diagnostics& diagnostics) const;
 };
 
+/// What feeds the inputs in a composite: its connections and its ports.
+class Feeds {
+ public:
+  void add_connection(const YamlValue& connection);
+  /// E0390 if something else feeds the input.
+  void bind(const std::string& port, const Spanned<std::string>& written, Diagnostics& diagnostics);
+
+ private:
+  std::map<std::string, Span> bound_, connected_;
+};
+
 }  // namespace eagerx::gen

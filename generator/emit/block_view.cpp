@@ -38,7 +38,7 @@ class BlockView {
     view_.set("seq", seq_);
     view_.set("sent", names_.sent[n_]);
     view_.set("io", names_.io[n_]);
-    view_.set("only_in_episodes", graph_.has_reset_nodes() && node_.waits_during_reset);
+    view_.set("only_in_episodes", node_.waits_during_reset && graph_.has_reset_nodes());
     add_reached();
     if (is_engine) {
       add_engine();

@@ -233,7 +233,7 @@ Json graph_schema(const Library& library) {
   specialise(at(properties, "engine"), library, EntityKind::engine);
   specialise(at(at(properties, "objects"), "additionalProperties"), library, EntityKind::object);
   specialise(at(at(properties, "nodes"), "additionalProperties"), library, EntityKind::node);
-  return schema;
+  return with_extending(std::move(schema));
 }
 
 Json manifest_schema() {

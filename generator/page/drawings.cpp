@@ -20,6 +20,10 @@ const char* name_of(BoxKind kind) {
       return "engine";
     case BoxKind::engine_node:
       return "engine-node";
+    case BoxKind::entry:
+      return "entry";
+    case BoxKind::exit:
+      return "exit";
     case BoxKind::task:
       break;
   }
@@ -38,8 +42,9 @@ Json number(const std::optional<std::size_t>& index) {
   return index ? Json(*index) : Json(nullptr);
 }
 
+/// Composites closed; the page opens them.
 Json drawing_json(const Drawing& drawing) {
-  const Layout layout = layout_of(drawing);
+  const Layout layout = layout_of(drawing, Composites::closed);
   Json json{{"width", layout.width},
             {"height", layout.height},
             {"boxes", Json::list()},
@@ -47,41 +52,52 @@ Json drawing_json(const Drawing& drawing) {
   for (std::size_t b = 0; b < drawing.boxes.size(); ++b) {
     const Box& box = drawing.boxes[b];
     const PlacedBox& place = layout.boxes[b];
-    json["boxes"].push_back(Json{{"kind", name_of(box.kind)},
-                                 {"name", box.name},
-                                 {"title", shown(box.name)},
-                                 {"subtitle", shown(box.subtitle)},
-                                 {"about", box.about},
-                                 {"x", place.corner.x},
-                                 {"y", place.corner.y},
-                                 {"width", place.width},
-                                 {"height", place.height},
-                                 {"node", number(box.node)},
-                                 {"object", number(box.object)},
-                                 {"inputs", ports_json(box.inputs, place.input_y)},
-                                 {"outputs", ports_json(box.outputs, place.output_y)}});
+    Json placed{{"kind", name_of(box.kind)},
+                {"name", box.name},
+                {"title", shown(box.name)},
+                {"subtitle", shown(box.subtitle)},
+                {"about", box.about},
+                {"x", place.corner.x},
+                {"y", place.corner.y},
+                {"width", place.width},
+                {"height", place.height},
+                {"node", number(box.node)},
+                {"object", number(box.object)},
+                {"inputs", ports_json(box.inputs, place.input_y)},
+                {"outputs", ports_json(box.outputs, place.output_y)}};
+    if (box.inside != nullptr) {
+      placed["composite"] = box.full_name;
+      placed["inside"] = drawing_json(*box.inside);
+    }
+    json["boxes"].push_back(std::move(placed));
   }
   for (std::size_t w = 0; w < drawing.wires.size(); ++w) {
     const Wire& wire = drawing.wires[w];
-    const Point end = layout.wires[w].points.back();
-    Json reader;
-    if (wire.reader) reader = Json(Json::List{wire.reader->node, wire.reader->input});
+    Json points = Json::list(), readers = Json::list();
+    for (const Point& point : layout.wires[w].points)
+      points.push_back(Json::List{point.x, point.y});
+    for (const Wire::Reader& reader : wire.readers)
+      readers.push_back(Json::List{reader.node, reader.input});
     json["wires"].push_back(Json{{"from", wire.from},
                                  {"to", wire.to},
                                  {"about", wire.about},
                                  {"state", wire.sets_state},
-                                 {"path", wire_path(layout.wires[w])},
-                                 {"end", Json::List{end.x, end.y}},
-                                 {"reader", std::move(reader)}});
+                                 {"output", wire.output},
+                                 {"input", wire.input},
+                                 {"backwards", layout.wires[w].backwards},
+                                 {"points", std::move(points)},
+                                 {"readers", std::move(readers)}});
   }
   return json;
 }
 
 }  // namespace
 
-Json drawings_json(const Graph& graph) {
-  return Json{{"user", drawing_json(drawing_of(graph, GraphView::user))},
-              {"engine", drawing_json(drawing_of(graph, GraphView::engine))}};
+Json drawings_json(const Graph& graph, const std::vector<CompositeSpec>& composites) {
+  const auto json = [&](GraphView view) {
+    return drawing_json(nested(drawing_of(graph, composites, view)));
+  };
+  return Json{{"user", json(GraphView::user)}, {"engine", json(GraphView::engine)}};
 }
 
 }  // namespace eagerx::gen

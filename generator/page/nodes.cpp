@@ -112,6 +112,14 @@ class Nodes {
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) nodes.push_back(node(n));
     Json& objects = page["objects"] = Json::list();
     for (const Object& object : graph_.objects) objects.push_back(object_json(object));
+    Json& composites = page["composites"] = Json::list();
+    for (const CompositeSpec& composite : contents_.spec->composites)
+      composites.push_back(
+          Json{{"name", composite.name},
+               {"type", composite.type},
+               {"about", composite.about},
+               {"rate", composite.rate_hz ? Json(*composite.rate_hz) : Json(nullptr)},
+               {"line", line_of(composite.span)}});
     Json& rings = page["rings"] = Json::list();
     for (const Ring& ring : plan_.rings) rings.push_back(ring_json(ring));
     Json& channels = page["channels"] = Json::list();

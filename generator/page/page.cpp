@@ -76,7 +76,7 @@ Json page_json(const PageContents& contents) {
   Json page{{"info", report_json(*contents.report)},
             {"agent", agent_text(plan.graph->agent)},
             {"real", plan.graph->double_precision ? "double" : "float"},
-            {"drawings", drawings_json(*plan.graph)}};
+            {"drawings", drawings_json(*plan.graph, contents.spec->composites)}};
   add_nodes(contents, page);
   page["policies"] = policies_json(contents);
   page["source"] = source_json(contents);

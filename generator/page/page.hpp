@@ -59,7 +59,7 @@ Json read_logs(const std::vector<std::string>& paths, const Plan& plan, std::siz
 bool check_image(const PageImage& image, const Graph& graph, Diagnostics& diagnostics);
 
 // The parts of page_json().
-Json drawings_json(const Graph& graph);
+Json drawings_json(const Graph& graph, const std::vector<CompositeSpec>& composites);
 /// Nodes with inputs and outputs, objects, buffers, the schedule.
 void add_nodes(const PageContents& contents, Json& page);
 Json policies_json(const PageContents& contents);

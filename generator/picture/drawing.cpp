@@ -7,6 +7,8 @@
 #include <set>
 #include <tuple>
 
+#include "generator/picture/groups.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -41,7 +43,8 @@ std::string agent_of(const Agent& agent) {
 /// Builds the boxes of one view, and remembers what stands for what.
 class Builder {
  public:
-  Builder(const Graph& graph, GraphView view) : graph_(graph), view_(view) {}
+  Builder(const Graph& graph, const std::vector<CompositeSpec>& composites, GraphView view)
+      : graph_(graph), composites_(composites), view_(view) {}
 
   Drawing build() {
     drawing_.title = graph_.name;
@@ -55,6 +58,7 @@ class Builder {
     for (const std::size_t end : {kActions, observations_})
       drawing_.boxes[end].node = Graph::kEnvironment;
     for (std::size_t n = 0; n < graph_.nodes.size(); ++n) add_wires(n);
+    if (!composites_.empty()) add_groups(composites_, drawing_);
     return std::move(drawing_);
   }
 
@@ -166,7 +170,7 @@ class Builder {
       if (inner || !find_source(input, wire) || !find_reader(n, input, wire)) continue;
       wire.about = fmt::format("{} to {}: {}", name_of_source(graph_, input), input.written,
                                input.space.describe());
-      wire.reader = {n, i};
+      wire.readers = {{n, i}};
       add(std::move(wire));
     }
     for (const ResetTarget& target : graph_.nodes[n].reset_targets) add_reset(n, target);
@@ -191,6 +195,7 @@ class Builder {
 
   static constexpr std::size_t kActions = 0;
   const Graph& graph_;
+  const std::vector<CompositeSpec>& composites_;
   GraphView view_;
   Drawing drawing_;
   std::size_t observations_ = 0;
@@ -200,8 +205,9 @@ class Builder {
 
 }  // namespace
 
-Drawing drawing_of(const Graph& graph, GraphView view) {
-  return Builder(graph, view).build();
+Drawing drawing_of(const Graph& graph, const std::vector<CompositeSpec>& composites,
+                   GraphView view) {
+  return Builder(graph, composites, view).build();
 }
 
 }  // namespace eagerx::gen

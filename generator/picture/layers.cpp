@@ -104,15 +104,26 @@ Layers layers_of(const Drawing& drawing) {
     readers[wire.from].push_back(wire.to);
     has_sender[wire.to] = true;
   }
+  // What is within a composite stands between its two ends.
+  const bool within = drawing.boxes.front().kind == BoxKind::entry;
+  if (within) std::fill(result.layer.begin() + 1, result.layer.end(), 1);
   for (const std::size_t box : order) {
     for (const std::size_t reader : readers[box])
       result.layer[reader] = std::max(result.layer[reader], result.layer[box] + 1);
     result.count = std::max(result.count, result.layer[box] + 1);
   }
+  if (within) {
+    const auto is_last = [&](std::size_t layer) { return layer == result.count - 1; };
+    const auto shared =
+        std::ranges::count_if(result.layer.begin() + 2, result.layer.end(), is_last);
+    result.count += shared > 0 ? 1 : 0;
+    result.layer[1] = result.count - 1;
+  }
   // What nothing drives stands beside its reader, and the observations at the right edge.
   for (std::size_t box = 0; box < n; ++box) {
     if (drawing.boxes[box].kind == BoxKind::observations) result.layer[box] = result.count - 1;
-    if (has_sender[box] || readers[box].empty() || drawing.boxes[box].kind == BoxKind::actions)
+    if (has_sender[box] || readers[box].empty() || drawing.boxes[box].kind == BoxKind::actions ||
+        drawing.boxes[box].kind == BoxKind::entry)
       continue;
     std::size_t nearest = result.count;
     for (const std::size_t reader : readers[box]) nearest = std::min(nearest, result.layer[reader]);

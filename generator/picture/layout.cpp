@@ -25,10 +25,15 @@ std::int64_t width_of(const std::string& text, std::int64_t of_character) {
   return static_cast<std::int64_t>(count_code_points(shown(text))) * of_character;
 }
 
+/// Of a composite, seen from inside: names of ports at its frame.
+bool is_end(const Box& box) {
+  return box.kind == BoxKind::entry || box.kind == BoxKind::exit;
+}
+
 /// Sizes of a box and the heights of its ports. Inputs and outputs share rows.
 PlacedBox measure(const Box& box) {
   PlacedBox placed;
-  std::int64_t y = header;
+  std::int64_t y = is_end(box) ? 0 : header;
   placed.width = std::max(width_of(box.name, 9), width_of(box.subtitle, 7));
   for (std::size_t i = 0; i < std::max(box.inputs.size(), box.outputs.size()); ++i) {
     std::int64_t left = 0, right = 0, height = row;
@@ -44,8 +49,35 @@ PlacedBox measure(const Box& box) {
     placed.width = std::max(placed.width, left + right + 2 * padding);
     y += height;
   }
+  if (box.inside != nullptr) placed.width += 2 * padding;  // for the sign that opens it
   placed.width += 2 * padding;
   placed.height = y + padding / 2;
+  return placed;
+}
+
+/// Makes a frame wider; its outputs stay at its right edge.
+void widen(const Drawing& drawing, Layout& layout, std::int64_t width) {
+  constexpr std::size_t kExit = 1;
+  const std::int64_t more = width - layout.width;
+  if (more <= 0) return;
+  layout.width = width;
+  layout.boxes[kExit].corner.x += more;
+  for (std::size_t w = 0; w < drawing.wires.size(); ++w)
+    if (drawing.wires[w].to == kExit) layout.wires[w].points.back().x += more;
+}
+
+/// The same of an open composite: a frame around its boxes, with the ports where they are inside.
+PlacedBox measure_open(const Box& box) {
+  PlacedBox placed;
+  Layout inside = layout_of(*box.inside, Composites::open);
+  placed.width = std::max(inside.width,
+                          std::max(width_of(box.name, 9), width_of(box.subtitle, 7)) + 2 * padding);
+  placed.height = inside.height;
+  for (const std::int64_t y : inside.boxes[0].output_y)
+    placed.input_y.push_back(inside.boxes[0].corner.y + y);
+  for (const std::int64_t y : inside.boxes[1].input_y)
+    placed.output_y.push_back(inside.boxes[1].corner.y + y);
+  placed.inside.push_back(std::move(inside));
   return placed;
 }
 
@@ -63,7 +95,11 @@ struct Piece {
 
 class Arrangement {
  public:
-  explicit Arrangement(const Drawing& drawing) : drawing_(drawing), layers_(layers_of(drawing)) {}
+  Arrangement(const Drawing& drawing, Composites composites)
+      : drawing_(drawing),
+        composites_(composites),
+        is_frame_(is_end(drawing.boxes.front())),
+        layers_(layers_of(drawing)) {}
 
   Layout arrange() {
     make_items();
@@ -71,7 +107,7 @@ class Arrangement {
     place_down();
     place_across();
     for (std::size_t w = 0; w < drawing_.wires.size(); ++w) route(w);
-    layout_.height += margin;
+    layout_.height += is_frame_ ? padding : margin;
     return std::move(layout_);
   }
 
@@ -80,7 +116,9 @@ class Arrangement {
     columns_.resize(layers_.count);
     widths_.resize(layers_.count, 0);
     for (std::size_t b = 0; b < drawing_.boxes.size(); ++b) {
-      layout_.boxes.push_back(measure(drawing_.boxes[b]));
+      const Box& box = drawing_.boxes[b];
+      const bool open = box.inside != nullptr && composites_ == Composites::open;
+      layout_.boxes.push_back(open ? measure_open(box) : measure(box));
       const std::size_t layer = layers_.layer[b];
       widths_[layer] = std::max(widths_[layer], layout_.boxes[b].width);
       add_item(layer, {b, layout_.boxes[b].height, 0});
@@ -174,7 +212,7 @@ class Arrangement {
     }
     std::int64_t top = items_.front().y;  // of the actions: there is always an item
     for (const Item& item : items_) top = std::min(top, item.y);
-    for (Item& item : items_) item.y += margin - top;
+    for (Item& item : items_) item.y += (is_frame_ ? header : margin) - top;
     for (const Item& item : items_) layout_.height = std::max(layout_.height, item.y + item.height);
   }
 
@@ -229,7 +267,7 @@ class Arrangement {
   }
 
   void place_across() {
-    std::int64_t x = margin;
+    std::int64_t x = is_frame_ ? 0 : margin;
     lefts_.resize(layers_.count);
     used_left_.resize(layers_.count, 0);
     used_right_.resize(layers_.count, 0);
@@ -244,13 +282,15 @@ class Arrangement {
       lefts_[layer] = x;
       x += widths_[layer] + after[layer] + (layer + 1 < layers_.count ? between_layers : 0);
     }
-    layout_.width = x + margin;
+    layout_.width = x + (is_frame_ ? 0 : margin);
     lane_y_ = layout_.height + lane;
     for (const Item& item : items_) {
       if (!item.box) continue;
       PlacedBox& box = layout_.boxes[*item.box];
       box.corner = {lefts_[layers_.layer[*item.box]], item.y};
       box.width = widths_[layers_.layer[*item.box]];
+      if (!box.inside.empty())
+        widen(*drawing_.boxes[*item.box].inside, box.inside.front(), box.width);
     }
   }
 
@@ -283,6 +323,8 @@ class Arrangement {
   }
 
   const Drawing& drawing_;
+  const Composites composites_;
+  const bool is_frame_;  // of what is within a composite
   const Layers layers_;
   Layout layout_;
   std::vector<Item> items_;  // the boxes first
@@ -304,8 +346,8 @@ std::string shown(const std::string& text) {
   return text.substr(0, at) + "…";
 }
 
-Layout layout_of(const Drawing& drawing) {
-  return Arrangement(drawing).arrange();
+Layout layout_of(const Drawing& drawing, Composites composites) {
+  return Arrangement(drawing, composites).arrange();
 }
 
 }  // namespace eagerx::gen

@@ -18,10 +18,13 @@ struct Point {
   std::int64_t x = 0, y = 0;
 };
 
+struct Layout;
+
 struct PlacedBox {
   Point corner;  // upper left
   std::int64_t width = 0, height = 0;
   std::vector<std::int64_t> input_y, output_y;  // of the ports, from the top of the box
+  std::vector<Layout> inside;  // of an open composite, one: places from its upper left corner
 };
 
 struct PlacedWire {
@@ -35,7 +38,10 @@ struct Layout {
   std::vector<PlacedWire> wires;  // of Drawing::wires
 };
 
-Layout layout_of(const Drawing& drawing);
+/// Whether composites are frames with what is in them, or boxes.
+enum class Composites : std::uint8_t { open, closed };
+/// Of a drawing that is nested; of one within a composite, the places in its frame.
+Layout layout_of(const Drawing& drawing, Composites composites);
 
 /// What a box says of a port or of itself, cut to what is drawn: names may be as long as they like.
 std::string shown(const std::string& text);

@@ -37,13 +37,15 @@ const Look& look_of(BoxKind kind) {
   return kLooks.front();
 }
 
-std::string style() {
+/// `frames`: also that of open composites.
+std::string style(bool frames) {
   std::string light, dark;
   for (const Look& look : kLooks) {
     if (look.kind == BoxKind::observations) continue;  // as the actions
     light += fmt::format(".{0}{{fill:{1};stroke:{2}}}", look.name, look.fill, look.line);
     dark += fmt::format(".{0}{{fill:{1};stroke:{2}}}", look.name, look.dark_fill, look.dark_line);
   }
+  if (frames) light += ".frame{fill-opacity:.35;stroke-dasharray:2 3}";
   return fmt::format(
       "<style>text{{font:12px system-ui,'Segoe UI',Roboto,'Liberation Sans',Arial,sans-serif;"
       "fill:#1d2939}}.name{{font-weight:600;font-size:14px}}.type,.detail{{fill:#667085}}"
@@ -113,13 +115,17 @@ std::string ports_text(const std::vector<PicturePort>& ports, const std::vector<
   return text;
 }
 
-std::string box_text(const Box& box, const PlacedBox& placed) {
-  const Point& corner = placed.corner;
+std::string contents_text(const Drawing& drawing, const Layout& layout, Point origin);
+
+std::string box_text(const Box& box, const PlacedBox& placed, Point origin) {
+  const Point corner{origin.x + placed.corner.x, origin.y + placed.corner.y};
   std::string text = "<g>";
   if (!box.about.empty())
     text += fmt::format("<title>{}</title>", xml_text(box.name + ": " + box.about));
-  text += fmt::format("<rect class=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>",
-                      look_of(box.kind).name, corner.x, corner.y, placed.width, placed.height);
+  text +=
+      fmt::format("<rect class=\"{}{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"8\"/>",
+                  placed.inside.empty() ? "" : "frame ", look_of(box.kind).name, corner.x, corner.y,
+                  placed.width, placed.height);
   text += fmt::format(
       "<text class=\"name\" x=\"{0}\" y=\"{1}\">{2}</text>"
       "<text class=\"type\" x=\"{0}\" y=\"{3}\">{4}</text>",
@@ -128,7 +134,26 @@ std::string box_text(const Box& box, const PlacedBox& placed) {
   text += ports_text(box.inputs, placed.input_y, corner.x + padding, corner.y, false);
   text +=
       ports_text(box.outputs, placed.output_y, corner.x + placed.width - padding, corner.y, true);
-  return text + "</g>\n";
+  text += "</g>\n";
+  if (!placed.inside.empty()) text += contents_text(*box.inside, placed.inside.front(), corner);
+  return text;
+}
+
+PlacedWire moved(PlacedWire wire, Point by) {
+  for (Point& point : wire.points) point = {point.x + by.x, point.y + by.y};
+  return wire;
+}
+
+std::string contents_text(const Drawing& drawing, const Layout& layout, Point origin) {
+  std::string text;
+  for (std::size_t w = 0; w < drawing.wires.size(); ++w)
+    text += wire_text(drawing.wires[w], moved(layout.wires[w], origin));
+  for (std::size_t b = 0; b < drawing.boxes.size(); ++b) {
+    const BoxKind kind = drawing.boxes[b].kind;
+    if (kind == BoxKind::entry || kind == BoxKind::exit) continue;  // names at the frame
+    text += box_text(drawing.boxes[b], layout.boxes[b], origin);
+  }
+  return text;
 }
 
 }  // namespace
@@ -137,17 +162,15 @@ std::string wire_path(const PlacedWire& wire) {
   return wire.backwards ? right_angles(wire.points) : curves(wire.points);
 }
 
-std::string svg_of(const Drawing& drawing) {
-  const Layout layout = layout_of(drawing);
+std::string svg_of(const Drawing& flat) {
+  const Drawing drawing = nested(flat);
+  const Layout layout = layout_of(drawing, Composites::open);
   std::string text = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\" role=\"img\">\n<title>{2}</title>\n",
       layout.width, layout.height, xml_text(drawing.title));
-  text += style();
-  for (std::size_t w = 0; w < drawing.wires.size(); ++w)
-    text += wire_text(drawing.wires[w], layout.wires[w]);
-  for (std::size_t b = 0; b < drawing.boxes.size(); ++b)
-    text += box_text(drawing.boxes[b], layout.boxes[b]);
+  text += style(!flat.groups.empty());
+  text += contents_text(drawing, layout, {});
   return text + "</svg>\n";
 }
 

@@ -39,6 +39,21 @@ const char* fill_of(BoxKind kind) {
   }
 }
 
+/// Boxes, and around those of a composite what `begin` says of it, as nested as they are.
+template <class F, class G>
+std::string nested_text(const Drawing& drawing, std::optional<std::size_t> around,
+                        const std::string& end, F&& of_box, G&& begin) {
+  std::string text;
+  for (std::size_t b = 0; b < drawing.boxes.size(); ++b)
+    if (drawing.boxes[b].group == around) text += of_box(b);
+  for (std::size_t g = 0; g < drawing.groups.size(); ++g) {
+    if (drawing.groups[g].around != around) continue;
+    const std::string inside = nested_text(drawing, g, end, of_box, begin);
+    if (!inside.empty()) text += begin(g) + inside + end;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string dot_of(const Drawing& drawing) {
@@ -46,14 +61,20 @@ std::string dot_of(const Drawing& drawing) {
       "digraph {} {{\n  rankdir=LR;\n  node [shape=record, style=filled, "
       "fontname=\"sans-serif\"];\n",
       dot_string(drawing.title));
-  for (std::size_t b = 0; b < drawing.boxes.size(); ++b) {
+  const auto box_text = [&](std::size_t b) {
     const Box& box = drawing.boxes[b];
     const std::string middle =
         fmt::format("{}\\n{}", dot_record_text(box.name), dot_record_text(box.subtitle));
-    text +=
-        fmt::format("  b{} [fillcolor=\"{}\", label=\"{{{{{}}} | {} | {{{}}}}}\"];\n", b,
-                    fill_of(box.kind), fields("i", box.inputs), middle, fields("o", box.outputs));
-  }
+    return fmt::format("  b{} [fillcolor=\"{}\", label=\"{{{{{}}} | {} | {{{}}}}}\"];\n", b,
+                       fill_of(box.kind), fields("i", box.inputs), middle,
+                       fields("o", box.outputs));
+  };
+  const auto cluster = [&](std::size_t g) {
+    const Box& box = drawing.groups[g].box;
+    return fmt::format("  subgraph cluster_{} {{ label={}; style=rounded;\n", g,
+                       dot_string(box.name + ": " + box.subtitle));
+  };
+  text += nested_text(drawing, std::nullopt, "  }\n", box_text, cluster);
   for (const Wire& wire : drawing.wires)
     text +=
         fmt::format("  b{}:o{}:e -> b{}:i{}:w [tooltip={}{}];\n", wire.from, wire.output, wire.to,
@@ -63,9 +84,16 @@ std::string dot_of(const Drawing& drawing) {
 
 std::string mermaid_of(const Drawing& drawing) {
   std::string text = "flowchart LR\n";
-  for (std::size_t b = 0; b < drawing.boxes.size(); ++b)
-    text += fmt::format("  b{}[\"<b>{}</b><br/>{}\"]\n", b, mermaid_text(drawing.boxes[b].name),
-                        mermaid_text(drawing.boxes[b].subtitle));
+  const auto box_text = [&](std::size_t b) {
+    return fmt::format("  b{}[\"<b>{}</b><br/>{}\"]\n", b, mermaid_text(drawing.boxes[b].name),
+                       mermaid_text(drawing.boxes[b].subtitle));
+  };
+  const auto subgraph = [&](std::size_t g) {
+    const Box& box = drawing.groups[g].box;
+    return fmt::format("  subgraph g{}[\"<b>{}</b> {}\"]\n", g, mermaid_text(box.name),
+                       mermaid_text(box.subtitle));
+  };
+  text += nested_text(drawing, std::nullopt, "  end\n", box_text, subgraph);
   for (const Wire& wire : drawing.wires) {
     const PicturePort& from = drawing.boxes[wire.from].outputs[wire.output];
     const PicturePort& to = drawing.boxes[wire.to].inputs[wire.input];

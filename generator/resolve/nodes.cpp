@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "generator/resolve/draft.hpp"
 
@@ -27,11 +29,16 @@ bool is_selected(const Selection& components, const std::string& name) {
 
 /// Whether a graph that does not list the inputs of a node has this one all the same: without a
 /// connection, one that may be left out is.
-bool is_wanted(const PortManifest& port, const std::string& written, const GraphSpec& graph) {
-  return !port.optional ||
-         std::ranges::any_of(graph.connections, [&](const ConnectionSpec& connection) {
-           return connection.to.value == written;
-         });
+bool is_wanted(const PortManifest& port, const std::string& written,
+               const std::set<std::string_view>& connected) {
+  return !port.optional || connected.contains(written);
+}
+
+/// The ports that connections of the graph go to.
+std::set<std::string_view> connected_ports(const GraphSpec& graph) {
+  std::set<std::string_view> ports;
+  for (const auto& connection : graph.connections) ports.insert(connection.to.value);
+  return ports;
 }
 
 /// Reports ports that are left out and that the class cannot do without.
@@ -129,6 +136,7 @@ void add_engine(Draft& draft, const ResolveOptions& options) {
 }
 
 void add_nodes(Draft& draft) {
+  const std::set<std::string_view> connected = connected_ports(draft.spec);
   for (const auto& spec : draft.spec.nodes) {
     DraftNode node;
     node.node.name = spec.name.value;
@@ -152,7 +160,7 @@ void add_nodes(Draft& draft) {
       for (const auto& port : entity->inputs) {
         if (!is_selected(spec.inputs, port.name.value)) continue;
         const std::string written = spec.name.value + "." + port.name.value;
-        if (!spec.inputs && !is_wanted(port, written, draft.spec)) continue;
+        if (!spec.inputs && !is_wanted(port, written, connected)) continue;
         DraftInput input =
             draft_input(port, written, spec.name.span, references, draft.diagnostics);
         if (const ComponentSpec* component = find_component(spec.inputs, port.name.value)) {

@@ -73,7 +73,8 @@ class Placer {
     for (std::size_t n = 0; n < nodes.size(); ++n) {
       if (nodes[n].node.role != NodeRole::node || draft_.is_added(n)) continue;
       known.push_back(nodes[n].node.name);
-      if (is_called(nodes[n].node.name, name) == Called::no) continue;
+      known.push_back(known.back().substr(0, known.back().find_first_of("/[")));
+      if (is_called(owner_of(nodes[n].node.name), name) == Called::no) continue;
       placement_.on_board[n] = true;
       found = true;
     }
@@ -95,6 +96,13 @@ class Placer {
     }
     draft_.diagnostics.error("E0307", item.name.span, fmt::format("there is no node `{}`", name))
         .help = suggestion(name, known, "");
+  }
+
+  /// `leg[2]/…` for `mux/leg[2]/…`, which compose/ adds for an input of it and goes along.
+  static std::string_view owner_of(std::string_view node) {
+    constexpr std::string_view kAdded = "mux/";
+    if (node.starts_with(kAdded)) node.remove_prefix(kAdded.size());
+    return node;
   }
 
   Draft& draft_;

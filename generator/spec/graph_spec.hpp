@@ -111,6 +111,17 @@ struct PlacementSpec {
   Spanned<std::string> board;
 };
 
+/// A node or an object that is made of others, of which the flat graph has only what is inside.
+struct CompositeSpec {
+  std::string name;                    // "arm/shoulder"
+  std::string type, about;             // id and summary of its manifest
+  std::optional<std::string> rate_hz;  // where it has one
+  bool is_object = false;
+  /// Its ports, and those of the flat graph that they stand for: "arm/shoulder/position.setpoint".
+  std::vector<std::pair<std::string, std::vector<std::string>>> inputs, outputs;
+  Span span;
+};
+
 struct GraphSpec {
   FileId file = FileId::none;
   std::string path;
@@ -135,6 +146,7 @@ struct GraphSpec {
   std::optional<YamlValue> budget;
   std::vector<PlacementSpec> placement;
   std::vector<Spanned<std::string>> allow;  // codes of warnings
+  std::vector<CompositeSpec> composites;    // what pictures show besides
 
   [[nodiscard]] bool has_engine() const { return !engine.type.value.empty(); }
 };

@@ -128,6 +128,35 @@ Json schema_of(const Format& format) {
   return Json::object();
 }
 
+namespace {
+
+/// Takes the `required` of a mapping.
+Json taken_needs(Json& schema) {
+  Json needs = Json::object();
+  auto* members = std::get_if<Json::Object>(&schema.value);
+  if (members == nullptr) return needs;
+  const auto found = std::ranges::find(*members, "required", &JsonMember::name);
+  if (found == members->end()) return needs;
+  needs["required"] = found->value;
+  members->erase(found);
+  return needs;
+}
+
+}  // namespace
+
+Json with_extending(Json graph) {
+  Json needs = taken_needs(graph);
+  Json parts = {{"engine", taken_needs(graph["properties"]["engine"])}};
+  for (const char* entities : {"objects", "nodes"})
+    parts[entities] = Json{{"additionalProperties",
+                            taken_needs(graph["properties"][entities]["additionalProperties"])}};
+  needs["properties"] = std::move(parts);
+  graph["if"] = Json{{"required", Json::List{"extends"}}};
+  graph["then"] = Json::object();
+  graph["else"] = std::move(needs);
+  return graph;
+}
+
 std::string schema_text(const Json& schema, const std::string& title, const std::string& id) {
   Json all = {
       {"$schema", "http://json-schema.org/draft-07/schema#"}, {"$id", id}, {"title", title}};
@@ -136,7 +165,7 @@ std::string schema_text(const Json& schema, const std::string& title, const std:
 }
 
 std::string json_schema(const Format& format, const std::string& title, const std::string& id) {
-  return schema_text(schema_of(format), title, id);
+  return schema_text(with_extending(schema_of(format)), title, id);
 }
 
 }  // namespace eagerx::gen

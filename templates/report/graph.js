@@ -5,13 +5,16 @@ const graphView = {
   x: 0,
   y: 0,
   shown: null,
-  moved: false
+  moved: false,
+  opened: new Set()  // names of composites
 };
+const unfolded = {};  // drawings with what is open, by their names
+
 const graphSvg = svg("svg", {
   class: "graph",
   tabindex: "0",
   role: "application",
-  "aria-label": "Drawing of the graph. Arrow keys go from box to box, plus and minus zoom."
+  "aria-label": "Drawing of the graph. Arrow keys go from box to box, Enter opens and closes, plus and minus zoom."
 });
 
 function portTexts(box, ports, right) {
@@ -23,31 +26,42 @@ function portTexts(box, ports, right) {
   });
 }
 
+/** Opens and closes a composite. */
+function signOf(box) {
+  const x = box.x + box.width - 24, y = box.y + 8;
+  return svg(
+      "g", {class: "sign"}, svg("title", {}, box.open ? "Close (Enter)" : "Open (Enter)"),
+      svg("rect", {x, y, width: 16, height: 16, rx: 4}),
+      svg("path", {d: `M${x + 4} ${y + 8}h8` + (box.open ? "" : "m-4 -4v8")}));
+}
+
 function boxElement(box) {
-  const group = svg(
-      "g", {class: "box " + box.kind}, svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
-      svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
-      svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle), portTexts(box, box.inputs, false),
-      portTexts(box, box.outputs, true));
+  const group =
+      svg("g", {class: "box " + box.kind + (box.inside ? " composite" : "") + (box.open ? " open" : "")},
+          svg("rect", {x: box.x, y: box.y, width: box.width, height: box.height, rx: 8}),
+          svg("text", {class: "name", x: box.x + 10, y: box.y + 19}, box.title),
+          svg("text", {class: "type", x: box.x + 10, y: box.y + 34}, box.subtitle), portTexts(box, box.inputs, false),
+          portTexts(box, box.outputs, true), box.inside ? signOf(box) : null);
   if (box.about) group.append(svg("title", {}, `${box.name}: ${box.about}`));
   return group;
 }
 
 function wireElement(wire) {
-  const [x, y] = wire.end;
+  const [x, y] = wire.points[wire.points.length - 1], d = pathOf(wire.points, wire.backwards);
   return svg(
-      "g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about),
-      svg("path", {class: "near", d: wire.path}), svg("path", {class: "line", d: wire.path}),
-      svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
+      "g", {class: wire.state ? "wire state" : "wire"}, svg("title", {}, wire.about), svg("path", {class: "near", d}),
+      svg("path", {class: "line", d}), svg("path", {class: "tip", d: `M${x} ${y}l-8 -4v8z`}));
 }
 
 /** Elements of a drawing; made when it is looked at first. */
 function drawingOf(name) {
-  const drawing = data.drawings[name];
-  if (drawing.group) return drawing;
+  if (unfolded[name]) return unfolded[name];
+  const drawing = unfolded[name] = unfold(data.drawings[name], graphView.opened);
   drawing.wireElements = drawing.wires.map(wireElement);
   drawing.boxElements = drawing.boxes.map(boxElement);
-  drawing.group = svg("g", {class: "drawing"}, drawing.wireElements, drawing.boxElements);
+  const frames = drawing.boxElements.filter((_, i) => drawing.boxes[i].open);
+  const others = drawing.boxElements.filter((_, i) => !drawing.boxes[i].open);
+  drawing.group = svg("g", {class: "drawing"}, frames, drawing.wireElements, others);
   drawing.boxElements.forEach((element, i) => {
     element.item = {box: i};
   });
@@ -66,10 +80,9 @@ function place() {
 }
 const placeSoon = onFrame(place);
 
-/** The rectangle around the points of a path, which has only pairs of numbers. */
-function around(path) {
-  const numbers = path.match(/-?\d+/g).map(Number);
-  const xs = numbers.filter((_, i) => i % 2 === 0), ys = numbers.filter((_, i) => i % 2 === 1);
+/** The rectangle around points. */
+function around(points) {
+  const xs = points.map(([x]) => x), ys = points.map(([, y]) => y);
   const x = Math.min(...xs), y = Math.min(...ys);
   return {x, y, width: Math.max(...xs) - x, height: Math.max(...ys) - y};
 }
@@ -81,7 +94,7 @@ function cull() {
   const {shown, zoom, x, y} = graphView;
   if (shown.boxes.length < 200) return;
   const {width, height} = graphSvg.getBoundingClientRect();
-  shown.around = shown.around || [...shown.boxes, ...shown.wires.map((wire) => around(wire.path))];
+  shown.around = shown.around || [...shown.boxes, ...shown.wires.map((wire) => around(wire.points))];
   shown.all = shown.all || [...shown.boxElements, ...shown.wireElements];
   shown.around.forEach((place, i) => {
     const left = x + place.x * zoom, top = y + place.y * zoom;
@@ -150,6 +163,70 @@ function showDrawing(name) {
   markGraph();
 }
 
+// ---- What is open -------------------------------------------------------------------------------------------------
+/** Shows the drawing with other composites open; the box of `still` stays where it is. */
+function reopen(opened, still) {
+  const cornerOf = () => graphView.shown.boxes.find((box) => box.composite === still);
+  const before = cornerOf();
+  graphView.opened = opened;
+  for (const name of Object.keys(unfolded)) delete unfolded[name];
+  graphView.shown = drawingOf(graphView.drawing);
+  graphSvg.replaceChildren(graphView.shown.group);
+  const after = cornerOf();
+  if (before && after) {
+    graphView.moved = true;
+    graphView.x += (before.x - after.x) * graphView.zoom;
+    graphView.y += (before.y - after.y) * graphView.zoom;
+    place();
+    if (after.open && !isWithinWindow(after)) frame([after]);
+  } else
+    beginGraph();
+  select(state.selected);
+}
+
+function isWithinWindow(box) {
+  const {zoom, x, y} = graphView, place = graphSvg.getBoundingClientRect();
+  const left = x + box.x * zoom, top = y + box.y * zoom;
+  return left >= 0 && top >= 0 && left + box.width * zoom <= place.width && top + box.height * zoom <= place.height;
+}
+
+function toggle(composite) {
+  const opened = new Set(graphView.opened);
+  if (!opened.delete(composite)) opened.add(composite);
+  reopen(opened, composite);
+}
+
+/** Of the box that is selected, or of the one around it. */
+function toggleSelected() {
+  const {boxes} = graphView.shown;
+  const box = state.selected && boxes[boxOf(graphView.shown, state.selected)];
+  if (!box) return;
+  const composite = box.inside ? box : boxes[box.around];
+  if (!composite) return;
+  selectBox(boxes.indexOf(composite));
+  toggle(composite.composite);
+}
+
+function toggleAll() {
+  reopen(new Set(graphView.opened.size ? [] : data.composites.map(({name}) => name)), null);
+}
+
+/** Opens what the nodes or the object of `selected` are in. */
+function openTo(selected) {
+  const inputs = inputsOf(selected);
+  const names = inputs ?
+      inputs.flatMap(([node, input]) => [node, nodes[node].inputs[input].source[0]]).map((n) => nodes[n].name) :
+      [nameOf(selected)];
+  const inside = data.composites.filter(({name}) => names.some((other) => other.startsWith(name + "/")));
+  if (inside.every(({name}) => graphView.opened.has(name))) return;
+  reopen(new Set([...graphView.opened, ...inside.map(({name}) => name)]), null);
+}
+
+function nameOf({node, object, composite}) {
+  if (node !== undefined) return nodes[node].name;
+  return (object !== undefined ? data.objects[object] : data.composites[composite]).name;
+}
+
 // ---- What of it is selected -----------------------------------------------------------------------------------------
 /** The connections that are selected; null if it is something else. */
 function inputsOf({input, way}) {
@@ -159,14 +236,24 @@ function inputsOf({input, way}) {
 
 function boxOf(drawing, selected) {
   if (inputsOf(selected)) return -1;
-  const own = drawing.boxes.findIndex(
-      (box) => (selected.node !== undefined ? box.node === selected.node : box.object === selected.object));
-  if (own >= 0 || selected.node === undefined || nodes[selected.node].object === null) return own;
-  return drawing.boxes.findIndex((box) => box.object === nodes[selected.node].object);
+  const find = (is) => {
+    const own = drawing.boxes.findIndex(is);
+    return own >= 0 ? own : drawing.boxes.findIndex((box) => !box.open && holds(box, is));
+  };
+  if (selected.composite !== undefined) {
+    const {name} = data.composites[selected.composite];
+    return find((box) => box.composite === name);
+  }
+  if (selected.object !== undefined) return find((box) => box.object === selected.object);
+  const own = find((box) => box.node === selected.node);
+  if (own >= 0 || nodes[selected.node].object === null) return own;
+  return find((box) => box.object === nodes[selected.node].object);
 }
 
-function wireOf(drawing, [node, input]) {
-  return drawing.wires.findIndex((wire) => wire.reader && wire.reader[0] === node && wire.reader[1] === input);
+/** All pieces of it, through the frames of composites. */
+function wiresOf(drawing, [node, input]) {
+  return drawing.wires.flatMap(
+      ({readers}, w) => (readers.some((reader) => reader[0] === node && reader[1] === input) ? [w] : []));
 }
 
 function markGraph() {
@@ -179,8 +266,7 @@ function markGraph() {
   };
   const {selected} = state;
   if (selected && inputsOf(selected)) {
-    for (const w of inputsOf(selected).map((input) => wireOf(drawing, input)))
-      if (w >= 0) withEnds(w);
+    for (const w of inputsOf(selected).flatMap((input) => wiresOf(drawing, input))) withEnds(w);
   } else if (selected) {
     const b = boxOf(drawing, selected);
     chosen.add(b);
@@ -189,6 +275,13 @@ function markGraph() {
       if (wire.from === b || wire.to === b) withEnds(w);
     });
   }
+  // Frames around what is marked, and what is in a chosen one.
+  drawing.boxes.forEach((box, b) => {
+    for (let frame = box.around; frame !== undefined; frame = drawing.boxes[frame].around) {
+      if (boxes.has(b)) boxes.add(frame);
+      if (chosen.has(frame)) boxes.add(b);
+    }
+  });
   graphSvg.classList.toggle("marked", boxes.size > 0 && !boxes.has(-1));
   drawing.boxElements.forEach((element, i) => {
     element.classList.toggle("on", boxes.has(i));
@@ -203,21 +296,24 @@ function showInGraph() {
   showView("graph");
   const {selected} = state;
   if (!selected) return;
+  openTo(selected);
   const inputs = inputsOf(selected);
   const visible =
-      inputs ? inputs.every((input) => wireOf(graphView.shown, input) >= 0) : boxOf(graphView.shown, selected) >= 0;
+      inputs ? inputs.every((input) => wiresOf(graphView.shown, input).length) : boxOf(graphView.shown, selected) >= 0;
   if (!visible) graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
   const {boxes, wires} = graphView.shown;
   frame(
-      inputs ? inputs.map((input) => wires[wireOf(graphView.shown, input)])
-                   .filter(Boolean)
+      inputs ? inputs.flatMap((input) => wiresOf(graphView.shown, input).map((w) => wires[w]))
                    .flatMap(({from, to}) => [boxes[from], boxes[to]]) :
                [boxes[boxOf(graphView.shown, selected)]].filter(Boolean));
 }
 
 function selectBox(b) {
   const box = graphView.shown.boxes[b];
-  select(box.node !== null ? {node: box.node} : {object: box.object});
+  if (box.inside)
+    select({composite: data.composites.findIndex(({name}) => name === box.composite)});
+  else
+    select(box.node !== null ? {node: box.node} : {object: box.object});
 }
 
 /** The nearest box in the direction of an arrow key. */
@@ -258,6 +354,10 @@ function graphKey(event) {
     zoomGraph(0.8);
   else if (event.key === "0")
     fitGraph();
+  else if (event.key === "Enter")
+    toggleSelected();
+  else if (event.key === "o" && data.composites.length)
+    toggleAll();
   else if (event.key === "e")
     graphSwitch.choose(graphView.drawing === "user" ? "engine" : "user");
   else
@@ -276,10 +376,14 @@ draggable(
     (event) => {
       const group = event.target.closest("g.box, g.wire");
       if (!group) return select(null);
-      if (group.item.box !== undefined) return selectBox(group.item.box);
-      const {reader, from} = graphView.shown.wires[group.item.wire];
-      if (reader)
-        select({input: reader});
+      if (group.item.box !== undefined) {
+        selectBox(group.item.box);
+        if (event.target.closest("g.sign")) toggle(graphView.shown.boxes[group.item.box].composite);
+        return;
+      }
+      const {readers, from} = graphView.shown.wires[group.item.wire];
+      if (readers.length)
+        select({input: readers[0]});
       else
         selectBox(from);
     });
@@ -292,6 +396,10 @@ graphSvg.addEventListener("wheel", (event) => {
       [event.clientX - box.left, event.clientY - box.top]);
 }, {passive: false});
 graphSvg.addEventListener("keydown", graphKey);
+graphSvg.addEventListener("dblclick", (event) => {
+  const group = event.target.closest("g.box.composite");
+  if (group && !event.target.closest("g.sign")) toggle(graphView.shown.boxes[group.item.box].composite);
+});
 
 const graphSwitch = segment("Which graph", [["user", "As written"], ["engine", "As it runs"]], "user", showDrawing);
 
@@ -307,6 +415,10 @@ function makeGraphView(panel) {
             button("−", () => zoomGraph(0.8), {title: "Zoom out ( - )"}),
             button("+", () => zoomGraph(1.25), {title: "Zoom in ( + )"}),
             button("Fit", fitGraph, {title: "Show all ( 0 )"})),
+         data.composites.length ?
+             el("div.segment", {},
+                button("Open / close", toggleAll, {title: "Show what composites are made of ( o )"})) :
+             null,
          el("p.legend", {},
             kinds.filter(([kind]) => used.has(kind)).map(([kind, name]) => el("span", {}, el("i." + kind), name)))),
       graphSvg);

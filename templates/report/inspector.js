@@ -151,6 +151,44 @@ function showObject(number) {
   ];
 }
 
+function showComposite(number) {
+  const composite = data.composites[number];
+  const isIn = ({name}, other) => name.startsWith(other.name + "/");
+  const others = data.composites.filter((other) => isIn(other, composite));
+  const isInside = (part) => isIn(part, composite) && !others.some((other) => isIn(part, other));
+  const open = graphView.opened.has(composite.name);
+  const link = (name, selected) =>
+      button(name.slice(composite.name.length + 1), () => select(selected), {className: "plain"});
+  return [
+    el("p.kind", {}, "composite"),
+    el("h2", {}, composite.name),
+    composite.about ? el("p", {}, composite.about) : null,
+    pairs([
+      ["type", composite.type], ["rate", composite.rate ? `${composite.rate} Hz` : null],
+      ["written in", lineLink(composite.line)]
+    ]),
+    el("p.actions", {},
+       button(
+           open ? "Close" : "Open",
+           () => {
+             showInGraph();
+             toggle(composite.name);
+             select({composite: number});
+           })),
+    el("h3", {}, "Inside"),
+    el("ul.ports", {},
+       [["composite", data.composites], ["object", data.objects]].map(
+           ([kind, parts]) => parts.map(
+               (part, i) =>
+                   (isInside(part) ? el("li", {}, link(part.name, {[kind]: i}), el("small", {}, ` ${part.type}`)) :
+                                     null))),
+       nodes.filter((node) => isInside(node) && node.object === null)
+           .map(
+               (node) => el(
+                   "li", {}, link(node.name, {node: node.number}), el("small", {}, ` ${node.type}, ${node.rate} Hz`)))),
+  ];
+}
+
 /** How the numbers of messages relate: "2 messages a tick". */
 function ratioText(hop) {
   if (!hop) return null;
@@ -226,6 +264,7 @@ function inspect(selected) {
   if (selected === null) return inspector.replaceChildren();
   const parts = selected.node !== undefined ? showNode(selected.node) :
       selected.object !== undefined         ? showObject(selected.object) :
+      selected.composite !== undefined      ? showComposite(selected.composite) :
       selected.way                          ? showWholeWay(selected.way) :
                                               showInput(...selected.input);
   inspector.replaceChildren(button("×", () => select(null), {className: "close", title: "Close (Escape)"}));

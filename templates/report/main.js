@@ -69,6 +69,7 @@ document.getElementById("tabs").addEventListener("keydown", (event) => {
 const searchBox = document.getElementById("search"), foundBox = document.getElementById("found");
 const searchable = [
   ...data.objects.map((object, i) => ({text: object.name, kind: "object", selected: {object: i}})),
+  ...data.composites.map((composite, i) => ({text: composite.name, kind: "composite", selected: {composite: i}})),
   ...nodes.map((node, i) => ({text: node.name, kind: node.role, selected: {node: i}})),
   ...nodes.flatMap((node) => node.outputs.map((output, o) => ({
                                                 text: outputName(node.number, o),
@@ -144,8 +145,10 @@ function showHelp() {
   const keys = [
     ["1 … 9", "views"], ["/", "search"], ["Escape", "nothing is selected"], ["t", "light or dark"],
     ["arrows", "graph: from box to box; timetable and plots: move"], ["Shift and arrows", "graph: move"],
-    ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"], ["Space", "plots: plays the drawing"],
-    ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"], ["?", "these keys"]
+    ["+ −", "zoom"], ["0", "show all"], ["e", "graph: as written, as it runs"],
+    ["Enter", "graph: opens a composite, or closes the one around"], ["o", "graph: all of them"],
+    ["Space", "plots: plays the drawing"], ["wheel", "zoom where the pointer is; in a long timetable with Ctrl"],
+    ["?", "these keys"]
   ];
   help.replaceChildren(
       el("h2", {}, "Keys"),

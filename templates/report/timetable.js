@@ -206,7 +206,7 @@ function drawMeasured(context, node, y, x, step, from, to) {
 /** Lines from a message to the tick that reads it, of what is selected. */
 function drawReads({context, width, left, x, y}) {
   const {selected} = state;
-  if (!selected || selected.object !== undefined) return;
+  if (!selected || selected.object !== undefined || selected.composite !== undefined) return;
   const chosen = inputsOf(selected);
   const inputs = chosen ? chosen.map(([n, i]) => nodes[n].inputs[i]) : nodes[selected.node].inputs;
   context.lineWidth = 2;

@@ -22,16 +22,29 @@ void require(bool holds) {
   if (!holds) std::abort();
 }
 
+/// With the texts of its manifests: places in composites are places in these.
+struct Loaded {
+  SourceMap sources;
+  Library library;
+};
+
+const Loaded& loaded() {
+  static const Loaded kLoaded = [] {
+    Loaded made;
+    Diagnostics diagnostics;
+    made.library = load_library({{kRoot + "/models", {}},
+                                 {kRoot + "/targets", {}},
+                                 {kRoot + "/tests/data/library", {}},
+                                 {kRoot + "/tests/compose/entities", {}}},
+                                made.sources, diagnostics);
+    require(!diagnostics.has_errors());
+    return made;
+  }();
+  return kLoaded;
+}
+
 const Library& library() {
-  static SourceMap sources;
-  static Diagnostics diagnostics;
-  static const Library kLibrary = load_library({{kRoot + "/models", {}},
-                                                {kRoot + "/targets", {}},
-                                                {kRoot + "/tests/data/library", {}},
-                                                {kRoot + "/tests/compose/entities", {}}},
-                                               sources, diagnostics);
-  require(!diagnostics.has_errors());
-  return kLibrary;
+  return loaded().library;
 }
 
 /// A gigabyte of text is what was asked for, but no test of the generator.
@@ -85,7 +98,7 @@ void run(const std::string& text, Diagnostics& diagnostics, SourceMap& sources) 
 
 // The name is libFuzzer's.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  SourceMap sources;
+  SourceMap sources = loaded().sources;
   Diagnostics diagnostics;
   run(std::string(reinterpret_cast<const char*>(data), size), diagnostics, sources);
   diagnostics.sort_by_place();

@@ -51,6 +51,12 @@ std::string problem_in(const Json& value, const Json& schema, const std::string&
     }
     return where + " fits no option";
   }
+  if (schema.contains("if")) {
+    const char* branch = problem_in(value, schema["if"], where).empty() ? "then" : "else";
+    if (auto problem = problem_in(value, schema.value(branch, Json::object()), where);
+        !problem.empty())
+      return problem;
+  }
   if (schema.contains("enum") &&
       std::find(schema["enum"].begin(), schema["enum"].end(), value) == schema["enum"].end())
     return where + " is not a choice";
