@@ -82,7 +82,7 @@ bool read_own_graph(Run& run, const Options& options, Reading reading) {
   load_library_for(
       run, options, library_folders(run.tree, options.graph),
       reading == Reading::whole ? std::nullopt : std::optional(mentions_of(run.tree, options)));
-  FlatGraph flat{run.tree, GraphForm::written, {}};
+  FlatGraph flat{run.tree, GraphForm::written, {}, {}};
   if (run.diagnostics.error_count() == errors_before)
     flat = compose(run.tree, run.library, run.sources, run.diagnostics);
   const bool composed = run.diagnostics.error_count() == errors_before;

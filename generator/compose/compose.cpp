@@ -39,9 +39,9 @@ class Composer {
       : root_(root), library_(library), sources_(sources), diagnostics_(diagnostics) {}
 
   FlatGraph run() {
-    if (!root_.is_map()) return {root_, GraphForm::written, {}};
+    if (!root_.is_map()) return {root_, GraphForm::written, {}, {}};
     expand(root_, {});
-    if (!changed_) return {root_, GraphForm::written, {}};
+    if (!changed_) return {root_, GraphForm::written, {}, {}};
     YamlValue flat = root_;
     replace(flat, "objects", std::move(objects_));
     replace(flat, "nodes", std::move(nodes_));

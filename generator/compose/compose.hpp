@@ -10,8 +10,8 @@ namespace eagerx::gen {
 
 struct FlatGraph {
   YamlValue root;
-  GraphForm form = GraphForm::written;  // flat: something was composed
-  Ends ends = {};                       // ports of its composites
+  GraphForm form = GraphForm::written;    // flat: something was composed
+  Ends ends = {};                         // ports of its composites
   std::vector<CompositeSpec> composites;  // where they are, for pictures
 };
 
