@@ -42,7 +42,9 @@ FormatPtr parameter_format() {
         "value if none is given; without a default, a value must be given"},
        {"low", format::number("a number"), false, "lowest value, inclusive"},
        {"high", format::number("a number"), false, "highest value, inclusive"},
-       {"tunable", format::keyword({"false", "true", "running"}), false,
+       {"tunable",
+        format::one_of("true, false or running", {format::boolean(), format::keyword({"running"})}),
+        false,
         "whether a reset may set it where a graph says so: the class takes a state of this name "
         "(nodes only; default: false); `running`: also between two steps, by the class's `tune()`"},
        {"options", texts(), false, "the choices of an enum"},

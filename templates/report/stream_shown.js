@@ -6,8 +6,9 @@ const kWireValues = 3;
 
 /** The channel that a wire carries; null: none of a graph's channels. */
 function channelOfWire(wire) {
-  if (!wire.reader) return null;
-  const [node, output] = nodes[wire.reader[0]].inputs[wire.reader[1]].source;
+  if (!wire.readers.length) return null;
+  const [reader, input] = wire.readers[0];
+  const [node, output] = nodes[reader].inputs[input].source;
   const number = nodes[node].channels[output];
   return number === null ? null : data.channels[number].name;
 }
@@ -17,7 +18,7 @@ function wireValues(drawing) {
   drawing.values ??= drawing.wires.map((wire) => {
     const channel = channelOfWire(wire);
     if (channel === null) return null;
-    const [x, y] = wire.end, text = svg("text", {class: "value", x: x - 10, y: y - 4});
+    const [x, y] = wire.points[wire.points.length - 1], text = svg("text", {class: "value", x: x - 10, y: y - 4});
     drawing.group.append(text);
     return {channel, text};
   });
