@@ -48,7 +48,7 @@ list(TRANSFORM eagerx_web_socket_sources APPEND .cpp)
 eagerx_compiled_library(
   eagerx_web_sockets
   SOURCES ${eagerx_web_socket_sources} ${eagerx_host_folder}/web_socket/listener.cpp
-  FOLDERS ${eagerx_host_folder}/web_socket
+  FOLDERS ${eagerx_host_folder}
   LINK eagerx::runtime ${CMAKE_DL_LIBS}
   OPTIONS ${eagerx_host_options})
 eagerx_compiled_library(

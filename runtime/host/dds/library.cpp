@@ -1,18 +1,13 @@
 #include <dlfcn.h>
 
 #include <runtime/host/dds/library.hpp>
+#include <runtime/host/look_up.hpp>
 
 namespace eagerx::dds {
 namespace {
 
 /// Both Debians have this name; another maker's library may be of another version.
 constexpr const char* kFile = "libddsc.so.0debian";
-
-template <class F>
-bool look_up(void* library, const char* name, F& function) {
-  function = reinterpret_cast<F>(dlsym(library, name));
-  return function != nullptr;
-}
 
 bool look_up_all(void* library, Functions& f) {
   return look_up(library, "dds_create_domain", f.create_domain) &&

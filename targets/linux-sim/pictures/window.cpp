@@ -1,6 +1,7 @@
 #include <dlfcn.h>
 
 #include <cstdlib>
+#include <runtime/host/look_up.hpp>
 #include <targets/linux-sim/pictures/window.hpp>
 
 namespace eagerx::linux_sim {
@@ -55,25 +56,20 @@ enum Key : std::int32_t {
 
 SdlFunctions functions;  // of the one library
 
-template <class F>
-bool find(void* library, const char* name, F& function) {
-  function = reinterpret_cast<F>(dlsym(library, name));
-  return function != nullptr;
-}
-
 bool find_all(void* library) {
   SdlFunctions& f = functions;
-  return find(library, "SDL_Init", f.Init) && find(library, "SDL_Quit", f.Quit) &&
-         find(library, "SDL_GetError", f.GetError) && find(library, "SDL_SetHint", f.SetHint) &&
-         find(library, "SDL_CreateWindow", f.CreateWindow) &&
-         find(library, "SDL_DestroyWindow", f.DestroyWindow) &&
-         find(library, "SDL_CreateRenderer", f.CreateRenderer) &&
-         find(library, "SDL_DestroyRenderer", f.DestroyRenderer) &&
-         find(library, "SDL_CreateTexture", f.CreateTexture) &&
-         find(library, "SDL_UpdateTexture", f.UpdateTexture) &&
-         find(library, "SDL_RenderCopy", f.RenderCopy) &&
-         find(library, "SDL_RenderPresent", f.RenderPresent) &&
-         find(library, "SDL_WaitEventTimeout", f.WaitEventTimeout);
+  return look_up(library, "SDL_Init", f.Init) && look_up(library, "SDL_Quit", f.Quit) &&
+         look_up(library, "SDL_GetError", f.GetError) &&
+         look_up(library, "SDL_SetHint", f.SetHint) &&
+         look_up(library, "SDL_CreateWindow", f.CreateWindow) &&
+         look_up(library, "SDL_DestroyWindow", f.DestroyWindow) &&
+         look_up(library, "SDL_CreateRenderer", f.CreateRenderer) &&
+         look_up(library, "SDL_DestroyRenderer", f.DestroyRenderer) &&
+         look_up(library, "SDL_CreateTexture", f.CreateTexture) &&
+         look_up(library, "SDL_UpdateTexture", f.UpdateTexture) &&
+         look_up(library, "SDL_RenderCopy", f.RenderCopy) &&
+         look_up(library, "SDL_RenderPresent", f.RenderPresent) &&
+         look_up(library, "SDL_WaitEventTimeout", f.WaitEventTimeout);
 }
 
 void note_key(std::int32_t key, Wishes& wishes) {
