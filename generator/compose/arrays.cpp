@@ -56,7 +56,7 @@ YamlValue element_of(YamlValue entity, std::int64_t index, std::int64_t count,
   // Said once, for the first element: the others have the same list.
   Diagnostics unheard;
   choose_each(entity, static_cast<std::size_t>(index), count, index == 0 ? diagnostics : unheard);
-  references["index"] = made_scalar(std::to_string(index), entity.span);
+  references[{"index"}] = made_scalar(std::to_string(index), entity.span);
   return substitute(std::move(entity), references, index == 0 ? diagnostics : unheard);
 }
 

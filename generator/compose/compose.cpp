@@ -25,13 +25,6 @@ namespace {
 constexpr std::size_t kMostEntities = 20'000;
 constexpr std::size_t kDeepest = 16;
 
-bool mentions(const YamlValue& yaml, std::string_view text) {
-  if (yaml.text.find(text) != std::string::npos) return true;
-  return std::ranges::any_of(yaml.items, [&](const auto& item) { return mentions(item, text); }) ||
-         std::ranges::any_of(yaml.entries,
-                             [&](const auto& entry) { return mentions(entry.value, text); });
-}
-
 class Composer {
  public:
   Composer(const YamlValue& root, const Library& library, SourceMap& sources,
@@ -205,8 +198,8 @@ class Composer {
     scope.references = references_of(entity, given);
     const YamlValue* rate = settings.find("rate");
     if (rate != nullptr) {
-      scope.references["rate"] = *rate;
-    } else if (mentions(*entity.composite, "$(rate") || mentions(*entity.composite, "rate)")) {
+      scope.references[{"rate"}] = *rate;
+    } else if (refers_to(*entity.composite, {"rate"})) {
       diagnostics_
           .error("E0202", settings.span,
                  fmt::format("missing key `rate`: nodes in `{}` run at it", entity.id.value))

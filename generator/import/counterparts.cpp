@@ -156,13 +156,6 @@ std::pair<const Entity*, std::string> namesake(const Library& library, const std
   return {nullptr, ""};
 }
 
-constexpr const char* kApart = "apart";
-
-void set_apart(SavedPort& port) {
-  if (port.find(kApart) == nullptr)
-    port.settings.entries.push_back({kApart, port.name.span, made_scalar("true", port.name.span)});
-}
-
 /// The same class with other ports, or other spaces of them: what its users do not share is left
 /// open.
 void widen(SavedEntity& known, const SavedEntity& other) {
@@ -178,7 +171,7 @@ void widen(SavedEntity& known, const SavedEntity& other) {
       const YamlValue* a = found->find("space");
       const YamlValue* b = port.find("space");
       if (a == nullptr || b == nullptr || same_value(*a, *b)) continue;
-      set_apart(*found);
+      found->has_spaces_apart = true;
       for (auto& entry : found->settings.entries) {
         if (entry.key != "space") continue;
         std::erase_if(entry.value.entries, [&](const YamlValue::Entry& e) {
@@ -191,10 +184,6 @@ void widen(SavedEntity& known, const SavedEntity& other) {
 }
 
 }  // namespace
-
-bool has_spaces_apart(const SavedPort& port) {
-  return port.find(kApart) != nullptr;
-}
 
 const char* to_string(Use use) {
   static constexpr std::array kNames = {"engine",    "node",        "object",

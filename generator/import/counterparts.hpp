@@ -78,9 +78,6 @@ void require_all(const SavedGraph& saved, Counterparts& counterparts);
 
 const char* to_string(Use use);
 
-/// Whether the users of a missing class gave this port different spaces.
-bool has_spaces_apart(const SavedPort& port);
-
 /// Parameters that EAGERx writes for every entity.
 bool is_common_parameter(std::string_view name);
 

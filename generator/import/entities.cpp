@@ -214,10 +214,10 @@ class EntityTranslator {
 
   /// Whether engine nodes of other sensors and actuators tick at the rate of this one.
   static bool lends_rate(const Entity& entity, const char* section, const std::string& name) {
-    const std::string reference = fmt::format("$({} {} rate)", section, name);
+    const Reference reference = rate_reference(section, name);
     for (const auto& implementation : entity.object_engines) {
       for (const auto& node : implementation.nodes) {
-        if (node.rate->value.text != reference) continue;
+        if (reference_in(node.rate->value) != reference) continue;
         const bool own =
             std::ranges::any_of(implementation.connections, [&](const ConnectionSpec& c) {
               return (c.to.value == fmt::format("{}.{}", section, name) &&

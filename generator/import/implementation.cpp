@@ -139,7 +139,7 @@ class ImplementationWriter {
         continue;
       for (const auto& parameter : known->config) {
         const YamlValue& length = space->shape->items[0];
-        if (shape->items[0].text != fmt::format("$(config {})", parameter.name.value)) continue;
+        if (reference_in(shape->items[0]) != parameter_reference(parameter.name.value)) continue;
         if (std::ranges::any_of(config,
                                 [&](const Setting& s) { return s.name == parameter.name.value; }) ||
             (parameter.fallback && same_value(*parameter.fallback, length)))
@@ -176,7 +176,7 @@ class ImplementationWriter {
         for (const auto& [port, place] : *matched) {
           if (place.first == name && is_identifier(port) &&
               (!selected || backup_.is_selected(section, port)))
-            return fmt::format("$({} {} rate)", section, port);
+            return in_dollars(rate_reference(section, port));
         }
       }
     }

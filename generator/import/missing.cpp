@@ -174,7 +174,7 @@ class ManifestWriter {
                             !saved_.is_selected(section, port.name.value) &&
                             made_.kind != "engine_node";
       const auto space = whole_space(port);
-      const bool known = space && (space->shape || has_spaces_apart(port));
+      const bool known = space && (space->shape || port.has_spaces_apart);
       const std::string like = known ? "" : space_like(section);
       const std::string text = !like.empty() ? like : space ? space_text(*space) : "";
       const std::string name = legal_name(port.name.value);

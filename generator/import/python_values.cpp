@@ -15,8 +15,6 @@ namespace eagerx::gen {
 namespace {
 
 constexpr std::string_view kYaml = "tag:yaml.org,2002:";
-constexpr const char* kPythonObject =
-    "python object";  // as a tag, which trees from files never have
 
 bool is_plain(std::string_view tag) {
   static constexpr std::array<std::string_view, 20> kPlain = {
@@ -113,7 +111,7 @@ std::string shown_tag(std::string_view tag) {
 }  // namespace
 
 bool is_python_object(const YamlValue& yaml) {
-  return yaml.tag == kPythonObject;
+  return yaml.origin == Origin::python;
 }
 
 YamlValue plain_values(const YamlValue& yaml) {
@@ -121,7 +119,7 @@ YamlValue plain_values(const YamlValue& yaml) {
     if (auto number = numpy_scalar(yaml)) return std::move(*number);
     if (auto list = numpy_array(yaml)) return std::move(*list);
     YamlValue opaque = made_scalar(shown_tag(yaml.tag), yaml.span);
-    opaque.tag = kPythonObject;
+    opaque.origin = Origin::python;
     opaque.quoted = true;
     return opaque;
   }

@@ -250,18 +250,11 @@ class Rebuilder {
       const std::string& node = match.first;
       const YamlValue* rate = saved_.find(node)->parameter("rate");
       const EntitySpec* spec = find_named(rebuilt.implementation->nodes, match.second);
-      const std::string& text = spec->rate->value.text;  // `$(sensors theta rate)`
-      for (const char* section : {"sensors", "actuators"}) {
-        const std::string begin = fmt::format("$({} ", section);
-        if (rate == nullptr || !text.starts_with(begin) || !text.ends_with(" rate)")) continue;
-        const std::string name = text.substr(begin.size(), text.size() - begin.size() - 6);
-        SavedPort* port = nullptr;
-        for (auto& candidate : rebuilt.object.ports[section]) {
-          if (candidate.name.value == name) port = &candidate;
-        }
-        if (port == nullptr || rebuilt.has_node_of(section, name)) continue;
-        set_entry(port->settings, "rate", *rate);
-      }
+      const auto lender = reference_in(spec->rate->value);  // `$(sensors theta rate)`
+      if (rate == nullptr || !lender || lender->part != "rate") continue;
+      SavedPort* port = find_named(rebuilt.object.ports[lender->what], lender->name);
+      if (port == nullptr || rebuilt.has_node_of(lender->what, lender->name)) continue;
+      set_entry(port->settings, "rate", *rate);
     }
   }
 
@@ -322,7 +315,7 @@ class Rebuilder {
                       key, port->find(key)->text, here));
     };
     if (const YamlValue* value = port->find("window"))
-      check("window", window, value->text == window || window.starts_with("$("));
+      check("window", window, value->text == window || (ours.window && is_expression(*ours.window)));
     if (const YamlValue* value = port->find("delay"))
       check("delay", delay.value_or(Rational()).to_string(),
             !delay || meant_number(*value) == delay);

@@ -20,12 +20,10 @@ class Substitution {
   YamlValue run(YamlValue value, const YamlValue& config) {
     for (auto& item : value.items) item = run(std::move(item), config);
     for (auto& entry : value.entries) entry.value = run(std::move(entry.value), config);
-    if (!value.is_scalar() || !value.text.starts_with("$(config ") || !value.text.ends_with(')'))
-      return value;
-    constexpr std::size_t kPrefix = std::string_view("$(config ").size();
+    const auto reference = value.is_scalar() ? parse_reference(value.text) : std::nullopt;
+    if (!reference || reference->what != "config" || !reference->part.empty()) return value;
     if (!spend(searches_, config.entries.size())) return value;
-    const YamlValue* found =
-        config.find(value.text.substr(kPrefix, value.text.size() - kPrefix - 1));
+    const YamlValue* found = config.find(reference->name);
     return found != nullptr && afford(*found) ? *found : value;
   }
 

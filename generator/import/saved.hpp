@@ -10,6 +10,7 @@
 #include "generator/diagnostics/diagnostics.hpp"
 #include "generator/read/tree.hpp"
 #include "generator/spec/graph_spec.hpp"
+#include "generator/spec/reference.hpp"
 
 namespace eagerx::gen {
 
@@ -18,6 +19,7 @@ namespace eagerx::gen {
 struct SavedPort {
   Spanned<std::string> name;
   YamlValue settings;
+  bool has_spaces_apart = false;  // of a missing class, whose users gave it different ones
 
   /// The setting, or nullptr if it is not there or null.
   [[nodiscard]] const YamlValue* find(std::string_view key) const;

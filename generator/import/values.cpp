@@ -143,18 +143,13 @@ std::optional<Rational> meant_number(const YamlValue& yaml) {
 std::optional<Rational> manifest_rate(const Entity& entity, const PortManifest& port,
                                       const std::vector<Setting>& settings) {
   if (!port.rate) return std::nullopt;
-  const std::string& text = port.rate->text;
-  constexpr std::string_view kPrefix = "$(config ";
-  if (!text.starts_with(kPrefix) || !text.ends_with(')')) return Rational::parse(text);
-  const std::string name = text.substr(kPrefix.size(), text.size() - kPrefix.size() - 1);
-  for (const auto& setting : settings) {
-    if (setting.name == name) return meant_number(setting.value);
-  }
-  for (const auto& parameter : entity.config) {
-    if (parameter.name.value == name && parameter.fallback)
-      return Rational::parse(parameter.fallback->text);
-  }
-  return std::nullopt;
+  const auto reference = reference_in(*port.rate);
+  if (!reference || reference->what != "config") return Rational::parse(port.rate->text);
+  if (const Setting* setting = find_named(settings, reference->name))
+    return meant_number(setting->value);
+  const Parameter* parameter = find_named(entity.config, reference->name);
+  return parameter != nullptr && parameter->fallback ? Rational::parse(parameter->fallback->text)
+                                                     : std::nullopt;
 }
 
 const PortManifest* manifest_port(const Entity& entity, std::string_view section,
@@ -213,9 +208,7 @@ std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& man
   const bool dtype = manifest.dtype && saved.dtype && manifest.dtype->value == saved.dtype->value;
   if (!dtype) result.dtype = saved.dtype;
   const bool literal =
-      manifest.shape && std::ranges::none_of(manifest.shape->items, [](const YamlValue& item) {
-        return item.text.starts_with("$(");
-      });
+      manifest.shape && std::ranges::none_of(manifest.shape->items, is_expression);
   const bool shape =
       manifest.shape && saved.shape && (!literal || same_shape(*manifest.shape, *saved.shape));
   if (!shape) result.shape = saved.shape;

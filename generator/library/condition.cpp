@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "generator/expression/text.hpp"
+#include "generator/spec/reference.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -187,7 +190,27 @@ class Stack {
   std::vector<Value> values_;
 };
 
+bool speaks_of(const Expression& tree, const std::string& name) {
+  return (tree.op == Expression::Op::reference && tree.text == name) ||
+         std::ranges::any_of(tree.operands,
+                             [&](const Expression& each) { return speaks_of(each, name); });
+}
+
 }  // namespace
+
+bool refers_to(const YamlValue& yaml, const Reference& reference) {
+  if (is_expression(yaml)) {
+    Diagnostics unheard;  // what is wrong with it is told of where it is computed
+    ExpressionText text(yaml, "E0324", unheard);
+    const auto tree = parse_expression(text, NameForm::dollar);
+    return tree && speaks_of(*tree, to_string(reference));
+  }
+  return std::ranges::any_of(yaml.items,
+                             [&](const YamlValue& item) { return refers_to(item, reference); }) ||
+         std::ranges::any_of(yaml.entries, [&](const YamlValue::Entry& entry) {
+           return refers_to(entry.value, reference);
+         });
+}
 
 std::optional<Value> evaluate(const Condition& condition, const Facts& facts) {
   Stack stack;

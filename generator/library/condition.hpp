@@ -23,6 +23,7 @@
 namespace eagerx::gen {
 
 struct Entity;
+struct Reference;
 struct YamlValue;
 
 using ConditionNumber = ExpressionNumber;
@@ -76,8 +77,8 @@ std::optional<Condition> read_condition(const YamlValue& text, const Entity& ent
 /// value is not known have none.
 using KnownReferences = std::map<std::string, std::optional<ConditionValue>, std::less<>>;
 
-/// Whether the text computes something from references: `$(2 * config limit)`, `-$(config limit)`.
-bool is_expression(const YamlValue& yaml);
+/// Whether one of the expressions in `yaml` speaks of it: `$(2 * rate)`.
+bool refers_to(const YamlValue& yaml, const Reference& reference);
 
 /// A number computed from references; a list or text where it is nothing but a reference to one.
 /// Problems, at their place: E0324. nullopt then.

@@ -386,12 +386,6 @@ std::optional<Condition> read_condition(const YamlValue& text, const Entity& ent
   return ConditionMaker(text, entity, diagnostics).read(NameForm::plain, Type::Kind::boolean);
 }
 
-bool is_expression(const YamlValue& yaml) {
-  const std::size_t reference = yaml.text.find("$(");
-  return yaml.is_scalar() && !yaml.quoted && reference != std::string::npos &&
-         yaml.text.ends_with(')') && yaml.text.find_first_not_of("0123456789.+-*/( ") >= reference;
-}
-
 std::optional<Condition> read_expression(const YamlValue& text, const KnownReferences& references,
                                          Diagnostics& diagnostics) {
   return ExpressionMaker(text, references, diagnostics).read(NameForm::dollar, Type::Kind::number);

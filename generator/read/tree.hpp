@@ -13,6 +13,15 @@ namespace eagerx::gen {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
 
+/// What a value is besides its text. Files give only the first: what a user writes can say any
+/// text, and is never taken for one of the others.
+enum class Origin : std::uint8_t {
+  written,
+  computed,    // a number that an expression gave, perhaps a fraction: `1/3`
+  unresolved,  // not known, and somebody was told why: nothing more is said of it
+  python,      // an object that only Python knows; its text names it
+};
+
 /// A value and what is below it. Maps keep their order and have no duplicate keys.
 struct YamlValue {
   struct Entry;
@@ -22,6 +31,7 @@ struct YamlValue {
   std::string tag;   // explicit tag such as "!!python/tuple" in full
                      // ("tag:yaml.org,2002:python/tuple"), else empty
   std::string text;  // scalars
+  Origin origin = Origin::written;
   bool quoted = false;
   bool with_unit = false;        // a rate or time, whose unit was taken off `text`
   std::vector<YamlValue> items;  // sequences

@@ -17,10 +17,6 @@
 namespace eagerx::gen {
 namespace {
 
-// As tags, which trees from files never have.
-constexpr const char* kUnresolved = "unresolved";
-constexpr const char* kComputed = "computed";  // a number, perhaps a fraction: `1/3`
-
 std::string_view type_name(Parameter::Type type) {
   switch (type) {
     case Parameter::Type::integer:
@@ -56,7 +52,7 @@ bool in_range(const Parameter& parameter, const ConditionNumber& value, const Ya
 
 std::optional<double> any_number_of(const YamlValue& yaml) {
   const auto number = parse_number(yaml.text);
-  if (number || yaml.tag != kComputed) return number;
+  if (number || yaml.origin != Origin::computed) return number;
   const auto fraction = Rational::parse(yaml.text);
   return fraction ? std::optional(fraction->to_double()) : std::nullopt;
 }
@@ -273,34 +269,32 @@ References references_of(const Entity& entity, const std::vector<Setting>& setti
     const Setting* setting = find_named(settings, parameter.name.value);
     if (setting == nullptr && !parameter.fallback) {
       // Said where it is missing; what refers to it says nothing.
-      result["config " + parameter.name.value].tag = kUnresolved;
+      result[parameter_reference(parameter.name.value)].origin = Origin::unresolved;
       continue;
     }
     const YamlValue value =
         in_unit_of(parameter, setting != nullptr ? setting->value : *parameter.fallback);
-    result["config " + parameter.name.value] = value;
+    result[parameter_reference(parameter.name.value)] = value;
     if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
       continue;
     // A single number is a list of one.
     const std::size_t size = value.is_sequence() ? value.items.size() : 1;
-    result["size " + parameter.name.value] = made_scalar(std::to_string(size), value.span);
+    result[{"size", parameter.name.value}] = made_scalar(std::to_string(size), value.span);
     for (std::size_t i = 0; i < value.items.size(); ++i)
-      result[fmt::format("config {} {}", parameter.name.value, i)] = value.items[i];
+      result[{"config", parameter.name.value, std::to_string(i)}] = value.items[i];
   }
   return result;
 }
 
 bool is_unresolved(const YamlValue& yaml) {
-  return yaml.tag == kUnresolved;
+  return yaml.origin == Origin::unresolved;
 }
 
 namespace {
 
 /// Whether `config P 0` or `size P` is of a parameter that the graph does not give.
-bool is_missing(const std::string& name, const References& references) {
-  const std::size_t begin = name.find(' ') + 1;
-  const std::size_t end = name.find(' ', begin);
-  const auto parameter = references.find("config " + name.substr(begin, end - begin));
+bool is_missing(const Reference& reference, const References& references) {
+  const auto parameter = references.find(parameter_reference(reference.name));
   return parameter != references.end() && is_unresolved(parameter->second);
 }
 
@@ -332,12 +326,13 @@ std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
 YamlValue compute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
   KnownReferences known;
   Facts facts;
-  for (const auto& [name, value] : references) {
+  for (const auto& [reference, value] : references) {
+    const std::string name = to_string(reference);
     const auto fact = known[name] = fact_of(value);
     if (fact) facts[name] = *fact;
   }
   const auto expression = read_expression(yaml, known, diagnostics);
-  yaml.tag = kUnresolved;
+  yaml.origin = Origin::unresolved;
   const auto value = expression ? evaluate(*expression, facts) : std::nullopt;
   if (!value) return yaml;
   std::string text = to_string(*value);
@@ -345,7 +340,7 @@ YamlValue compute(YamlValue yaml, const References& references, Diagnostics& dia
     diagnostics.error("E0324", yaml.span, fmt::format("`{}` is no finite number", yaml.text));
     return yaml;
   }
-  yaml.tag = kComputed;
+  yaml.origin = Origin::computed;
   yaml.text = std::move(text);
   return yaml;
 }
@@ -357,12 +352,12 @@ YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& 
   for (auto& entry : yaml.entries)
     entry.value = substitute(std::move(entry.value), references, diagnostics);
   if (!is_expression(yaml)) return yaml;
-  if (!yaml.text.starts_with("$(")) return compute(std::move(yaml), references, diagnostics);
-  const std::string name = yaml.text.substr(2, yaml.text.size() - 3);
-  const auto found = references.find(name);
+  const auto reference = reference_in(yaml);
+  if (!reference) return compute(std::move(yaml), references, diagnostics);
+  const auto found = references.find(*reference);
   if (found != references.end()) return found->second;
-  if (is_missing(name, references)) {
-    yaml.tag = kUnresolved;
+  if (is_missing(*reference, references)) {
+    yaml.origin = Origin::unresolved;
     return yaml;
   }
   return compute(std::move(yaml), references, diagnostics);

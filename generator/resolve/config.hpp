@@ -3,15 +3,14 @@
 
 #include <map>
 #include <string>
-#include <string_view>
 
 #include "generator/resolve/graph.hpp"
+#include "generator/spec/reference.hpp"
 
 namespace eagerx::gen {
 
-/// What `$(config NAME)`, `$(sensors NAME rate)` and `$(actuators NAME rate)` mean at some place:
-/// by the text between the parentheses.
-using References = std::map<std::string, YamlValue, std::less<>>;
+/// What `$(…)` means at some place.
+using References = std::map<Reference, YamlValue>;
 
 /// Checks `settings` against the parameters and fills in defaults; problems are reported (E0320
 /// unknown, E0321 missing, E0322 wrong type, E0323 out of range, and for an object as a parameter

@@ -46,7 +46,7 @@ class ObjectBuilder {
         rate.text = set->rate->value.to_string();
         rate.span = set->rate->span;
       }
-      references_[fmt::format("{} {} rate", kind, port.name.value)] = rate;
+      references_[rate_reference(kind, port.name.value)] = rate;
     }
   }
 
@@ -313,7 +313,7 @@ class ObjectBuilder {
   /// A sensor or actuator ticks with the engine node that implements it.
   void check_rate(const PortManifest& port, const char* kind, const DraftNode& node, Span span) {
     const auto rate =
-        Rational::parse(references_[fmt::format("{} {} rate", kind, port.name.value)].text);
+        Rational::parse(references_[rate_reference(kind, port.name.value)].text);
     if (!rate || node.node.rate_hz == Rational() || *rate == node.node.rate_hz) return;
     diagnostics()
         .error("E0317", span,
@@ -321,7 +321,8 @@ class ObjectBuilder {
                            node.node.rate_hz.to_string(), spec_.name.value, port.name.value,
                            rate->to_string()))
         .help =
-        fmt::format("write `rate: $({} {} rate)` for the engine node", kind, port.name.value);
+        fmt::format("write `rate: {}` for the engine node",
+                    in_dollars(rate_reference(kind, port.name.value)));
   }
 
   /// EAGERx's rule: ancestors of used sensors, those that used actuators feed, descendants of those

@@ -85,8 +85,7 @@ References safety_references(const GraphSpec& spec) {
   References result;
   for (const auto& [key, value] : safety_defaults()) {
     const Setting* setting = spec.safety ? find_named(spec.safety->settings, key) : nullptr;
-    const std::string name = fmt::format("safety {}", key);
-    result[name] = setting != nullptr ? setting->value : made_scalar(value, spec.name.span);
+    result[{"safety", key}] = setting != nullptr ? setting->value : made_scalar(value, spec.name.span);
   }
   return result;
 }
@@ -121,7 +120,7 @@ void add_safe_actuators(Draft& draft, const EntitySpec& object, const Entity& en
         span = setting->value.span;
       }
     }
-    references["safe " + name] = list_of(safe, span);
+    references[{"safe", name}] = list_of(safe, span);
   }
 }
 
@@ -135,13 +134,13 @@ void resolve_safety(Draft& draft) {
                            "no object has actuators", draft.diagnostics);
     }
     for (const char* key : {"max_lateness", "link_timeout"})
-      check_time(key, draft.safety.at(fmt::format("safety {}", key)), draft.diagnostics);
+      check_time(key, draft.safety.at({"safety", key}), draft.diagnostics);
   }
   if (draft.graph.nodes.empty()) return;  // something was wrong before
   const GraphNode& environment = draft.graph.environment();
   Safety& safety = draft.graph.safety;
   const auto text = [&](const char* key) {
-    return draft.safety.at(fmt::format("safety {}", key)).text;
+    return draft.safety.at({"safety", key}).text;
   };
   const auto count = [&](const char* key) {
     return static_cast<std::uint32_t>(parse_int(text(key)).value_or(1));
