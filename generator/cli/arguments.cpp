@@ -34,11 +34,11 @@ Arguments joined(std::initializer_list<Arguments> parts) {
   return all;
 }
 
-Argument graph(Options& options) {
+Argument graph(GraphOptions& options) {
   return required(reads(text("graph", options.graph, "the graph file", "GRAPH.yaml")));
 }
 
-Arguments selection(Options& options) {
+Arguments selection(GraphOptions& options) {
   Argument split =
       texts("--split", options.split,
             "make two programs, one for a board and one for Linux; on the board run the named "
@@ -47,8 +47,7 @@ Arguments selection(Options& options) {
             "NAME[,NAME...]=BOARD");
   split.check = check_split;
   return {
-      variant(options),
-      text("--engine", options.engine, "run the graph on this engine instead of its own", "NAME"),
+      variant(options), engine(options),
       choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
              [&options](const std::string& real) { options.real = real; }),
       texts("--target", options.targets,
@@ -56,7 +55,7 @@ Arguments selection(Options& options) {
       std::move(split)};
 }
 
-Argument cut_out_nodes(Options& options, std::string about) {
+Argument cut_out_nodes(GraphOptions& options, std::string about) {
   Argument argument{"--of", std::move(about), "NAME[,NAME...]", [&options](const auto& values) {
                       for (const std::string& value : values)
                         for (std::size_t begin = 0; begin <= value.size();) {
@@ -64,7 +63,6 @@ Argument cut_out_nodes(Options& options, std::string about) {
                           options.of.push_back(value.substr(begin, end - begin));
                           begin = end + 1;
                         }
-                      options.library = true;
                     }};
   argument.repeated = true;
   argument.check = [](const std::string& text) {
@@ -75,58 +73,71 @@ Argument cut_out_nodes(Options& options, std::string about) {
   return argument;
 }
 
-Argument agent_policy(Options& options) {
+Argument agent_policy(GraphOptions& options) {
   return reads(text("--policy", options.agent_policy,
                     "weight file of a policy that decides instead of the graph's `agent`", "FILE"));
 }
 
-Argument variant(Options& options) {
+Argument variant(GraphOptions& options) {
   return text("--variant", options.variant, "this one of the graph's `variants`", "NAME");
 }
 
-Arguments rates(Options& options) {
+Argument engine(GraphOptions& options) {
+  return text("--engine", options.engine, "run the graph on this engine instead of its own",
+              "NAME");
+}
+
+Arguments rates(GraphOptions& options) {
   return {
       rate("--rate", "use this rate of the environment instead of the graph's", options.rate_hz),
       rate("--engine-rate", "use this rate of the engine instead of the graph's",
            options.engine_rate_hz)};
 }
 
-Argument library(Options& options) {
+Argument library(LibraryOptions& options) {
   return folder(texts("--path", options.paths,
                       "folder with entities or targets of your own, may be repeated", "DIR"));
 }
 
-Arguments diagnostics(Options& options) {
-  return {choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
-                 [&options](const std::string& form) { options.json = form == "json"; }),
-          flag("-q,--quiet", options.quiet, "print problems only")};
+Argument quiet(MessageOptions& options) {
+  return flag("-q,--quiet", options.quiet, "print problems only");
 }
 
-Argument warnings(Options& options) {
+Arguments diagnostics(MessageOptions& options) {
+  return {choice("--diagnostics", {"text", "json"}, "form of messages (default: text)",
+                 [&options](const std::string& form) { options.json = form == "json"; }),
+          quiet(options)};
+}
+
+Arguments on_building(GenerateOptions& options) {
+  return joined(
+      {{graph(options),
+        folder(text("-o,--output", options.output,
+                    "output folder (default: generated/<graph name>, for another target "
+                    "generated/<graph name>-<target>); it is built in its folder `build`",
+                    "DIR"))},
+       selection(options),
+       rates(options),
+       {agent_policy(options), library(options), warnings(options)},
+       diagnostics(options)});
+}
+
+Argument warnings(GraphOptions& options) {
   return flag("--warnings-as-errors", options.warnings_as_errors,
               "a warning is a problem: exit code 1, and nothing is written");
 }
 
-Argument handed_on(const std::string& name, std::string about, std::string type, Options& options) {
-  return {name, std::move(about), std::move(type), [&options, name](const auto& values) {
-            for (const std::string& value : values) {
-              options.program_options.push_back(name.substr(0, name.find(',')));
-              options.program_options.push_back(value);
-            }
+Argument handed_on(const std::string& name, std::string about, std::string type,
+                   std::vector<std::string>& words) {
+  return {name, std::move(about), std::move(type), [&words, name](const auto& values) {
+            const std::string first = name.substr(0, name.find(','));
+            if (values.empty()) words.push_back(first);
+            for (const std::string& value : values) words.insert(words.end(), {first, value});
           }};
 }
 
-Arguments on_environments(Options& options) {
-  return joined({{folder(text("--build", options.output,
-                              "folder for the library of environments (default: generated/<graph "
-                              "name>-environments)",
-                              "DIR")),
-                  variant(options),
-                  text("--engine", options.engine,
-                       "run the graph on this engine instead of its own", "NAME")},
-                 rates(options),
-                 {library(options), warnings(options)},
-                 diagnostics(options)});
+std::string check_one_target(const GraphOptions& options) {
+  return options.targets.size() > 1 ? "one --target can be run at a time" : "";
 }
 
 }  // namespace eagerx::gen

@@ -7,7 +7,8 @@
 #include <cstdio>
 #include <cstring>
 
-#include "generator/cli/commands.hpp"
+#include "generator/command_line/command_line.hpp"
+#include "generator/command_line/output.hpp"
 
 namespace eagerx::gen {
 

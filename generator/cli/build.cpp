@@ -1,15 +1,15 @@
-// eagerx-gen build and run.
+// eagerx-gen build: from a graph to programs that are built.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
 
-#include "generator/cli/become.hpp"
+#include "generator/cli/arguments.hpp"
 #include "generator/cli/board_options.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/image_budget.hpp"
-#include "generator/files/files.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// So that two targets in turn do not write over each other, and nothing is built twice.
-std::string default_folder(const Graph& graph, const Options& options) {
+std::string default_folder(const Graph& graph, const GraphOptions& options) {
   std::string folder = "generated/" + graph.name;
   for (const std::string& target : options.targets) {
     if (target != "linux-sim") folder += "-" + target;
@@ -52,7 +52,7 @@ struct Planned {
   BuiltProgram program;
   Tree tree;
 };
-std::vector<Planned> planned(const Run& run, const Options& options, const Generated& generated) {
+std::vector<Planned> planned(const Run& run, const GenerateOptions& options, const Generated& generated) {
   const std::string& folder = generated.folder;
   const bool split = run.graph->placement.has_value();
   std::vector<Planned> result;
@@ -117,7 +117,7 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
   return false;
 }
 
-std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
+std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run) {
   if (!make(run, options)) return std::nullopt;
   if (options.output.empty()) options.output = default_folder(*run.graph, options);
@@ -141,7 +141,11 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, 
   return programs;
 }
 
-int build_command(const Options& options) {
+namespace {
+
+struct BuildOptions : GenerateOptions {};
+
+int perform(const BuildOptions& options) {
   Run run;
   int code = kDone;
   const auto programs = build_graph(run, options, code);
@@ -152,32 +156,23 @@ int build_command(const Options& options) {
   return std::max(finish(run, options), code);
 }
 
-/// The program knows which of its options name files, and which are outputs, and refuses those that
-/// are one file. What it cannot know are the graph's own files: none of these is for it to open.
-void spare_own_files(const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    const std::size_t begin = word.starts_with("--") ? word.find('=') + 1 : 0;
-    const std::string path = word.substr(begin);
-    std::error_code ignored;
-    if (fs::is_regular_file(path, ignored)) remember_output(path, path);
-  }
+Command table(BuildOptions& options) {
+  return {
+      .name = "build",
+      .about =
+          "write the program of a graph, build it, and check the image of a board against the "
+          "graph's budget",
+      .examples = {{"a program for Linux, in generated/pendulum/build",
+                    "eagerx-gen build pendulum.yaml"},
+                   {"an image for a board", "eagerx-gen build pendulum.yaml --target stm32f405"}},
+      .arguments = on_building(options),
+      .run = [&options] { return perform(options); }};
 }
 
-int run_command(const Options& options) {
-  spare_own_files(options.program_options);
-  Run run;
-  int code = kDone;
-  std::vector<std::string> words = options.program_options;
-  const auto programs = build_graph(run, options, code, &words);
-  if (programs) check_built_budget(run, options, *programs);
-  code = std::max(finish(run, options), code);
-  if (!programs || code != kDone) return code;
-  const BuiltProgram& program = programs->back();
-  std::vector<std::string> command = command_to_start(run, program);
-  if (command.front() != program.image)
-    command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
-  command.insert(command.end(), words.begin(), words.end());
-  return become(command.front(), {command.begin() + 1, command.end()});
+}  // namespace
+
+Command build_command() {
+  return with_options<BuildOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string toolchain_of(const Run& run, const Options& options, const Target& target,
+std::string toolchain_of(const Run& run, const GenerateOptions& options, const Target& target,
                          const std::string& folder) {
   if (is_standalone(options)) return folder + "/eagerx-gen/toolchains/" + target.toolchain;
   for (const auto& path : options.paths) {
@@ -51,7 +51,7 @@ bool is_own(const Run& run, const Target& target) {
   return fs::path(folder_of(run, target)).parent_path() != fs::path(run.root) / "targets";
 }
 
-Tree tree_of(const Run& run, const Options& options, const Target& target,
+Tree tree_of(const Run& run, const GenerateOptions& options, const Target& target,
              const std::string& folder, bool several) {
   Tree tree{folder, folder + (several ? "/build-" + target.id.value : "/build"), {}, {}};
   if (several) tree.settings.emplace_back("EAGERX_TARGET", target.id.value);

@@ -17,7 +17,7 @@ struct Tree {
 };
 
 /// The tree of `target` in the output `folder`. `several`: others lie in the same folder.
-Tree tree_of(const Run& run, const Options& options, const Target& target,
+Tree tree_of(const Run& run, const GenerateOptions& options, const Target& target,
              const std::string& folder, bool several);
 /// The folder of a target's manifest.
 std::string folder_of(const Run& run, const Target& target);

@@ -22,7 +22,7 @@ struct Generated {
 
 /// Reads, checks and writes the graph of `options`. Nothing if there is a problem, which is in
 /// `run`; then `code` is the least that the exit code may be.
-std::optional<Generated> generate_graph(Run& run, const Options& options, int& code);
+std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options, int& code);
 
 /// What a program says of itself to those who watch it.
 struct ProgramFacts {
@@ -31,7 +31,7 @@ struct ProgramFacts {
 };
 /// Of the program of a graph that was made, or of both of a split one. Nothing if there is a
 /// problem, which is in `run`.
-std::optional<ProgramFacts> facts_of_program(Run& run, const Options& options);
+std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& options);
 
 /// Compiles the classes of the graph's entities with this machine's compiler, as boards would: the
 /// whole program, also of a split graph. What is wrong is in `diagnostics` (check_entities()).
@@ -54,7 +54,7 @@ struct BuiltProgram {
 /// build_tree() of every program. Of a split graph the part on the board comes first. `to_run`: the
 /// last program is to be run with these options, E0515 if nothing here can, E0516 an option that
 /// a board's program does not take; those that are left are what it gets.
-std::optional<std::vector<BuiltProgram>> build_graph(Run& run, Options options, int& code,
+std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run = nullptr);
 
 /// What starts a program, before its own options; nothing if nothing here can (its target's

@@ -10,6 +10,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
 #include "generator/cli/paths.hpp"
+#include "targets/environments/options/campaign.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -25,7 +26,7 @@ std::string quoted(const std::string& word) {
 }
 
 /// What runs one episode of the same graph in its program for Linux.
-std::string command_of_one_run(const Options& options) {
+std::string command_of_one_run(const GenerateOptions& options) {
   std::string text = "eagerx-gen run " + quoted(options.graph);
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) text += std::string(" ") + name + " " + quoted(value);
@@ -59,7 +60,7 @@ Rank rank_of_this() {
 }
 
 /// Rank 0 builds the library, and the others get it from there.
-int become_rank(const Rank& rank, const Options& options, std::vector<std::string> words) {
+int become_rank(const Rank& rank, const GenerateOptions& options, std::vector<std::string> words) {
   constexpr const char* kProgram = "eagerx-campaign-mpi";
   const std::string program = helper_program(kProgram);
   std::error_code error;
@@ -76,34 +77,19 @@ int become_rank(const Rank& rank, const Options& options, std::vector<std::strin
   return become(program, words);
 }
 
-}  // namespace
+struct CampaignOptions : EnvironmentsOptions {};
 
-int campaign_command(const Options& options) {
-  Options campaign = options;
+int perform(const CampaignOptions& options) {
+  GenerateOptions campaign = options;
   campaign.purpose = Purpose::campaign;
-  std::vector<std::string> words = options.program_options;
-  if (options.json_output) words.emplace_back("--json");
+  std::vector<std::string> words = options.of_program;
   words.insert(words.end(), {"--replay", command_of_one_run(options)});
   if (const Rank rank = rank_of_this(); rank.size > 1)
     return become_rank(rank, campaign, std::move(words));
   return become_with_environments({kAlone, kAlone}, campaign, std::move(words));
 }
 
-Command campaign_commands(Options& options) {
-  const auto option = [&options](const char* name, const char* about, const char* type) {
-    return handed_on(name, about, type, options);
-  };
-  Argument vary = option("--vary",
-                         "draw a state or a delay of each run from this range, may be repeated; an "
-                         "element is NAME[0]",
-                         "NAME=LOW:HIGH");
-  vary.repeated = true;
-  Argument faults = option("--faults",
-                           "from a step that each run draws, what the agent sees or gives is "
-                           "`silent`, `nan`, `offset:X` or `value:X`; +STEPS: for so many; may be "
-                           "repeated",
-                           "NAME=KIND");
-  faults.repeated = true;
+Command table(CampaignOptions& options) {
   return {
       .name = "campaign",
       .about = "run many episodes with the agent in the loop and count successes",
@@ -119,27 +105,16 @@ Command campaign_commands(Options& options) {
            {"and goes on", "eagerx-gen campaign robot.yaml --runs 1000000 --resume robot.campaign"},
            {"on four processes, for an eagerx-gen with MPI",
             "mpirun -n 4 eagerx-gen campaign robot.yaml --runs 1000000"}},
-      .arguments = joined(
-          {{graph(options), option("--runs", "episodes (default: 1000)", "N"), std::move(vary),
-            std::move(faults), agent_policy(options),
-            option("--steps",
-                   "end an episode after so many steps (default: what the task says, or 300)", "N"),
-            option("--seed",
-                   "where random numbers start: another seed is another campaign (default: 1)",
-                   "N"),
-            option("--threads",
-                   "how many threads; the report is the same for any number (default: one for each "
-                   "core)",
-                   "N"),
-            option("--worst", "name so many of the worst runs (default: 5)", "N"),
-            writes(option("--csv", "write a table with a row for each run", "FILE")),
-            flag("--json", options.json_output, "print the report as JSON"),
-            writes(option("--checkpoint", "add finished runs to this file, for --resume", "FILE")),
-            reads(option("--resume", "go on from a checkpoint: the report is that of one long run",
-                         "FILE"),
-                  "--checkpoint")},
-           on_environments(options)}),
-      .run = [&options] { return campaign_command(options); }};
+      .arguments = joined({{graph(options), agent_policy(options)},
+                           handed_on(eagerx::options::kCampaign, options),
+                           on_environments(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command campaign_command() {
+  return with_options<CampaignOptions>(table);
 }
 
 }  // namespace eagerx::gen

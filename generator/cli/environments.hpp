@@ -1,10 +1,12 @@
 // Programs that work on the environments of a graph: eagerx-train, eagerx-campaign.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "generator/cli/commands.hpp"
+#include "generator/cli/arguments.hpp"
+#include "targets/environments/options/row.hpp"
 
 namespace eagerx::gen {
 
@@ -14,9 +16,19 @@ struct Helper {
   const char* checker;  // looks at the options with --check, before anything is built
 };
 
+/// A graph whose library of environments is made, in the folder `output`, for such a program.
+struct EnvironmentsOptions : GenerateOptions {
+  std::vector<std::string> of_program;  // words for it
+};
+
+/// The rows of the program that are for users, as options that are handed on to it.
+Arguments handed_on(std::span<const eagerx::options::Row> rows, EnvironmentsOptions& options);
+/// What making a library of environments takes.
+Arguments on_environments(GenerateOptions& options);
+
 /// Makes the graph's library of environments, and becomes `program` with it and with `words`. They
 /// are checked first, before minutes of compiling.
-int become_with_environments(const Helper& helper, const Options& options,
+int become_with_environments(const Helper& helper, const GenerateOptions& options,
                              std::vector<std::string> words);
 
 }  // namespace eagerx::gen

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/diagnostics/pages.hpp"
 #include "generator/diagnostics/utf8.hpp"
@@ -65,9 +66,11 @@ std::string neighbours(const std::string& code) {
   return text;
 }
 
-}  // namespace
+struct ExplainOptions {
+  std::string code;  // empty: list all
+};
 
-int explain_command(const Options& options) {
+int perform(const ExplainOptions& options) {
   if (options.code.empty()) {
     list_all();
     return kDone;
@@ -89,6 +92,22 @@ int explain_command(const Options& options) {
       "error: there is no code `{}`\nhelp: next to it are {}; `eagerx-gen explain` lists all\n",
       *code, neighbours(*code));
   return kWrongUsage;
+}
+
+Command table(ExplainOptions& options) {
+  return {
+      .name = "explain",
+      .about = "explain a code such as E0307 and what to do, or list all codes",
+      .examples = {{"one code", "eagerx-gen explain E0307"}, {"all codes", "eagerx-gen explain"}},
+      .arguments = {text("code", options.code, "such as E0307 or 307 (default: list all codes)",
+                         "CODE")},
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command explain_command() {
+  return with_options<ExplainOptions>(table);
 }
 
 }  // namespace eagerx::gen

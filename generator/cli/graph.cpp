@@ -1,13 +1,23 @@
 // eagerx-gen graph: a picture of a graph.
 #include <fmt/format.h>
 
+#include <utility>
+
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/picture/picture.hpp"
 
 namespace eagerx::gen {
+namespace {
 
-int graph_command(const Options& options) {
+struct GraphPictureOptions : GraphOptions {
+  std::string output;         // a file; empty: <graph name>.svg
+  bool engine_graph = false;  // with what runs on the engine
+};
+
+int perform(const GraphPictureOptions& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
   const Drawing drawing = drawing_of(*run.graph, run.spec->composites,
@@ -17,6 +27,38 @@ int graph_command(const Options& options) {
   if (write_file(path, text, run.diagnostics) && !options.quiet)
     say("{}: {} boxes, {} connections\n", path, drawing.boxes.size(), drawing.wires.size());
   return finish(run, options);
+}
+
+Command table(GraphPictureOptions& options) {
+  Argument output =
+      writes(text("-o,--output", options.output,
+                  "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
+                  "<graph name>.svg)",
+                  "FILE"));
+  output.check = [](const std::string& path) {
+    return picture_format_of(path) ? std::string() : path + " ends in none of .svg, .dot, .mmd";
+  };
+  return {
+      .name = "graph",
+      .about = "draw a graph as a picture",
+      .examples = {{"pendulum.svg, for a browser or a README", "eagerx-gen graph pendulum.yaml"},
+                   {"with the nodes that run on the engine, for Graphviz",
+                    "eagerx-gen graph pendulum.yaml --engine-graph -o pendulum.dot"}},
+      .arguments = joined(
+          {{graph(options), std::move(output),
+            flag("--engine-graph", options.engine_graph,
+                 "draw what runs on the engine: the nodes of each object instead of one box")},
+           {variant(options), engine(options)},
+           rates(options),
+           {library(options)},
+           diagnostics(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command graph_command() {
+  return with_options<GraphPictureOptions>(table);
 }
 
 }  // namespace eagerx::gen

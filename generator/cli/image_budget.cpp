@@ -139,7 +139,7 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
-void tell_what_is_left(const YamlValue& budget, const Options& options,
+void tell_what_is_left(const YamlValue& budget, const GraphOptions& options,
                        const std::vector<std::string>& of_images, const BuiltProgram* image) {
   if (image == nullptr) {
     std::vector<std::string> keys = of_images;
@@ -161,7 +161,7 @@ void check_image_budget(const JudgedImage& image, const YamlValue& budget,
   BudgetCheck(image, diagnostics).run(budget);
 }
 
-void check_built_budget(Run& run, const Options& options,
+void check_built_budget(Run& run, const GraphOptions& options,
                         const std::vector<BuiltProgram>& programs) {
   if (!run.spec->budget) return;
   const YamlValue& budget = *run.spec->budget;

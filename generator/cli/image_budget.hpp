@@ -27,7 +27,7 @@ void check_image_budget(const JudgedImage& image, const YamlValue& budget,
 
 /// Measures the programs for boards that were built and checks them. What is checked only by
 /// `eagerx-gen size` is said on the standard error.
-void check_built_budget(Run& run, const Options& options,
+void check_built_budget(Run& run, const GraphOptions& options,
                         const std::vector<BuiltProgram>& programs);
 
 }  // namespace eagerx::gen

@@ -2,9 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/missing.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
@@ -14,8 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct ImportOptions : GraphOptions {
+  std::string output;    // the graph to write, or the folder for what is missing; empty: print
+  bool missing = false;  // only lists what has no counterpart
+};
+
 /// The folders of `--path` as the graph names them, so that it can be used without that option.
-std::vector<Spanned<std::string>> library_of(const Options& options) {
+std::vector<Spanned<std::string>> library_of(const ImportOptions& options) {
   std::vector<Spanned<std::string>> result;
   for (const auto& path : options.paths) {
     fs::path folder = fs::absolute(path).lexically_normal();
@@ -28,8 +34,8 @@ std::vector<Spanned<std::string>> library_of(const Options& options) {
 }
 
 /// What `check` says of the graph that was written: somebody may go on with it by hand.
-int check_written(const Options& options, const std::string& text) {
-  Options of_check;
+int check_written(const ImportOptions& options, const std::string& text) {
+  GraphOptions of_check;
   of_check.graph = options.output.empty() ? "<standard output>" : options.output;
   of_check.quiet = options.quiet;
   Run run;
@@ -40,9 +46,7 @@ int check_written(const Options& options, const std::string& text) {
   return finish(run, of_check);
 }
 
-}  // namespace
-
-int import_command(const Options& options) {
+int perform(const ImportOptions& options) {
   Run run;
   const YamlValue tree = read_graph_file(run, options.graph);
   if (run.diagnostics.has_errors()) return finish(run, options);
@@ -53,7 +57,7 @@ int import_command(const Options& options) {
         .help = "such a file has `nodes:`, `connects:` and `gui_state:`";
     return finish(run, options);
   }
-  if (options.missing) return missing_command(run, tree, options);
+  if (options.missing) return list_missing(run, tree, options, options.output);
   auto imported = import_file(run, tree, options);
   if (!imported) return finish(run, options);
   imported->spec.library = library_of(options);
@@ -71,6 +75,35 @@ int import_command(const Options& options) {
   const bool written = !run.diagnostics.has_errors();
   const int code = finish(run, options);
   return written ? std::max(code, check_written(options, text)) : code;
+}
+
+Command table(ImportOptions& options) {
+  return {.name = "import",
+          .about = "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph",
+          .examples =
+              {{"rewrite it, on an engine of your choice",
+                "eagerx-gen import state.yaml -o graph.yaml --engine OdeEngine --engine-rate 60"},
+               {"a folder to fill in for each class that has no counterpart in C++",
+                "eagerx-gen import state.yaml --missing -o models"}},
+          .arguments = joined(
+              {{required(reads(
+                    text("state", options.graph, "the file that EAGERx saved", "STATE.yaml"))),
+                writes(text("-o,--output", options.output,
+                            "the graph to write (default: print it); with --missing the folder",
+                            "FILE")),
+                flag("--missing", options.missing,
+                     "list the classes without counterpart; with -o make a folder for each"),
+                text("--engine", options.engine, "engine to use if the file has none", "NAME")},
+               rates(options),
+               {library(options)},
+               diagnostics(options)}),
+          .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command import_command() {
+  return with_options<ImportOptions>(table);
 }
 
 }  // namespace eagerx::gen

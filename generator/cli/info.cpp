@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/compose/flat_text.hpp"
 #include "generator/emit/namer.hpp"
-#include "generator/library/schema.hpp"
 #include "generator/plausibility/plausibility.hpp"
 #include "generator/report/report.hpp"
-#include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -234,8 +234,13 @@ std::string profile_text(const GraphSpec& spec) {
                      fmt::join(names, ", "));
 }
 
+struct InfoOptions : GraphOptions {
+  std::string entity;  // or target, or graph file; empty: list all
+  bool flat = false, json_output = false;
+};
+
 /// What the plan of a graph says of time, memory and traffic.
-int graph_info(Options options) {
+int graph_info(InfoOptions options) {
   options.graph = options.entity;
   Run run;
   const bool made = make(run, options);
@@ -254,9 +259,7 @@ int graph_info(Options options) {
   return finish(run, options);
 }
 
-}  // namespace
-
-int info_command(const Options& options) {
+int perform(const InfoOptions& options) {
   if (is_graph_file(options.entity)) return graph_info(options);
   if (options.json_output || options.flat) {
     complain("error: `{}` is for graphs\nhelp: give a file GRAPH.yaml\n",
@@ -292,23 +295,32 @@ int info_command(const Options& options) {
   return finish(run, options);
 }
 
-int schema_command(const Options& options) {
-  const bool of_library = options.graph_schema || !options.paths.empty();
-  if (options.manifest_schema) {
-    say("{}",
-        schema_text(manifest_schema(), "eagerx-gen manifest", "eagerx-gen/manifest.schema.json"));
-    return kDone;
-  }
-  if (!of_library) {
-    say("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
-    return kDone;
-  }
-  Run run;
-  load(run, options);
-  if (!run.diagnostics.has_errors())
-    say("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
-                          "eagerx-gen/library.schema.json"));
-  return finish(run, options);
+Command table(InfoOptions& options) {
+  return {.name = "info",
+          .about = "list entities and targets, or explain one or a graph",
+          .examples = {{"list what there is", "eagerx-gen info"},
+                       {"ports and parameters of an entity", "eagerx-gen info ButterworthFilter"},
+                       {"rates, buffers and ages of a graph", "eagerx-gen info pendulum.yaml"},
+                       {"what becomes of its composites, arrays and variants",
+                        "eagerx-gen info robot.yaml --variant real --flat"}},
+          .arguments = joined(
+              {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
+                           "ENTITY|GRAPH.yaml")),
+                variant(options),
+                engine(options)},
+               rates(options),
+               {library(options),
+                flag("--flat", options.flat,
+                     "print the graph that composites, arrays and variants become, and where its "
+                     "lines are from"),
+                flag("--json", options.json_output, "print JSON (for graphs only)")}}),
+          .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command info_command() {
+  return with_options<InfoOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -68,7 +68,8 @@ void make_folder(Run& run, const MissingEntity& entity, const std::string& name,
 
 }  // namespace
 
-int missing_command(Run& run, const YamlValue& tree, const Options& options) {
+int list_missing(Run& run, const YamlValue& tree, const GraphOptions& options,
+                 const std::string& output) {
   load(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
   const auto missing =
@@ -78,9 +79,9 @@ int missing_command(Run& run, const YamlValue& tree, const Options& options) {
   if (missing->empty()) say("every class has a counterpart\n");
   for (const auto& entity : *missing) {
     const std::string name = word_of(entity.type, '_');
-    const fs::path folder = fs::path(options.output) / name;
+    const fs::path folder = fs::path(output) / name;
     say("{}: {} for {}", entity.id, entity.kind, fmt::join(entity.users, ", "));
-    if (!options.output.empty() && is_free_place(folder, run.diagnostics)) {
+    if (!output.empty() && is_free_place(folder, run.diagnostics)) {
       make_folder(run, entity, name, folder);
       if (!run.diagnostics.has_errors()) say(": {}", folder.string());
     }

@@ -7,6 +7,7 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/files/files.hpp"
@@ -14,6 +15,11 @@
 
 namespace eagerx::gen {
 namespace {
+
+struct MonitorCommandOptions : GraphOptions {  // the graph empty: only what the stream says
+  MonitorOptions monitor;
+  std::string layout;  // a file; empty: the graph's
+};
 
 Argument seconds(std::string name, double& value, std::string about) {
   Argument argument{std::move(name), std::move(about), "S", [&value](const auto& values) {
@@ -38,9 +44,7 @@ std::optional<std::string> read_layout(const std::string& path) {
   return std::nullopt;
 }
 
-}  // namespace
-
-int monitor_command(const Options& options) {
+int perform(const MonitorCommandOptions& options) {
   MonitorOptions monitor = options.monitor;
   if (!options.layout.empty()) {
     const auto layout = read_layout(options.layout);
@@ -64,7 +68,7 @@ int monitor_command(const Options& options) {
   return watch(monitor, &graph);
 }
 
-Command monitor_commands(Options& options) {
+Command table(MonitorCommandOptions& options) {
   MonitorOptions& monitor = options.monitor;
   Argument record =
       writes(text("--record", monitor.record,
@@ -125,7 +129,13 @@ Command monitor_commands(Options& options) {
            rates(options),
            {agent_policy(options), library(options)},
            diagnostics(options)}),
-      .run = [&options] { return monitor_command(options); }};
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command monitor_command() {
+  return with_options<MonitorCommandOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -6,7 +6,10 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
+#include <utility>
 
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/kinds.hpp"
 #include "generator/cli/new_folder.hpp"
 #include "generator/cli/pipeline.hpp"
@@ -68,23 +71,49 @@ void print_next(const fs::path& folder, const std::vector<NewFile>& files) {
   say("{}: {}\n{}", folder.string(), names, next);
 }
 
-}  // namespace
+struct NewOptions : LibraryOptions {
+  std::string kind, name;
+  std::string output;  // the folder around the new one; empty: that of its kind
+};
 
-int new_command(const Options& options) {
+int perform(const NewOptions& options) {
   Run run;
   const auto kind = read_kind(options.kind, run.sources, run.diagnostics);
   if (!kind) return finish(run, options);
   const fs::path parent = !options.output.empty() ? options.output : kind->parent;
   load(run, options);
-  const fs::path folder = parent / options.entity;
-  if (run.diagnostics.has_errors() || !check_name(*kind, options.entity, run) ||
-      !is_free_place(folder, run.diagnostics) || !check_id(*kind, options.entity, run))
+  const fs::path folder = parent / options.name;
+  if (run.diagnostics.has_errors() || !check_name(*kind, options.name, run) ||
+      !is_free_place(folder, run.diagnostics) || !check_id(*kind, options.name, run))
     return finish(run, options);
-  const auto files = rendered_files(kind->folder, options.entity,
-                                    view_of_new(options.entity, folder), run.diagnostics);
+  const auto files = rendered_files(kind->folder, options.name,
+                                    view_of_new(options.name, folder), run.diagnostics);
   if (!run.diagnostics.has_errors()) write_new_folder(folder, files, run.diagnostics);
   if (!run.diagnostics.has_errors() && !options.quiet) print_next(folder, files);
   return finish(run, options);
+}
+
+Command table(NewOptions& options) {
+  Argument kind = required(choice("kind", kinds_of_new(), "what to make",
+                                  [&options](const std::string& name) { options.kind = name; }));
+  return {
+      .name = "new",
+      .about = "make a folder to begin with: a project, or a part of your own",
+      .examples = {{"a project with a graph that moves at once", "eagerx-gen new project my_robot"},
+                   {"in it, a node of your own with a test", "eagerx-gen new node my_filter"},
+                   {"a board of your own, in targets/my-board", "eagerx-gen new board my-board"}},
+      .arguments = joined(
+          {{std::move(kind), required(text("name", options.name, "its name", "NAME")),
+            folder(text("-o,--output", options.output,
+                        "where to make its folder (default: here; of a board: targets)", "DIR"))},
+           diagnostics(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command new_command() {
+  return with_options<NewOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -10,7 +10,7 @@ namespace {
 
 class Steps {
  public:
-  Steps(const Run& run, const Options& options) : run_(run), options_(options) {}
+  Steps(const Run& run, const GenerateOptions& options) : run_(run), options_(options) {}
 
   /// Configures, builds and starts one program. `several`: others lie in the same folder.
   std::string build(const Target& target, const std::string& folder, bool several) const {
@@ -35,7 +35,7 @@ class Steps {
   }
 
   const Run& run_;
-  const Options& options_;
+  const GenerateOptions& options_;
 };
 
 std::string link_text(const Run& run) {
@@ -55,9 +55,9 @@ std::string link_text(const Run& run) {
 
 }  // namespace
 
-std::string next_steps(const Run& run, const Options& options,
+std::string next_steps(const Run& run, const GenerateOptions& options,
                        const std::vector<const Target*>& targets, const std::string& folder) {
-  if (options.library) {
+  if (options.makes_library()) {
     return fmt::format(
         "in the CMakeLists.txt of your program:\n  add_subdirectory({0} {0}.build)\n"
         "  target_link_libraries(your_program PRIVATE {1})\n"

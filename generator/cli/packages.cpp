@@ -77,7 +77,7 @@ std::string with_name(std::string path, const std::string& name) {
 
 }  // namespace
 
-std::vector<Package> read_packages(Run& run, const Options& options) {
+std::vector<Package> read_packages(Run& run, const GenerateOptions& options) {
   const std::vector<std::string> known = names_of_packages(run);
   std::vector<Package> packages;
   for (const auto& name : options.packages) {
@@ -93,16 +93,16 @@ std::vector<Package> read_packages(Run& run, const Options& options) {
   return packages;
 }
 
-bool is_standalone(const Options& options) {
+bool is_standalone(const GenerateOptions& options) {
   return options.standalone || !options.packages.empty();
 }
 
-bool is_bare(const Options& options) {
-  return options.library && !options.packages.empty() && !options.standalone;
+bool is_bare(const GenerateOptions& options) {
+  return options.makes_library() && !options.packages.empty() && !options.standalone;
 }
 
-void check_for_packages(Run& run, const Options& options) {
-  if (!options.library || options.packages.empty()) return;
+void check_for_packages(Run& run, const GenerateOptions& options) {
+  if (!options.makes_library() || options.packages.empty()) return;
   const Graph& graph = *run.graph;
   if (graph.has_engine()) {
     run.diagnostics
@@ -123,7 +123,7 @@ void check_for_packages(Run& run, const Options& options) {
   }
 }
 
-std::vector<ExtraTemplate> templates_of(const Run& run, const Options& options,
+std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& options,
                                         const std::vector<Package>& packages) {
   std::vector<ExtraTemplate> templates;
   const auto add_folder = [&](const fs::path& folder) {
@@ -145,22 +145,22 @@ std::vector<ExtraTemplate> templates_of(const Run& run, const Options& options,
   };
   const fs::path standalone = fs::path(run.root) / "templates" / "standalone";
   if (is_standalone(options) && !is_bare(options)) add_folder(standalone / "both");
-  if (is_standalone(options) && !options.library) add_folder(standalone / "program");
+  if (is_standalone(options) && !options.makes_library()) add_folder(standalone / "program");
   for (const Package& package : packages) {
     const fs::path folder = package.folder;
     add_folder(folder / "both");
-    add_folder(folder / (options.library ? "library" : "program"));
-    add_shared(options.library ? package.library : package.program, false);
-    if (options.library) add_shared(package.yours, true);
+    add_folder(folder / (options.makes_library() ? "library" : "program"));
+    add_shared(options.makes_library() ? package.library : package.program, false);
+    if (options.makes_library()) add_shared(package.yours, true);
   }
   for (auto& item : templates) item.output = with_name(item.output, run.graph->name);
   return templates;
 }
 
-void place_headers(const Run& run, const Options& options, const std::vector<Package>& packages,
+void place_headers(const Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
                    const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files) {
   constexpr std::string_view kLicense = "LICENSE";
-  if (!options.library || packages.empty()) return;
+  if (!options.makes_library() || packages.empty()) return;
   std::vector<GeneratedFile> headers;
   const auto is_other = [&](const GeneratedFile& file) {
     return std::ranges::find(others, file.path, &ExtraTemplate::output) != others.end();
@@ -185,7 +185,7 @@ void place_headers(const Run& run, const Options& options, const std::vector<Pac
   }
 }
 
-std::string next_steps(Run& run, const Options& options, const std::vector<Package>& packages,
+std::string next_steps(Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
                        const std::string& folder) {
   View view = object();
   view.set("name", run.graph->name);
@@ -193,7 +193,7 @@ std::string next_steps(Run& run, const Options& options, const std::vector<Packa
   std::string text;
   for (const Package& package : packages) {
     const std::string file =
-        options.library ? "next.library.sh.mustache" : "next.program.sh.mustache";
+        options.makes_library() ? "next.library.sh.mustache" : "next.program.sh.mustache";
     text +=
         render_file((fs::path(package.folder) / file).string(), "next.sh", view, run.diagnostics)
             .value_or("");

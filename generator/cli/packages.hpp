@@ -23,28 +23,28 @@ struct Package {
 
 /// Those that the command line names. Problems: E0502 there is none, E02xx its package.yaml is
 /// wrong.
-std::vector<Package> read_packages(Run& run, const Options& options);
+std::vector<Package> read_packages(Run& run, const GenerateOptions& options);
 
 /// Whether the output has all headers that it needs.
-bool is_standalone(const Options& options);
+bool is_standalone(const GenerateOptions& options);
 /// Whether the output is only these packages: with --library, and without --standalone.
-bool is_bare(const Options& options);
+bool is_bare(const GenerateOptions& options);
 
 /// What of the graph cannot be a package's main loop: E0503 an engine, E0330 a node that needs an
 /// operating system.
-void check_for_packages(Run& run, const Options& options);
+void check_for_packages(Run& run, const GenerateOptions& options);
 
 /// Their templates.
-std::vector<ExtraTemplate> templates_of(const Run& run, const Options& options,
+std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& options,
                                         const std::vector<Package>& packages);
 
 /// With --library, puts the graph's headers where each package has them, and nowhere else if the
 /// output is only packages. `others`: what is in its place.
-void place_headers(const Run& run, const Options& options, const std::vector<Package>& packages,
+void place_headers(const Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
                    const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files);
 
 /// What to type next, for each package: its next.library.sh or next.program.sh.
-std::string next_steps(Run& run, const Options& options, const std::vector<Package>& packages,
+std::string next_steps(Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
                        const std::string& folder);
 
 }  // namespace eagerx::gen

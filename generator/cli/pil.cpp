@@ -8,6 +8,7 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/pil/recording.hpp"
@@ -18,12 +19,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct PilOptions : GenerateOptions {
+  std::vector<std::string> of_simulation;  // words for its program
+};
+
 /// Runs the simulation; the log that it has written, or nothing.
-std::optional<std::string> record(const Options& options, const std::string& folder, int& code) {
-  Options whole = options;
+std::optional<std::string> record(const PilOptions& options, const std::string& folder, int& code) {
+  GenerateOptions whole = options;
   whole.of.clear();
   whole.targets.clear();
-  whole.library = false;
   whole.purpose = Purpose::recording;
   whole.output = folder + "/simulation";
   Run run;
@@ -36,7 +40,7 @@ std::optional<std::string> record(const Options& options, const std::string& fol
   } else if (programs) {
     std::vector<std::string> command = {fs::absolute(programs->back().image).string(), "--quiet",
                                         "--trace", log};
-    command.insert(command.end(), options.program_options.begin(), options.program_options.end());
+    command.insert(command.end(), options.of_simulation.begin(), options.of_simulation.end());
     const auto result = run_process(command);
     if (!result || result->exit_code != 0) {
       auto& problem = run.diagnostics.error("E0517", {}, "the simulation did not end well");
@@ -85,9 +89,9 @@ struct PilProgram {
   std::vector<std::string> command;
 };
 
-std::optional<PilProgram> build_pil(Run& run, const Options& options, const std::string& folder,
+std::optional<PilProgram> build_pil(Run& run, const PilOptions& options, const std::string& folder,
                                     const std::string& log, int& code) {
-  Options library = options;
+  GenerateOptions library = options;
   library.output = folder + "/library";
   const auto generated = make(run, library) ? generate_graph(run, library, code) : std::nullopt;
   if (!generated) return std::nullopt;
@@ -108,9 +112,7 @@ std::optional<PilProgram> build_pil(Run& run, const Options& options, const std:
   return pil;
 }
 
-}  // namespace
-
-int pil_command(const Options& options) {
+int perform(const PilOptions& options) {
   int code = kDone;
   std::string folder = options.output;
   if (folder.empty()) {
@@ -132,9 +134,9 @@ int pil_command(const Options& options) {
   return become(command.front(), {command.begin() + 1, command.end()});
 }
 
-Command pil_commands(Options& options) {
+Command table(PilOptions& options) {
   const auto option = [&options](const char* name, const char* about) {
-    return handed_on(name, about, "N", options);
+    return handed_on(name, about, "N", options.of_simulation);
   };
   return {
       .name = "pil",
@@ -154,19 +156,20 @@ Command pil_commands(Options& options) {
                         "folder for simulation, library and what was recorded (default: "
                         "generated/<graph file>-pil, for another target with its name)",
                         "DIR"))},
-           {variant(options),
-            text("--engine", options.engine, "run the graph on this engine instead of its own",
-                 "NAME"),
+           {variant(options), engine(options),
             texts("--target", options.targets, "where the library runs (default: linux-sim)",
                   "NAME")},
            rates(options),
            {agent_policy(options), library(options), warnings(options)},
            diagnostics(options)}),
-      .check =
-          [&options] {
-            return options.targets.size() > 1 ? "one --target can be run at a time" : "";
-          },
-      .run = [&options] { return pil_command(options); }};
+      .check = [&options] { return check_one_target(options); },
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command pil_command() {
+  return with_options<PilOptions>(table);
 }
 
 }  // namespace eagerx::gen

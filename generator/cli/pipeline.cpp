@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// With `mentions`, what they need of the library; else all of it.
-void load_library_for(Run& run, const Options& options,
+void load_library_for(Run& run, const LibraryOptions& options,
                       const std::vector<Spanned<std::string>>& more,
                       std::optional<Mentions> mentions) {
   run.root = data_root();
@@ -48,7 +48,7 @@ void load_library_for(Run& run, const Options& options,
 }
 
 /// What the graph and the command line mention.
-Mentions mentions_of(const YamlValue& graph, const Options& options) {
+Mentions mentions_of(const YamlValue& graph, const GraphOptions& options) {
   Mentions mentions;
   mentions.add(graph);
   mentions.add(options.engine);
@@ -77,7 +77,7 @@ std::vector<Spanned<std::string>> library_folders(const YamlValue& graph, const 
 }
 
 /// The spec of a graph in our own form, with the rates of the command line, and its library.
-bool read_own_graph(Run& run, const Options& options, Reading reading) {
+bool read_own_graph(Run& run, const GraphOptions& options, Reading reading) {
   const std::size_t errors_before = run.diagnostics.error_count();
   load_library_for(
       run, options, library_folders(run.tree, options.graph),
@@ -100,7 +100,7 @@ bool read_own_graph(Run& run, const Options& options, Reading reading) {
 
 }  // namespace
 
-void load(Run& run, const Options& options) {
+void load(Run& run, const LibraryOptions& options) {
   load_library_for(run, options, {}, std::nullopt);
 }
 
@@ -117,7 +117,7 @@ YamlValue read_graph_file(Run& run, const std::string& path) {
   return tree;
 }
 
-std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options) {
+std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const GraphOptions& options) {
   load_library_for(run, options, {}, std::nullopt);
   if (run.diagnostics.has_errors()) return std::nullopt;
   return import_graph(tree, options.graph, run.library,
@@ -127,7 +127,7 @@ std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const 
 namespace {
 
 /// `--split a,b=BOARD`, which has no place in a file.
-std::vector<PlacementSpec> placement_of(const Options& options) {
+std::vector<PlacementSpec> placement_of(const GraphOptions& options) {
   std::vector<PlacementSpec> result;
   for (const auto& item : options.split) {
     const std::size_t equals = item.rfind('=');
@@ -195,7 +195,7 @@ void prepare_for_cut(Run& run) {
 }
 
 /// `--policy FILE` in place of the graph's agent; the graph names files beside itself.
-void take_policy(Run& run, const Options& options) {
+void take_policy(Run& run, const GraphOptions& options) {
   if (options.agent_policy.empty()) return;
   const Span span =
       run.spec->agent.span.file == FileId::none ? run.spec->name.span : run.spec->agent.span;
@@ -223,7 +223,7 @@ void remember_named_files(const Run& run) {
 }
 
 /// From the tree of the graph's file on.
-bool make_of_tree(Run& run, const Options& options, Reading reading) {
+bool make_of_tree(Run& run, const GraphOptions& options, Reading reading) {
   if (is_saved_graph(run.tree)) {
     auto imported = import_file(run, run.tree, options);
     if (!imported) return false;
@@ -252,13 +252,13 @@ bool make_of_tree(Run& run, const Options& options, Reading reading) {
 
 }  // namespace
 
-std::vector<std::string> wanted_targets(const Options& options) {
+std::vector<std::string> wanted_targets(const GraphOptions& options) {
   return options.targets.empty() ? std::vector<std::string>{"linux-sim"} : options.targets;
 }
 
 namespace {
 
-bool make_of_tree(Run& run, const Options& options) {
+bool make_of_tree(Run& run, const GraphOptions& options) {
   if (run.diagnostics.has_errors()) return false;
   const bool made = make_of_tree(run, options, Reading::mentioned);
   return run.library.was_too_small() ? make_again(run, options) : made;
@@ -266,19 +266,19 @@ bool make_of_tree(Run& run, const Options& options) {
 
 }  // namespace
 
-bool make(Run& run, const Options& options) {
+bool make(Run& run, const GraphOptions& options) {
   run.tree = choose_variant(read_graph_file(run, options.graph), options.graph, options.variant,
                             run.sources, run.diagnostics);
   return make_of_tree(run, options);
 }
 
-bool make_of_text(Run& run, const Options& options, const std::string& text) {
+bool make_of_text(Run& run, const GraphOptions& options, const std::string& text) {
   run.tree = choose_variant(read_yaml_text(options.graph, text, run.sources, run.diagnostics),
                             options.graph, options.variant, run.sources, run.diagnostics);
   return make_of_tree(run, options);
 }
 
-bool make_again(Run& run, const Options& options) {
+bool make_again(Run& run, const GraphOptions& options) {
   Run whole;
   whole.sources = std::move(run.sources);
   whole.tree = std::move(run.tree);
@@ -286,7 +286,7 @@ bool make_again(Run& run, const Options& options) {
   return make_of_tree(run, options, Reading::whole);
 }
 
-int finish(Run& run, const Options& options) {
+int finish(Run& run, const MessageOptions& options) {
   if (const auto why = flush_output()) report_output(*why, run.diagnostics);
   run.diagnostics.drop_repeats();
   run.diagnostics.sort_by_place();

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "generator/agent/policies.hpp"
-#include "generator/cli/commands.hpp"
+#include "generator/cli/options.hpp"
+#include "generator/command_line/command_line.hpp"
+#include "generator/command_line/output.hpp"
 #include "generator/compose/ends.hpp"
 #include "generator/import/import.hpp"
 #include "generator/plan/plan.hpp"
@@ -31,23 +33,23 @@ struct Run {
 };
 
 /// Loads the library for a command that has no graph.
-void load(Run& run, const Options& options);
+void load(Run& run, const LibraryOptions& options);
 /// The graph file; of EAGERx's own too, with Python's tags.
 YamlValue read_graph_file(Run& run, const std::string& path);
 /// EAGERx's file through the manifests of the library, which is loaded.
-std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const Options& options);
+std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const GraphOptions& options);
 /// read → spec (or import) → resolve → plan, and the policies, with what the graph mentions of the
 /// library, or all of it if that was too little. True if there was no problem.
-bool make(Run& run, const Options& options);
+bool make(Run& run, const GraphOptions& options);
 /// The same of a graph that is the text of `options.graph`, which need not be there.
-bool make_of_text(Run& run, const Options& options, const std::string& text);
+bool make_of_text(Run& run, const GraphOptions& options, const std::string& text);
 /// All that `check` looks for in such a graph; true if there was no problem.
-bool check_text(Run& run, const Options& options, const std::string& text);
+bool check_text(Run& run, const GraphOptions& options, const std::string& text);
 /// Again from the graph's file, with the whole library.
-bool make_again(Run& run, const Options& options);
+bool make_again(Run& run, const GraphOptions& options);
 /// The targets that are generated for, as the command line says.
-std::vector<std::string> wanted_targets(const Options& options);
+std::vector<std::string> wanted_targets(const GraphOptions& options);
 /// Prints what was found to the standard error and returns the exit code.
-int finish(Run& run, const Options& options);
+int finish(Run& run, const MessageOptions& options);
 
 }  // namespace eagerx::gen

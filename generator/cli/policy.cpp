@@ -102,7 +102,11 @@ void print_contract(const Network& network) {
       contract.rate_hz ? fmt::format("{:g} Hz", *contract.rate_hz) : "not in the file");
 }
 
-int test(Run& run, const Options& options, const Network& network) {
+struct PolicyTestOptions : PolicyOptions {
+  std::string golden;
+};
+
+int test(Run& run, const PolicyTestOptions& options, const Network& network) {
   const auto rows = read_golden(options.golden, options.golden, {}, run.diagnostics);
   const auto result =
       rows ? compare(network, *rows, options.golden, {}, run.diagnostics) : std::nullopt;
@@ -130,13 +134,16 @@ int test(Run& run, const Options& options, const Network& network) {
   return finish(run, options);
 }
 
-}  // namespace
+int perform(const PolicyTestOptions& options) {
+  Run run;
+  const auto network = read_policy_file(options.policy, run.diagnostics);
+  return network ? test(run, options, *network) : finish(run, options);
+}
 
-int policy_command(const Options& options) {
+int perform(const PolicyOptions& options) {
   Run run;
   const auto network = read_policy_file(options.policy, run.diagnostics);
   if (!network) return finish(run, options);
-  if (!options.golden.empty()) return test(run, options, *network);
   say("{}: {}\n", options.policy.file, network->format);
   print_layers(*network);
   say("with int8      off by {}\n",
@@ -146,6 +153,38 @@ int policy_command(const Options& options) {
   if (!network->ignored.empty()) say("not used\n");
   for (const std::string& part : network->ignored) say("  {}\n", part);
   return finish(run, options);
+}
+
+Command table(PolicyOptions& options) {
+  return {.name = "info",
+          .about = "layers, size and what it expects of a graph",
+          .examples = {{"an ONNX file", "eagerx-gen policy info swing_up.onnx"},
+                       {"a model of Stable-Baselines3 with its statistics",
+                        "eagerx-gen policy info sac.zip --normalize vec_normalize.pkl"}},
+          .arguments = one_policy(options),
+          .run = [&options] { return perform(options); }};
+}
+
+Command table(PolicyTestOptions& options) {
+  return {
+      .name = "test",
+      .about = "compare its answers with known answers",
+      .examples = {{"rows of a CSV file", "eagerx-gen policy test swing_up.onnx answers.csv"}},
+      .arguments = joined({one_policy(options),
+                           {required(reads(text("golden", options.golden,
+                                                "rows of observations and known answers",
+                                                "GOLDEN.csv|npz")))}}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command policy_info_command() {
+  return with_options<PolicyOptions>(table);
+}
+
+Command policy_test_command() {
+  return with_options<PolicyTestOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 #include "generator/cli/pipeline.hpp"
@@ -123,9 +126,14 @@ Json json_of(const Network& a, const Network& b, const AskedRows& asked,
   return json;
 }
 
-}  // namespace
+struct PolicyCompareOptions : PolicyOptions {
+  PolicyFile second_policy;
+  AskedOptions asked;
+  std::optional<double> tolerance;
+  bool int8 = false, json_output = false, said_too_often = false;
+};
 
-int policy_compare_command(const Options& options) {
+int perform(const PolicyCompareOptions& options) {
   Run run;
   auto a = read_policy_file(options.policy, run.diagnostics);
   const bool itself = options.second_policy.file.empty();
@@ -139,7 +147,7 @@ int policy_compare_command(const Options& options) {
   if (!check_sizes(*a, *b, run.diagnostics)) return finish(run, options);
   // What remembers says what is drawn, and statistics and bounds say where.
   const bool by_second = b->has_memory() && !a->has_memory();
-  const auto asked = asked_rows(by_second ? *b : *a, options, run.diagnostics);
+  const auto asked = asked_rows(by_second ? *b : *a, options.asked, run.diagnostics);
   if (!asked || !check_work(*b, asked->rows.observations.size(), run.diagnostics)) {
     return finish(run, options);
   }
@@ -158,6 +166,86 @@ int policy_compare_command(const Options& options) {
                     result->worst, b->file, worst.largest, a->file, worst.allowed));
   }
   return finish(run, options);
+}
+
+/// Once for both files; twice, first for the first; `-` for nothing.
+Argument for_both(PolicyCompareOptions& options, const Saying& saying) {
+  Argument argument{saying.names, std::string(saying.about) + "; twice: one for each, - for none",
+                    saying.type,
+                    [&options, member = saying.member](const std::vector<std::string>& values) {
+                      const auto said = [](const std::string& value) {
+                        return value == "-" ? std::string() : value;
+                      };
+                      options.policy.*member = said(values.front());
+                      options.second_policy.*member = said(values.back());
+                      options.said_too_often |= values.size() > 2;
+                    }};
+  argument.repeated = true;
+  argument.use = saying.use;
+  return argument;
+}
+
+Arguments two_policies(PolicyCompareOptions& options) {
+  Arguments all = {required(reads(text("first", options.policy.file, "the weight file", "FIRST"))),
+                   reads(text("second", options.second_policy.file,
+                              "the other one (default, with --int8: the first)", "SECOND")),
+                   flag("--int8", options.int8,
+                        "round the weights of the second to eight bits, as `weights: int8` does")};
+  for (const Saying& saying : sayings()) all.push_back(for_both(options, saying));
+  return joined({std::move(all), diagnostics(options)});
+}
+
+std::string check_two(const PolicyCompareOptions& options) {
+  if (options.said_too_often) return "an option is there more than twice: there are two files";
+  if (options.second_policy.file.empty() && !options.int8) {
+    return "a second file is missing, or --int8";
+  }
+  return check_asked(options.asked);
+}
+
+Argument tolerance(PolicyCompareOptions& options) {
+  const auto parsed = [](const std::string& text) -> std::optional<double> {
+    double value = 0.0;
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    if (result.ec != std::errc{} || result.ptr != end || !std::isfinite(value) || value < 0.0) {
+      return std::nullopt;
+    }
+    return value;
+  };
+  Argument argument{"--tolerance",
+                    "what an output may be off (default: 1e-5 of its range, and at least 1e-5)",
+                    "X", [&options, parsed](const std::vector<std::string>& values) {
+                      options.tolerance = parsed(values.front());
+                    }};
+  argument.check = [parsed](const std::string& text) {
+    return parsed(text) ? std::string() : text + " is no number from 0 on";
+  };
+  return argument;
+}
+
+Command table(PolicyCompareOptions& options) {
+  return {.name = "compare",
+          .about = "how far the answers of two policies are apart: exit code 1 if too far",
+          .examples = {{"what was trained and what was exported",
+                        "eagerx-gen policy compare sac.zip sac.onnx"},
+                       {"with statistics for the first one only",
+                        "eagerx-gen policy compare ppo.zip ppo.onnx --normalize stats.pkl "
+                        "--normalize -"},
+                       {"what weights of eight bits cost",
+                        "eagerx-gen policy compare sac.zip --int8 --tolerance 0.05"}},
+          .arguments = joined({two_policies(options),
+                                    asked(options.asked),
+                                    {tolerance(options), flag("--json", options.json_output,
+                                                              "print the differences as JSON")}}),
+          .check = [&options] { return check_two(options); },
+          .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command policy_compare_command() {
+  return with_options<PolicyCompareOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -28,7 +28,7 @@ std::optional<Network> read_policy_file(const PolicyFile& file, Diagnostics& dia
   return read_policy(request, diagnostics);
 }
 
-std::optional<AskedRows> asked_rows(const Network& network, const Options& options,
+std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& options,
                                     Diagnostics& diagnostics) {
   if (options.observations.empty()) {
     Draw draw;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "generator/cli/commands.hpp"
+#include "generator/cli/policy_options.hpp"
 #include "generator/network/golden.hpp"
 #include "generator/network/network.hpp"
 
@@ -20,7 +20,7 @@ struct AskedRows {
 };
 /// Those of `--observations`, else as many drawn as `--rows` says; problems if `network` cannot be
 /// asked for its answers to them.
-std::optional<AskedRows> asked_rows(const Network& network, const Options& options,
+std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& options,
                                     Diagnostics& diagnostics);
 
 }  // namespace eagerx::gen

@@ -1,6 +1,8 @@
 // eagerx-gen policy golden: known answers for whoever has none.
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/policy_file.hpp"
 #include "generator/cli/write.hpp"
@@ -8,11 +10,17 @@
 #include "generator/network/observations.hpp"
 
 namespace eagerx::gen {
+namespace {
 
-int policy_golden_command(const Options& options) {
+struct PolicyGoldenOptions : PolicyOptions {
+  AskedOptions asked;
+  std::string output;
+};
+
+int perform(const PolicyGoldenOptions& options) {
   Run run;
   const auto network = read_policy_file(options.policy, run.diagnostics);
-  auto asked = network ? asked_rows(*network, options, run.diagnostics) : std::nullopt;
+  auto asked = network ? asked_rows(*network, options.asked, run.diagnostics) : std::nullopt;
   if (!asked || !add_answers(*network, asked->rows, run.diagnostics)) return finish(run, options);
   const std::string about =
       fmt::format("answers of {} in float64; observations: {}", options.policy.file, asked->origin);
@@ -26,6 +34,26 @@ int policy_golden_command(const Options& options) {
     }
   }
   return finish(run, options);
+}
+
+Command table(PolicyGoldenOptions& options) {
+  Argument output = required(
+      writes(text("-o,--output-file", options.output, "the table to write", "GOLDEN.csv")));
+  return {.name = "golden",
+          .about = "write observations with its answers, computed in float64",
+          .examples = {{"1000 drawn observations; the same for the same seed",
+                        "eagerx-gen policy golden swing_up.onnx --rows 1000 -o golden.csv"},
+                       {"observations of a run",
+                        "eagerx-gen policy golden sac.zip --observations run.csv -o golden.csv"}},
+          .arguments = joined({one_policy(options), asked(options.asked), {std::move(output)}}),
+          .check = [&options] { return check_asked(options.asked); },
+          .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command policy_golden_command() {
+  return with_options<PolicyGoldenOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -8,6 +8,7 @@
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/monitor/live.hpp"
@@ -19,7 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::vector<PageImage> read_images(Run& run, const Options& options) {
+/// `output` is the page: a file; empty: <graph name>.html.
+struct ReportOptions : GenerateOptions {
+  std::vector<std::string> logs, images;
+  std::string build;       // the images' folder; empty: that of each
+  std::size_t points = 0;  // of a plot; 0: as many as fit
+  bool simulate = false;
+  std::string live;  // a source; empty: a page is written
+};
+
+std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
   std::vector<PageImage> images;
   for (const std::string& image : options.images) {
     const std::string folder = fs::path(image).parent_path().string();
@@ -36,8 +46,8 @@ std::vector<PageImage> read_images(Run& run, const Options& options) {
 
 /// The module of target wasm that simulates the graph, built. Nothing if there is a problem, which
 /// has been told; `code` is the exit code.
-std::optional<std::string> build_module(const Options& options, int& code) {
-  Options wasm = options;
+std::optional<std::string> build_module(const ReportOptions& options, int& code) {
+  GenerateOptions wasm = options;
   wasm.targets = {"wasm"};
   wasm.output.clear();
   wasm.purpose = Purpose::simulation;
@@ -53,7 +63,7 @@ std::optional<std::string> build_module(const Options& options, int& code) {
   return module;
 }
 
-int show_live(Run& run, const Options& options, const std::string& page) {
+int show_live(Run& run, const ReportOptions& options, const std::string& page) {
   const auto facts = facts_of_program(run, options);
   const int code = finish(run, options);
   if (!facts || code != kDone) return code;
@@ -61,9 +71,7 @@ int show_live(Run& run, const Options& options, const std::string& page) {
                     {&*run.plan, options.graph, facts->hash});
 }
 
-}  // namespace
-
-int report_command(const Options& options) {
+int perform(const ReportOptions& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
   std::vector<PageImage> images = read_images(run, options);
@@ -103,7 +111,7 @@ int report_command(const Options& options) {
   return finish(run, options);
 }
 
-Command report_commands(Options& options) {
+Command table(ReportOptions& options) {
   Argument points{"--points",
                   "most points of a plot (default: as many as keep the file below 5 MB, at most "
                   "2000); of more messages, the least and the greatest of each part are kept",
@@ -149,8 +157,7 @@ Command report_commands(Options& options) {
                  "compile the graph for target wasm, in generated/<graph name>-wasm, and put it "
                  "into "
                  "the page: reset, step, play, by the policy or by hand")},
-           {variant(options), text("--engine", options.engine,
-                                   "run the graph on this engine instead of its own", "NAME")},
+           {variant(options), engine(options)},
            rates(options),
            {agent_policy(options), library(options)},
            diagnostics(options)}),
@@ -160,7 +167,13 @@ Command report_commands(Options& options) {
                        ? ""
                        : "--live shows the page and writes none: --output has no meaning";
           },
-      .run = [&options] { return report_command(options); }};
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command report_command() {
+  return with_options<ReportOptions>(table);
 }
 
 }  // namespace eagerx::gen

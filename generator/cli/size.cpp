@@ -10,6 +10,8 @@
 #include <iterator>
 #include <optional>
 
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/image_budget.hpp"
 #include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
@@ -22,8 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct SizeOptions : GraphOptions {
+  std::string image, build, baseline;  // files and the build folder; empty: none, the image's
+  std::string run_on;                  // a target; empty: nothing is run
+  bool json_output = false;
+};
+
 /// Runs the image in the target's emulator, where an instruction lasts 2^shift ns.
-std::optional<Instructions> count_instructions(const Run& run, const Options& options) {
+std::optional<Instructions> count_instructions(const Run& run, const SizeOptions& options) {
   constexpr int kShift = 5;
   constexpr double kNsPerInstruction = 1 << kShift;
   constexpr double kNsPerSecond = 1e9;
@@ -55,7 +63,7 @@ std::optional<Instructions> count_instructions(const Run& run, const Options& op
 }
 
 /// Nothing without --baseline.
-std::optional<Json> read_baseline(Run& run, const Options& options) {
+std::optional<Json> read_baseline(Run& run, const SizeOptions& options) {
   if (options.baseline.empty()) return std::nullopt;
   std::ifstream file(options.baseline);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -83,9 +91,7 @@ void print_report(const SizeReport& report, const std::optional<PlanReport>& pla
   say("{}\n", dump_json(json));
 }
 
-}  // namespace
-
-int size_command(const Options& options) {
+int perform(const SizeOptions& options) {
   Run run;
   run.root = data_root();
   std::optional<PlanReport> plan;
@@ -112,6 +118,40 @@ int size_command(const Options& options) {
     check_plan_budget(*plan, *run.spec->budget, run.diagnostics);
   }
   return finish(run, options);
+}
+
+Command table(SizeOptions& options) {
+  return {
+      .name = "size",
+      .about = "flash, RAM, stack and instructions of an image",
+      .examples = {{"flash and RAM of each node", "eagerx-gen size build/pendulum.elf"},
+                   {"check a graph's budget and count instructions in the emulator",
+                    "eagerx-gen size build/pendulum.elf --graph pendulum.yaml --run mps2-an386"}},
+      .arguments = joined(
+          {{required(reads(text("image", options.image, "the image", "IMAGE.elf"))),
+            reads(text("--graph", options.graph,
+                       "also check the image against this graph's `budget:`", "GRAPH.yaml")),
+            folder(text("--build", options.build,
+                        "build folder of the image (default: the folder that it lies in)", "DIR")),
+            variant(options),
+            text("--engine", options.engine,
+                 "engine that the image was generated with, if not the graph's", "NAME"),
+            library(options),
+            text("--run", options.run_on, "also count instructions, in the target's emulator",
+                 "TARGET"),
+            reads(text("--baseline", options.baseline,
+                       "an earlier output of --json; if a budget is exceeded, name the parts that "
+                       "grew",
+                       "FILE.json")),
+            flag("--json", options.json_output, "print JSON")},
+           diagnostics(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command size_command() {
+  return with_options<SizeOptions>(table);
 }
 
 }  // namespace eagerx::gen

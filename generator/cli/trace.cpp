@@ -6,14 +6,27 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
 #include "generator/cli/write.hpp"
 
 namespace eagerx::gen {
 namespace {
 
-int finish(const Options& options, const TraceResult& result) {
+/// A log, and the file that is made of it.
+struct LogOptions : MessageOptions {
+  std::string log, output;
+};
+
+struct PlotOptions : LogOptions {
+  std::vector<std::string> channels;
+  std::string episode;  // its number; empty: all
+};
+
+int finish(const LogOptions& options, const TraceResult& result) {
   if (!result.problem.empty()) complain("{}\n", result.problem);
   if (!result.note.empty() && !options.quiet) complain("note: {}\n", result.note);
   if (!result.problem.empty()) return result.readable ? kProblems : kInputOutput;
@@ -27,7 +40,7 @@ int finish(const Options& options, const TraceResult& result) {
   return gen::finish(run, options);
 }
 
-std::optional<std::uint32_t> episode_of(const Options& options) {
+std::optional<std::uint32_t> episode_of(const PlotOptions& options) {
   if (options.episode.empty()) return std::nullopt;
   return static_cast<std::uint32_t>(std::strtoul(options.episode.c_str(), nullptr, 10));
 }
@@ -50,20 +63,18 @@ bool has_braille() {
   return false;
 }
 
-}  // namespace
-
-int trace_command(const Options& options) {
+int perform(const LogOptions& options) {
   return finish(options, convert_log(options.log, *trace_format_of(options.output)));
 }
 
-int plot_command(const Options& options) {
+int perform(const PlotOptions& options) {
   const PlotRequest request{options.log, options.channels, episode_of(options)};
   return finish(options, options.output == "-"
                              ? plot_log_as_text(request, columns_of_terminal(), has_braille())
                              : plot_log_as_svg(request));
 }
 
-Command trace_commands(Options& options) {
+Command table(LogOptions& options) {
   Argument output =
       required(writes(text("-o,--output", options.output,
                            "the file to write: .csv, .json (Perfetto, chrome://tracing), "
@@ -73,23 +84,18 @@ Command trace_commands(Options& options) {
     return trace_format_of(path) ? std::string()
                                  : path + " ends in none of .csv, .json, .mcap, .npz";
   };
-  return {
-      .name = "trace",
-      .about = "what a run wrote with --trace, for other tools",
-      .examples = {{"for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
-      .commands = {{.name = "convert",
-                    .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
-                    .examples = {{"a table, a row for each instant",
-                                  "eagerx-gen trace convert run.log -o run.csv"},
-                                 {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
-                    .arguments = {required(reads(text("log", options.log,
-                                                      "what a run wrote with --trace", "LOG"))),
-                                  std::move(output),
-                                  flag("-q,--quiet", options.quiet, "print problems only")},
-                    .run = [&options] { return trace_command(options); }}}};
+  return {.name = "convert",
+          .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
+          .examples = {{"a table, a row for each instant",
+                        "eagerx-gen trace convert run.log -o run.csv"},
+                       {"for Foxglove", "eagerx-gen trace convert run.log -o run.mcap"}},
+          .arguments = {required(reads(
+                            text("log", options.log, "what a run wrote with --trace", "LOG"))),
+                        std::move(output), quiet(options)},
+          .run = [&options] { return perform(options); }};
 }
 
-Command plot_commands(Options& options) {
+Command table(PlotOptions& options) {
   Argument output = required(writes(text(
       "-o,--output", options.output, "the picture to write, .svg, or - for the terminal", "FILE")));
   output.check = [](const std::string& path) {
@@ -111,8 +117,21 @@ Command plot_commands(Options& options) {
                     required(texts("channel", options.channels,
                                    "channels: their names, or a part such as theta", "CHANNEL")),
                     std::move(output), std::move(episode),
-                    flag("-q,--quiet", options.quiet, "print problems only")},
-      .run = [&options] { return plot_command(options); }};
+                    quiet(options)},
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command trace_command() {
+  return {.name = "trace",
+          .about = "what a run wrote with --trace, for other tools",
+          .examples = {{"for NumPy", "eagerx-gen trace convert run.log -o run.npz"}},
+          .commands = {with_options<LogOptions>(table)}};
+}
+
+Command plot_command() {
+  return with_options<PlotOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -3,20 +3,21 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
+#include "targets/environments/options/train.hpp"
 
 namespace eagerx::gen {
 
-int train_command(const Options& options) {
-  Options training = options;
+namespace {
+
+struct TrainOptions : EnvironmentsOptions {};
+
+int perform(const TrainOptions& options) {
+  GenerateOptions training = options;
   training.purpose = Purpose::training;
-  return become_with_environments({"eagerx-train", "eagerx-train"}, training,
-                                  options.program_options);
+  return become_with_environments({"eagerx-train", "eagerx-train"}, training, options.of_program);
 }
 
-Command train_commands(Options& options) {
-  const auto option = [&options](const char* name, const char* about, const char* type) {
-    return handed_on(name, about, type, options);
-  };
+Command table(TrainOptions& options) {
   return {
       .name = "train",
       .about = "train a policy on the graph, whose `task:` says what is good",
@@ -30,36 +31,16 @@ Command train_commands(Options& options) {
             "eagerx-gen train robot.yaml --steps 50000000 --resume robot.checkpoint"},
            {"fine-tune for another graph what was learnt on this one",
             "eagerx-gen train real_robot.yaml --from robot.checkpoint -o real.safetensors"}},
-      .arguments = joined(
-          {{graph(options),
-            writes(option("-o,--output", "the policy (default: policy.safetensors)", "FILE"),
-                   "policy.safetensors"),
-            option("--algorithm", "ppo (default); there is no other", "NAME"),
-            option("--steps", "steps of all environments, at most (default: 5000000)", "N"),
-            option("--until-return", "do not end before the mean return of 100 episodes is X", "X"),
-            option("--seed",
-                   "where random numbers start: another seed gives another policy (default: 1)",
-                   "N"),
-            option("--threads",
-                   "how many threads; the policy is the same for any number (default: one for each "
-                   "core)",
-                   "N"),
-            option("--hidden", "widths of the hidden layers (default: 64,64)", "N,N"),
-            option("--discount", "weight of a reward one step later (default: 0.99)", "X"),
-            writes(option("--checkpoint",
-                          "write here, each minute and at the end, what --resume and --from need",
-                          "FILE")),
-            reads(option("--resume", "go on from a checkpoint: the policy is that of one long run",
-                         "FILE"),
-                  "--checkpoint"),
-            reads(option("--from",
-                         "begin with what a checkpoint has learnt, also on another graph with the "
-                         "same observations and actions",
-                         "FILE")),
-            writes(option("--csv", "write the learning curve as a table", "FILE")),
-            writes(option("--curve", "write the learning curve as a picture (SVG)", "FILE"))},
-           on_environments(options)}),
-      .run = [&options] { return train_command(options); }};
+      .arguments = joined({{graph(options)},
+                           handed_on(eagerx::options::kTrain, options),
+                           on_environments(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command train_command() {
+  return with_options<TrainOptions>(table);
 }
 
 }  // namespace eagerx::gen

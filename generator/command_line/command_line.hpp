@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,7 @@ struct Command {
   std::function<std::string()> check = {};
   std::function<int()> run = {};
   bool hidden = false;  // from the help: not for people
+  std::shared_ptr<void> options = {};  // what `arguments` store in, kept as long as they
 };
 
 /// What `help NAME` says besides what the commands say.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "generator/compose/arrays.hpp"
+#include "generator/compose/composite_use.hpp"
 #include "generator/compose/ends.hpp"
 #include "generator/compose/gather.hpp"
 #include "generator/compose/inner_files.hpp"
@@ -156,7 +157,7 @@ class Composer {
     scope.prefix = full + "/";
     scope.around = outer.around;
     scope.around.push_back(&entity);
-    if (!take_parameters(written, entity, type.span, scope)) return;
+    if (!take_parameters(library_, written, entity, type.span, scope, diagnostics_)) return;
     YamlValue inside = *entity.composite;
     move_file(inside,
               sources_.add_use(inside.span.file,
@@ -166,7 +167,9 @@ class Composer {
     CompositePorts ports;
     const char* receiving = object ? "actuators" : "inputs";
     const char* sending = object ? "sensors" : "outputs";
-    if (!knows_ports(written, entity, receiving) || !knows_ports(written, entity, sending)) return;
+    if (!knows_ports(written, entity, receiving, diagnostics_) ||
+        !knows_ports(written, entity, sending, diagnostics_))
+      return;
     if (object) take_settings_of_ports(written, inside, scope);
     const std::size_t connections_before = connections_.size();
     expand(*inside.find("graph"), scope);
@@ -179,61 +182,6 @@ class Composer {
         shown_composite(full, entry.key_span, entity, written.find("rate"), ports));
     inner_.entity_of.erase(full);
     inner_.ends.add(full, std::move(ports));
-  }
-
-  /// A rate is needed where something inside is of it.
-  static FormatPtr composite_node_format() {
-    static const FormatPtr kFormat = [] {
-      Format format = *node_format();
-      for (Field& field : format.fields) field.required = field.required && field.name != "rate";
-      return std::make_shared<const Format>(std::move(format));
-    }();
-    return kFormat;
-  }
-
-  bool take_parameters(const YamlValue& settings, const Entity& entity, Span span, Scope& scope) {
-    const std::size_t errors_before = diagnostics_.error_count();
-    const std::vector<Setting> given = read_config(settings.find("config"));
-    const Config config = resolve_config(library_, entity, given, span, diagnostics_);
-    scope.references = references_of(entity, given);
-    const YamlValue* rate = settings.find("rate");
-    if (rate != nullptr) {
-      scope.references[{"rate"}] = *rate;
-    } else if (refers_to(*entity.composite, {"rate"})) {
-      diagnostics_
-          .error("E0202", settings.span,
-                 fmt::format("missing key `rate`: nodes in `{}` run at it", entity.id.value))
-          .help = "add `rate:`, its rate in Hz";
-    }
-    check_requirements(entity, config, rate != nullptr ? Rational::parse(rate->text) : std::nullopt,
-                       span, diagnostics_);
-    return diagnostics_.error_count() == errors_before;
-  }
-
-  /// The ports that a graph names of a composite are in its manifest.
-  bool knows_ports(const YamlValue& settings, const Entity& entity, const char* key) {
-    const YamlValue* chosen = settings.find(key);
-    const YamlValue* ports = entity.composite->find(key);
-    if (chosen == nullptr) return true;
-    std::vector<std::pair<std::string, Span>> names;
-    for (const auto& item : chosen->items) names.emplace_back(item.text, item.span);
-    for (const auto& entry : chosen->entries) names.emplace_back(entry.key, entry.key_span);
-    std::vector<std::string> known;
-    if (ports != nullptr)
-      for (const auto& entry : ports->entries) known.push_back(entry.key);
-    bool good = true;
-    for (const auto& [name, span] : names) {
-      if (contains(known, name)) continue;
-      auto& problem = diagnostics_.error(
-          "E0307", span,
-          fmt::format("`{}` has no {} `{}`", entity.id.value,
-                      std::string_view(key).substr(0, std::string_view(key).size() - 1), name));
-      const std::string near = nearest(name, known);
-      problem.help = near.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
-                                  : fmt::format("did you mean `{}`?", near);
-      good = false;
-    }
-    return good;
   }
 
   CountOf counter(const Scope& scope) const {

@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "targets/environments/client/command_line.hpp"
+#include "targets/environments/options/campaign.hpp"
 
 namespace eagerx::campaign {
 namespace {
@@ -36,39 +37,42 @@ target::Fault fault(const std::string& text) {
   return *result;
 }
 
-std::vector<client::Option> table(Options& o) {
+/// What each option does with its value.
+std::vector<client::Setter> setters(Options& o) {
   using Text = const std::string&;
   constexpr std::uint32_t kMostRuns = 100'000'000, kMostSteps = 1'000'000'000;
   return {
-      {"--runs", "N", "episodes (default: 1000)",
+      {"--runs",
        [&](Text v) { o.runs = number<std::uint32_t>(v, 1, kMostRuns); }},
-      {"--vary", "NAME=LOW:HIGH", "draw a state or a delay from a range, may be repeated",
+      {"--vary",
        [&](Text v) { o.variations.push_back(variation(v)); }},
-      {"--faults", "NAME=KIND",
-       "silent, nan, offset:X or value:X of an observation or an action, from a step that each run "
-       "draws, may be repeated",
+      {"--faults",
        [&](Text v) { o.faults.push_back(fault(v)); }},
-      {"--steps", "N", "end an episode after so many (default: what the task says, or 300)",
+      {"--steps",
        [&](Text v) { o.steps = number<std::uint32_t>(v, 1, kMostSteps); }},
-      {"--seed", "N", "another one is another campaign (default: 1)",
+      {"--seed",
        [&](Text v) { o.seed = number<std::uint64_t>(v, 0, UINT64_MAX); }},
-      {"--threads", "N", "the report does not depend on it (default: one for each core)",
+      {"--threads",
        [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--worst", "N", "name so many of the worst runs (default: 5)",
+      {"--worst",
        [&](Text v) { o.worst = number<std::size_t>(v, 0, 1000); }},
-      {"--csv", "FILE", "write a table with a row for each run", [&](Text v) { o.csv = v; }},
-      {"--checkpoint", "FILE", "add finished runs to this file, for --resume",
+      {"--csv", [&](Text v) { o.csv = v; }},
+      {"--checkpoint",
        [&](Text v) { o.checkpoint = v; }},
-      {"--resume", "FILE", "go on from a checkpoint: the report is that of one long run",
+      {"--resume",
        [&](Text v) { o.resume = v; }},
-      {"--replay", "WORDS", "what the command that repeats a run begins with",
+      {"--replay",
        [&](Text v) { o.replay = v; }},
-      {"--json", "", "print the report as JSON", [&](Text) { o.json = true; }},
-      {"-q, --quiet", "", "print problems only", [&](Text) { o.is_quiet = true; }},
-      {"--check", "", "only look whether the options are right and the files can be written",
+      {"--json", [&](Text) { o.json = true; }},
+      {"--quiet", [&](Text) { o.is_quiet = true; }},
+      {"--check",
        [&](Text) { o.only_checks = true; }},
-      {"-h, --help", "", "print this", [&](Text) { o.wants_help = true; }, true},
+      {"--help", [&](Text) { o.wants_help = true; }},
   };
+}
+
+std::vector<client::Option> table(Options& options) {
+  return client::options_of(options::kCampaign, setters(options));
 }
 
 }  // namespace

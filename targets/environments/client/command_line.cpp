@@ -1,15 +1,21 @@
 #include "targets/environments/client/command_line.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 namespace eagerx::client {
 namespace {
 
+/// "--output" of "-o,--output"
+std::string_view long_name(const Option& option) {
+  const std::string_view names = option.row.names;
+  return names.substr(names.find(',') + 1);
+}
+
 bool is_called(const Option& option, std::string_view word) {
-  const std::string_view names = option.name;
-  const std::size_t comma = names.find(", ");
-  return word == names.substr(0, comma) ||
-         (comma != std::string_view::npos && word == names.substr(comma + 2));
+  const std::string_view names = option.row.names;
+  return word == long_name(option) || word == names.substr(0, names.find(','));
 }
 
 /// Whether something is left to look at. `i` is where the word stands.
@@ -26,10 +32,10 @@ bool take(const CommandLine& line, int argc, const char* const* argv, int& i) {
       line.options, [&](const Option& other) { return is_called(other, name); });
   if (option == line.options.end()) refuse("there is no option `" + word + "`");
   const bool has_value = equals != std::string::npos;
-  if (*option->value == '\0') {
+  if (*option->row.value == '\0') {
     if (has_value) refuse("`" + name + "` takes no value");
     option->set({});
-    return !option->ends;
+    return !option->row.ends;
   }
   // What begins with two dashes is the next option; a value that does is written
   // `--option=--value`.
@@ -49,6 +55,20 @@ void refuse(const std::string& what) {
   throw Problem(kUsage, what);
 }
 
+std::vector<Option> options_of(std::span<const options::Row> rows, std::vector<Setter> setters) {
+  std::vector<Option> result;
+  for (const options::Row& row : rows) {
+    Option option{row, {}};
+    const auto found = std::ranges::find(setters, long_name(option), &Setter::name);
+    if (found == setters.end()) throw std::logic_error(row.names);
+    option.set = std::move(found->set);
+    setters.erase(found);
+    result.push_back(std::move(option));
+  }
+  if (!setters.empty()) throw std::logic_error(std::string(setters.front().name));
+  return result;
+}
+
 void parse(const CommandLine& line, int argc, const char* const* argv) {
   try {
     for (int i = 1; i < argc; ++i) {
@@ -65,14 +85,17 @@ void parse(const CommandLine& line, int argc, const char* const* argv) {
 std::string help_of(const std::vector<Option>& options) {
   std::size_t column = 0;
   const auto name_of = [](const Option& option) {
-    return std::string("  ") + option.name + (*option.value == '\0' ? "" : " ") + option.value;
+    std::string names = option.row.names;
+    if (const std::size_t comma = names.find(','); comma != std::string::npos)
+      names.insert(comma + 1, " ");
+    return "  " + names + (*option.row.value == '\0' ? "" : " ") + option.row.value;
   };
   for (const Option& option : options) column = std::max(column, name_of(option).size() + 2);
   std::string text;
   for (const Option& option : options) {
     std::string name = name_of(option);
     name.resize(column, ' ');
-    text += name + option.about + "\n";
+    text += name + option.row.about + "\n";
   }
   return text;
 }

@@ -5,21 +5,32 @@
 
 #include <charconv>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "targets/environments/client/problem.hpp"
+#include "targets/environments/options/row.hpp"
 
 namespace eagerx::client {
 
+using Set = std::function<void(const std::string& text)>;
+
 struct Option {
-  const char* name;   // "--seed", or two names, "-o, --output"
-  const char* value;  // "N"; empty: an option without a value
-  const char* about;
-  std::function<void(const std::string& text)> set;
-  bool ends = false;  // nothing else is looked at, as after --help
+  options::Row row;
+  Set set;
 };
+
+/// What the option of this long name does with its value.
+struct Setter {
+  std::string_view name;
+  Set set;
+};
+
+/// The rows with what they do. Each has one setter, and each setter a row: else it is a bug of this
+/// program (std::logic_error).
+std::vector<Option> options_of(std::span<const options::Row> rows, std::vector<Setter> setters);
 
 struct CommandLine {
   const char* command;  // of eagerx-gen, as "train"

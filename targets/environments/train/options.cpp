@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "targets/environments/client/command_line.hpp"
+#include "targets/environments/options/train.hpp"
 #include "targets/environments/train/client.hpp"
 
 namespace eagerx::train {
@@ -25,48 +26,52 @@ std::vector<std::size_t> widths(const std::string& text) {
   return result;
 }
 
-std::vector<client::Option> table(Options& o) {
+/// What each option does with its value.
+std::vector<client::Setter> setters(Options& o) {
   using Text = const std::string&;
   constexpr std::uint64_t kMostSteps = 1'000'000'000'000;
   constexpr std::uint64_t kMostSeed = (std::uint64_t{1} << 62U) - 1;  // above: evaluation
   constexpr double kMostReturn = 1e30;
   Settings& settings = o.settings;
   return {
-      {"-o, --output", "FILE", "the policy (default: policy.safetensors)",
+      {"--output",
        [&](Text v) { o.output = v; }},
-      {"--algorithm", "NAME", "ppo (default); there is no other",
+      {"--algorithm",
        [](Text v) {
          if (v != "ppo") refuse("there is no algorithm `" + v + "`, only ppo");
        }},
-      {"--steps", "N", "steps of all environments, at most (default: 5000000)",
+      {"--steps",
        [&](Text v) { o.steps = number<std::uint64_t>(v, 1, kMostSteps); }},
-      {"--until-return", "X", "do not end before the mean return of 100 episodes is X",
+      {"--until-return",
        [&](Text v) { settings.until_return = number<double>(v, -kMostReturn, kMostReturn); }},
-      {"--seed", "N", "another one is another training (default: 1)",
+      {"--seed",
        [&](Text v) { settings.seed = number<std::uint64_t>(v, 0, kMostSeed); }},
-      {"--threads", "N", "the policy does not depend on it (default: one for each core)",
+      {"--threads",
        [&](Text v) { o.threads = number<unsigned>(v, 1, 1024); }},
-      {"--hidden", "N,N", "widths of the hidden layers (default: 64,64)",
+      {"--hidden",
        [&](Text v) { settings.hidden = widths(v); }},
-      {"--discount", "X", "weight of a reward one step later (default: 0.99)",
+      {"--discount",
        [&](Text v) { settings.discount = number<float>(v, 0.0F, 0.99999F); }},
-      {"--checkpoint", "FILE",
-       "write here, each minute and at the end, what --resume and --from need",
+      {"--checkpoint",
        [&](Text v) { o.checkpoint = v; }},
-      {"--resume", "FILE", "go on from a checkpoint: the policy is that of one long run",
+      {"--resume",
        [&](Text v) { o.resume = v; }},
-      {"--from", "FILE", "begin with what another training has learnt: its checkpoint",
+      {"--from",
        [&](Text v) { o.from = v; }},
-      {"--csv", "FILE", "write the learning curve as a table", [&](Text v) { o.csv = v; }},
-      {"--curve", "FILE", "write the learning curve as a picture (SVG)",
+      {"--csv", [&](Text v) { o.csv = v; }},
+      {"--curve",
        [&](Text v) { o.curve = v; }},
-      {"--isa", "NAME", "plain, avx2 or avx512; the bits are the same (default: the fastest)",
+      {"--isa",
        [&](Text v) { o.kernels = v; }},
-      {"-q, --quiet", "", "print problems only", [&](Text) { o.is_quiet = true; }},
-      {"--check", "", "only look whether the options are right and the files can be written",
+      {"--quiet", [&](Text) { o.is_quiet = true; }},
+      {"--check",
        [&](Text) { o.only_checks = true; }},
-      {"-h, --help", "", "print this", [&](Text) { o.wants_help = true; }, true},
+      {"--help", [&](Text) { o.wants_help = true; }},
   };
+}
+
+std::vector<client::Option> table(Options& options) {
+  return client::options_of(options::kTrain, setters(options));
 }
 
 }  // namespace

@@ -1,0 +1,89 @@
+// eagerx-gen check: all that is wrong with a graph, and with the code of its entities.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/built.hpp"
+#include "generator/cli/commands.hpp"
+#include "generator/cli/emitted.hpp"
+#include "generator/cli/judge.hpp"
+#include "generator/cli/targets.hpp"
+#include "generator/compile/compile.hpp"
+#include "generator/resolve/needs.hpp"
+
+namespace eagerx::gen {
+
+void compile_entities(Run& run, const std::vector<const Target*>& targets,
+                      Diagnostics& diagnostics) {
+  const TemporaryFolder folder;
+  if (folder.path().empty()) {
+    diagnostics.io_error("E0901", {},
+                         fmt::format("cannot make a temporary folder: {}", std::strerror(errno)));
+    return;
+  }
+  const auto files = emit_whole(run, emit_options_for(run, targets, folder.path()));
+  if (!files) return;
+  const char* compiler = std::getenv("CXX");
+  check_entities(*run.plan, *files, folder,
+                 {compiler != nullptr && *compiler != '\0' ? compiler : "c++", run.root,
+                  run.graph->include_roots, packages_of(*run.graph, Part::whole)},
+                 run.sources, diagnostics);
+}
+
+namespace {
+
+struct CheckOptions : GraphOptions {
+  bool compile = false;  // also the code of entities
+};
+
+int perform(const CheckOptions& options) {
+  Run run;
+  const std::string output = options.compile ? "/" : "";  // the compiler gets whole paths
+  const auto targets = make(run, options) ? judged_targets(run, options, output) : std::nullopt;
+  if (targets && options.compile) compile_entities(run, *targets, run.diagnostics);
+  const int code = finish(run, options);
+  if (code == kDone && !options.quiet) {
+    std::uint64_t messages = 0;
+    const auto warnings = static_cast<std::uint64_t>(
+        std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity));
+    for (const auto& ring : run.plan->rings) messages += ring.capacity;
+    say("{}: {}, {}, {} with room for {}; {}\n", options.graph,
+        counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),
+        counted(run.plan->rings.size(), "buffer"), counted(messages, "message"),
+        warnings == 0 ? "no problems" : counted(warnings, "warning"));
+  }
+  return code;
+}
+
+Command table(CheckOptions& options) {
+  return {
+      .name = "check",
+      .about = "only look for problems",
+      .examples = {{"look for problems", "eagerx-gen check pendulum.yaml"},
+                   {"also the code of the entities", "eagerx-gen check pendulum.yaml --compile"},
+                   {"with entities of your own, messages as JSON",
+                    "eagerx-gen check pendulum.yaml --path my_models --diagnostics json"}},
+      .arguments = joined(
+          {{graph(options)},
+           selection(options),
+           rates(options),
+           {library(options), warnings(options)},
+           {cut_out_nodes(options, "check the library of these nodes alone, as generate --of"),
+            flag("--compile", options.compile,
+                 "also compile the entities as boards do: no heap, no <cmath>, no "
+                 "double in a graph of floats")},
+           diagnostics(options)}),
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command check_command() {
+  return with_options<CheckOptions>(table);
+}
+
+}  // namespace eagerx::gen

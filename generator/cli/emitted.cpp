@@ -1,0 +1,76 @@
+#include "generator/cli/emitted.hpp"
+
+#include <filesystem>
+
+#include "generator/cli/built.hpp"
+#include "generator/cli/targets.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The two programs of a split graph, in the folders `host` and `board`.
+std::optional<std::vector<GeneratedFile>> emit_parts(Run& run, const EmitOptions& options) {
+  std::vector<GeneratedFile> files;
+  const auto add = [&](Part part, const std::string& folder, std::uint64_t hash) {
+    EmitOptions of_part = options;
+    of_part.part = part;
+    of_part.graph_hash = hash;
+    of_part.output = options.output + "/" + folder;
+    if (part == Part::board) of_part.targets = {run.graph->placement->board};
+    auto made = emit_whole(run, of_part);
+    for (auto& file : made.value_or(std::vector<GeneratedFile>()))
+      files.push_back({folder + "/" + file.path, std::move(file.text)});
+    return made.has_value();
+  };
+  // What the hash is made of comes first, with 0 in its place.
+  if (!add(Part::host, "host", 0) || !add(Part::board, "board", 0)) return std::nullopt;
+  const std::uint64_t hash = hash_of(files);
+  files.clear();
+  add(Part::host, "host", hash);
+  add(Part::board, "board", hash);
+  return files;
+}
+
+}  // namespace
+
+EmitOptions emit_options_for(const Run& run, std::vector<const Target*> targets,
+                             std::string output) {
+  EmitOptions options;
+  options.templates = (fs::path(run.root) / "templates").string();
+  options.targets = std::move(targets);
+  options.version = EAGERX_GEN_VERSION;
+  options.builtin_root = run.root;
+  options.output = std::move(output);
+  return options;
+}
+
+std::optional<std::vector<GeneratedFile>> emit_whole(Run& run, const EmitOptions& options) {
+  return emit(*run.plan, run.policies.agent, node_policies(*run.spec, *run.graph, run.policies),
+              options, run.diagnostics);
+}
+
+std::optional<std::vector<GeneratedFile>> emit_program(Run& run, const EmitOptions& options) {
+  return run.graph->placement ? emit_parts(run, options) : emit_whole(run, options);
+}
+
+std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& options) {
+  // It is equal for all targets and outputs.
+  auto targets = find_targets(run, options);
+  if (run.library.was_too_small()) {  // others are listed
+    if (!make_again(run, options)) return std::nullopt;
+    targets = find_targets(run, options);
+  }
+  const auto files = emit_program(
+      run, emit_options_for(run, std::move(targets), fs::current_path().string()));
+  const auto hash = files ? hash_in(*files) : std::nullopt;
+  if (!hash) return std::nullopt;
+  ProgramFacts facts{*hash, {}};
+  for (const GeneratedFile& file : *files) {
+    if (file.path.ends_with("/telemetry.json")) facts.telemetry = file.text;
+  }
+  return facts;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,62 @@
+// eagerx-gen schema: what editors complete and check with.
+#include <utility>
+
+#include "generator/cli/arguments.hpp"
+#include "generator/cli/commands.hpp"
+#include "generator/cli/pipeline.hpp"
+#include "generator/library/schema.hpp"
+#include "generator/spec/schema.hpp"
+
+namespace eagerx::gen {
+namespace {
+
+struct SchemaOptions : LibraryOptions {
+  bool of_library = false, of_manifests = false;
+};
+
+int perform(const SchemaOptions& options) {
+  if (options.of_manifests) {
+    say("{}",
+        schema_text(manifest_schema(), "eagerx-gen manifest", "eagerx-gen/manifest.schema.json"));
+    return kDone;
+  }
+  if (!options.of_library && options.paths.empty()) {
+    say("{}", json_schema(graph_format(), "eagerx-gen graph", "eagerx-gen/graph.schema.json"));
+    return kDone;
+  }
+  Run run;
+  load(run, options);
+  if (!run.diagnostics.has_errors())
+    say("{}", schema_text(graph_schema(run.library), "eagerx-gen graph of a library",
+                          "eagerx-gen/library.schema.json"));
+  return finish(run, options);
+}
+
+Command table(SchemaOptions& options) {
+  Argument manifest = flag("--manifest", options.of_manifests, "of manifests");
+  return {
+      .name = "schema",
+      .about = "print a JSON schema, for editors",
+      .examples = {{"of graphs, with the entities of eagerx-gen and your own",
+                    "eagerx-gen schema --graph --path my_models >graph.schema.json"},
+                   {"of manifests", "eagerx-gen schema --manifest >manifest.schema.json"},
+                   {"of graphs, whatever the entities", "eagerx-gen schema >graph.schema.json"}},
+      .arguments = {flag("--graph", options.of_library,
+                         "of graphs of this library: ids, ports and parameters of its entities"),
+                    std::move(manifest), library(options)},
+      .check =
+          [&options] {
+            const bool both =
+                options.of_manifests && (options.of_library || !options.paths.empty());
+            return both ? "--manifest takes no --graph and no --path" : "";
+          },
+      .run = [&options] { return perform(options); }};
+}
+
+}  // namespace
+
+Command schema_command() {
+  return with_options<SchemaOptions>(table);
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,131 @@
+#include "generator/cli/targets.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "generator/cli/build_tree.hpp"
+#include "generator/read/text.hpp"
+#include "generator/resolve/needs.hpp"
+
+namespace eagerx::gen {
+
+/// "1 node", "2 nodes"
+std::string counted(std::uint64_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether a board's serial port is the one that the telemetry is planned for.
+void check_serial_port(Run& run, const Target& target) {
+  const auto& telemetry = run.graph->telemetry;
+  if (!telemetry || !target.is_board() || target.baud == telemetry->baud) return;
+  auto& problem = run.diagnostics.error(
+      "E0341", telemetry->baud_span,
+      target.baud ? fmt::format("telemetry over {} baud, but the serial port of `{}` has {}",
+                                telemetry->baud, target.id.value, *target.baud)
+                  : fmt::format("the serial port of `{}` takes no telemetry", target.id.value));
+  if (target.baud) {
+    problem.help = fmt::format("write `telemetry: {{baud: {}, …}}`", *target.baud);
+  } else {
+    problem.notes.push_back({"its manifest says no `baud`", target.id.span, ""});
+    problem.help =
+        "write `baud:` into the manifest and uart_offer() beside uart_write(), as "
+        "targets/README.md says under \"Add a board\"";
+  }
+}
+
+/// Whether the graph, or the part of it that stays on Linux, can run there.
+void check_target(Run& run, const Target& target) {
+  check_serial_port(run, target);
+  const bool split = run.graph->placement.has_value();
+  check_system(*run.graph, split ? Part::host : Part::whole, target, run.library, run.diagnostics);
+  if (target.system.empty() && run.spec->agent.kind == AgentSpec::Kind::csv) {
+    run.diagnostics
+        .error("E0337", run.spec->agent.file.span,
+               fmt::format("the agent reads a file, but target `{}` has no operating system",
+                           target.id.value))
+        .help = "for boards an agent is `zero`, `random` or `{policy: FILE}`";
+  }
+  if (!split) return;
+  const Placement& placement = *run.graph->placement;
+  if (target.system != "linux") {
+    run.diagnostics
+        .error("E0335", placement.span,
+               fmt::format("target `{1}` cannot run the part beside `{0}`: that part needs Linux",
+                           placement.board->id.value, target.id.value))
+        .help = "leave out `--target`, or name a target of Linux";
+  }
+}
+
+/// Refuses a target that `eagerx-gen new` has made and nobody has filled in yet.
+void check_filled(Run& run, const Target& target) {
+  std::vector<std::string> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_of(run, target), error)) {
+    const std::string ending = entry.path().extension().string();
+    const bool is_source =
+        ending == ".yaml" || ending == ".cpp" || ending == ".hpp" || ending == ".cmake";
+    if (is_source && entry.is_regular_file(error)) files.push_back(entry.path().string());
+  }
+  std::ranges::sort(files);
+  std::vector<Diagnostic::Note> blanks;
+  for (const std::string& file : files) {
+    const std::string text = load_file(file, ReadLimits().max_bytes).bytes;
+    if (text.find("FILL_IN") == std::string::npos && text.find("#error") == std::string::npos)
+      continue;
+    const FileId id = run.sources.add(file, text);
+    const auto lines = std::ranges::count(text, '\n');
+    for (std::uint32_t line = 1; line <= lines; ++line) {
+      const std::string_view words = run.sources.line(id, line);
+      for (const std::string_view mark : {"FILL_IN", "#error \"fill in"}) {
+        const std::size_t at = words.find(mark);
+        if (at == std::string_view::npos) continue;
+        const Span place{id, line, static_cast<std::uint32_t>(at + 1),
+                         static_cast<std::uint32_t>(mark.size())};
+        blanks.push_back({mark == "FILL_IN" ? fmt::format("line {} is a blank", line)
+                                            : "a function has to be written",
+                          place, "here"});
+      }
+    }
+  }
+  if (blanks.empty()) return;
+  auto& problem =
+      run.diagnostics.error("E0340", target.id.span,
+                            fmt::format("the target `{}` is not filled in: {} left",
+                                        target.id.value, counted(blanks.size(), "blank")));
+  problem.notes = std::move(blanks);
+  problem.help = "targets/README.md of eagerx-gen explains them under \"Add a board\"";
+}
+
+}  // namespace
+
+std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
+  std::vector<const Target*> result;
+  for (const auto& wanted : wanted_targets(options)) {
+    if (const Target* found = run.library.find_target(wanted)) {
+      result.push_back(found);
+      check_target(run, *found);
+      check_filled(run, *found);
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
+    auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted));
+    const std::string near = nearest(wanted, known);
+    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
+                                : fmt::format("did you mean `{}`?", near);
+  }
+  if (run.graph->placement) {
+    check_filled(run, *run.graph->placement->board);
+    check_system(*run.graph, Part::board, *run.graph->placement->board, run.library,
+                 run.diagnostics);
+  }
+  return result;
+}
+
+}  // namespace eagerx::gen

@@ -1,0 +1,30 @@
+// Options of the programs around a library of environments, as data: each program reads its command
+// line with its rows, and the command of eagerx-gen that starts it has the same ones.
+#pragma once
+
+#include <cstdint>
+
+namespace eagerx::options {
+
+/// What the program does with the file that the value names.
+enum class Use : std::uint8_t { none, reads, writes };
+
+/// For whom an option is.
+enum class For : std::uint8_t {
+  all,
+  program,  // eagerx-gen gives it itself, or has one of its own, or it is for tests
+};
+
+struct Row {
+  const char* names;  // "--seed", or two, "-o,--output"
+  const char* value;  // "N"; empty: an option without a value
+  const char* about;
+  Use use = Use::none;
+  const char* otherwise = "";  // of an output: the file that is written if none is given
+  const char* goes_on = "";    // of an input: the option whose output may be the same file
+  bool repeated = false;
+  For who = For::all;
+  bool ends = false;  // nothing else is looked at, as after --help
+};
+
+}  // namespace eagerx::options
