@@ -114,9 +114,7 @@ class Checker {
       known.push_back(each.key);
       usage.push_back(usage_of(each));
     }
-    const std::string near = nearest(name, known);
-    problem.help = near.empty() ? fmt::format("it takes {}", fmt::join(usage, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+    problem.help = did_you_mean(name, known, fmt::format("it takes {}", fmt::join(usage, ", ")));
   }
 
   void refuse_value(const YamlValue::Entry& option, const std::string& value) {

@@ -287,11 +287,9 @@ int perform(const InfoOptions& options) {
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
   for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
-  auto& problem = run.diagnostics.error(
-      "E0303", {}, fmt::format("unknown entity or target `{}`", options.entity));
-  const std::string near = nearest(options.entity, known);
-  problem.help = near.empty() ? "`eagerx-gen info` lists what there is"
-                              : fmt::format("did you mean `{}`?", near);
+  run.diagnostics
+      .error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity))
+      .help = did_you_mean(options.entity, known, "`eagerx-gen info` lists what there is");
   return finish(run, options);
 }
 

@@ -85,10 +85,8 @@ std::vector<Package> read_packages(Run& run, const GenerateOptions& options) {
       if (auto package = read_package(run, name)) packages.push_back(std::move(*package));
       continue;
     }
-    const std::string near = nearest(name, known);
     run.diagnostics.error("E0502", {}, fmt::format("unknown package `{}`", name)).help =
-        near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
-                     : fmt::format("did you mean `{}`?", near);
+        suggestion(name, known);
   }
   return packages;
 }

@@ -115,10 +115,8 @@ std::vector<const Target*> find_targets(Run& run, const GraphOptions& options) {
     }
     std::vector<std::string> known;
     for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
-    auto& problem = run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted));
-    const std::string near = nearest(wanted, known);
-    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+    run.diagnostics.error("E0316", {}, fmt::format("unknown target `{}`", wanted)).help =
+        suggestion(wanted, known);
   }
   if (run.graph->placement) {
     check_filled(run, *run.graph->placement->board);

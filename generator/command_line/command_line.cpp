@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "generator/command_line/names.hpp"
 #include "generator/command_line/output.hpp"
 #include "generator/command_line/usage.hpp"
 #include "generator/files/files.hpp"
@@ -84,7 +85,7 @@ void add(CLI::App& app, const Command& command, GivenFiles& files) {
 
 /// The name that messages use: `--output`, `graph`.
 std::string long_name(const Argument& argument) {
-  return argument.names.substr(argument.names.rfind(',') + 1);
+  return names_of_option(argument).back();
 }
 
 /// Tells which files are read and written. What is wrong with them, or "".
@@ -144,13 +145,8 @@ const Command* find_command(const Command& top, const std::string& name) {
 const Argument* find_option(const Command& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   const auto found = std::ranges::find_if(command.arguments, [&](const Argument& argument) {
-    std::string_view names = argument.names;
-    for (std::size_t end = 0; end != std::string_view::npos; names.remove_prefix(end + 1)) {
-      end = names.find(',');
-      if (names.substr(0, end) == name) return true;
-      if (end == std::string_view::npos) break;
-    }
-    return false;
+    const std::vector<std::string> names = names_of_option(argument);
+    return std::ranges::find(names, name) != names.end();
   });
   return found == command.arguments.end() ? nullptr : &*found;
 }

@@ -43,12 +43,6 @@ std::vector<std::string> names_of_options(const CLI::App& app) {
   return names;
 }
 
-std::string suggestion(const std::string& word, const std::vector<std::string>& known,
-                       const std::string& otherwise) {
-  const std::string near = nearest(word, known);
-  return near.empty() ? otherwise : fmt::format("did you mean `{}`?", near);
-}
-
 std::string too_much(const CLI::App& reached, const std::string& typed,
                      const std::string& otherwise) {
   const std::vector<std::string> rest = reached.remaining(true);
@@ -61,7 +55,7 @@ std::string too_much(const CLI::App& reached, const std::string& typed,
   if (!word.starts_with('-'))
     return message(fmt::format("`{}` is one argument too many for `{}`", word, typed), otherwise);
   return message(fmt::format("`{}` has no option `{}`", typed, word),
-                 suggestion(word, names_of_options(reached), otherwise));
+                 did_you_mean(word, names_of_options(reached), otherwise));
 }
 
 }  // namespace
@@ -81,7 +75,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
     if (!rest.empty() && rest.front().starts_with('-')) return too_much(*reached, typed, otherwise);
     if (!rest.empty())
       return message(fmt::format("`{}` has no `{}`", typed, rest.front()),
-                     suggestion(rest.front(), commands, "there is " + list));
+                     did_you_mean(rest.front(), commands, "there is " + list));
     return message(fmt::format("`{}` alone is not enough", typed),
                    reached == &app ? "give a graph, or one of " + list : "there is " + list);
   }
@@ -92,7 +86,7 @@ std::string usage_message(const CLI::App& app, const CLI::Error& problem) {
 
 std::string not_a_choice(const std::string& word, const std::vector<std::string>& choices) {
   const std::string list = fmt::format("there is {}", fmt::join(choices, ", "));
-  return fmt::format("`{}` is not possible\n{}", word, suggestion(word, choices, list));
+  return fmt::format("`{}` is not possible\n{}", word, did_you_mean(word, choices, list));
 }
 
 std::string not_a_command(const CLI::App& app, const std::string& word) {
@@ -103,7 +97,7 @@ std::string not_a_command(const CLI::App& app, const std::string& word) {
   if (!like_one || std::filesystem::exists(word, ignored)) return {};
   const std::vector<std::string> commands = names_of_commands(app);
   return message(fmt::format("`{}` is neither a command nor a file", word),
-                 suggestion(word, commands, fmt::format("there is {}", fmt::join(commands, ", "))));
+                 did_you_mean(word, commands, fmt::format("there is {}", fmt::join(commands, ", "))));
 }
 
 std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
@@ -111,7 +105,7 @@ std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,
   std::vector<std::string> known = names_of_commands(app);
   for (const Topic& topic : topics) known.push_back(topic.name);
   return message(fmt::format("there is no help for `{}`", word),
-                 suggestion(word, known, fmt::format("there is {}", fmt::join(known, ", "))));
+                 did_you_mean(word, known, fmt::format("there is {}", fmt::join(known, ", "))));
 }
 
 }  // namespace eagerx::gen

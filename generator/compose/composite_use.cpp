@@ -58,9 +58,7 @@ bool knows_ports(const YamlValue& settings, const Entity& entity, const char* ke
         "E0307", span,
         fmt::format("`{}` has no {} `{}`", entity.id.value,
                     std::string_view(key).substr(0, std::string_view(key).size() - 1), name));
-    const std::string near = nearest(name, known);
-    problem.help = near.empty() ? fmt::format("it has {}", fmt::join(known, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+    problem.help = did_you_mean(name, known, fmt::format("it has {}", fmt::join(known, ", ")));
     good = false;
   }
   return good;

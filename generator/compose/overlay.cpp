@@ -108,10 +108,9 @@ void remove_named(YamlValue& graph, const YamlValue& list, Diagnostics& diagnost
     }
     auto& problem =
         diagnostics.error("E0395", item.span, fmt::format("there is no `{}` to remove", item.text));
-    const std::string near = nearest(item.text, names_beside(graph, item.text));
-    problem.help = near.empty() ? "write the keys that lead to it, with dots: `nodes.filter`; a "
-                                  "connection by where it goes: `connections.motor.u`"
-                                : fmt::format("did you mean `{}`?", near);
+    problem.help = did_you_mean(item.text, names_beside(graph, item.text),
+                                "write the keys that lead to it, with dots: `nodes.filter`; a "
+                                "connection by where it goes: `connections.motor.u`");
   }
 }
 

@@ -131,5 +131,11 @@ std::string render_json(const Diagnostics& diagnostics, const SourceMap& sources
 /// The candidate nearest to `word` (Damerau-Levenshtein, at most a third of the letters wrong, case
 /// ignored at no cost), or empty.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// "did you mean `…`?" with the nearest one, or `otherwise`.
+std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates,
+                         std::string otherwise = {});
+/// The same, or "there is A, B, C", or `none` if there are no candidates.
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates,
+                       const std::string& none = {});
 
 }  // namespace eagerx::gen

@@ -126,13 +126,6 @@ void ExpressionText::fail(std::size_t place, std::string message, std::string he
   problem.help = std::move(help);
 }
 
-std::string ExpressionText::suggest(const std::string& word,
-                                    const std::vector<std::string>& known) {
-  const std::string near = nearest(word, known);
-  if (!near.empty()) return fmt::format("did you mean `{}`?", near);
-  return known.empty() ? "" : fmt::format("there is {}", fmt::join(known, ", "));
-}
-
 ExpressionText::Nested::Nested(ExpressionText& text) : text_(text) {
   if (++text_.depth_ > kDeepest) text_.fail(text_.at_, "nested too deeply");
 }

@@ -160,7 +160,7 @@ class Typer {
     for (const auto& variable : variables_) known.push_back(variable.name);
     known.insert(known.end(), {"time", "pi"});
     fail(tree.begin, fmt::format("unknown name `{}`", tree.text),
-         ExpressionText::suggest(tree.text, known));
+         suggestion(tree.text, known));
   }
 
   TypedExpression element(const Expression& tree) {
@@ -297,7 +297,7 @@ class Typer {
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
     fail(tree.begin, fmt::format("unknown function `{}`", name),
-         ExpressionText::suggest(name, known));
+         suggestion(name, known));
     return {};
   }
 

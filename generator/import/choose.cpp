@@ -97,10 +97,8 @@ void take_option(Translation& t) {
   EntitySpec& engine = t.result.spec.engine;
   const std::vector<std::string> known = t.counterparts.library().ids(EntityKind::engine);
   if (!contains(known, t.options.engine)) {
-    const std::string near = nearest(t.options.engine, known);
     t.diagnostics.error("E0303", {}, fmt::format("unknown engine `{}`", t.options.engine)).help =
-        near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
-                     : fmt::format("did you mean `{}`?", near);
+        suggestion(t.options.engine, known);
     return;
   }
   if (engine.type.value == t.options.engine) return;

@@ -140,7 +140,7 @@ class Maker {
     }
     if (function != "len" && function != "increasing") {
       text_.fail(tree.begin, fmt::format("unknown function `{}`", function),
-                 ExpressionText::suggest(
+                 suggestion(
                      function, {"min", "max", "len", "increasing", "size", "window", "dtype"}));
       return {};
     }
@@ -191,7 +191,7 @@ class Maker {
   void check_choice(const Type& word, const Type& text) {
     if (text.choices == nullptr || contains(*text.choices, word.word)) return;
     text_.fail(word.begin, fmt::format("`{}` is not one of its choices", word.word),
-               ExpressionText::suggest(word.word, *text.choices));
+               suggestion(word.word, *text.choices));
   }
 
   Type result(ConditionStep step, Type::Kind kind, std::size_t begin) {
@@ -291,7 +291,7 @@ class ConditionMaker : public Maker {
     collect("states", entity_.states);
     if (found.empty()) {
       text_.fail(begin, fmt::format("there is no input, output or state `{}`", written),
-                 ExpressionText::suggest(written, known));
+                 suggestion(written, known));
     } else if (found.size() > 1) {
       text_.fail(begin, fmt::format("`{}` could be two ports", written),
                  fmt::format("write {}", fmt::join(found, " or ")));
@@ -325,7 +325,7 @@ class ConditionMaker : public Maker {
     for (const auto& parameter : entity_.config) known.push_back(parameter.name.value);
     if (has_rate()) known.emplace_back("rate");
     text_.fail(word.begin, fmt::format("unknown name `{}`", word.word),
-               ExpressionText::suggest(word.word, known));
+               suggestion(word.word, known));
   }
 
   const Entity& entity_;
@@ -355,14 +355,13 @@ class ExpressionMaker : public Maker {
                         "references stand inside of `$(…)`");
     std::vector<std::string> known;
     for (const auto& [name, value] : references_) known.push_back(name);
-    const std::string near = nearest(reference, known);
     text_.fail(tree.begin, fmt::format("`{}` refers to nothing", reference),
-               near.empty() ? "" : fmt::format("did you mean `{}`?", near));
+               did_you_mean(reference, known));
   }
 
   Type port_fact(const Expression& call) override {
     text_.fail(call.begin, fmt::format("unknown function `{}`", call.text),
-               ExpressionText::suggest(call.text, {"min", "max", "len"}));
+               suggestion(call.text, {"min", "max", "len"}));
     return {};
   }
 

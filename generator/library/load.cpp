@@ -117,10 +117,10 @@ void add_to_object(Library& library, Implementation implementation, const Source
   const ObjectEngine& engine = implementation.engine;
   const auto found = library.entities.find(object.value);
   if (found == library.entities.end() || found->second.kind != EntityKind::object) {
-    const std::string near = nearest(object.value, library.ids(EntityKind::object));
-    auto& problem = diagnostics.error(
-        "E0303", object.span, fmt::format("there is no object `{}` to implement", object.value));
-    if (!near.empty()) problem.help = fmt::format("did you mean `{}`?", near);
+    diagnostics
+        .error("E0303", object.span,
+               fmt::format("there is no object `{}` to implement", object.value))
+        .help = did_you_mean(object.value, library.ids(EntityKind::object));
     return;
   }
   auto& engines = found->second.object_engines;

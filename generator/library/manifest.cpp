@@ -108,11 +108,11 @@ void check_like(const Entity& entity, Diagnostics& diagnostics) {
     if (!like || contains(known, like->value)) continue;
     auto& problem = diagnostics.error(
         "E0309", like->span, fmt::format("`{}` has no input `{}`", entity.id.value, like->value));
-    const std::string near = nearest(like->value, known);
     problem.label = fmt::format("`{}` is to have its space", output.name.value);
-    problem.help = !near.empty()   ? fmt::format("did you mean `{}`?", near)
-                   : known.empty() ? "write `dtype` and `shape`: it has no inputs"
-                                   : fmt::format("its inputs are {}", fmt::join(known, ", "));
+    problem.help =
+        did_you_mean(like->value, known,
+                     known.empty() ? "write `dtype` and `shape`: it has no inputs"
+                                   : fmt::format("its inputs are {}", fmt::join(known, ", ")));
   }
 }
 
@@ -225,10 +225,9 @@ std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics
             ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
             : diagnostics.error("E0204", kind->span,
                                 fmt::format("{} is not a kind of manifest", describe(*kind)));
-    const std::string near = kind != nullptr ? nearest(kind->text, manifest_kinds()) : "";
-    problem.help =
-        near.empty() ? fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", "))
-                     : fmt::format("did you mean `{}`?", near);
+    problem.help = did_you_mean(
+        kind != nullptr ? kind->text : "", manifest_kinds(),
+        fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", ")));
     return std::nullopt;
   }
   const Format* composite = root.find("graph") != nullptr ? composite_format(kind->text) : nullptr;

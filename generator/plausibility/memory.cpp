@@ -22,11 +22,8 @@ void check_budget_names(const Judged& judged, const YamlValue& budget, Diagnosti
     if (contains(known, entry.key) ||
         std::ranges::find(kSharedParts, entry.key) != kSharedParts.end())
       continue;
-    auto& problem =
-        diagnostics.error("E0421", entry.key_span, fmt::format("there is no node `{}`", entry.key));
-    const std::string near = nearest(entry.key, known);
-    problem.help = near.empty() ? fmt::format("there is {}", fmt::join(known, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+    diagnostics.error("E0421", entry.key_span, fmt::format("there is no node `{}`", entry.key))
+        .help = suggestion(entry.key, known);
   }
 }
 

@@ -50,6 +50,11 @@ bool in_range(const Parameter& parameter, const ConditionNumber& value, const Ya
   return false;
 }
 
+/// Of a list its items, of another value itself.
+std::vector<YamlValue> items_of(const YamlValue& yaml) {
+  return yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
+}
+
 std::optional<double> any_number_of(const YamlValue& yaml) {
   const auto number = parse_number(yaml.text);
   if (number || yaml.origin != Origin::computed) return number;
@@ -61,21 +66,6 @@ std::optional<double> any_number_of(const YamlValue& yaml) {
 std::optional<double> number_of(const YamlValue& yaml) {
   const auto number = any_number_of(yaml);
   return number && std::isnan(*number) ? std::nullopt : number;
-}
-
-/// A value whose unit is written, in the unit of the parameter: `10 ms` for a parameter in s is
-/// 0.01.
-YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml) {
-  for (auto& item : yaml.items) item = in_unit_of(parameter, std::move(item));
-  const bool text =
-      parameter.type == Parameter::Type::text || parameter.type == Parameter::Type::keyword;
-  const Unit* unit = find_unit(parameter.unit);
-  if (unit == nullptr || text || !yaml.is_scalar() || yaml.quoted) return yaml;
-  const auto number = number_in(yaml.text, *unit);
-  // What parameters are read with knows no fractions.
-  if (number && (*number == yaml.text || number->find('/') == std::string::npos))
-    yaml.text = *number;
-  return yaml;
 }
 
 class Reader {
@@ -177,9 +167,8 @@ class Reader {
     auto& problem = diagnostics_.error(
         "E0322", yaml_.span,
         fmt::format("{} is not a choice for `{}`", describe(yaml_), parameter_.name.value));
-    const std::string near = yaml_.is_scalar() ? nearest(yaml_.text, options) : "";
-    problem.help = near.empty() ? fmt::format("choose one of {}", fmt::join(options, ", "))
-                                : fmt::format("did you mean `{}`?", near);
+    problem.help = did_you_mean(yaml_.is_scalar() ? yaml_.text : "", options,
+                                fmt::format("choose one of {}", fmt::join(options, ", ")));
     return std::nullopt;
   }
 
@@ -263,118 +252,9 @@ Config resolve_config(const Library& library, const Entity& entity,
   return result;
 }
 
-References references_of(const Entity& entity, const std::vector<Setting>& settings) {
-  References result;
-  for (const auto& parameter : entity.config) {
-    const Setting* setting = find_named(settings, parameter.name.value);
-    if (setting == nullptr && !parameter.fallback) {
-      // Said where it is missing; what refers to it says nothing.
-      result[parameter_reference(parameter.name.value)].origin = Origin::unresolved;
-      continue;
-    }
-    const YamlValue value =
-        in_unit_of(parameter, setting != nullptr ? setting->value : *parameter.fallback);
-    result[parameter_reference(parameter.name.value)] = value;
-    if (parameter.type != Parameter::Type::integers && parameter.type != Parameter::Type::numbers)
-      continue;
-    // A single number is a list of one.
-    const std::size_t size = value.is_sequence() ? value.items.size() : 1;
-    result[{"size", parameter.name.value}] = made_scalar(std::to_string(size), value.span);
-    for (std::size_t i = 0; i < value.items.size(); ++i)
-      result[{"config", parameter.name.value, std::to_string(i)}] = value.items[i];
-  }
-  return result;
-}
-
-bool is_unresolved(const YamlValue& yaml) {
-  return yaml.origin == Origin::unresolved;
-}
-
-namespace {
-
-/// Whether `config P 0` or `size P` is of a parameter that the graph does not give.
-bool is_missing(const Reference& reference, const References& references) {
-  const auto parameter = references.find(parameter_reference(reference.name));
-  return parameter != references.end() && is_unresolved(parameter->second);
-}
-
-/// A value as expressions calculate with it; nullopt if it is not known.
-std::optional<ConditionValue> fact_of(const YamlValue& yaml) {
-  if (is_unresolved(yaml)) return std::nullopt;
-  const auto number = [](const YamlValue& item) -> std::optional<ConditionNumber> {
-    if (!item.is_scalar() || item.quoted) return std::nullopt;
-    if (const auto exact = Rational::parse(item.text)) {
-      if (exact->is_integer()) return exact->num();
-      return *exact;
-    }
-    const auto real = parse_number(item.text);
-    return real ? std::optional<ConditionNumber>(*real) : std::nullopt;
-  };
-  if (yaml.is_sequence()) {
-    std::vector<ConditionNumber> list;
-    for (const auto& item : yaml.items)
-      list.push_back(number(item).value_or(std::numeric_limits<double>::quiet_NaN()));
-    return list;
-  }
-  if (const auto one = number(yaml))
-    return std::visit([](const auto& value) { return ConditionValue(value); }, *one);
-  if (const auto truth = parse_bool(yaml.text)) return *truth;
-  return yaml.text;
-}
-
-/// `2 * $(config limit)`; marked as unresolved where something in it is not known.
-YamlValue compute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
-  KnownReferences known;
-  Facts facts;
-  for (const auto& [reference, value] : references) {
-    const std::string name = to_string(reference);
-    const auto fact = known[name] = fact_of(value);
-    if (fact) facts[name] = *fact;
-  }
-  const auto expression = read_expression(yaml, known, diagnostics);
-  yaml.origin = Origin::unresolved;
-  const auto value = expression ? evaluate(*expression, facts) : std::nullopt;
-  if (!value) return yaml;
-  std::string text = to_string(*value);
-  if (!Rational::parse(text) && !is_decimal_text(text)) {
-    diagnostics.error("E0324", yaml.span, fmt::format("`{}` is no finite number", yaml.text));
-    return yaml;
-  }
-  yaml.origin = Origin::computed;
-  yaml.text = std::move(text);
-  return yaml;
-}
-
-}  // namespace
-
-YamlValue substitute(YamlValue yaml, const References& references, Diagnostics& diagnostics) {
-  for (auto& item : yaml.items) item = substitute(std::move(item), references, diagnostics);
-  for (auto& entry : yaml.entries)
-    entry.value = substitute(std::move(entry.value), references, diagnostics);
-  if (!is_expression(yaml)) return yaml;
-  const auto reference = reference_in(yaml);
-  if (!reference) return compute(std::move(yaml), references, diagnostics);
-  const auto found = references.find(*reference);
-  if (found != references.end()) return found->second;
-  if (is_missing(*reference, references)) {
-    yaml.origin = Origin::unresolved;
-    return yaml;
-  }
-  return compute(std::move(yaml), references, diagnostics);
-}
-
-std::vector<Setting> substitute(std::vector<Setting> settings, const References& references,
-                                Diagnostics& diagnostics) {
-  for (auto& setting : settings)
-    setting.value = substitute(std::move(setting.value), references, diagnostics);
-  return settings;
-}
-
 std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics& diagnostics) {
   std::vector<double> result;
-  const std::vector<YamlValue> items =
-      yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
-  for (const auto& item : items) {
+  for (const auto& item : items_of(yaml)) {
     const auto number = item.is_scalar() && !item.quoted ? any_number_of(item) : std::nullopt;
     if (!number && is_unresolved(item)) return std::nullopt;
     if (!number) {
@@ -390,9 +270,7 @@ std::optional<std::vector<double>> numbers_of(const YamlValue& yaml, Diagnostics
 bool are_exact_as_doubles(const YamlValue& yaml, std::optional<Dtype> dtype, const char* code,
                           Diagnostics& diagnostics) {
   if (dtype && is_floating(*dtype)) return true;
-  const std::vector<YamlValue> items =
-      yaml.is_sequence() ? yaml.items : std::vector<YamlValue>{yaml};
-  for (const auto& item : items) {
+  for (const auto& item : items_of(yaml)) {
     if (!item.is_scalar() || is_exact_as_double(item.text, dtype)) continue;
     diagnostics.error(code, item.span, fmt::format("`{}` cannot be kept exactly", item.text)).help =
         "whole numbers beyond 9007199254740992 (two to the 53rd) are rounded: choose one with "

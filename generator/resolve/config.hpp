@@ -30,6 +30,10 @@ void check_requirements(const Entity& entity, const Config& config,
 std::shared_ptr<const ModelUse> read_model(const Library& library, const Parameter& parameter,
                                            const YamlValue& yaml, Diagnostics& diagnostics);
 
+/// A value whose unit is written, in the unit of the parameter: `10 ms` for a parameter in s is
+/// 0.01.
+YamlValue in_unit_of(const Parameter& parameter, YamlValue yaml);
+
 /// The references that a config gives rise to: `config NAME` for every parameter.
 References references_of(const Entity& entity, const std::vector<Setting>& settings);
 
@@ -57,9 +61,5 @@ std::optional<Rational> rate_of(const YamlValue& yaml, Diagnostics& diagnostics)
 /// (other kind); nothing is said of an empty id.
 const Entity* find_entity(const Library& library, const Spanned<std::string>& id, EntityKind kind,
                           Diagnostics& diagnostics);
-
-/// "did you mean `…`?", else what there is, else `otherwise`.
-std::string suggestion(const std::string& name, const std::vector<std::string>& known,
-                       const std::string& otherwise);
 
 }  // namespace eagerx::gen

@@ -147,13 +147,6 @@ std::string describe(const PartialSpace& space) {
          (space.shape ? fmt::format(" [{}]", fmt::join(*space.shape, ", ")) : ", any shape");
 }
 
-std::string suggestion(const std::string& name, const std::vector<std::string>& known,
-                       const std::string& otherwise) {
-  const std::string near = nearest(name, known);
-  if (!near.empty()) return fmt::format("did you mean `{}`?", near);
-  return known.empty() ? otherwise : fmt::format("there is {}", fmt::join(known, ", "));
-}
-
 namespace {
 
 /// A setting that a manifest may write as a reference; nullopt if it does not fulfil `good`.

@@ -120,13 +120,9 @@ bool check_keyword(const YamlValue& yaml, const Format& format, const std::strin
   if (contains(format.keywords, yaml.text)) return true;
   auto& problem =
       diagnostics.error("E0204", yaml.span, fmt::format("{} is not a choice here", describe(yaml)));
-  const std::string near = nearest(yaml.text, format.keywords);
-  if (!near.empty()) {
-    problem.help = fmt::format("did you mean `{}`?", near);
-  } else {
-    problem.help = otherwise.empty() ? fmt::format("choose one of {}", format.what)
-                                     : fmt::format("write {}", otherwise);
-  }
+  problem.help = did_you_mean(yaml.text, format.keywords,
+                              otherwise.empty() ? fmt::format("choose one of {}", format.what)
+                                                : fmt::format("write {}", otherwise));
   return false;
 }
 

@@ -181,11 +181,9 @@ class Reader {
     } else if (!type.empty()) {
       auto& wrong = xml_.error("E0851", xml_.span(element, "type"),
                                fmt::format("joints of type `{}` are not supported", type));
-      const std::string near =
-          gen::nearest(type, {"fixed", "revolute", "continuous", "prismatic", "floating"});
-      wrong.help = near.empty()
-                       ? "`fixed`, `revolute`, `continuous`, `prismatic` and `floating` are"
-                       : fmt::format("did you mean `{}`?", near);
+      wrong.help =
+          gen::did_you_mean(type, {"fixed", "revolute", "continuous", "prismatic", "floating"},
+                            "`fixed`, `revolute`, `continuous`, `prismatic` and `floating` are");
     }
   }
 

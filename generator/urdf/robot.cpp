@@ -91,8 +91,7 @@ class Maker {
     auto& unknown = error("E0854", place, fmt::format("there is no link `{}`", name));
     std::vector<std::string> names;
     for (const Link& item : from_.links) names.push_back(item.name);
-    const std::string near = gen::nearest(name, names);
-    if (!near.empty()) unknown.help = fmt::format("did you mean `{}`?", near);
+    unknown.help = gen::did_you_mean(name, names);
     return kNone;
   }
 

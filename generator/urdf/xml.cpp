@@ -52,10 +52,10 @@ std::string help_for(std::string_view name, const Contents& contents) {
   std::vector<std::string> candidates;
   for (const Names names : {contents.once, contents.many})
     candidates.insert(candidates.end(), names.begin(), names.end());
-  const std::string near = gen::nearest(name, candidates);
-  if (!near.empty()) return fmt::format("did you mean `{}`?", near);
   const std::string all = choices(contents);
-  return all.empty() ? "nothing is read inside of it" : "elements that are read here: " + all;
+  return gen::did_you_mean(
+      name, candidates,
+      all.empty() ? "nothing is read inside of it" : "elements that are read here: " + all);
 }
 
 }  // namespace
@@ -125,9 +125,8 @@ void Xml::check_attributes(pugi::xml_node element, const Contents& contents) {
     if (!contains(contents.attributes, name)) {
       auto& wrong = error("E0851", span(element, attribute.name()),
                           fmt::format("`{}` has no attribute `{}`", element.name(), name));
-      const std::string near =
-          gen::nearest(name, {contents.attributes.begin(), contents.attributes.end()});
-      if (!near.empty()) wrong.help = fmt::format("did you mean `{}`?", near);
+      wrong.help =
+          gen::did_you_mean(name, {contents.attributes.begin(), contents.attributes.end()});
     } else if (std::ranges::find(seen, name) != seen.end()) {
       error("E0854", span(element, attribute.name()),
             fmt::format("`{}` has `{}` twice", element.name(), name));

@@ -12,3 +12,5 @@ endif()
 add_test(NAME commands_one_file COMMAND ${CMAKE_CURRENT_LIST_DIR}/one_file ${PROJECT_BINARY_DIR})
 # No ccache that cannot write.
 add_test(NAME commands_compiler_cache COMMAND ${CMAKE_CURRENT_LIST_DIR}/compiler_cache ${PROJECT_BINARY_DIR})
+# READMEs say of commands and options what the help says.
+add_test(NAME commands_documented COMMAND Python3::Interpreter -B ${CMAKE_CURRENT_LIST_DIR}/documented ${PROJECT_BINARY_DIR})

@@ -396,6 +396,30 @@ TEST(MissingEntities, NamesThatYamlReadsOtherwiseSurvive) {
   EXPECT_NE(inputs->find("y"), nullptr);
 }
 
+/// Manifests of what is missing in a file in which an engine node has this output.
+std::vector<std::string> missing_with_output(const std::string& output) {
+  std::string text = flattened("{window: 1}");
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"entity_id: oracle_nodes/OSensor", "entity_id: m/Own"},
+                                 {"o0: {processor: null}", "o0: {" + output + "}"}})
+    text.replace(text.find(from), from.size(), to);
+  SourceMap sources;
+  Diagnostics diagnostics;
+  const YamlValue tree = read_yaml_text("state.yaml", text, sources, diagnostics);
+  const Library library = load_library({{"tests/data/import/models", {}}}, sources, diagnostics);
+  const auto missing = missing_entities(tree, library, {}, diagnostics);
+  std::vector<std::string> manifests;
+  for (const auto& entity : missing.value_or(std::vector<MissingEntity>()))
+    manifests.push_back(entity.manifest);
+  EXPECT_FALSE(manifests.empty()) << render_text(diagnostics, sources, false);
+  return manifests;
+}
+
+// What its users do not share was once noted under a key `apart` of the port's own settings.
+TEST(MissingEntities, AKeyOfAPortIsNoMarkOfOurs) {
+  EXPECT_EQ(missing_with_output("space: {dtype: float32}, apart: 1"),
+            missing_with_output("space: {dtype: float32}"));
+}
+
 TEST(ImportGraph, DifferencesWithinAnObjectAreWarnings) {
   const Import import(flattened("{skip: false, window: 2, delay: 0.0}"));
   ASSERT_TRUE(import.graph) << import.report();
