@@ -191,7 +191,7 @@ bool check_space(const SpaceSpec& space, Diagnostics& diagnostics) {
   add("shape", space.shape);
   add("low", space.low);
   add("high", space.high);
-  return check(yaml, *space_format(Reference::refuse, false), diagnostics);
+  return check(yaml, *space_format(ReferenceRule::refuse, false), diagnostics);
 }
 
 bool same_space(const SpaceSpec& saved, const SpaceSpec& manifest) {

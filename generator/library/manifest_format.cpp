@@ -64,7 +64,7 @@ FormatPtr requirements_format() {
 
 /// `like` only where messages leave: what comes in has a space of its own.
 Fields port_fields(bool like = false) {
-  return {{"space", space_format(Reference::accept, like), false, "what its messages may hold"},
+  return {{"space", space_format(ReferenceRule::accept, like), false, "what its messages may hold"},
           {"unit", format::text("a unit"), false, "unit"},
           {"eagerx", format::text("a name"), false, "its name in EAGERx, if that is another one"},
           {"about", format::text("a text"), false, "what it means, in one line"}};
@@ -217,7 +217,7 @@ Fields object_ports() {
 
 /// An engine state is given values of the object's space, whose bounds are the object's.
 Fields space_of_state() {
-  std::vector<Field> fields = space_format(Reference::accept, false)->fields;
+  std::vector<Field> fields = space_format(ReferenceRule::accept, false)->fields;
   std::erase_if(fields,
                 [](const Field& field) { return field.name == "low" || field.name == "high"; });
   return {{"space", format::record("a space", std::move(fields)), false, "what it takes"}};
@@ -331,9 +331,9 @@ const Format* manifest_format(std::string_view kind) {
       {"object", format::record("an object", common("object") + config() + object_ports())},
       {"processor",
        format::record("a processor", common("processor") + cpp() + packs() + config() +
-                                         Fields{{"input", space_format(Reference::accept, false),
+                                         Fields{{"input", space_format(ReferenceRule::accept, false),
                                                  false, "what it takes"},
-                                                {"output", space_format(Reference::accept, true),
+                                                {"output", space_format(ReferenceRule::accept, true),
                                                  true, "what it gives"}})},
       {"implementation", format::record("an implementation", implementation_apart())},
       {"target", target_format()}};

@@ -149,10 +149,8 @@ class Reader {
   std::optional<ConfigValue> list(Parse&& parse) {
     std::vector<T> result;
     // A single number is a list of one: `cutoff_hz: 10`.
-    const std::vector<YamlValue> items =
-        yaml_.is_scalar() ? std::vector<YamlValue>{yaml_} : yaml_.items;
     if (yaml_.is_map() || yaml_.is_null()) return wrong(yaml_);
-    for (const auto& item : items) {
+    for (const auto& item : items_of(yaml_)) {
       const auto parsed = parse_item<T>(item, parse);
       if (!parsed) return std::nullopt;
       result.push_back(*parsed);

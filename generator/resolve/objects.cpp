@@ -6,6 +6,7 @@
 #include <set>
 
 #include "generator/resolve/draft.hpp"
+#include "generator/resolve/prune.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -31,10 +32,6 @@ class ObjectBuilder {
   }
 
  private:
-  struct Link {  // inside the object, between engine nodes
-    std::size_t from, to;
-  };
-
   Diagnostics& diagnostics() { return draft_.diagnostics; }
 
   void add_rates(const char* kind, const std::vector<PortManifest>& ports,
@@ -325,37 +322,13 @@ class ObjectBuilder {
                     in_dollars(rate_reference(kind, port.name.value)));
   }
 
-  /// EAGERx's rule: ancestors of used sensors, those that used actuators feed, descendants of those
-  /// that are synchronised with the engine, and what these need.
   void mark_needed() {
-    needed_.assign(nodes_.size(), false);
-    for (const auto& [name, sensor] : sensors_made_) need(sensor.output.node);
-    std::vector<bool> reached(nodes_.size(), false);
+    std::vector<std::size_t> sensors, actuators;
+    for (const auto& [name, sensor] : sensors_made_) sensors.push_back(sensor.output.node);
     for (const auto& sink : actuator_sinks_) {
-      if (actuators_.contains(sink.name)) reach(sink.node, reached);
+      if (actuators_.contains(sink.name)) actuators.push_back(sink.node);
     }
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-      if (reached[i] && nodes_[i].input("tick") != nullptr) need(i);
-    }
-    for (const auto& sink : actuator_sinks_) {
-      if (actuators_.contains(sink.name)) need(sink.node);
-    }
-  }
-
-  void need(std::size_t index) {
-    if (needed_[index]) return;
-    needed_[index] = true;
-    for (const auto& link : links_) {
-      if (link.to == index) need(link.from);
-    }
-  }
-
-  void reach(std::size_t index, std::vector<bool>& reached) {
-    if (reached[index]) return;
-    reached[index] = true;
-    for (const auto& link : links_) {
-      if (link.from == index) reach(link.to, reached);
-    }
+    needed_ = needed_engine_nodes(nodes_, links_, sensors, actuators);
   }
 
   void move_to_graph() {
@@ -394,7 +367,7 @@ class ObjectBuilder {
   References references_;
   std::set<std::string> sensors_, actuators_;
   std::vector<DraftNode> nodes_;
-  std::vector<Link> links_;
+  std::vector<InnerLink> links_;
   std::vector<Outside> actuator_sinks_;
   std::map<std::string, DraftSensor> sensors_made_;
   std::vector<bool> needed_;

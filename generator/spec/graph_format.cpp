@@ -5,13 +5,13 @@
 namespace eagerx::gen {
 namespace {
 
-FormatPtr number_or_reference(Reference references) {
+FormatPtr number_or_reference(ReferenceRule references) {
   FormatPtr number = format::number("a number");
-  if (references == Reference::refuse) return number;
+  if (references == ReferenceRule::refuse) return number;
   return format::one_of("a number or `$(config NAME)`", {number, format::text("`$(config NAME)`")});
 }
 
-FormatPtr bound_format(Reference references) {
+FormatPtr bound_format(ReferenceRule references) {
   const FormatPtr item = number_or_reference(references);
   return format::one_of("a number, or a list with one number for each element",
                         {format::list("a list of numbers", item, 1), item});
@@ -69,7 +69,7 @@ FormatPtr selection(const std::string& what, std::vector<Field> settings) {
 }
 
 Field space_field() {
-  return {"space", space_format(Reference::refuse, false), false,
+  return {"space", space_format(ReferenceRule::refuse, false), false,
           "dtype, shape and bounds of its messages"};
 }
 
@@ -229,9 +229,9 @@ FormatPtr processor_format() {
       {record, name, format::list("a list of processors", one, 1)});
 }
 
-FormatPtr space_format(Reference references, bool like) {
+FormatPtr space_format(ReferenceRule references, bool like) {
   const FormatPtr dimension = format::integer("a size of at least 1", 1, 1'000'000'000);
-  const FormatPtr shape = references == Reference::refuse
+  const FormatPtr shape = references == ReferenceRule::refuse
                               ? dimension
                               : format::one_of("a size or `$(config NAME)`",
                                                {dimension, format::text("`$(config NAME)`")});
@@ -280,68 +280,6 @@ FormatPtr engine_nodes_format() {
                        "outputs to use (default: all) and their settings"}}));
 }
 
-FormatPtr age_format() {
-  return format::one_of(
-      "a time in seconds, or a list of `{from: …, to: …, at_most: …}`",
-      {format::time("a time in seconds", true),
-       format::list(
-           "a list of limits of ages",
-           format::record(
-               "a limit of an age",
-               {{"from", format::port("`object.sensor` or `actions.NAME`"), false,
-                 "where data begin (default: every sensor; without an engine every action)"},
-                {"to", format::port("`object.actuator` or `observations.NAME`"), false,
-                 "where they are used (default: every actuator; without an engine every "
-                 "observation)"},
-                {"at_most", format::time("a time in seconds", true), true,
-                 "largest age, in seconds, of the newest data of `from` at `to`"},
-                {"agent", format::boolean(), false,
-                 "false: ways through the agent do not count (default true)"}}),
-           1)});
-}
-
-FormatPtr telemetry_format() {
-  constexpr double kMostBaud = 100'000'000;
-  Format share = *format::decimal("a share of the line, above 0 and up to 1", 0.0, true);
-  share.high = 1.0;
-  return format::record(
-      "`telemetry`",
-      {{"channels",
-        format::list("a list of ports",
-                     format::port("a port such as `pendulum.theta` or `actions.voltage`"), 1),
-        true, "whose messages a board sends: sensors, outputs of nodes, actions"},
-       {"share", std::make_shared<const Format>(std::move(share)), false,
-        "how much of the line's bandwidth they may take (default 0.5)"},
-       rate_field(false, "most messages a second of a channel (default: as many as fit)"),
-       {"baud", format::integer("a baud rate", 1, kMostBaud), false,
-        "speed of the board's serial port, which its manifest must say, too (default 115200)"}});
-}
-
-FormatPtr budget_format() {
-  const FormatPtr bytes = format::memory("a number of bytes, such as 64k");
-  const FormatPtr part =
-      format::record("a budget of memory", {{"flash", bytes, false, "bytes of code and constants"},
-                                            {"ram", bytes, false, "bytes besides the stack"}});
-  Format nodes = *format::file_map("nodes");  // engine nodes have names such as object/node
-  nodes.item = part;
-  return format::record("the budget",
-                        {{"flash", bytes, false, "bytes of code and constants of the image"},
-                         {"ram", bytes, false, "bytes of memory besides the stack"},
-                         {"stack", bytes, false, "bytes of stack"},
-                         {"instructions", format::integer("a number of instructions", 0), false,
-                          "most instructions of a slot, the agent included"},
-                         {"age", age_format(), false,
-                          "largest age, in seconds, of the newest data of a sensor at an actuator "
-                          "(without an engine: of an action in an observation), for all pairs or "
-                          "for each"},
-                         {"link", format::integer("a baud rate", 1), false,
-                          "baud rate of a serial link between the engine and the rest"},
-                         {"telemetry", format::integer("a baud rate", 1), false,
-                          "how much of its line's baud rate `telemetry:` may take"},
-                         {"nodes", std::make_shared<const Format>(std::move(nodes)), false,
-                          "budgets of nodes, by their names"}});
-}
-
 namespace {
 
 FormatPtr make_graph_format(GraphForm form) {
@@ -376,11 +314,11 @@ FormatPtr make_graph_format(GraphForm form) {
        {"nodes", entities("nodes", node_format()), false, "filters, controllers, estimators"},
        {"actions",
         selection("actions",
-                  {{"space", space_format(Reference::refuse, true), false,
+                  {{"space", space_format(ReferenceRule::refuse, true), false,
                     "bounds of the action (default: those of the first port it is connected to)"}}),
         true, "what the agent decides at every step"},
        {"observations",
-        selection("observations", {{"space", space_format(Reference::refuse, false), false,
+        selection("observations", {{"space", space_format(ReferenceRule::refuse, false), false,
                                     "bounds of the observation (default: those of its source)"}}),
         true, "what the agent sees at every step"},
        {"connections", connections_format(), true, "who sends to whom"},

@@ -178,15 +178,17 @@ std::optional<GraphSpec> read_graph_spec(const YamlValue& root, const std::strin
 bool refuse_manifest(const YamlValue& root, Diagnostics& diagnostics);
 
 // Pieces that manifests are written in too.
-enum class Reference : std::uint8_t {
+enum class ReferenceRule : std::uint8_t {
   refuse,
   accept
 };  // whether `$(config x)` may stand for a number
-FormatPtr space_format(Reference references, bool like);
+FormatPtr space_format(ReferenceRule references, bool like);
 FormatPtr connections_format();
 FormatPtr engine_nodes_format();
 FormatPtr safety_format();
 FormatPtr task_format();
+FormatPtr telemetry_format();
+FormatPtr budget_format();
 FormatPtr config_format();
 FormatPtr processor_format();
 SpaceSpec read_space(const YamlValue& yaml);
