@@ -6,24 +6,17 @@
 #include <string_view>
 
 #include "generator/cli/arguments.hpp"
+#include "generator/cli/become.hpp"
 #include "generator/cli/board_options.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/image_budget.hpp"
+#include "generator/cli/targets.hpp"
 
 namespace eagerx::gen {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// So that two targets in turn do not write over each other, and nothing is built twice.
-std::string default_folder(const Graph& graph, const GraphOptions& options) {
-  std::string folder = "generated/" + graph.name;
-  for (const std::string& target : options.targets) {
-    if (target != "linux-sim") folder += "-" + target;
-  }
-  return folder;
-}
 
 }  // namespace
 
@@ -43,6 +36,15 @@ std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& pr
   if (target.toolchain.empty()) return {program.image};
   return {(fs::path(run.root) / "targets" / "run").string(),
           is_own(run, target) ? folder_of(run, target) : target.id.value, program.image};
+}
+
+int become_built(const Run& run, const BuiltProgram& program,
+                 const std::vector<std::string>& words) {
+  std::vector<std::string> command = command_to_start(run, program);
+  if (command.front() != program.image)
+    command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
+  command.insert(command.end(), words.begin(), words.end());
+  return become(command.front(), {command.begin() + 1, command.end()});
 }
 
 namespace {
@@ -120,7 +122,7 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run) {
   if (!make(run, options)) return std::nullopt;
-  if (options.output.empty()) options.output = default_folder(*run.graph, options);
+  if (options.output.empty()) options.output = folder_for_targets("generated/" + run.graph->name, options);
   const auto generated = generate_graph(run, options, code);
   if (!generated) return std::nullopt;
   const std::vector<Planned> items = planned(run, options, *generated);

@@ -1,7 +1,6 @@
 // eagerx-gen check: all that is wrong with a graph, and with the code of its entities.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -48,8 +47,7 @@ int perform(const CheckOptions& options) {
   const int code = finish(run, options);
   if (code == kDone && !options.quiet) {
     std::uint64_t messages = 0;
-    const auto warnings = static_cast<std::uint64_t>(
-        std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity));
+    const std::uint64_t warnings = warnings_in(run.diagnostics);
     for (const auto& ring : run.plan->rings) messages += ring.capacity;
     say("{}: {}, {}, {} with room for {}; {}\n", options.graph,
         counted(run.graph->nodes.size(), "node"), counted(run.plan->rates.size(), "rate"),

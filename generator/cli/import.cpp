@@ -8,6 +8,7 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/missing.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/targets.hpp"
 #include "generator/cli/write.hpp"
 
 namespace eagerx::gen {
@@ -40,9 +41,8 @@ int check_written(const ImportOptions& options, const std::string& text) {
   of_check.quiet = options.quiet;
   Run run;
   if (check_text(run, of_check, text)) return kDone;
-  const std::size_t errors = run.diagnostics.error_count();
-  complain("`{}` was written, and `eagerx-gen check` finds {} error{}:\n", of_check.graph, errors,
-           errors == 1 ? "" : "s");
+  complain("`{}` was written, and `eagerx-gen check` finds {}:\n", of_check.graph,
+           counted(run.diagnostics.error_count(), "error"));
   return finish(run, of_check);
 }
 

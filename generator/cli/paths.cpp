@@ -49,4 +49,9 @@ std::string helper_program(const std::string& name) {
   return (fs::exists(installed, error) ? installed : folder / name).lexically_normal().string();
 }
 
+std::string build_folder_of(const std::string& image, const std::string& said) {
+  const std::string folder = std::filesystem::path(image).parent_path().string();
+  return !said.empty() ? said : folder.empty() ? "." : folder;
+}
+
 }  // namespace eagerx::gen

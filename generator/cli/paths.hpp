@@ -15,5 +15,7 @@ std::string package_folder();
 /// A program that only other commands start: where it is installed, or beside eagerx-gen in the
 /// build folder.
 std::string helper_program(const std::string& name);
+/// The build folder of an image, as was said, or else the folder that it lies in.
+std::string build_folder_of(const std::string& image, const std::string& said);
 
 }  // namespace eagerx::gen

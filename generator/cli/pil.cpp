@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "generator/cli/arguments.hpp"
-#include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/targets.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/emit/render.hpp"
 #include "generator/pil/recording.hpp"
@@ -84,12 +84,7 @@ bool write_project(Run& run, const Target& target, const std::string& folder,
   return write_files(folder, std::move(files), run.diagnostics).has_value();
 }
 
-struct PilProgram {
-  BuiltProgram program;
-  std::vector<std::string> command;
-};
-
-std::optional<PilProgram> build_pil(Run& run, const PilOptions& options, const std::string& folder,
+std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options, const std::string& folder,
                                     const std::string& log, int& code) {
   GenerateOptions library = options;
   library.output = folder + "/library";
@@ -106,20 +101,16 @@ std::optional<PilProgram> build_pil(Run& run, const PilOptions& options, const s
   if (!write_project(run, target, folder, recording->words)) return std::nullopt;
   const Tree tree = tree_of(run, options, target, folder, false);
   if (!build_program(run, tree, target, run.graph->name, options.quiet)) return std::nullopt;
-  PilProgram pil{{&target, tree.build, tree.build + (target.system.empty() ? "/pil.elf" : "/pil")},
-                 {}};
-  pil.command = command_to_start(run, pil.program);
-  return pil;
+  return BuiltProgram{&target, tree.build,
+                      tree.build + (target.system.empty() ? "/pil.elf" : "/pil")};
 }
 
 int perform(const PilOptions& options) {
   int code = kDone;
   std::string folder = options.output;
-  if (folder.empty()) {
-    folder = "generated/" + fs::path(options.graph).stem().string() + "-pil";
-    for (const std::string& target : options.targets)
-      if (target != "linux-sim") folder += "-" + target;
-  }
+  if (folder.empty())
+    folder = folder_for_targets("generated/" + fs::path(options.graph).stem().string() + "-pil",
+                                options);
   std::error_code ignored;
   fs::create_directories(folder, ignored);
   const auto log = record(options, folder, code);
@@ -127,11 +118,7 @@ int perform(const PilOptions& options) {
   Run run;
   const auto pil = build_pil(run, options, folder, *log, code);
   code = std::max(finish(run, options), code);
-  if (!pil || code != kDone) return code;
-  std::vector<std::string> command = pil->command;
-  if (command.front() != pil->program.image)
-    command.insert(command.end() - 1, {"--time-limit", "0"});
-  return become(command.front(), {command.begin() + 1, command.end()});
+  return pil && code == kDone ? become_built(run, *pil, {}) : code;
 }
 
 Command table(PilOptions& options) {

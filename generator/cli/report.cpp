@@ -9,7 +9,9 @@
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
+#include "generator/cli/paths.hpp"
 #include "generator/cli/pipeline.hpp"
+#include "generator/cli/targets.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/monitor/live.hpp"
 #include "generator/page/page.hpp"
@@ -32,11 +34,8 @@ struct ReportOptions : GenerateOptions {
 std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
   std::vector<PageImage> images;
   for (const std::string& image : options.images) {
-    const std::string folder = fs::path(image).parent_path().string();
-    const std::string build = !options.build.empty() ? options.build
-                              : folder.empty()       ? "."
-                                                     : folder;
-    if (auto size = measure_image(image, build, run.diagnostics)) {
+    if (auto size =
+            measure_image(image, build_folder_of(image, options.build), run.diagnostics)) {
       images.push_back({image, std::move(*size)});
       check_image(images.back(), *run.graph, run.diagnostics);
     }
@@ -97,8 +96,7 @@ int perform(const ReportOptions& options) {
   contents.images = std::move(images);
   contents.logs = std::move(logs);
   contents.is_live = !options.live.empty();
-  const auto warnings =
-      std::ranges::count(run.diagnostics.all(), Severity::warning, &Diagnostic::severity);
+  const std::uint64_t warnings = warnings_in(run.diagnostics);
   Diagnostics problems;  // those that were found are on the page
   const auto text =
       page_text((fs::path(run.root) / "templates" / "report").string(), contents, problems);
@@ -107,7 +105,7 @@ int perform(const ReportOptions& options) {
   const std::string path = options.output.empty() ? run.graph->name + ".html" : options.output;
   if (text && write_file(path, *text, run.diagnostics) && !options.quiet)
     say("{}: {} kB{}\n", path, (text->size() + 999) / 1000,
-        warnings == 0 ? "" : fmt::format(", {} warning{}", warnings, warnings == 1 ? "" : "s"));
+        warnings == 0 ? "" : ", " + counted(warnings, "warning"));
   return finish(run, options);
 }
 

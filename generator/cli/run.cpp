@@ -3,7 +3,6 @@
 #include <filesystem>
 
 #include "generator/cli/arguments.hpp"
-#include "generator/cli/become.hpp"
 #include "generator/cli/built.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/image_budget.hpp"
@@ -38,12 +37,7 @@ int perform(const RunOptions& options) {
   if (programs) check_built_budget(run, options, *programs);
   code = std::max(finish(run, options), code);
   if (!programs || code != kDone) return code;
-  const BuiltProgram& program = programs->back();
-  std::vector<std::string> command = command_to_start(run, program);
-  if (command.front() != program.image)
-    command.insert(command.end() - 1, {"--time-limit", "0"});  // as long as the user wants
-  command.insert(command.end(), words.begin(), words.end());
-  return become(command.front(), {command.begin() + 1, command.end()});
+  return become_built(run, programs->back(), words);
 }
 
 Command table(RunOptions& options) {

@@ -101,9 +101,8 @@ int perform(const SizeOptions& options) {
   }
   const std::optional<Json> baseline = read_baseline(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
-  const std::string folder = fs::path(options.image).parent_path().string();
-  const std::string build = !options.build.empty() ? options.build : folder.empty() ? "." : folder;
-  auto report = measure_image(options.image, build, run.diagnostics);
+  auto report = measure_image(options.image, build_folder_of(options.image, options.build),
+                              run.diagnostics);
   if (!report) return finish(run, options);
   if (!options.run_on.empty()) {
     report->instructions = count_instructions(run, options);

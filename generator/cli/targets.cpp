@@ -16,6 +16,18 @@ std::string counted(std::uint64_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+std::uint64_t warnings_in(const Diagnostics& diagnostics) {
+  return static_cast<std::uint64_t>(
+      std::ranges::count(diagnostics.all(), Severity::warning, &Diagnostic::severity));
+}
+
+std::string folder_for_targets(std::string folder, const GraphOptions& options) {
+  for (const std::string& target : options.targets) {
+    if (target != "linux-sim") folder += "-" + target;
+  }
+  return folder;
+}
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -12,6 +12,11 @@ namespace eagerx::gen {
 
 /// "1 node", "2 nodes"
 std::string counted(std::uint64_t count, std::string_view what);
+std::uint64_t warnings_in(const Diagnostics& diagnostics);
+
+/// The folder for these targets: "build-mps2-an386" of "build", so that two targets in turn do not
+/// write over each other and nothing is built twice.
+std::string folder_for_targets(std::string folder, const GraphOptions& options);
 
 /// Those of the command line. Problems: E0316 unknown, E0335, E0337, E0341 and those of
 /// check_system() where the graph cannot run, E0340 what nobody has filled in yet.
