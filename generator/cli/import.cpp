@@ -16,13 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ImportOptions : GraphOptions {
+struct ImportCommandOptions : GraphOptions {
   std::string output;    // the graph to write, or the folder for what is missing; empty: print
   bool missing = false;  // only lists what has no counterpart
 };
 
 /// The folders of `--path` as the graph names them, so that it can be used without that option.
-std::vector<Spanned<std::string>> library_of(const ImportOptions& options) {
+std::vector<Spanned<std::string>> library_of(const ImportCommandOptions& options) {
   std::vector<Spanned<std::string>> result;
   for (const auto& path : options.paths) {
     fs::path folder = fs::absolute(path).lexically_normal();
@@ -35,7 +35,7 @@ std::vector<Spanned<std::string>> library_of(const ImportOptions& options) {
 }
 
 /// What `check` says of the graph that was written: somebody may go on with it by hand.
-int check_written(const ImportOptions& options, const std::string& text) {
+int check_written(const ImportCommandOptions& options, const std::string& text) {
   GraphOptions of_check;
   of_check.graph = options.output.empty() ? "<standard output>" : options.output;
   of_check.quiet = options.quiet;
@@ -46,7 +46,7 @@ int check_written(const ImportOptions& options, const std::string& text) {
   return finish(run, of_check);
 }
 
-int perform(const ImportOptions& options) {
+int perform(const ImportCommandOptions& options) {
   Run run;
   const YamlValue tree = read_graph_file(run, options.graph);
   if (run.diagnostics.has_errors()) return finish(run, options);
@@ -77,7 +77,7 @@ int perform(const ImportOptions& options) {
   return written ? std::max(code, check_written(options, text)) : code;
 }
 
-Command table(ImportOptions& options) {
+Command table(ImportCommandOptions& options) {
   return {.name = "import",
           .about = "rewrite a file of EAGERx (Graph.save, BaseEnv.save) as a graph",
           .examples =
@@ -103,7 +103,7 @@ Command table(ImportOptions& options) {
 }  // namespace
 
 Command import_command() {
-  return with_options<ImportOptions>(table);
+  return with_options<ImportCommandOptions>(table);
 }
 
 }  // namespace eagerx::gen

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 #include <cmath>
 
 #include "generator/read/scalar.hpp"
@@ -43,6 +44,10 @@ std::vector<double> bounds_of(const std::optional<YamlValue>& written, std::opti
 }  // namespace
 
 DraftInput* DraftNode::input(std::string_view name) {
+  return const_cast<DraftInput*>(std::as_const(*this).input(name));
+}
+
+const DraftInput* DraftNode::input(std::string_view name) const {
   const auto found = std::ranges::find_if(
       inputs, [&](const DraftInput& i) { return i.name == name && !i.feedthrough; });
   return found == inputs.end() ? nullptr : &*found;

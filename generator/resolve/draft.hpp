@@ -66,6 +66,7 @@ struct DraftNode {
 
   /// By name, feedthroughs apart.
   [[nodiscard]] DraftInput* input(std::string_view name);
+  [[nodiscard]] const DraftInput* input(std::string_view name) const;
   [[nodiscard]] DraftOutput* output(std::string_view name);
 };
 
