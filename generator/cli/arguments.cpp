@@ -110,16 +110,15 @@ Arguments diagnostics(MessageOptions& options) {
 }
 
 Arguments on_building(GenerateOptions& options) {
-  return joined(
-      {{graph(options),
-        folder(text("-o,--output", options.output,
-                    "output folder (default: generated/<graph name>, for another target "
-                    "generated/<graph name>-<target>); it is built in its folder `build`",
-                    "DIR"))},
-       selection(options),
-       rates(options),
-       {agent_policy(options), library(options), warnings(options)},
-       diagnostics(options)});
+  return joined({{graph(options),
+                  folder(text("-o,--output", options.output,
+                              "output folder (default: generated/<graph name>, for another target "
+                              "generated/<graph name>-<target>); it is built in its folder `build`",
+                              "DIR"))},
+                 selection(options),
+                 rates(options),
+                 {agent_policy(options), library(options), warnings(options)},
+                 diagnostics(options)});
 }
 
 Argument warnings(GraphOptions& options) {

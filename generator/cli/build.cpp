@@ -54,7 +54,8 @@ struct Planned {
   BuiltProgram program;
   Tree tree;
 };
-std::vector<Planned> planned(const Run& run, const GenerateOptions& options, const Generated& generated) {
+std::vector<Planned> planned(const Run& run, const GenerateOptions& options,
+                             const Generated& generated) {
   const std::string& folder = generated.folder;
   const bool split = run.graph->placement.has_value();
   std::vector<Planned> result;
@@ -122,7 +123,8 @@ bool build_program(Run& run, const Tree& tree, const Target& target, const std::
 std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions options, int& code,
                                                      std::vector<std::string>* to_run) {
   if (!make(run, options)) return std::nullopt;
-  if (options.output.empty()) options.output = folder_for_targets("generated/" + run.graph->name, options);
+  if (options.output.empty())
+    options.output = folder_for_targets("generated/" + run.graph->name, options);
   const auto generated = generate_graph(run, options, code);
   if (!generated) return std::nullopt;
   const std::vector<Planned> items = planned(run, options, *generated);

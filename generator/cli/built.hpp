@@ -62,7 +62,8 @@ std::optional<std::vector<BuiltProgram>> build_graph(Run& run, GenerateOptions o
 std::vector<std::string> command_to_start(const Run& run, const BuiltProgram& program);
 
 /// Becomes the program, or what starts it, for as long as it takes; `words` are its own options.
-int become_built(const Run& run, const BuiltProgram& program, const std::vector<std::string>& words);
+int become_built(const Run& run, const BuiltProgram& program,
+                 const std::vector<std::string>& words);
 
 /// The file of a target's program in a build folder.
 std::string image_of(const Run& run, const Target& target, const std::string& build);

@@ -1,4 +1,6 @@
 // eagerx-gen campaign: many runs are the work of eagerx-campaign (targets/environments/campaign).
+#include "targets/environments/options/campaign.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -10,7 +12,6 @@
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
 #include "generator/cli/paths.hpp"
-#include "targets/environments/options/campaign.hpp"
 
 namespace eagerx::gen {
 namespace {

@@ -62,8 +62,8 @@ std::optional<ProgramFacts> facts_of_program(Run& run, const GraphOptions& optio
     if (!make_again(run, options)) return std::nullopt;
     targets = find_targets(run, options);
   }
-  const auto files = emit_program(
-      run, emit_options_for(run, std::move(targets), fs::current_path().string()));
+  const auto files =
+      emit_program(run, emit_options_for(run, std::move(targets), fs::current_path().string()));
   const auto hash = files ? hash_in(*files) : std::nullopt;
   if (!hash) return std::nullopt;
   ProgramFacts facts{*hash, {}};

@@ -46,9 +46,9 @@ std::optional<Generated> generate_graph(Run& run, const GenerateOptions& options
   check_output_path(run, fs::absolute(folder).lexically_normal().string());
   check_headers(*run.plan, fs::absolute(folder).lexically_normal().string(), run.diagnostics);
   if (run.diagnostics.has_errors()) return std::nullopt;
-  EmitOptions emit_options =
-      emit_options_for(run, options.makes_library() ? std::vector<const Target*>() : generated.targets,
-                       fs::absolute(folder).lexically_normal().string());
+  EmitOptions emit_options = emit_options_for(
+      run, options.makes_library() ? std::vector<const Target*>() : generated.targets,
+      fs::absolute(folder).lexically_normal().string());
   const bool standalone = is_standalone(options);
   const bool bare = is_bare(options);
   if (standalone) emit_options.header_folder = kHeaderFolder;

@@ -287,8 +287,7 @@ int perform(const InfoOptions& options) {
   std::vector<std::string> known;
   for (const auto& [id, entity] : run.library.all_entities()) known.push_back(id);
   for (const auto& [id, target] : run.library.all_targets()) known.push_back(id);
-  run.diagnostics
-      .error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity))
+  run.diagnostics.error("E0303", {}, fmt::format("unknown entity or target `{}`", options.entity))
       .help = did_you_mean(options.entity, known, "`eagerx-gen info` lists what there is");
   return finish(run, options);
 }
@@ -304,8 +303,7 @@ Command table(InfoOptions& options) {
           .arguments = joined(
               {{reads(text("entity", options.entity, "id of an entity or target, or a graph file",
                            "ENTITY|GRAPH.yaml")),
-                variant(options),
-                engine(options)},
+                variant(options), engine(options)},
                rates(options),
                {library(options),
                 flag("--flat", options.flat,

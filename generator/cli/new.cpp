@@ -86,8 +86,8 @@ int perform(const NewOptions& options) {
   if (run.diagnostics.has_errors() || !check_name(*kind, options.name, run) ||
       !is_free_place(folder, run.diagnostics) || !check_id(*kind, options.name, run))
     return finish(run, options);
-  const auto files = rendered_files(kind->folder, options.name,
-                                    view_of_new(options.name, folder), run.diagnostics);
+  const auto files = rendered_files(kind->folder, options.name, view_of_new(options.name, folder),
+                                    run.diagnostics);
   if (!run.diagnostics.has_errors()) write_new_folder(folder, files, run.diagnostics);
   if (!run.diagnostics.has_errors() && !options.quiet) print_next(folder, files);
   return finish(run, options);

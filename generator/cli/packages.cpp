@@ -155,8 +155,9 @@ std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& o
   return templates;
 }
 
-void place_headers(const Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
-                   const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files) {
+void place_headers(const Run& run, const GenerateOptions& options,
+                   const std::vector<Package>& packages, const std::vector<ExtraTemplate>& others,
+                   std::vector<GeneratedFile>& files) {
   constexpr std::string_view kLicense = "LICENSE";
   if (!options.makes_library() || packages.empty()) return;
   std::vector<GeneratedFile> headers;
@@ -183,8 +184,8 @@ void place_headers(const Run& run, const GenerateOptions& options, const std::ve
   }
 }
 
-std::string next_steps(Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
-                       const std::string& folder) {
+std::string next_steps(Run& run, const GenerateOptions& options,
+                       const std::vector<Package>& packages, const std::string& folder) {
   View view = object();
   view.set("name", run.graph->name);
   view.set("folder", folder);

@@ -40,11 +40,12 @@ std::vector<ExtraTemplate> templates_of(const Run& run, const GenerateOptions& o
 
 /// With --library, puts the graph's headers where each package has them, and nowhere else if the
 /// output is only packages. `others`: what is in its place.
-void place_headers(const Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
-                   const std::vector<ExtraTemplate>& others, std::vector<GeneratedFile>& files);
+void place_headers(const Run& run, const GenerateOptions& options,
+                   const std::vector<Package>& packages, const std::vector<ExtraTemplate>& others,
+                   std::vector<GeneratedFile>& files);
 
 /// What to type next, for each package: its next.library.sh or next.program.sh.
-std::string next_steps(Run& run, const GenerateOptions& options, const std::vector<Package>& packages,
-                       const std::string& folder);
+std::string next_steps(Run& run, const GenerateOptions& options,
+                       const std::vector<Package>& packages, const std::string& folder);
 
 }  // namespace eagerx::gen

@@ -84,8 +84,9 @@ bool write_project(Run& run, const Target& target, const std::string& folder,
   return write_files(folder, std::move(files), run.diagnostics).has_value();
 }
 
-std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options, const std::string& folder,
-                                    const std::string& log, int& code) {
+std::optional<BuiltProgram> build_pil(Run& run, const PilOptions& options,
+                                      const std::string& folder, const std::string& log,
+                                      int& code) {
   GenerateOptions library = options;
   library.output = folder + "/library";
   const auto generated = make(run, library) ? generate_graph(run, library, code) : std::nullopt;

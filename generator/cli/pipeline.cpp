@@ -117,7 +117,8 @@ YamlValue read_graph_file(Run& run, const std::string& path) {
   return tree;
 }
 
-std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const GraphOptions& options) {
+std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
+                                         const GraphOptions& options) {
   load_library_for(run, options, {}, std::nullopt);
   if (run.diagnostics.has_errors()) return std::nullopt;
   return import_graph(tree, options.graph, run.library,

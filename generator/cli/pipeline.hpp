@@ -37,7 +37,8 @@ void load(Run& run, const LibraryOptions& options);
 /// The graph file; of EAGERx's own too, with Python's tags.
 YamlValue read_graph_file(Run& run, const std::string& path);
 /// EAGERx's file through the manifests of the library, which is loaded.
-std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree, const GraphOptions& options);
+std::optional<ImportedGraph> import_file(Run& run, const YamlValue& tree,
+                                         const GraphOptions& options);
 /// read → spec (or import) → resolve → plan, and the policies, with what the graph mentions of the
 /// library, or all of it if that was too little. True if there was no problem.
 bool make(Run& run, const GraphOptions& options);

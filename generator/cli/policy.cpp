@@ -170,10 +170,10 @@ Command table(PolicyTestOptions& options) {
       .name = "test",
       .about = "compare its answers with known answers",
       .examples = {{"rows of a CSV file", "eagerx-gen policy test swing_up.onnx answers.csv"}},
-      .arguments = joined({one_policy(options),
-                           {required(reads(text("golden", options.golden,
-                                                "rows of observations and known answers",
-                                                "GOLDEN.csv|npz")))}}),
+      .arguments = joined(
+          {one_policy(options),
+           {required(reads(text("golden", options.golden, "rows of observations and known answers",
+                                "GOLDEN.csv|npz")))}}),
       .run = [&options] { return perform(options); }};
 }
 

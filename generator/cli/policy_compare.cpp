@@ -235,9 +235,9 @@ Command table(PolicyCompareOptions& options) {
                        {"what weights of eight bits cost",
                         "eagerx-gen policy compare sac.zip --int8 --tolerance 0.05"}},
           .arguments = joined({two_policies(options),
-                                    asked(options.asked),
-                                    {tolerance(options), flag("--json", options.json_output,
-                                                              "print the differences as JSON")}}),
+                               asked(options.asked),
+                               {tolerance(options), flag("--json", options.json_output,
+                                                         "print the differences as JSON")}}),
           .check = [&options] { return check_two(options); },
           .run = [&options] { return perform(options); }};
 }

@@ -80,14 +80,13 @@ std::string check_asked(const AskedOptions& options) {
 }
 
 Command policy_command() {
-  return {
-      .name = "policy",
-      .about = "look into a trained policy",
-      .examples = {{"layers, size and what it expects", "eagerx-gen policy info swing_up.onnx"},
-                   {"its error on known answers",
-                    "eagerx-gen policy test swing_up.onnx answers.csv"}},
-      .commands = {policy_info_command(), policy_test_command(), policy_golden_command(),
-                   policy_compare_command()}};
+  return {.name = "policy",
+          .about = "look into a trained policy",
+          .examples = {{"layers, size and what it expects", "eagerx-gen policy info swing_up.onnx"},
+                       {"its error on known answers",
+                        "eagerx-gen policy test swing_up.onnx answers.csv"}},
+          .commands = {policy_info_command(), policy_test_command(), policy_golden_command(),
+                       policy_compare_command()}};
 }
 
 }  // namespace eagerx::gen

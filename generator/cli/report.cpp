@@ -34,8 +34,7 @@ struct ReportOptions : GenerateOptions {
 std::vector<PageImage> read_images(Run& run, const ReportOptions& options) {
   std::vector<PageImage> images;
   for (const std::string& image : options.images) {
-    if (auto size =
-            measure_image(image, build_folder_of(image, options.build), run.diagnostics)) {
+    if (auto size = measure_image(image, build_folder_of(image, options.build), run.diagnostics)) {
       images.push_back({image, std::move(*size)});
       check_image(images.back(), *run.graph, run.diagnostics);
     }

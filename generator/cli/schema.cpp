@@ -1,10 +1,11 @@
 // eagerx-gen schema: what editors complete and check with.
+#include "generator/library/schema.hpp"
+
 #include <utility>
 
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/pipeline.hpp"
-#include "generator/library/schema.hpp"
 #include "generator/spec/schema.hpp"
 
 namespace eagerx::gen {

@@ -101,8 +101,8 @@ int perform(const SizeOptions& options) {
   }
   const std::optional<Json> baseline = read_baseline(run, options);
   if (run.diagnostics.has_errors()) return finish(run, options);
-  auto report = measure_image(options.image, build_folder_of(options.image, options.build),
-                              run.diagnostics);
+  auto report =
+      measure_image(options.image, build_folder_of(options.image, options.build), run.diagnostics);
   if (!report) return finish(run, options);
   if (!options.run_on.empty()) {
     report->instructions = count_instructions(run, options);

@@ -116,8 +116,7 @@ Command table(PlotOptions& options) {
                         reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
                     required(texts("channel", options.channels,
                                    "channels: their names, or a part such as theta", "CHANNEL")),
-                    std::move(output), std::move(episode),
-                    quiet(options)},
+                    std::move(output), std::move(episode), quiet(options)},
       .run = [&options] { return perform(options); }};
 }
 

@@ -1,9 +1,10 @@
 // eagerx-gen train: the environments are a library that is generated and built here; learning is
 // the work of eagerx-train (targets/environments/train), which knows nothing of graphs.
+#include "targets/environments/options/train.hpp"
+
 #include "generator/cli/arguments.hpp"
 #include "generator/cli/commands.hpp"
 #include "generator/cli/environments.hpp"
-#include "targets/environments/options/train.hpp"
 
 namespace eagerx::gen {
 

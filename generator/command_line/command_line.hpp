@@ -61,7 +61,7 @@ struct Command {
   /// What is wrong with the arguments together, or "". Asked after all were taken.
   std::function<std::string()> check = {};
   std::function<int()> run = {};
-  bool hidden = false;  // from the help: not for people
+  bool hidden = false;                 // from the help: not for people
   std::shared_ptr<void> options = {};  // what `arguments` store in, kept as long as they
 };
 

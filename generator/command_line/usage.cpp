@@ -96,8 +96,9 @@ std::string not_a_command(const CLI::App& app, const std::string& word) {
   std::error_code ignored;
   if (!like_one || std::filesystem::exists(word, ignored)) return {};
   const std::vector<std::string> commands = names_of_commands(app);
-  return message(fmt::format("`{}` is neither a command nor a file", word),
-                 did_you_mean(word, commands, fmt::format("there is {}", fmt::join(commands, ", "))));
+  return message(
+      fmt::format("`{}` is neither a command nor a file", word),
+      did_you_mean(word, commands, fmt::format("there is {}", fmt::join(commands, ", "))));
 }
 
 std::string no_help(const CLI::App& app, const std::vector<Topic>& topics,

@@ -140,9 +140,9 @@ class Chooser {
     for (const auto& entry : variants.entries) known.push_back(entry.key);
     auto& problem =
         diagnostics_.error("E0394", span, fmt::format("the graph has no variant `{}`", name));
-    problem.help = did_you_mean(name, known,
-                                known.empty() ? "it has no `variants:`"
-                                              : fmt::format("it has {}", fmt::join(known, ", ")));
+    problem.help = did_you_mean(
+        name, known,
+        known.empty() ? "it has no `variants:`" : fmt::format("it has {}", fmt::join(known, ", ")));
     failed_ = true;
   }
 

@@ -159,8 +159,7 @@ class Typer {
     std::vector<std::string> known;
     for (const auto& variable : variables_) known.push_back(variable.name);
     known.insert(known.end(), {"time", "pi"});
-    fail(tree.begin, fmt::format("unknown name `{}`", tree.text),
-         suggestion(tree.text, known));
+    fail(tree.begin, fmt::format("unknown name `{}`", tree.text), suggestion(tree.text, known));
   }
 
   TypedExpression element(const Expression& tree) {
@@ -296,8 +295,7 @@ class Typer {
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
-    fail(tree.begin, fmt::format("unknown function `{}`", name),
-         suggestion(name, known));
+    fail(tree.begin, fmt::format("unknown function `{}`", name), suggestion(name, known));
     return {};
   }
 

@@ -315,7 +315,8 @@ class Rebuilder {
                       key, port->find(key)->text, here));
     };
     if (const YamlValue* value = port->find("window"))
-      check("window", window, value->text == window || (ours.window && is_expression(*ours.window)));
+      check("window", window,
+            value->text == window || (ours.window && is_expression(*ours.window)));
     if (const YamlValue* value = port->find("delay"))
       check("delay", delay.value_or(Rational()).to_string(),
             !delay || meant_number(*value) == delay);

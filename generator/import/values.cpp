@@ -207,8 +207,7 @@ std::optional<SpaceSpec> missing_of(const SpaceSpec& saved, const SpaceSpec& man
   result.span = saved.span;
   const bool dtype = manifest.dtype && saved.dtype && manifest.dtype->value == saved.dtype->value;
   if (!dtype) result.dtype = saved.dtype;
-  const bool literal =
-      manifest.shape && std::ranges::none_of(manifest.shape->items, is_expression);
+  const bool literal = manifest.shape && std::ranges::none_of(manifest.shape->items, is_expression);
   const bool shape =
       manifest.shape && saved.shape && (!literal || same_shape(*manifest.shape, *saved.shape));
   if (!shape) result.shape = saved.shape;

@@ -139,9 +139,9 @@ class Maker {
       return text_.good() ? port_fact(tree) : Type();
     }
     if (function != "len" && function != "increasing") {
-      text_.fail(tree.begin, fmt::format("unknown function `{}`", function),
-                 suggestion(
-                     function, {"min", "max", "len", "increasing", "size", "window", "dtype"}));
+      text_.fail(
+          tree.begin, fmt::format("unknown function `{}`", function),
+          suggestion(function, {"min", "max", "len", "increasing", "size", "window", "dtype"}));
       return {};
     }
     takes_one(tree);

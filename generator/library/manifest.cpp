@@ -225,9 +225,9 @@ std::optional<YamlValue> checked(const YamlValue& root, Diagnostics& diagnostics
             ? diagnostics.error("E0202", root.span, "a manifest needs its `kind`")
             : diagnostics.error("E0204", kind->span,
                                 fmt::format("{} is not a kind of manifest", describe(*kind)));
-    problem.help = did_you_mean(
-        kind != nullptr ? kind->text : "", manifest_kinds(),
-        fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", ")));
+    problem.help =
+        did_you_mean(kind != nullptr ? kind->text : "", manifest_kinds(),
+                     fmt::format("write `kind:` and one of {}", fmt::join(manifest_kinds(), ", ")));
     return std::nullopt;
   }
   const Format* composite = root.find("graph") != nullptr ? composite_format(kind->text) : nullptr;

@@ -329,12 +329,12 @@ const Format* manifest_format(std::string_view kind) {
                                   "what it sets that changes during an episode, such as "
                                   "`positions` (default: nothing, a parameter)"}})},
       {"object", format::record("an object", common("object") + config() + object_ports())},
-      {"processor",
-       format::record("a processor", common("processor") + cpp() + packs() + config() +
-                                         Fields{{"input", space_format(ReferenceRule::accept, false),
-                                                 false, "what it takes"},
-                                                {"output", space_format(ReferenceRule::accept, true),
-                                                 true, "what it gives"}})},
+      {"processor", format::record("a processor",
+                                   common("processor") + cpp() + packs() + config() +
+                                       Fields{{"input", space_format(ReferenceRule::accept, false),
+                                               false, "what it takes"},
+                                              {"output", space_format(ReferenceRule::accept, true),
+                                               true, "what it gives"}})},
       {"implementation", format::record("an implementation", implementation_apart())},
       {"target", target_format()}};
   const auto found = kFormats.find(kind);

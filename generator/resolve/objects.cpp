@@ -309,17 +309,15 @@ class ObjectBuilder {
 
   /// A sensor or actuator ticks with the engine node that implements it.
   void check_rate(const PortManifest& port, const char* kind, const DraftNode& node, Span span) {
-    const auto rate =
-        Rational::parse(references_[rate_reference(kind, port.name.value)].text);
+    const auto rate = Rational::parse(references_[rate_reference(kind, port.name.value)].text);
     if (!rate || node.node.rate_hz == Rational() || *rate == node.node.rate_hz) return;
     diagnostics()
         .error("E0317", span,
                fmt::format("`{}` ticks at {} Hz, but `{}.{}` at {} Hz", node.node.name,
                            node.node.rate_hz.to_string(), spec_.name.value, port.name.value,
                            rate->to_string()))
-        .help =
-        fmt::format("write `rate: {}` for the engine node",
-                    in_dollars(rate_reference(kind, port.name.value)));
+        .help = fmt::format("write `rate: {}` for the engine node",
+                            in_dollars(rate_reference(kind, port.name.value)));
   }
 
   void mark_needed() {

@@ -85,7 +85,8 @@ References safety_references(const GraphSpec& spec) {
   References result;
   for (const auto& [key, value] : safety_defaults()) {
     const Setting* setting = spec.safety ? find_named(spec.safety->settings, key) : nullptr;
-    result[{"safety", key}] = setting != nullptr ? setting->value : made_scalar(value, spec.name.span);
+    result[{"safety", key}] =
+        setting != nullptr ? setting->value : made_scalar(value, spec.name.span);
   }
   return result;
 }
@@ -139,9 +140,7 @@ void resolve_safety(Draft& draft) {
   if (draft.graph.nodes.empty()) return;  // something was wrong before
   const GraphNode& environment = draft.graph.environment();
   Safety& safety = draft.graph.safety;
-  const auto text = [&](const char* key) {
-    return draft.safety.at({"safety", key}).text;
-  };
+  const auto text = [&](const char* key) { return draft.safety.at({"safety", key}).text; };
   const auto count = [&](const char* key) {
     return static_cast<std::uint32_t>(parse_int(text(key)).value_or(1));
   };

@@ -20,7 +20,7 @@ struct Reference {
   friend auto operator<=>(const Reference&, const Reference&) = default;
 };
 
-Reference parameter_reference(std::string name);               // `config NAME`
+Reference parameter_reference(std::string name);                  // `config NAME`
 Reference rate_reference(std::string section, std::string name);  // `sensors NAME rate`
 
 /// "config limit 0", as expressions and messages name it.

@@ -51,11 +51,7 @@ inline constexpr Row kCampaign[] = {
      .value = "",
      .about = "only look whether the options are right and the files can be written",
      .who = For::program},
-    {.names = "-h,--help",
-     .value = "",
-     .about = "print this",
-     .who = For::program,
-     .ends = true},
+    {.names = "-h,--help", .value = "", .about = "print this", .who = For::program, .ends = true},
 };
 
 }  // namespace eagerx::options

@@ -399,8 +399,9 @@ TEST(MissingEntities, NamesThatYamlReadsOtherwiseSurvive) {
 /// Manifests of what is missing in a file in which an engine node has this output.
 std::vector<std::string> missing_with_output(const std::string& output) {
   std::string text = flattened("{window: 1}");
-  for (const auto& [from, to] : {std::pair<std::string, std::string>{"entity_id: oracle_nodes/OSensor", "entity_id: m/Own"},
-                                 {"o0: {processor: null}", "o0: {" + output + "}"}})
+  for (const auto& [from, to] :
+       {std::pair<std::string, std::string>{"entity_id: oracle_nodes/OSensor", "entity_id: m/Own"},
+        {"o0: {processor: null}", "o0: {" + output + "}"}})
     text.replace(text.find(from), from.size(), to);
   SourceMap sources;
   Diagnostics diagnostics;

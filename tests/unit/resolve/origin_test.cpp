@@ -61,8 +61,7 @@ TEST(Origin, ATextThatLooksLikeAReferenceIsPutInAsItIs) {
   references[parameter_reference("label")] = text;
   references[parameter_reference("other")] = made_scalar("5", {});
   Diagnostics diagnostics;
-  const YamlValue once =
-      substitute(made_scalar("$(config label)", {}), references, diagnostics);
+  const YamlValue once = substitute(made_scalar("$(config label)", {}), references, diagnostics);
   EXPECT_EQ(once.text, "$(config other)");
   EXPECT_EQ(substitute(once, references, diagnostics).text, "$(config other)");
   EXPECT_FALSE(diagnostics.has_errors());
