@@ -5,6 +5,7 @@
 #include <array>
 
 #include "generator/library/library.hpp"
+#include "generator/spec/reference.hpp"
 
 namespace eagerx::gen {
 namespace {
@@ -324,6 +325,16 @@ TEST(Expression, TextsAreNone) {
   for (const char* text : {"$(config a)/file", "folder/$(config a)", "$(config a", "3", ""})
     EXPECT_FALSE(is_expression(scalar(text, false))) << text;
   EXPECT_FALSE(is_expression(scalar("$(config limit)", true)));
+}
+
+// A word of a text is no reference: `about: "… (at the given rate)"` once asked for a rate.
+TEST(Expression, IsAskedWhatItRefersTo) {
+  for (const char* text : {"$(rate)", "$(2 * rate)", "1 / $(rate)"})
+    EXPECT_TRUE(refers_to(scalar(text, false), {"rate"})) << text;
+  for (const char* text : {"at the given rate)", "$(sensors theta rate)", "$(config rate)"})
+    EXPECT_FALSE(refers_to(scalar(text, false), {"rate"})) << text;
+  EXPECT_FALSE(refers_to(scalar("$(rate)", true), {"rate"}));
+  EXPECT_TRUE(refers_to(made_list({scalar("1", false), scalar("$(rate)", false)}, {}), {"rate"}));
 }
 
 }  // namespace
