@@ -41,10 +41,10 @@ Argument handed_on(const std::string& name, std::string about, std::string type,
 /// The problem with more than one `--target`, or "".
 std::string check_one_target(const GraphOptions& options);
 
-/// The command that `table` describes, whose options live as long as it.
+/// The command that `table` describes, whose options live as long as it and are at first `initial`.
 template <class Options>
-Command with_options(Command (*table)(Options& options)) {
-  auto options = std::make_shared<Options>();
+Command with_options(Command (*table)(Options& options), Options initial = {}) {
+  auto options = std::make_shared<Options>(std::move(initial));
   Command command = table(*options);
   command.options = std::move(options);
   return command;

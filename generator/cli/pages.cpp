@@ -1,4 +1,6 @@
 // eagerx-gen pages: manual pages and completions on disk. CMake calls it.
+#include "generator/cli/pages.hpp"
+
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -13,14 +15,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct PagesOptions : MessageOptions {
+struct PagesOptions {
   std::string folder;
+  std::vector<CommandLinePage> (*pages)() = nullptr;
 };
 
-int perform(const PagesOptions& options, const std::vector<CommandLinePage>& pages) {
+Command table(PagesOptions& options) {
+  return {.name = "pages",
+          .about = "write the manual pages and completions that are installed",
+          .arguments = {required(folder(text("folder", options.folder, "where", "DIR")))},
+          .run = [&options] { return write_pages(options.folder, options.pages()); },
+          .hidden = true};
+}
+
+}  // namespace
+
+int write_pages(const std::string& folder, const std::vector<CommandLinePage>& pages) {
   Run run;
   for (const CommandLinePage& page : pages) {
-    const fs::path path = fs::path(options.folder) / page.path;
+    const fs::path path = fs::path(folder) / page.path;
     std::error_code error;
     fs::create_directories(path.parent_path(), error);
     if (error) {
@@ -31,24 +44,11 @@ int perform(const PagesOptions& options, const std::vector<CommandLinePage>& pag
     }
     if (!write_file(path.string(), page.text, run.diagnostics)) break;
   }
-  return finish(run, options);
+  return finish(run, {});
 }
-
-Command table(PagesOptions& options) {
-  return {.name = "pages",
-          .about = "write the manual pages and completions that are installed",
-          .arguments = {required(folder(text("folder", options.folder, "where", "DIR")))},
-          .hidden = true};
-}
-
-}  // namespace
 
 Command pages_command(std::vector<CommandLinePage> (*pages)()) {
-  Command command = with_options<PagesOptions>(table);
-  command.run = [options = std::static_pointer_cast<PagesOptions>(command.options), pages] {
-    return perform(*options, pages());
-  };
-  return command;
+  return with_options<PagesOptions>(table, {{}, pages});
 }
 
 }  // namespace eagerx::gen

@@ -19,12 +19,6 @@ struct Range {
   std::string from;  // what set `high`: "`leg` has 4"
 };
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(' '), text.size());
-  const std::size_t end = text.find_last_not_of(' ');
-  return end == std::string_view::npos ? std::string_view() : text.substr(begin, end - begin + 1);
-}
-
 /// `3`, `i`, `i + 1`, `i-1`.
 std::optional<PatternIndex> parse_index(std::string_view text) {
   text = trimmed(text);

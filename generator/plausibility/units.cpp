@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "generator/read/scalar.hpp"
+
 namespace eagerx::gen {
 namespace {
 
@@ -118,12 +120,6 @@ constexpr Named kUnits[] = {
     {"mT", {kFluxDensity, 1e-3}},
     {"uT", {kFluxDensity, 1e-6}},
 };
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 /// A name with a power: `m`, `s^2`, `s2`, `m^-1`.
 std::optional<UnitOfMeasure> factor_of(std::string_view text) {

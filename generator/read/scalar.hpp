@@ -26,5 +26,7 @@ std::optional<bool> parse_bool(std::string_view text);
 
 /// "", "~", "null", "Null" or "NULL".
 bool is_null_text(std::string_view text);
+/// Without the blanks at both ends.
+std::string_view trimmed(std::string_view text, std::string_view blanks = " ");
 
 }  // namespace eagerx::gen

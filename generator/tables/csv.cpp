@@ -11,12 +11,6 @@
 namespace eagerx::gen {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-  text.remove_prefix(begin);
-  return text.substr(0, text.find_last_not_of(" \t") + 1);
-}
-
 /// The text of a cell in quotes, in which "" is a quote.
 std::string without_quotes(std::string_view text) {
   std::string result;
@@ -45,7 +39,7 @@ CsvRow read_row(std::string_view line, FileId file, std::uint32_t number) {
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = end_of_cell(line, begin);
     const std::string_view whole = line.substr(begin, end - begin);
-    const std::string_view text = trimmed(whole);
+    const std::string_view text = trimmed(whole, " \t");
     const std::size_t blanks =
         text.empty() ? 0 : static_cast<std::size_t>(text.data() - whole.data());
     const auto length = static_cast<std::uint32_t>(count_code_points(text));
@@ -83,7 +77,7 @@ std::optional<CsvTable> read_csv(FileId file, const SourceMap& sources, Diagnost
     const std::string_view line = text.substr(begin, end - begin);
     begin = end + 1;
     ++number;
-    const std::string_view content = trimmed(line);
+    const std::string_view content = trimmed(line, " \t");
     if (content.empty() || content.starts_with('#')) continue;
     CsvRow row = read_row(line, file, number);
     if (!first) {

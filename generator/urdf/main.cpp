@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "generator/cli/commands.hpp"
+#include "generator/cli/pages.hpp"
 #include "generator/cli/write.hpp"
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/output.hpp"
@@ -107,11 +107,8 @@ eagerx::gen::CommandLine command_line(Options& options) {
 int main(int argc, char** argv) {
   try {
     Options options;
-    if (argc == 3 && std::string_view(argv[1]) == "--pages") {  // CMake calls it
-      eagerx::gen::Options pages;
-      pages.output = argv[2];
-      return pages_command(pages, command_line_pages(command_line(options)));
-    }
+    if (argc == 3 && std::string_view(argv[1]) == "--pages")  // CMake calls it
+      return eagerx::gen::write_pages(argv[2], command_line_pages(command_line(options)));
     return eagerx::gen::run_command_line(
         command_line(options), std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
   } catch (const std::exception& error) {

@@ -15,8 +15,8 @@ class Pipeline : public testing::Test {
   void SetUp() override { setenv("EAGERX_HOME", EAGERX_SOURCE_DIR, 1); }
   void TearDown() override { unsetenv("EAGERX_HOME"); }
 
-  static Options options_for(const std::string& graph) {
-    Options options;
+  static GraphOptions options_for(const std::string& graph) {
+    GraphOptions options;
     options.graph = std::string(EAGERX_SOURCE_DIR) + "/" + graph;
     return options;
   }
@@ -43,7 +43,7 @@ TEST_F(Pipeline, AProblemThatListsNothingNeedsNoMore) {
 }
 
 TEST_F(Pipeline, AProblemThatListsWhatThereIsIsSaidOfTheWholeLibrary) {
-  Options options = options_for("examples/pendulum_swing_up/graph.yaml");
+  GraphOptions options = options_for("examples/pendulum_swing_up/graph.yaml");
   options.engine = "OdeEngin";
   gen::Run run;
   EXPECT_FALSE(make(run, options));
@@ -53,7 +53,7 @@ TEST_F(Pipeline, AProblemThatListsWhatThereIsIsSaidOfTheWholeLibrary) {
 }
 
 TEST_F(Pipeline, TargetsAndEnginesOfTheCommandLineAreMentioned) {
-  Options options = options_for("examples/pendulum_swing_up/graph.yaml");
+  GraphOptions options = options_for("examples/pendulum_swing_up/graph.yaml");
   options.engine = "OpenDynamicsEngine";
   options.targets = {"mps2-an500"};
   gen::Run run;

@@ -147,19 +147,18 @@ TEST(Size, RefusesWhatIsNoImage) {
 
 /// What `eagerx-gen size` says of the image and a graph with this budget.
 std::string said_of_budget(const Tools& tools, const std::string& budget) {
-  Options options;
-  options.image = tools.image();
-  options.quiet = true;
-  options.graph = tools.file("graph.yaml",
-                             "name: small\nrate: 30\nengine: {type: OdeEngine, rate: 30}\n"
-                             "objects:\n  pendulum: {type: Pendulum}\n"
-                             "actions: [voltage]\nobservations: [angle]\nconnections:\n"
-                             "  - {from: actions.voltage, to: pendulum.u}\n"
-                             "  - {from: pendulum.theta, to: observations.angle}\n"
-                             "budget: " +
-                                 budget + "\n");
+  const std::string graph =
+      tools.file("graph.yaml",
+                 "name: small\nrate: 30\nengine: {type: OdeEngine, rate: 30}\n"
+                 "objects:\n  pendulum: {type: Pendulum}\n"
+                 "actions: [voltage]\nobservations: [angle]\nconnections:\n"
+                 "  - {from: actions.voltage, to: pendulum.u}\n"
+                 "  - {from: pendulum.theta, to: observations.angle}\n"
+                 "budget: " +
+                     budget + "\n");
   testing::internal::CaptureStderr();
-  const int code = size_command(options);
+  const int code = run_command_line({.top = {.name = "eagerx-gen", .about = "", .commands = {size_command()}}},
+                                    {"size", tools.image(), "--graph", graph, "--quiet"});
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(code, said.empty() ? kDone : kProblems) << said;
   return said;
