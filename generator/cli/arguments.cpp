@@ -8,22 +8,17 @@
 namespace eagerx::gen {
 namespace {
 
-std::string check_split(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const bool complete = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
-  return complete ? std::string() : text + " is not NAME[,NAME...]=BOARD";
-}
-
 Argument rate(std::string name, std::string about, std::optional<Rational>& rate_hz) {
-  Argument argument{std::move(name), std::move(about), "HZ", [&rate_hz](const auto& values) {
-                      rate_hz = parse_quantity(values.front(), Quantity::rate);
-                    }};
-  argument.check = [](const std::string& text) {
-    const auto value = parse_quantity(text, Quantity::rate);
-    return value && *value > Rational() ? std::string()
-                                        : text + " is not a rate such as 30, 30Hz or 30000/1001";
-  };
-  return argument;
+  return checked(
+      {std::move(name), std::move(about), "HZ",
+       [&rate_hz](const auto& values) {
+         rate_hz = parse_quantity(values.front(), Quantity::rate);
+       }},
+      [](const std::string& text) {
+        const auto value = parse_quantity(text, Quantity::rate);
+        return value && *value > Rational();
+      },
+      "is not a rate such as 30, 30Hz or 30000/1001");
 }
 
 }  // namespace
@@ -39,13 +34,17 @@ Argument graph(GraphOptions& options) {
 }
 
 Arguments selection(GraphOptions& options) {
-  Argument split =
+  Argument split = checked(
       texts("--split", options.split,
             "make two programs, one for a board and one for Linux; on the board run the named "
             "nodes, `agent`, or `controller` (the agent and all nodes). Replaces the graph's "
             "`placement`",
-            "NAME[,NAME...]=BOARD");
-  split.check = check_split;
+            "NAME[,NAME...]=BOARD"),
+      [](const std::string& text) {
+        const std::size_t equals = text.find('=');
+        return equals != std::string::npos && equals > 0 && equals + 1 < text.size();
+      },
+      "is not NAME[,NAME...]=BOARD");
   return {
       variant(options), engine(options),
       choice("--real", {"float", "double"}, "calculate in this type instead of the graph's `real`",
@@ -58,11 +57,8 @@ Arguments selection(GraphOptions& options) {
 Argument cut_out_nodes(GraphOptions& options, std::string about) {
   Argument argument{"--of", std::move(about), "NAME[,NAME...]", [&options](const auto& values) {
                       for (const std::string& value : values)
-                        for (std::size_t begin = 0; begin <= value.size();) {
-                          const std::size_t end = std::min(value.find(',', begin), value.size());
-                          options.of.push_back(value.substr(begin, end - begin));
-                          begin = end + 1;
-                        }
+                        for (std::string& name : comma_separated(value))
+                          options.of.push_back(std::move(name));
                     }};
   argument.repeated = true;
   argument.check = [](const std::string& text) {

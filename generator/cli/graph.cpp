@@ -30,14 +30,13 @@ int perform(const GraphPictureOptions& options) {
 }
 
 Command table(GraphPictureOptions& options) {
-  Argument output =
+  Argument output = checked(
       writes(text("-o,--output", options.output,
                   "file of the picture: .svg, .dot (Graphviz) or .mmd (Mermaid) (default: "
                   "<graph name>.svg)",
-                  "FILE"));
-  output.check = [](const std::string& path) {
-    return picture_format_of(path) ? std::string() : path + " ends in none of .svg, .dot, .mmd";
-  };
+                  "FILE")),
+      [](const std::string& path) { return picture_format_of(path).has_value(); },
+      "ends in none of .svg, .dot, .mmd");
   return {
       .name = "graph",
       .about = "draw a graph as a picture",

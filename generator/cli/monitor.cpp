@@ -22,16 +22,15 @@ struct MonitorCommandOptions : GraphOptions {  // the graph empty: only what the
 };
 
 Argument seconds(std::string name, double& value, std::string about) {
-  Argument argument{std::move(name), std::move(about), "S", [&value](const auto& values) {
-                      value = std::strtod(values.front().c_str(), nullptr);
-                    }};
-  argument.check = [](const std::string& text) {
-    char* end = nullptr;
-    const double number = std::strtod(text.c_str(), &end);
-    const bool is_right = !text.empty() && *end == '\0' && number > 0.0 && number < 1e9;
-    return is_right ? std::string() : text + " is not a number of seconds above 0";
-  };
-  return argument;
+  return checked(
+      {std::move(name), std::move(about), "S",
+       [&value](const auto& values) { value = std::strtod(values.front().c_str(), nullptr); }},
+      [](const std::string& text) {
+        char* end = nullptr;
+        const double number = std::strtod(text.c_str(), &end);
+        return !text.empty() && *end == '\0' && number > 0.0 && number < 1e9;
+      },
+      "is not a number of seconds above 0");
 }
 
 /// The text of the file, or nothing; then it has been told why.
@@ -70,25 +69,19 @@ int perform(const MonitorCommandOptions& options) {
 
 Command table(MonitorCommandOptions& options) {
   MonitorOptions& monitor = options.monitor;
-  Argument record =
-      writes(text("--record", monitor.record,
-                  "also write the messages into a file .mcap (Foxglove), or, of a trace "
-                  "or a board, .trace",
-                  "FILE"));
-  record.check = [](const std::string& path) {
-    return is_recording(path) ? std::string() : path + " ends in none of .mcap, .trace, .log";
-  };
+  Argument record = checked(writes(text("--record", monitor.record,
+                                        "also write the messages into a file .mcap (Foxglove), or, "
+                                        "of a trace or a board, .trace",
+                                        "FILE")),
+                            is_recording, "ends in none of .mcap, .trace, .log");
   Argument forward =
-      texts("--forward", monitor.forward,
-            "also send the messages on: udp:HOST:PORT (PlotJuggler), "
-            "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
-            "dds[:DOMAIN], for ROS 2; may be repeated",
-            "KIND");
-  forward.check = [](const std::string& to) {
-    return is_destination(to) ? std::string()
-                              : to + " is none of udp:HOST:PORT, teleplot:HOST:PORT, "
-                                     "foxglove:[HOST:]PORT, dds[:DOMAIN]";
-  };
+      checked(texts("--forward", monitor.forward,
+                    "also send the messages on: udp:HOST:PORT (PlotJuggler), "
+                    "teleplot:HOST:PORT, or foxglove:[HOST:]PORT, where Foxglove connects, or "
+                    "dds[:DOMAIN], for ROS 2; may be repeated",
+                    "KIND"),
+              is_destination,
+              "is none of udp:HOST:PORT, teleplot:HOST:PORT, foxglove:[HOST:]PORT, dds[:DOMAIN]");
   return {
       .name = "monitor",
       .about = "watch the messages of a program while it runs",

@@ -132,12 +132,8 @@ std::vector<PlacementSpec> placement_of(const GraphOptions& options) {
   std::vector<PlacementSpec> result;
   for (const auto& item : options.split) {
     const std::size_t equals = item.rfind('=');
-    const std::string names = item.substr(0, equals);
-    for (std::size_t begin = 0; begin <= names.size();) {
-      const std::size_t end = std::min(names.find(',', begin), names.size());
-      result.push_back({{names.substr(begin, end - begin), {}}, {item.substr(equals + 1), {}}});
-      begin = end + 1;
-    }
+    for (std::string& name : comma_separated(item.substr(0, equals)))
+      result.push_back({{std::move(name), {}}, {item.substr(equals + 1), {}}});
   }
   return result;
 }

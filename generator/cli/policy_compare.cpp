@@ -213,15 +213,14 @@ Argument tolerance(PolicyCompareOptions& options) {
     }
     return value;
   };
-  Argument argument{"--tolerance",
-                    "what an output may be off (default: 1e-5 of its range, and at least 1e-5)",
-                    "X", [&options, parsed](const std::vector<std::string>& values) {
-                      options.tolerance = parsed(values.front());
-                    }};
-  argument.check = [parsed](const std::string& text) {
-    return parsed(text) ? std::string() : text + " is no number from 0 on";
-  };
-  return argument;
+  return checked(
+      {"--tolerance", "what an output may be off (default: 1e-5 of its range, and at least 1e-5)",
+       "X",
+       [&options, parsed](const std::vector<std::string>& values) {
+         options.tolerance = parsed(values.front());
+       }},
+      [parsed](const std::string& text) { return parsed(text).has_value(); },
+      "is no number from 0 on");
 }
 
 Command table(PolicyCompareOptions& options) {

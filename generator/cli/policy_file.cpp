@@ -32,8 +32,8 @@ std::optional<AskedRows> asked_rows(const Network& network, const AskedOptions& 
                                     Diagnostics& diagnostics) {
   if (options.observations.empty()) {
     Draw draw;
-    if (options.rows > 0) draw.rows = options.rows;
-    draw.seed = options.seed.value_or(draw.seed);
+    draw.rows = options.rows.value_or(draw.rows);
+    draw.seed = static_cast<std::uint32_t>(options.seed.value_or(draw.seed));
     if (!check_work(network, draw.rows, diagnostics)) return std::nullopt;
     return AskedRows{drawn_observations(network, draw), describe(network, draw)};
   }

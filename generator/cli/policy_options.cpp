@@ -1,39 +1,10 @@
 #include "generator/cli/policy_options.hpp"
 
-#include <charconv>
-#include <functional>
 #include <utility>
 
 #include "generator/cli/commands.hpp"
 
 namespace eagerx::gen {
-namespace {
-
-Argument whole_number(std::string names, std::string about, std::uint64_t lowest,
-                      std::uint64_t highest, std::function<void(std::uint64_t)> take) {
-  const auto parsed = [lowest, highest](const std::string& text) -> std::optional<std::uint64_t> {
-    std::uint64_t value = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, value);
-    if (result.ec != std::errc{} || result.ptr != end || value < lowest || value > highest) {
-      return std::nullopt;
-    }
-    return value;
-  };
-  Argument argument{std::move(names), std::move(about), "N",
-                    [parsed, take = std::move(take)](const std::vector<std::string>& values) {
-                      take(parsed(values.front()).value_or(0));
-                    }};
-  argument.check = [parsed, lowest, highest](const std::string& text) {
-    return parsed(text) ? std::string()
-                        : text + " is no whole number from " + std::to_string(lowest) + " to " +
-                              std::to_string(highest);
-  };
-  return argument;
-}
-
-}  // namespace
-
 const std::vector<Saying>& sayings() {
   static const std::vector<Saying> kSayings = {
       {"--normalize", "statistics of the observations: VecNormalize.save, npz or JSON", "FILE",
@@ -62,20 +33,18 @@ Arguments one_policy(PolicyOptions& options) {
 Arguments asked(AskedOptions& options) {
   constexpr std::uint64_t kMostRows = 1'000'000;
   constexpr std::uint64_t kMostSeed = 0xFFFFFFFF;
-  return {whole_number("--rows", "how many observations to draw (default: 1000)", 1, kMostRows,
-                       [&options](std::uint64_t rows) { options.rows = rows; }),
-          whole_number(
-              "--seed", "where random numbers start (default: 1)", 0, kMostSeed,
-              [&options](std::uint64_t seed) { options.seed = static_cast<std::uint32_t>(seed); }),
-          reads(text(
-              "--observations", options.observations,
-              "take these instead of drawn ones: columns obs0, obs1 …, of a policy with a memory "
-              "also episode_start",
-              "FILE.csv|npz"))};
+  return {
+      whole("--rows", options.rows, "how many observations to draw (default: 1000)", 1, kMostRows),
+      whole("--seed", options.seed, "where random numbers start (default: 1)", 0, kMostSeed),
+      reads(
+          text("--observations", options.observations,
+               "take these instead of drawn ones: columns obs0, obs1 …, of a policy with a memory "
+               "also episode_start",
+               "FILE.csv|npz"))};
 }
 
 std::string check_asked(const AskedOptions& options) {
-  if (options.observations.empty() || (options.rows == 0 && !options.seed)) return {};
+  if (options.observations.empty() || (!options.rows && !options.seed)) return {};
   return "--rows and --seed are for drawn observations, not for --observations";
 }
 

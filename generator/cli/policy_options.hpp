@@ -22,8 +22,7 @@ struct PolicyOptions : MessageOptions {
 /// Observations for which answers are asked.
 struct AskedOptions {
   std::string observations;  // a file; empty: drawn ones
-  std::size_t rows = 0;      // 0: not said
-  std::optional<std::uint32_t> seed;
+  std::optional<std::uint64_t> rows, seed;
 };
 
 /// What may be said of a weight file besides it.

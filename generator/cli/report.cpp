@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 /// `output` is the page: a file; empty: <graph name>.html.
 struct ReportOptions : GenerateOptions {
   std::vector<std::string> logs, images;
-  std::string build;       // the images' folder; empty: that of each
-  std::size_t points = 0;  // of a plot; 0: as many as fit
+  std::string build;                    // the images' folder; empty: that of each
+  std::optional<std::uint64_t> points;  // of a plot; without: as many as fit
   bool simulate = false;
   std::string live;  // a source; empty: a page is written
 };
@@ -73,7 +73,7 @@ int perform(const ReportOptions& options) {
   Run run;
   if (!make(run, options)) return finish(run, options);
   std::vector<PageImage> images = read_images(run, options);
-  Json logs = read_logs(options.logs, *run.plan, options.points, run.diagnostics);
+  Json logs = read_logs(options.logs, *run.plan, options.points.value_or(0), run.diagnostics);
   if (run.diagnostics.has_errors()) return finish(run, options);
   PageContents contents;
   const std::vector<const Target*> no_targets;
@@ -109,19 +109,7 @@ int perform(const ReportOptions& options) {
 }
 
 Command table(ReportOptions& options) {
-  Argument points{"--points",
-                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
-                  "2000); of more messages, the least and the greatest of each part are kept",
-                  "N", [&options](const auto& values) {
-                    options.points = std::strtoul(values.front().c_str(), nullptr, 10);
-                  }};
-  points.check = [](const std::string& text) {
-    const bool digits = !text.empty() && text.size() < 8 &&
-                        text.find_first_not_of("0123456789") == std::string::npos;
-    return digits && std::strtoul(text.c_str(), nullptr, 10) >= 2
-               ? std::string()
-               : text + " is not a number from 2 to 9999999";
-  };
+  constexpr std::uint64_t kMostPoints = 9'999'999;
   return {
       .name = "report",
       .about = "show everything about a graph on one page for a browser",
@@ -144,7 +132,10 @@ Command table(ReportOptions& options) {
                         "IMAGE.elf")),
             folder(text("--build", options.build,
                         "build folder of the image (default: the folder that it lies in)", "DIR")),
-            std::move(points),
+            whole("--points", options.points,
+                  "most points of a plot (default: as many as keep the file below 5 MB, at most "
+                  "2000); of more messages, the least and the greatest of each part are kept",
+                  2, kMostPoints),
             reads(text("--live", options.live,
                        "show the page at an address of this machine, which is printed, with what a "
                        "running program sends: udp:[HOST:]PORT, foxglove:[HOST:]PORT, "

@@ -23,7 +23,7 @@ struct LogOptions : MessageOptions {
 
 struct PlotOptions : LogOptions {
   std::vector<std::string> channels;
-  std::string episode;  // its number; empty: all
+  std::optional<std::uint64_t> episode;  // without: all
 };
 
 int finish(const LogOptions& options, const TraceResult& result) {
@@ -38,11 +38,6 @@ int finish(const LogOptions& options, const TraceResult& result) {
   if (write_file(options.output, result.bytes, run.diagnostics) && !options.quiet)
     say("{}: {}\n", options.output, result.summary);
   return gen::finish(run, options);
-}
-
-std::optional<std::uint32_t> episode_of(const PlotOptions& options) {
-  if (options.episode.empty()) return std::nullopt;
-  return static_cast<std::uint32_t>(std::strtoul(options.episode.c_str(), nullptr, 10));
 }
 
 /// Characters of a line, and whether they may be others than ASCII.
@@ -68,22 +63,21 @@ int perform(const LogOptions& options) {
 }
 
 int perform(const PlotOptions& options) {
-  const PlotRequest request{options.log, options.channels, episode_of(options)};
+  PlotRequest request{options.log, options.channels, {}};
+  if (options.episode) request.episode = static_cast<std::uint32_t>(*options.episode);
   return finish(options, options.output == "-"
                              ? plot_log_as_text(request, columns_of_terminal(), has_braille())
                              : plot_log_as_svg(request));
 }
 
 Command table(LogOptions& options) {
-  Argument output =
+  Argument output = checked(
       required(writes(text("-o,--output", options.output,
                            "the file to write: .csv, .json (Perfetto, chrome://tracing), "
                            ".mcap (Foxglove) or .npz (NumPy)",
-                           "FILE")));
-  output.check = [](const std::string& path) {
-    return trace_format_of(path) ? std::string()
-                                 : path + " ends in none of .csv, .json, .mcap, .npz";
-  };
+                           "FILE"))),
+      [](const std::string& path) { return trace_format_of(path).has_value(); },
+      "ends in none of .csv, .json, .mcap, .npz");
   return {.name = "convert",
           .about = "write a log as CSV, for NumPy, Foxglove or Perfetto",
           .examples = {{"a table, a row for each instant",
@@ -96,28 +90,24 @@ Command table(LogOptions& options) {
 }
 
 Command table(PlotOptions& options) {
-  Argument output = required(writes(text(
-      "-o,--output", options.output, "the picture to write, .svg, or - for the terminal", "FILE")));
-  output.check = [](const std::string& path) {
-    return path == "-" || path.ends_with(".svg") ? std::string() : path + " is neither .svg nor -";
-  };
-  Argument episode = text("--episode", options.episode, "only this episode, from 0", "N");
-  episode.check = [](const std::string& number) {
-    const bool whole = !number.empty() && number.size() < 10 &&
-                       number.find_first_not_of("0123456789") == std::string::npos;
-    return whole ? std::string() : number + " is no whole number";
-  };
-  return {
-      .name = "plot",
-      .about = "draw channels of a log over time",
-      .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
-                   {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
-      .arguments = {required(
-                        reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
-                    required(texts("channel", options.channels,
-                                   "channels: their names, or a part such as theta", "CHANNEL")),
-                    std::move(output), std::move(episode), quiet(options)},
-      .run = [&options] { return perform(options); }};
+  constexpr std::uint64_t kLastEpisode = 999'999'999;
+  Argument output = checked(
+      required(writes(text("-o,--output", options.output,
+                           "the picture to write, .svg, or - for the terminal", "FILE"))),
+      [](const std::string& path) { return path == "-" || path.ends_with(".svg"); },
+      "is neither .svg nor -");
+  return {.name = "plot",
+          .about = "draw channels of a log over time",
+          .examples = {{"a picture", "eagerx-gen plot run.log theta voltage -o run.svg"},
+                       {"in the terminal", "eagerx-gen plot run.log theta -o -"}},
+          .arguments =
+              {required(reads(text("log", options.log, "what a run wrote with --trace", "LOG"))),
+               required(texts("channel", options.channels,
+                              "channels: their names, or a part such as theta", "CHANNEL")),
+               std::move(output),
+               whole("--episode", options.episode, "only this episode, from 0", 0, kLastEpisode),
+               quiet(options)},
+          .run = [&options] { return perform(options); }};
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <sstream>
 #include <utility>
 
-#include "generator/command_line/names.hpp"
 #include "generator/command_line/output.hpp"
 #include "generator/command_line/usage.hpp"
 #include "generator/files/files.hpp"
@@ -85,7 +84,7 @@ void add(CLI::App& app, const Command& command, GivenFiles& files) {
 
 /// The name that messages use: `--output`, `graph`.
 std::string long_name(const Argument& argument) {
-  return names_of_option(argument).back();
+  return comma_separated(argument.names).back();
 }
 
 /// Tells which files are read and written. What is wrong with them, or "".
@@ -145,7 +144,7 @@ const Command* find_command(const Command& top, const std::string& name) {
 const Argument* find_option(const Command& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   const auto found = std::ranges::find_if(command.arguments, [&](const Argument& argument) {
-    const std::vector<std::string> names = names_of_option(argument);
+    const std::vector<std::string> names = comma_separated(argument.names);
     return std::ranges::find(names, name) != names.end();
   });
   return found == command.arguments.end() ? nullptr : &*found;
@@ -278,60 +277,6 @@ std::vector<Command> visible_commands(const CommandLine& line) {
   std::erase_if(commands, [](const Command& command) { return command.hidden; });
   if (!commands.empty()) commands.push_back(help_command());
   return commands;
-}
-
-Argument flag(std::string names, bool& value, std::string about) {
-  return {std::move(names), std::move(about), "", [&value](const auto&) { value = true; }};
-}
-
-Argument text(std::string names, std::string& value, std::string about, std::string type) {
-  return {std::move(names), std::move(about), std::move(type),
-          [&value](const auto& values) { value = values.front(); }};
-}
-
-Argument texts(std::string names, std::vector<std::string>& values, std::string about,
-               std::string type) {
-  Argument argument{std::move(names), std::move(about), std::move(type),
-                    [&values](const auto& all) {
-                      values.clear();
-                      for (const std::string& each : all) {
-                        if (std::ranges::find(values, each) == values.end()) values.push_back(each);
-                      }
-                    }};
-  argument.repeated = true;
-  return argument;
-}
-
-Argument choice(std::string names, std::vector<std::string> choices, std::string about,
-                std::function<void(const std::string&)> take) {
-  std::string type;
-  for (const std::string& each : choices) type += (type.empty() ? "" : "|") + each;
-  Argument argument{std::move(names), std::move(about), std::move(type),
-                    [take = std::move(take)](const auto& values) { take(values.front()); }};
-  argument.choices = std::move(choices);
-  return argument;
-}
-
-Argument required(Argument argument) {
-  argument.required = true;
-  return argument;
-}
-
-Argument reads(Argument argument, std::string goes_on) {
-  argument.use = FileUse::reads;
-  argument.goes_on = std::move(goes_on);
-  return argument;
-}
-
-Argument writes(Argument argument, std::string otherwise) {
-  argument.use = FileUse::writes;
-  argument.otherwise = std::move(otherwise);
-  return argument;
-}
-
-Argument folder(Argument argument) {
-  argument.use = FileUse::folder;
-  return argument;
 }
 
 int run_command_line(const CommandLine& line, std::vector<std::string> arguments) {

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace eagerx::gen {
@@ -40,7 +41,12 @@ struct Argument {
   FileUse use = FileUse::none;
   std::string otherwise = {};  // of an output: the file that is written if none is given
   std::string goes_on = {};    // of an input: the option whose output may be the same file
+
+  [[nodiscard]] bool is_option() const { return names.starts_with('-'); }
 };
+
+/// "-o,--output": "-o", "--output"
+std::vector<std::string> comma_separated(std::string_view text);
 
 /// A command line that works, and what it is for.
 struct Example {
@@ -89,6 +95,12 @@ Argument texts(std::string names, std::vector<std::string>& values, std::string 
 Argument choice(std::string names, std::vector<std::string> choices, std::string about,
                 std::function<void(const std::string&)> take);
 Argument required(Argument argument);
+/// A value that is not `good` is refused: "VALUE PROBLEM", such as "x ends in none of .svg, .dot".
+Argument checked(Argument argument, std::function<bool(const std::string&)> good,
+                 std::string problem);
+/// An option with a whole number from `low` to `high`.
+Argument whole(std::string names, std::optional<std::uint64_t>& value, std::string about,
+               std::uint64_t low, std::uint64_t high);
 /// The argument names files that are read, or with `goes_on` one that this output goes on with.
 Argument reads(Argument argument, std::string goes_on = {});
 /// The argument names the file that is written; `otherwise`: its name if it is not given.

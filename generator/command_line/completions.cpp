@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "generator/command_line/names.hpp"
-
 namespace eagerx::gen {
 namespace {
 
@@ -31,8 +29,8 @@ std::string words_of(const std::vector<Command>& commands) {
 std::string options_of(const Command& command) {
   std::string words = "--help";
   for (const Argument& argument : command.arguments) {
-    if (is_option(argument))
-      words += " " + fmt::format("{}", fmt::join(names_of_option(argument), " "));
+    if (argument.is_option())
+      words += " " + fmt::format("{}", fmt::join(comma_separated(argument.names), " "));
   }
   return words;
 }
@@ -53,14 +51,14 @@ std::vector<std::pair<std::string, Command>> all_of(const std::vector<Command>& 
 std::string bash_values(const std::string& path, const Command& command) {
   std::string text;
   for (const Argument& argument : command.arguments) {
-    if (!is_option(argument) || argument.type.empty()) continue;
+    if (!argument.is_option() || argument.type.empty()) continue;
     const std::string reply = !argument.choices.empty()
                                   ? fmt::format("-W '{}'", fmt::join(argument.choices, " "))
                               : is_folder(argument) ? "-d"
                               : is_file(argument)   ? "-f"
                                                     : "";
     std::string patterns;
-    for (const std::string& name : names_of_option(argument))
+    for (const std::string& name : comma_separated(argument.names))
       patterns += fmt::format("{}'{}:{}'", patterns.empty() ? "" : "|", path, name);
     text += fmt::format("    {})\n      {}\n      return ;;\n", patterns,
                         reply.empty() ? "COMPREPLY=()" : "reply " + reply);
@@ -122,14 +120,14 @@ std::string zsh_text(const std::string& text) {
 std::string zsh_values(const std::string& place, const Command& command) {
   std::string text;
   for (const Argument& argument : command.arguments) {
-    if (!is_option(argument) || argument.type.empty()) continue;
+    if (!argument.is_option() || argument.type.empty()) continue;
     const std::string offer = !argument.choices.empty()
                                   ? fmt::format("compadd -- {}", fmt::join(argument.choices, " "))
                               : is_folder(argument) ? "_files -/"
                               : is_file(argument)   ? "_files"
                                                     : "_message " + zsh_text(argument.type);
     std::string patterns;
-    for (const std::string& name : names_of_option(argument))
+    for (const std::string& name : comma_separated(argument.names))
       patterns += fmt::format("{}'{}:{}'", patterns.empty() ? "" : "|", place, name);
     text += fmt::format("  {})\n    {}\n    return ;;\n", patterns, offer);
   }
@@ -143,13 +141,13 @@ std::string zsh_words(const std::string& place, const Command& command,
   for (const Command& each : inner) text += "\n      " + zsh_text(each.name + ":" + each.about);
   for (const Topic& topic : topics) text += "\n      " + zsh_text(topic.name + ":" + topic.about);
   for (const Argument& argument : command.arguments) {
-    if (is_option(argument)) continue;
+    if (argument.is_option()) continue;
     for (const std::string& word : argument.choices) text += "\n      " + zsh_text(word);
   }
   text += ")\n    options=('--help:print the help and exit'";
   for (const Argument& argument : command.arguments) {
-    if (!is_option(argument)) continue;
-    for (const std::string& name : names_of_option(argument))
+    if (!argument.is_option()) continue;
+    for (const std::string& name : comma_separated(argument.names))
       text += "\n      " + zsh_text(name + ":" + argument.about);
   }
   const bool files = place != "help" && (inner.empty() || place.empty());
@@ -201,7 +199,7 @@ std::string fish_text(const std::string& text) {
 
 std::string fish_option(const std::string& before, const Argument& argument) {
   std::string text = before;
-  for (const std::string& name : names_of_option(argument))
+  for (const std::string& name : comma_separated(argument.names))
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!argument.choices.empty()) {
     text += fmt::format(" -x -a '{}'", fmt::join(argument.choices, " "));
@@ -221,7 +219,7 @@ std::string fish_completion(const CommandLine& line, const std::vector<Command>&
     text += fmt::format("complete -c {} -n __fish_use_subcommand -a {} -d '{}'\n", name,
                         command.name, fish_text(command.about));
   for (const Argument& argument : line.top.arguments) {
-    if (is_option(argument)) text += fish_option("complete -c " + name, argument);
+    if (argument.is_option()) text += fish_option("complete -c " + name, argument);
   }
   for (const Command& command : commands) {
     const std::string seen =
@@ -233,7 +231,8 @@ std::string fish_completion(const CommandLine& line, const std::vector<Command>&
     std::vector<std::string> done;
     for (const Command* each : with_options) {
       for (const Argument& argument : each->arguments) {
-        if (!is_option(argument) || std::ranges::find(done, argument.names) != done.end()) continue;
+        if (!argument.is_option() || std::ranges::find(done, argument.names) != done.end())
+          continue;
         done.push_back(argument.names);
         text += fish_option(seen, argument);
       }

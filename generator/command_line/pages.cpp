@@ -6,7 +6,6 @@
 
 #include "generator/command_line/command_line.hpp"
 #include "generator/command_line/completions.hpp"
-#include "generator/command_line/names.hpp"
 #include "generator/diagnostics/utf8.hpp"
 
 namespace eagerx::gen {
@@ -59,7 +58,7 @@ class ManualPage {
     if (!command.commands.empty()) text_ += ".I COMMAND\n";
     text_ += "[\\fIOPTIONS\\fR]\n";
     for (const Argument& argument : command.arguments) {
-      if (is_option(argument)) continue;
+      if (argument.is_option()) continue;
       const std::string type = fmt::format("\\fI{}\\fR", roff(argument.type));
       text_ += argument.required ? type + "\n" : "[" + type + "]\n";
     }
@@ -97,8 +96,8 @@ class ManualPage {
  private:
   static std::string option(const Argument& argument) {
     std::string names;
-    if (is_option(argument)) {
-      for (const std::string& name : names_of_option(argument))
+    if (argument.is_option()) {
+      for (const std::string& name : comma_separated(argument.names))
         names += (names.empty() ? "\\fB" : ", \\fB") + roff(name) + "\\fR";
       if (!argument.type.empty()) names += fmt::format(" \\fI{}\\fR", roff(argument.type));
     } else {

@@ -157,8 +157,9 @@ std::string said_of_budget(const Tools& tools, const std::string& budget) {
                  "budget: " +
                      budget + "\n");
   testing::internal::CaptureStderr();
-  const int code = run_command_line({.top = {.name = "eagerx-gen", .about = "", .commands = {size_command()}}},
-                                    {"size", tools.image(), "--graph", graph, "--quiet"});
+  const int code =
+      run_command_line({.top = {.name = "eagerx-gen", .about = "", .commands = {size_command()}}},
+                       {"size", tools.image(), "--graph", graph, "--quiet"});
   const std::string said = testing::internal::GetCapturedStderr();
   EXPECT_EQ(code, said.empty() ? kDone : kProblems) << said;
   return said;
