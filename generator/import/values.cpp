@@ -8,6 +8,7 @@
 
 #include "generator/import/translate.hpp"
 #include "generator/read/scalar.hpp"
+#include "generator/spec/named.hpp"
 
 namespace eagerx::gen {
 namespace {
