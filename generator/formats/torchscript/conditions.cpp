@@ -7,7 +7,7 @@ namespace eagerx::gen {
 namespace {
 
 using Torch = TorchCall;
-using Result = std::optional<OnnxValue>;
+using Result = std::optional<NetValue>;
 
 Result greater(const Torch& call) {
   return call.node_of_two("Greater");

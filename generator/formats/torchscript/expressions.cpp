@@ -49,7 +49,7 @@ bool is_same(const std::string& name) {
 /// A condition that was made a number; anything else is itself.
 TorchValue as_number(const TorchValue& x) {
   if (!x.tensor->value.is_condition) return x;
-  OnnxValue value = x.tensor->value;
+  NetValue value = x.tensor->value;
   value.is_condition = false;
   return TorchValue::of(std::move(value));
 }
@@ -231,7 +231,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   const bool has_tensor = !arguments.empty() && arguments.front().is_tensor();
   if (auto plain = run_plain_operator(name, arguments)) return plain;
   const bool has_places =
-      has_tensor && arguments.front().tensor->value.kind == OnnxValue::Kind::integers;
+      has_tensor && arguments.front().tensor->value.kind == NetValue::Kind::integers;
   if (name == "to" && has_places) return arguments.front();
   if (name == "to" && has_tensor) {
     constexpr std::int64_t kFloat32 = 6;
@@ -278,7 +278,7 @@ std::optional<TorchValue> TorchInterpreter::in_place(const std::string& name,
                                                      Named named) {
   const TorchValue target = arguments.front();
   if (target.tensor->is_part) return fail("changes a part of a tensor");
-  OnnxValue value;
+  NetValue value;
   if (name == "copy_") {
     const bool fits = arguments.size() > 1 && arguments[1].is_tensor() &&
                       arguments[1].tensor->value.shape == target.tensor->value.shape;

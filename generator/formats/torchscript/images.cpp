@@ -9,10 +9,10 @@ namespace eagerx::gen {
 namespace {
 
 using Torch = TorchCall;
-using Result = std::optional<OnnxValue>;
+using Result = std::optional<NetValue>;
 
 /// How many axes an image or a sequence of numbers has besides batch and channels.
-std::size_t places_of(const OnnxValue& x) {
+std::size_t places_of(const NetValue& x) {
   const auto rank = static_cast<std::size_t>(torch_rank(x));
   return rank == 3 || rank == 4 ? rank - 2 : 0;
 }
@@ -53,7 +53,7 @@ Result convolved(const Torch& call, const Places& at) {
   const auto dilations = for_each(call, at.dilation, "dilation", axes, Integers(axes, 1));
   const auto groups = call.whole(at.groups, "groups", 1);
   if (!strides || !padding || !dilations || !groups) return std::nullopt;
-  std::vector<OnnxValue> inputs = {*x, *weight};
+  std::vector<NetValue> inputs = {*x, *weight};
   if (!call.argument(2, "bias").is_none()) {
     const auto bias = call.tensor(2, "bias");
     if (!bias) return std::nullopt;
@@ -77,7 +77,7 @@ Result traced_convolution(const Torch& call) {
 
 /// What the pools have in common: a window of `kernel` numbers that moves by `strides`.
 struct Windows {
-  OnnxValue x;
+  NetValue x;
   std::size_t axes = 0;
   Integers kernel, strides, padding;
 };

@@ -12,7 +12,7 @@ namespace eagerx::gen {
 namespace {
 
 using Torch = TorchCall;
-using Result = std::optional<OnnxValue>;
+using Result = std::optional<NetValue>;
 
 /// With one input, as ONNX has it.
 template <const char* (*Name)()>
@@ -90,7 +90,7 @@ Result power(const Torch& call) {
   return call.node("Pow", {*x, call.constant({static_cast<float>(*exponent)}, {})});
 }
 
-OnnxValue turned(const Torch& call, const OnnxValue& matrix) {
+NetValue turned(const Torch& call, const NetValue& matrix) {
   return call.node("Transpose", {matrix}, {{"perm", {}, {}, Integers{1, 0}}});
 }
 Result linear(const Torch& call) {
@@ -101,7 +101,7 @@ Result linear(const Torch& call) {
   if (bias && torch_rank(*x) == 2) {
     return call.node("Gemm", {*x, *weight, *bias}, {{"transB", 1}});
   }
-  const OnnxValue product = call.node("MatMul", {*x, turned(call, *weight)});
+  const NetValue product = call.node("MatMul", {*x, turned(call, *weight)});
   if (call.argument(2, "bias").is_none()) return product;
   return bias ? Result(call.node("Add", {product, *bias})) : std::nullopt;
 }
@@ -164,7 +164,7 @@ Result arg_max(const Torch& call) {
 Result clamped(const Torch& call, const TorchValue& low, const TorchValue& high) {
   const auto x = call.tensor(0);
   if (!x) return std::nullopt;
-  OnnxValue value = *x;
+  NetValue value = *x;
   for (const auto& [bound, type] : {std::pair{&low, "Max"}, std::pair{&high, "Min"}}) {
     if (bound->is_none()) continue;
     const auto number = bound->number();
@@ -209,7 +209,7 @@ Result layer_norm(const Torch& call) {
   };
   const auto gamma = call.tensor(2, "weight");
   const auto beta = call.tensor(3, "bias");
-  std::vector<OnnxValue> inputs = {*x, gamma ? *gamma : ones()};
+  std::vector<NetValue> inputs = {*x, gamma ? *gamma : ones()};
   if (beta) inputs.push_back(*beta);
   return call.node("LayerNormalization", inputs, {{"axis", -1}, {"epsilon", {}, epsilon}});
 }
@@ -244,7 +244,7 @@ Result norm(const Torch& call) {
 }
 
 Result cat(const Torch& call) {
-  std::vector<OnnxValue> parts;
+  std::vector<NetValue> parts;
   for (const TorchValue& item : call.argument(0).items) {
     if (!item.is_tensor()) return std::nullopt;
     parts.push_back(item.tensor->value);
@@ -261,7 +261,7 @@ Result zeros(const Torch& call) {
   const auto shape = is_like ? (like ? like->shape : std::nullopt) : call.list(0, "size");
   const std::int64_t count =
       shape ? element_count(*shape).value_or(kMaxValues + 1) : kMaxValues + 1;
-  if (count > kMaxValues || !OnnxCall(onnx::NodeProto(), {}, call.state()).spend(count)) {
+  if (count > kMaxValues || !call.state().spend(count)) {
     return std::nullopt;
   }
   const float value = call.name().starts_with("ones") ? 1.0F : 0.0F;

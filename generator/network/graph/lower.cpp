@@ -1,4 +1,4 @@
-#include "generator/formats/onnx/network.hpp"
+#include "generator/network/graph/lower.hpp"
 
 #include <fmt/core.h>
 
@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {
@@ -18,7 +19,7 @@ constexpr const char* kLayersHelp =
     "export the actor alone: Linear layers with LayerNorm or not, and an activation after them";
 
 /// The bias as `outputs` values, with its factor applied; NaN and infinity are caught later.
-std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t outputs,
+std::optional<std::vector<float>> read_bias(const NetDense& dense, std::size_t outputs,
                                             PolicyProblem& problem) {
   std::vector<float> bias(outputs, 0.0F);
   if (!dense.bias) return bias;
@@ -30,7 +31,7 @@ std::optional<std::vector<float>> read_bias(const OnnxDense& dense, std::size_t 
   return bias;
 }
 
-std::optional<Layer> make_layer(const OnnxDense& dense, PolicyProblem& problem) {
+std::optional<Layer> make_layer(const NetDense& dense, PolicyProblem& problem) {
   std::optional<std::vector<float>> weights = read_floats(dense.weights, problem);
   if (!weights) return std::nullopt;
   for (float& weight : *weights) weight *= dense.scale;
@@ -44,7 +45,7 @@ std::optional<Layer> make_layer(const OnnxDense& dense, PolicyProblem& problem) 
       if (std::isfinite(value)) continue;
       problem = {"E0616",
                  fmt::format("has a layer whose factors turn `{}` into NaN or infinity",
-                             printable(dense.weights.tensor->name())),
+                             printable(dense.weights.tensor->name)),
                  "export the actor again"};
       return std::nullopt;
     }
@@ -55,19 +56,19 @@ std::optional<Layer> make_layer(const OnnxDense& dense, PolicyProblem& problem) 
 }
 
 /// How many constants the layer of a step will have.
-std::int64_t parameters_of(const OnnxStep& step) {
-  const auto count = [](const OnnxConstant& constant) {
+std::int64_t parameters_of(const NetStep& step) {
+  const auto count = [](const NetConstant& constant) {
     return element_count(constant.dims).value_or(kMaxParameters);
   };
-  if (const auto* dense = std::get_if<OnnxDense>(&step.what)) {
+  if (const auto* dense = std::get_if<NetDense>(&step.what)) {
     return count(dense->weights) + dense->weights.dims[0];
   }
-  if (const auto* work = std::get_if<OnnxConvolution>(&step.what)) return count(work->weights);
-  if (const auto* work = std::get_if<OnnxRecurrence>(&step.what)) {
+  if (const auto* work = std::get_if<NetConvolution>(&step.what)) return count(work->weights);
+  if (const auto* work = std::get_if<NetRecurrence>(&step.what)) {
     return count(work->weights) + count(work->hidden_weights);
   }
-  const bool each = std::holds_alternative<OnnxElementwise>(step.what) ||
-                    std::holds_alternative<OnnxNorm>(step.what) ||
+  const bool each = std::holds_alternative<NetElementwise>(step.what) ||
+                    std::holds_alternative<NetNorm>(step.what) ||
                     std::holds_alternative<Combination>(step.what) ||
                     std::holds_alternative<Function>(step.what) ||
                     std::holds_alternative<Reorder>(step.what);
@@ -77,12 +78,12 @@ std::int64_t parameters_of(const OnnxStep& step) {
 /// Layers, one after the other.
 class LayerBuilder {
  public:
-  LayerBuilder(std::uint32_t inputs, std::unordered_set<const onnx::TensorProto*>& used,
+  LayerBuilder(std::uint32_t inputs, std::unordered_set<const NetTensor*>& used,
                PolicyProblem& problem)
       : observed_(inputs), used_(used), problem_(problem) {}
 
   /// `is_shared`: more than one step takes what the step takes.
-  bool add(std::int32_t index, const OnnxStep& step, bool is_shared) {
+  bool add(std::int32_t index, const NetStep& step, bool is_shared) {
     node_ = step.node;
     after_ = static_cast<std::uint32_t>(step.count);
     is_shared_ = is_shared;
@@ -118,7 +119,7 @@ class LayerBuilder {
     return false;
   }
 
-  bool add(const OnnxDense& dense) {
+  bool add(const NetDense& dense) {
     auto layer = make_layer(dense, problem_);
     if (!layer) return false;
     use(dense.weights);
@@ -129,7 +130,7 @@ class LayerBuilder {
   }
 
   /// On the last layer, if it has none; relu after relu changes nothing.
-  bool add(const OnnxActivation& activation) {
+  bool add(const NetActivation& activation) {
     if (!std::isfinite(activation.slope)) {
       return fail("E0616",
                   fmt::format("has an activation without a finite slope (node `{}`)", node_),
@@ -145,7 +146,7 @@ class LayerBuilder {
   }
 
   /// Between the last layer and its activation.
-  bool add(const OnnxNorm& norm) {
+  bool add(const NetNorm& norm) {
     if (!(norm.epsilon >= 0.0F)) {
       return fail("E0616",
                   fmt::format("has a LayerNorm whose epsilon is not a number (node `{}`)", node_),
@@ -176,7 +177,7 @@ class LayerBuilder {
         "use a smaller network");
   }
 
-  bool add(const OnnxConvolution& work) {
+  bool add(const NetConvolution& work) {
     if (!is_short(work.form.kernel, work.form.kernel.channels / work.form.groups)) return false;
     Layer& layer = add_form(work.form);
     layer.bias.assign(work.form.channels, 0.0F);
@@ -187,7 +188,7 @@ class LayerBuilder {
     add_form(work);
     return true;
   }
-  bool add(const OnnxPad& /*work*/) {
+  bool add(const NetPad& /*work*/) {
     return fail("E0613", fmt::format("has zeros around values that no convolution or average pool "
                                      "takes (node `{}`)",
                                      node_));
@@ -219,7 +220,7 @@ class LayerBuilder {
   }
 
   /// A constant for all, or for each after broadcasting.
-  bool add(const OnnxElementwise& work) {
+  bool add(const NetElementwise& work) {
     Layer& layer = add_form(Elementwise{work.operation});
     std::vector<float> values;
     if (!read(work.constant, values)) return false;
@@ -236,8 +237,8 @@ class LayerBuilder {
                 "the training diverged: export a policy that works");
   }
 
-  /// ONNX's order of gates becomes torch's.
-  bool add(const OnnxRecurrence& work) {
+  /// The order of the file's gates becomes the runtime's.
+  bool add(const NetRecurrence& work) {
     Layer& layer = add_form(Recurrence{work.is_lstm, {}, {}});
     auto& cell = std::get<Recurrence>(layer.form);
     const std::size_t gates = cell.gates();
@@ -249,16 +250,15 @@ class LayerBuilder {
     const auto half = bias.begin() + static_cast<std::ptrdiff_t>(bias.size() / 2);
     layer.bias.assign(bias.begin(), half);
     cell.hidden_bias.assign(half, bias.end());
-    constexpr std::array<std::size_t, 4> kLstm = {0, 2, 3, 1};  // torch's i, f, g, o in i, o, f, c
-    constexpr std::array<std::size_t, 4> kGru = {1, 0, 2, 3};   // r, z, n in z, r, h
     for (auto* values : {&layer.weights, &layer.bias, &cell.hidden_weights, &cell.hidden_bias}) {
-      *values = gates_in_order(*values, gates, work.is_lstm ? kLstm : kGru);
+      *values = gates_in_order(*values, gates, work.gates);
     }
     return true;
   }
 
   static std::vector<float> gates_in_order(const std::vector<float>& values, std::size_t gates,
-                                           const std::array<std::size_t, 4>& order) {
+                                           const std::array<std::uint8_t, 4>& order) {
+    if (std::ranges::is_sorted(order)) return values;
     const std::size_t size = values.size() / gates;
     std::vector<float> result;
     result.reserve(values.size());
@@ -279,8 +279,8 @@ class LayerBuilder {
     layers_.push_back(std::move(layer));
     return layers_.back();
   }
-  void use(const OnnxConstant& constant) { used_.insert(constant.tensor); }
-  bool read(const OnnxConstant& constant, std::vector<float>& values) {
+  void use(const NetConstant& constant) { used_.insert(constant.tensor); }
+  bool read(const NetConstant& constant, std::vector<float>& values) {
     auto numbers = read_floats(constant, problem_);
     if (!numbers) return false;
     use(constant);
@@ -292,7 +292,7 @@ class LayerBuilder {
   std::uint32_t count_ = 0;  // values before the step
   std::uint32_t after_ = 0;  // and after it
   std::string node_;
-  std::unordered_set<const onnx::TensorProto*>& used_;
+  std::unordered_set<const NetTensor*>& used_;
   PolicyProblem& problem_;
   std::vector<Layer> layers_;
   std::vector<std::int32_t> takes_;  // values that the step takes
@@ -302,7 +302,7 @@ class LayerBuilder {
 
 }  // namespace
 
-std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& steps,
+std::optional<std::vector<std::int32_t>> steps_to(const std::vector<NetStep>& steps,
                                                   std::int32_t last, PolicyProblem& problem) {
   std::set<std::int32_t> found;
   std::vector<std::int32_t> open = {last};
@@ -311,7 +311,7 @@ std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& s
     const std::int32_t index = open.back();
     open.pop_back();
     if (index < 0 || !found.insert(index).second) continue;
-    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    const NetStep& step = steps[static_cast<std::size_t>(index)];
     parameters += parameters_of(step) + static_cast<std::int64_t>(step.more.size());
     if (parameters > kMaxParameters || found.size() > 2 * kMaxLayers) {
       return refuse(
@@ -325,22 +325,22 @@ std::optional<std::vector<std::int32_t>> steps_to(const std::vector<OnnxStep>& s
   return std::vector<std::int32_t>(found.begin(), found.end());
 }
 
-std::optional<std::vector<Layer>> make_layers(const std::vector<OnnxStep>& steps, std::int32_t last,
+std::optional<std::vector<Layer>> make_layers(const std::vector<NetStep>& steps, std::int32_t last,
                                               std::uint32_t inputs,
-                                              std::unordered_set<const onnx::TensorProto*>& used,
+                                              std::unordered_set<const NetTensor*>& used,
                                               PolicyProblem& problem) {
   const auto path = steps_to(steps, last, problem);
   if (!path) return std::nullopt;
   std::map<std::int32_t, int> takers;
   for (const std::int32_t index : *path) {
-    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    const NetStep& step = steps[static_cast<std::size_t>(index)];
     ++takers[step.before];
     for (const std::int32_t other : step.more) ++takers[other];
   }
   LayerBuilder builder(inputs, used, problem);
   bool computes = false;
   for (const std::int32_t index : *path) {
-    const OnnxStep& step = steps[static_cast<std::size_t>(index)];
+    const NetStep& step = steps[static_cast<std::size_t>(index)];
     if (!builder.add(index, step, takers[step.before] > 1)) return std::nullopt;
     computes = computes || !std::holds_alternative<Reorder>(step.what);
   }
