@@ -140,7 +140,7 @@ bool set_parts(const GraphInputs& inputs, NetCall::State& state, ValueTable& val
     }
     state.observed += count;
     part.step = static_cast<std::int32_t>(state.steps.size());
-    state.steps.push_back({-1, std::move(order), printable(input->name()), count});
+    state.steps.push_back({-1, NetLayer{std::move(order)}, printable(input->name()), count});
     values.set(input->name(), std::move(part));
     network.contract.observations.push_back(
         {printable(input->name()), static_cast<std::uint64_t>(count)});

@@ -143,7 +143,7 @@ class TorchReading {
           order.from.push_back(static_cast<std::uint32_t>(made.state.observed + i));
         }
         input.step = static_cast<std::int32_t>(made.state.steps.size());
-        made.state.steps.push_back({-1, std::move(order), "observation", size, {}});
+        made.state.steps.push_back({-1, NetLayer{std::move(order)}, "observation", size, {}});
       }
       made.state.observed += size;
       inputs.push_back(std::move(input));

@@ -17,7 +17,7 @@ template <Function::Kind What>
 NetValue function(const NetCall& call) {
   const NetValue& x = call.input(0);
   if (x.kind != Kind::data) return call.misused("on a constant", x.shape);
-  return call.data_after(x.step, Function{What}, *x.shape);
+  return call.layer_after(x.step, Function{What}, *x.shape);
 }
 NetValue root(const NetCall& call) {
   if (const auto part = part_of_formula(call, NetFormula::root)) return *part;
@@ -36,7 +36,7 @@ NetValue norm(const NetCall& call) {
   shape.back() = 1;
   if (call.integer("keepdims", 1) == 0) shape.pop_back();
   const Reduction work{Reduction::Kind::norm, static_cast<std::uint32_t>(x.shape->back())};
-  return call.data_after(x.step, work, std::move(shape));
+  return call.layer_after(x.step, work, std::move(shape));
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ std::optional<NetValue> materialized(const NetCall& call, const NetValue& value)
     result = call.data_of({x, x}, Combination::Operation::product, *value.shape);
   } else {
     const Reduction work{Reduction::Kind::mean, static_cast<std::uint32_t>(count)};
-    result = call.data_after(part.of, work, part.role == Role::mean ? *value.shape : Dims{1});
+    result = call.layer_after(part.of, work, part.role == Role::mean ? *value.shape : Dims{1});
     if (part.role == Role::centred && result.kind == Kind::data) {
       result = call.data_of({x, result}, Combination::Operation::difference, *value.shape);
     }

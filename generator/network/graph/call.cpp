@@ -102,7 +102,7 @@ NetValue NetCall::data_of(const std::vector<NetValue>& values, Combination::Oper
     combination.sizes.push_back(count);
     if (combination.sizes.size() > 1) more.push_back(value.step);
   }
-  NetValue result = data_after(values.front().step, std::move(combination), std::move(shape));
+  NetValue result = layer_after(values.front().step, std::move(combination), std::move(shape));
   if (result.kind == NetValue::Kind::data) state_.steps.back().more = std::move(more);
   return result;
 }

@@ -96,6 +96,10 @@ class NetCall {
   [[nodiscard]] NetValue too_much() const;
   /// The observation after one more step.
   [[nodiscard]] NetValue data_after(std::int32_t before, NetWork what, Dims shape) const;
+  /// The same, of a layer without numbers.
+  [[nodiscard]] NetValue layer_after(std::int32_t before, LayerForm form, Dims shape) const {
+    return data_after(before, NetLayer{std::move(form)}, std::move(shape));
+  }
   /// What comes of several values of the observation's, in order.
   [[nodiscard]] NetValue data_of(const std::vector<NetValue>& values,
                                   Combination::Operation operation, Dims shape) const;

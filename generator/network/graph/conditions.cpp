@@ -37,7 +37,7 @@ Result step(const NetCall& call, const Result& x, Operation operation, float num
 
 Result function(const NetCall& call, const Result& x, Function::Kind kind) {
   if (!x || x->kind != Kind::data) return std::nullopt;
-  return call.data_after(x->step, Function{kind}, *x->shape);
+  return call.layer_after(x->step, Function{kind}, *x->shape);
 }
 
 /// a - b: rounding never changes whether it is above, below or at zero.

@@ -72,8 +72,8 @@ NetValue added(const NetCall& call) {
   if (data.step >= 0 && fits_as_bias(operands->constant, *data.shape, outputs)) {
     // Not copied whole: it may be a Reorder of millions.
     const NetStep& step = call.state().steps[static_cast<std::size_t>(data.step)];
-    if (const auto* dense = std::get_if<NetDense>(&step.what); dense != nullptr && !dense->bias) {
-      NetDense biased = *dense;
+    if (step.form<Dense>() != nullptr && !std::get<NetLayer>(step.what).bias) {
+      auto biased = std::get<NetLayer>(step.what);
       biased.bias = operands->constant.constant;
       return call.data_after(std::int32_t{step.before}, std::move(biased), *sum);
     }
@@ -300,7 +300,8 @@ std::optional<NetValue> elementwise_step(const NetCall& call, const NetValue& da
   }
   const std::optional<Dims> shape = broadcast(data.shape, constant.shape);
   if (!shape || element_count(*shape) != element_count(*data.shape)) return std::nullopt;
-  return call.data_after(data.step, NetElementwise{operation, constant.constant, *shape}, *shape);
+  return call.data_after(
+      data.step, NetLayer{Elementwise{operation}, {}, constant.constant, 1.0F, 1.0F, *shape}, *shape);
 }
 
 std::vector<NetOperator> elementwise_operators() {

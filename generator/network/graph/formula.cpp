@@ -79,11 +79,11 @@ class Formula {
   bool is_scaled(const NetValue& data, Elementwise::Operation operation, float number,
                  std::int32_t& before) const {
     const NetStep* step = is_data(data) ? step_of(data) : nullptr;
-    const auto* work = step != nullptr ? std::get_if<NetElementwise>(&step->what) : nullptr;
+    const auto* work = step != nullptr ? step->form<Elementwise>() : nullptr;
     if (work == nullptr || work->operation != operation) return false;
     NetValue constant;
     constant.kind = Kind::constant;
-    constant.constant = work->constant;
+    constant.constant = *std::get<NetLayer>(step->what).bias;
     before = step->before;
     return near(scalar_of(constant), number);
   }

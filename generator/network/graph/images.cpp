@@ -134,10 +134,9 @@ NetValue convolution(const NetCall& call) {
   Geometry geometry = geometry_of(call, from.dims, {weights.begin() + 2, weights.end()}, from.pad);
   if (!geometry.problem.empty()) return call.misused(geometry.problem);
   geometry.result[1] = channels;
-  NetConvolution work{
-      {geometry.kernel, static_cast<std::uint32_t>(groups), static_cast<std::uint32_t>(channels)},
-      w.constant,
-      std::nullopt};
+  NetLayer work{Convolution{geometry.kernel, static_cast<std::uint32_t>(groups),
+                            static_cast<std::uint32_t>(channels)},
+                w.constant};
   if (b.kind != Kind::absent) {
     if (b.kind != Kind::constant || b.constant.dims != Dims{channels}) {
       return call.misused("with a bias that does not fit", geometry.result);
@@ -199,7 +198,7 @@ NetValue pool(const NetCall& call, Pooling::Kind kind, bool global) {
   if (!reaches_all(moved)) {
     return call.misused("with a kernel that lies in the padding alone");
   }
-  return call.data_after(from.before, Pooling{geometry.kernel, kind}, std::move(geometry.result));
+  return call.layer_after(from.before, Pooling{geometry.kernel, kind}, std::move(geometry.result));
 }
 
 template <Pooling::Kind Which, bool IsGlobal>
@@ -223,7 +222,7 @@ NetValue mean_along(const NetCall& call, std::int64_t axis) {
   Dims shape = dims;
   shape[static_cast<std::size_t>(axis)] = 1;
   if (call.integer("keepdims", 1) == 0) shape.erase(shape.begin() + axis);
-  return call.data_after(x.step, work, shape);
+  return call.layer_after(x.step, work, shape);
 }
 
 /// A part of LayerNorm, the mean of each channel, or one along an axis: of quantiles.

@@ -25,14 +25,14 @@ NetConstant swapped(NetConstant constant) {
 }
 
 /// A constant times data of `length` values: `weights` [outputs, inputs] and the result's shape.
-NetValue product(const NetCall& call, const NetValue& data, NetDense dense, Dims result) {
-  const Dims& dims = dense.weights.dims;
+NetValue product(const NetCall& call, const NetValue& data, NetLayer dense, Dims result) {
+  const Dims& dims = dense.weights->dims;
   const std::int64_t length = element_count(*data.shape).value_or(0);
   if (dims[1] != length || dims[0] < 1 || length < 1) {
     return call.other(
         {"E0618",
          fmt::format("multiplies {} values by tensor `{}`, which takes {}, in {}", length,
-                     printable(dense.weights.tensor->name), dims[1], call.who()),
+                     printable(dense.weights->tensor->name), dims[1], call.who()),
          kExportMisfit});
   }
   return call.data_after(data.step, std::move(dense), std::move(result));
@@ -50,17 +50,17 @@ Reorder turned(std::int64_t rows, std::int64_t columns) {
 
 /// Several rows of values [..., R, K] times one matrix, as the steps of a history go through an
 /// encoder: a convolution whose kernel is one place wide over [K, R], and its result turned back.
-NetValue product_of_rows(const NetCall& call, const NetValue& data, const NetDense& dense) {
+NetValue product_of_rows(const NetCall& call, const NetValue& data, const NetLayer& dense) {
   constexpr std::int64_t kMostRows = std::int64_t{1} << 16U;
   const std::int64_t length = data.shape->back();
-  const std::int64_t outputs = dense.weights.dims[0];
+  const std::int64_t outputs = dense.weights->dims[0];
   const std::int64_t rows =
       element_count(*data.shape).value_or(0) / std::max<std::int64_t>(length, 1);
-  if (dense.weights.dims[1] != length || outputs < 1 || length < 1 || rows > kMostRows ||
+  if (dense.weights->dims[1] != length || outputs < 1 || length < 1 || rows > kMostRows ||
       dense.scale != 1.0F || dense.bias_scale != 1.0F ||
       (dense.bias && element_count(dense.bias->dims) != outputs)) {
     return call.misused(fmt::format("on shapes {} and {}, which do not fit", show(*data.shape),
-                                    show(dense.weights.dims)));
+                                    show(dense.weights->dims)));
   }
   const std::int64_t most = std::max(length, outputs);
   if (most > kMaxValues / rows || !call.spend(rows * (length + outputs))) return call.too_much();
@@ -69,7 +69,8 @@ NetValue product_of_rows(const NetCall& call, const NetValue& data, const NetDen
   KernelShape kernel;
   kernel.channels = static_cast<std::uint32_t>(length);
   kernel.width = kernel.out_width = static_cast<std::uint32_t>(rows);
-  NetConvolution work{{kernel, 1, static_cast<std::uint32_t>(outputs)}, dense.weights, dense.bias};
+  NetLayer work{Convolution{kernel, 1, static_cast<std::uint32_t>(outputs)}, dense.weights,
+                dense.bias};
   NetValue made = call.data_after(columns.step, std::move(work), {1, outputs, rows});
   if (made.kind != Kind::data) return made;
   Dims result = *data.shape;
@@ -102,10 +103,10 @@ NetValue gemm(const NetCall& call) {
     return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
                                     show(*a.shape), show(*b.shape)));
   }
-  NetDense dense;
+  NetLayer dense;
   dense.weights = transposed ? swapped(matrix.constant) : matrix.constant;
   dense.scale = call.real("alpha", 1.0F);
-  const std::int64_t outputs = dense.weights.dims[0];
+  const std::int64_t outputs = dense.weights->dims[0];
   Dims result = data_left ? Dims{data.shape->front(), outputs} : Dims{outputs, 1};
   if (c.kind != Kind::absent) {
     if (c.kind != Kind::constant) return call.misused("with a bias that is not constant", result);
@@ -140,10 +141,10 @@ NetValue matmul(const NetCall& call) {
     return call.misused(fmt::format("on shapes {} and {}, not a matrix and one row of values",
                                     show(*a.shape), show(*b.shape)));
   }
-  NetDense dense;
+  NetLayer dense;
   dense.weights = data_left ? swapped(matrix) : matrix;
   if (!vector) return product_of_rows(call, data, dense);
-  result[along] = dense.weights.dims[0];
+  result[along] = dense.weights->dims[0];
   return product(call, data, std::move(dense), std::move(result));
 }
 

@@ -158,7 +158,7 @@ std::pair<std::int32_t, Reorder> origin_of(const NetCall& call, const NetValue& 
   std::iota(order.from.begin(), order.from.end(), 0U);
   while (step >= 0) {
     const NetStep& last = call.state().steps[static_cast<std::size_t>(step)];
-    const auto* before = std::get_if<Reorder>(&last.what);
+    const auto* before = last.form<Reorder>();
     if (before == nullptr) break;
     if (!call.spend(count_of(*data.shape))) break;
     for (std::uint32_t& place : order.from) place = before->from[place];
@@ -380,7 +380,7 @@ NetValue later_part(const NetCall& call, const NetValue& /*first*/, int i) {
 }  // namespace
 
 NetValue reordered(const NetCall& call, const NetValue& data, Reorder order, Dims shape) {
-  return call.data_after(data.step, std::move(order), std::move(shape));
+  return call.layer_after(data.step, std::move(order), std::move(shape));
 }
 
 std::vector<NetOperator> order_operators() {

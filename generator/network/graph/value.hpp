@@ -16,12 +16,14 @@
 
 namespace eagerx::gen {
 
-/// y = scale (W x) + bias_scale bias.
-struct NetDense {
-  NetConstant weights;  // dims [outputs, inputs]
-  std::optional<NetConstant> bias;
-  float scale = 1.0F;
-  float bias_scale = 1.0F;
+/// A layer whose numbers lie in the file. With a memory: NetRecurrence.
+struct NetLayer {
+  LayerForm form{};
+  std::optional<NetConstant> weights{};  // as a Layer's
+  std::optional<NetConstant> bias{};     // as a Layer's; dense: or one for all
+  float scale = 1.0F;                    // dense: of the weights
+  float bias_scale = 1.0F;               // dense: of the bias
+  Dims shape{};                          // elementwise: what its constant is broadcast to
 };
 
 struct NetActivation {
@@ -34,12 +36,6 @@ struct NetNorm {
   std::optional<NetConstant> gamma;
   std::optional<NetConstant> beta;
   float epsilon = 1e-5F;
-};
-
-struct NetConvolution {
-  Convolution form;
-  NetConstant weights;  // [channels, channels read / groups, rows, columns]
-  std::optional<NetConstant> bias;
 };
 
 /// Zeros around an image, for the pool or convolution behind it.
@@ -63,16 +59,7 @@ struct NetRecurrence {
   std::optional<NetStateSource> h, c;  // nothing: zeros at the start of an episode
 };
 
-/// x op c; `shape` is what c is broadcast to.
-struct NetElementwise {
-  Elementwise::Operation operation = Elementwise::Operation::add;
-  NetConstant constant;
-  Dims shape;
-};
-
-using NetWork =
-    std::variant<NetDense, NetActivation, NetNorm, NetConvolution, Pooling, NetPad,
-                 NetRecurrence, NetElementwise, Reorder, Combination, Function, Reduction>;
+using NetWork = std::variant<NetLayer, NetRecurrence, NetActivation, NetNorm, NetPad>;
 
 /// One thing that is done to the observation on its way. Branches share their start, and a
 /// Combination takes several.
@@ -82,6 +69,13 @@ struct NetStep {
   std::string node;                  // printable name
   std::int64_t count = 0;            // values after it
   std::vector<std::int32_t> more{};  // Combination: the steps of its other values
+
+  /// What kind of layer it is, if it is a `Form`.
+  template <class Form>
+  [[nodiscard]] const Form* form() const {
+    const auto* layer = std::get_if<NetLayer>(&what);
+    return layer == nullptr ? nullptr : std::get_if<Form>(&layer->form);
+  }
 };
 
 /// Part of a state after an observation: h or c of the layer of `step`.
