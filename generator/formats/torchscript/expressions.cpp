@@ -30,14 +30,6 @@ bool is_whole_slice(const std::vector<TorchValue>& arguments) {
   return given(2, 0) == 0 && given(3, size) >= size && given(4, 1) == 1;
 }
 
-/// Whether the result lies in the memory of the first argument.
-bool is_view(const std::string& name) {
-  constexpr std::array kViews = {"slice",     "select",  "narrow",  "view",     "reshape",
-                                 "flatten",   "squeeze", "expand",  "t",        "unsqueeze",
-                                 "transpose", "permute", "numpy_T", "expand_as"};
-  return std::ranges::find(kViews, name) != kViews.end();
-}
-
 /// Whether the result is the first argument.
 bool is_same(const std::string& name) {
   constexpr std::array kSame = {"contiguous", "detach",          "dropout",
@@ -266,7 +258,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   const TorchCall call(name, where(), arguments, std::move(named), state_);
   auto result = run_torch_operator(call, problem_);
   if (!result || !has_tensor || !result->is_tensor()) return result;
-  if (is_view(name)) {
+  if (const TorchRow* row = torch_row(name); row != nullptr && row->is_view) {
     result->tensor->is_part = true;
     arguments.front().tensor->is_part = true;
   }

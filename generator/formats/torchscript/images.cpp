@@ -1,6 +1,5 @@
 // torch's convolutions, pools and padding.
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "generator/formats/torchscript/value.hpp"
@@ -163,21 +162,18 @@ Result pad(const Torch& call) {
 
 }  // namespace
 
-TorchOperator torch_image_operator(std::string_view name) {
-  static const std::map<std::string_view, TorchOperator> kTable = {
-      {"conv1d", convolution},
-      {"conv2d", convolution},
-      {"_convolution", traced_convolution},
-      {"max_pool1d", max_pool},
-      {"max_pool2d", max_pool},
-      {"avg_pool1d", average_pool},
-      {"avg_pool2d", average_pool},
-      {"adaptive_avg_pool1d", adaptive_average_pool},
-      {"adaptive_avg_pool2d", adaptive_average_pool},
-      {"pad", pad},
-      {"constant_pad_nd", pad}};
-  const auto found = kTable.find(name);
-  return found == kTable.end() ? nullptr : found->second;
+std::vector<TorchRow> torch_image_rows() {
+  return {{"conv1d", convolution},
+          {"conv2d", convolution},
+          {"_convolution", traced_convolution},
+          {"max_pool1d", max_pool},
+          {"max_pool2d", max_pool},
+          {"avg_pool1d", average_pool},
+          {"avg_pool2d", average_pool},
+          {"adaptive_avg_pool1d", adaptive_average_pool},
+          {"adaptive_avg_pool2d", adaptive_average_pool},
+          {"pad", pad},
+          {"constant_pad_nd", pad}};
 }
 
 }  // namespace eagerx::gen

@@ -1,7 +1,6 @@
 // torch's operators that shape, pick and reorder.
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <utility>
 
@@ -221,26 +220,24 @@ Result index_put(const Torch& call) {
 }
 }  // namespace
 
-TorchOperator torch_shape_operator(std::string_view name) {
-  static const std::map<std::string_view, TorchOperator> kTable = {{"t", transpose},
-                                                                   {"numpy_T", transpose},
-                                                                   {"transpose", transpose},
-                                                                   {"permute", permute},
-                                                                   {"reshape", reshape},
-                                                                   {"view", reshape},
-                                                                   {"flatten", flatten},
-                                                                   {"unsqueeze", unsqueeze},
-                                                                   {"squeeze", squeeze},
-                                                                   {"expand", expand},
-                                                                   {"expand_as", expand},
-                                                                   {"slice", slice},
-                                                                   {"narrow", narrow},
-                                                                   {"select", select},
-                                                                   {"index", index},
-                                                                   {"index_put", index_put},
-                                                                   {"index_select", index_select}};
-  const auto found = kTable.find(name);
-  return found == kTable.end() ? nullptr : found->second;
+std::vector<TorchRow> torch_shape_rows() {
+  return {{"t", transpose, true},
+          {"numpy_T", transpose, true},
+          {"transpose", transpose, true},
+          {"permute", permute, true},
+          {"reshape", reshape, true},
+          {"view", reshape, true},
+          {"flatten", flatten, true},
+          {"unsqueeze", unsqueeze, true},
+          {"squeeze", squeeze, true},
+          {"expand", expand, true},
+          {"expand_as", expand, true},
+          {"slice", slice, true},
+          {"narrow", narrow, true},
+          {"select", select, true},
+          {"index", index},
+          {"index_put", index_put},
+          {"index_select", index_select}};
 }
 
 std::optional<TorchValue> torch_parts(const Torch& call) {

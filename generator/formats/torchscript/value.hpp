@@ -2,6 +2,8 @@
 // values.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -127,12 +129,38 @@ class TorchCall {
 /// The result of an operator; nothing, and a problem, if it is not known or not used as it can be.
 std::optional<TorchValue> run_torch_operator(const TorchCall& call, PolicyProblem& problem);
 
-using TorchOperator = std::optional<NetValue> (*)(const TorchCall& call);
-/// Operators that shape, pick and reorder (shapes.cpp); nullptr for others.
-TorchOperator torch_shape_operator(std::string_view name);
-/// … over images and sequences (images.cpp), that compare and pick (conditions.cpp).
-TorchOperator torch_image_operator(std::string_view name);
-TorchOperator torch_condition_operator(std::string_view name);
+/// All there is to say of one operator.
+struct TorchRow {
+  std::string_view name;
+  std::optional<NetValue> (*run)(const TorchCall&);
+  bool is_view = false;  // the result lies in the memory of the first argument
+};
+/// Operators that compute (operators.cpp), that shape, pick and reorder (shapes.cpp), over images
+/// and sequences (images.cpp), that compare and pick (conditions.cpp).
+std::vector<TorchRow> torch_plain_rows();
+std::vector<TorchRow> torch_shape_rows();
+std::vector<TorchRow> torch_image_rows();
+std::vector<TorchRow> torch_condition_rows();
+/// The row of `name`; nullptr for others, and for those with several results.
+const TorchRow* torch_row(std::string_view name);
+
+/// ONNX's operator `Type` of one argument or of two.
+template <std::size_t Size>
+struct TorchName {
+  // NOLINTNEXTLINE(google-explicit-constructor): a text is the name
+  consteval TorchName(const char (&name)[Size]) { std::copy_n(name, Size, text.begin()); }
+  std::array<char, Size> text{};
+};
+template <TorchName Type>
+std::optional<NetValue> torch_of_one(const TorchCall& call) {
+  const auto x = call.tensor(0);
+  return x ? std::optional(call.node(Type.text.data(), {*x})) : std::nullopt;
+}
+template <TorchName Type>
+std::optional<NetValue> torch_of_two(const TorchCall& call) {
+  return call.node_of_two(Type.text.data());
+}
+
 /// Neighbouring parts along an axis, as a list: split and chunk.
 std::optional<TorchValue> torch_parts(const TorchCall& call);
 /// How many axes a value has, and one of them counted from the front.
