@@ -45,6 +45,11 @@ std::string_view typed_bytes(const TensorProto& tensor, std::string& own) {
   }
 }
 
+/// What no weight has.
+bool is_short_integer(ElementType type) {
+  return type == ElementType::int8 || type == ElementType::uint8 || type == ElementType::int16;
+}
+
 std::optional<const NetTensor*> checked(const TensorProto& tensor, std::deque<NetTensor>& made,
                                         PolicyProblem& problem) {
   const std::string name = printable(tensor.name());
@@ -53,13 +58,13 @@ std::optional<const NetTensor*> checked(const TensorProto& tensor, std::deque<Ne
         problem, "E0617", fmt::format("keeps the values of tensor `{}` in another file", name),
         "save it as one file: `onnx.save(model, path, save_as_external_data=False)`");
   }
-  const auto size = type_bytes(tensor.data_type());
-  if (!size) {
-    const auto type = type_name(tensor.data_type());
+  const auto type = onnx_type(tensor.data_type());
+  if (!type || is_short_integer(*type)) {
+    const auto shown = onnx_type_name(tensor.data_type());
     return refuse(problem, "E0615",
                   fmt::format("has tensor `{}` of type {}", name,
-                              type ? std::string(*type)
-                                   : fmt::format("number {}", tensor.data_type())),
+                              shown ? std::string(*shown)
+                                    : fmt::format("number {}", tensor.data_type())),
                   "export the actor in float32");
   }
   if (tensor.dims_size() > static_cast<int>(kMaxRank)) {
@@ -69,14 +74,15 @@ std::optional<const NetTensor*> checked(const TensorProto& tensor, std::deque<Ne
   }
   NetTensor& result = made.emplace_back();
   result.name = tensor.name();
-  result.type = static_cast<NetType>(tensor.data_type());
+  result.type = *type;
   result.dims.assign(tensor.dims().begin(), tensor.dims().end());
   const std::string_view raw = tensor.raw_data();  // an empty one is none
   const std::string_view typed = typed_bytes(tensor, result.own);
   result.bytes = raw.empty() ? typed : raw;
   const auto count = element_count(result.dims);
-  const std::size_t held = result.bytes.size() / *size;
-  const bool whole = raw.empty() || (raw.size() % *size == 0 && typed.empty());
+  const std::size_t size = size_of(*type);
+  const std::size_t held = result.bytes.size() / size;
+  const bool whole = raw.empty() || (raw.size() % size == 0 && typed.empty());
   if (count && whole && static_cast<std::uint64_t>(*count) == held) return &result;
   return refuse(problem, "E0614",
                 fmt::format("says that tensor `{}` has shape {}, but holds {} values{}", name,

@@ -11,7 +11,7 @@
 
 #include "generator/network/problem.hpp"
 #include "generator/network/shape.hpp"
-#include "generator/formats/tensors/element_type.hpp"
+#include "generator/network/element_type.hpp"
 
 namespace eagerx::gen {
 

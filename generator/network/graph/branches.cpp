@@ -60,9 +60,7 @@ std::optional<NetValue> materialized(const NetCall& call, const NetValue& value)
   const bool simple =
       part.role == Role::mean || part.role == Role::square || part.role == Role::centred;
   if (value.kind != Kind::other || !simple || !value.shape) return std::nullopt;
-  const std::int64_t count = part.of < 0
-                                 ? call.state().observed
-                                 : call.state().steps[static_cast<std::size_t>(part.of)].count;
+  const std::int64_t count = call.count_after(part.of);
   NetValue x;
   x.kind = Kind::data;
   x.step = part.of;

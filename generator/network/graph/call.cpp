@@ -53,6 +53,27 @@ std::string NetCall::who() const {
   return name;
 }
 
+std::optional<Dims> NetCall::common_shape() const {
+  std::optional<Dims> shape = Dims{};
+  for (const NetValue* input : inputs_) shape = broadcast(shape, input->shape);
+  return shape;
+}
+
+std::optional<std::size_t> NetCall::axis(std::size_t rank, std::int64_t otherwise) const {
+  const auto count = static_cast<std::int64_t>(rank);
+  const std::int64_t given = integer("axis", otherwise);
+  if (given < -count || given >= count) return std::nullopt;
+  return static_cast<std::size_t>(given < 0 ? given + count : given);
+}
+
+const NetStep* NetCall::step_of(const NetValue& data) const {
+  return data.step < 0 ? nullptr : &state_.steps[static_cast<std::size_t>(data.step)];
+}
+
+std::int64_t NetCall::count_after(std::int32_t step) const {
+  return step < 0 ? state_.observed : state_.steps[static_cast<std::size_t>(step)].count;
+}
+
 NetValue NetCall::other(PolicyProblem problem, std::optional<Dims> shape) const {
   NetValue value;
   value.kind = NetValue::Kind::other;

@@ -86,6 +86,15 @@ class NetCall {
 
   /// "operator `Gemm` (node `/mu/Gemm`)".
   [[nodiscard]] std::string who() const;
+  /// The shape that all inputs broadcast to.
+  [[nodiscard]] std::optional<Dims> common_shape() const;
+  /// Attribute `axis` for something of `rank` axes, counted from the front; nothing if there is no
+  /// such axis.
+  [[nodiscard]] std::optional<std::size_t> axis(std::size_t rank, std::int64_t otherwise = 0) const;
+  /// The step that `data` comes of; nullptr for the observation.
+  [[nodiscard]] const NetStep* step_of(const NetValue& data) const;
+  /// How many numbers there are after a step.
+  [[nodiscard]] std::int64_t count_after(std::int32_t step) const;
   /// A value that the action must not depend on. If an input already is one, its problem comes
   /// first.
   [[nodiscard]] NetValue other(PolicyProblem problem, std::optional<Dims> shape = {}) const;

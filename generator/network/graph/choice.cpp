@@ -21,12 +21,8 @@ std::optional<std::int32_t> scores_of(const NetValue& value) {
 /// Axis of the call, counted from the front, if it holds all values of `x`.
 std::optional<std::size_t> whole_axis(const NetCall& call, const NetValue& x,
                                       std::int64_t otherwise) {
-  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-  std::int64_t axis = call.integer("axis", otherwise);
-  if (axis < 0) axis += rank;
-  if (axis < 0 || axis >= rank) return std::nullopt;
-  const auto place = static_cast<std::size_t>(axis);
-  if ((*x.shape)[place] != element_count(*x.shape)) return std::nullopt;
+  const auto place = call.axis(x.shape ? x.shape->size() : 0, otherwise);
+  if (place && (*x.shape)[*place] != element_count(*x.shape)) return std::nullopt;
   return place;
 }
 

@@ -14,16 +14,8 @@ using Kind = NetValue::Kind;
 using Operation = Elementwise::Operation;
 using Result = std::optional<NetValue>;
 
-std::optional<Dims> common_shape(const NetCall& call) {
-  std::optional<Dims> shape = Dims{};
-  for (std::size_t i = 0; i < call.input_count(); ++i) {
-    shape = broadcast(shape, call.input(i).shape);
-  }
-  return shape;
-}
-
 NetValue unknown(const NetCall& call) {
-  return call.misused("that is not of the observation and of shapes that fit", common_shape(call));
+  return call.misused("that is not of the observation and of shapes that fit", call.common_shape());
 }
 
 Result as_condition(Result value) {
@@ -98,7 +90,7 @@ Result of_integers(const NetCall& call,
     inputs.push_back(integers_of(call.input(i)));
     if (inputs.back()) count = std::max(count, inputs.back()->size());
   }
-  const auto shape = common_shape(call);
+  const auto shape = call.common_shape();
   const bool known = shape && element_count(*shape) == static_cast<std::int64_t>(count) &&
                      count <= kMaxRank &&
                      std::ranges::all_of(inputs, [&](const auto& one) { return fits(one, count); });
@@ -189,7 +181,7 @@ NetValue where(const NetCall& call) {
     PolicyProblem problem;
     const NetValue& value = call.input(i);
     if (value.kind != Kind::constant || read_floats(value.constant, problem)) continue;
-    return call.other(problem, common_shape(call));
+    return call.other(problem, call.common_shape());
   }
   return or_unknown(call, chosen(call, call.input(0), call.input(1), call.input(2)));
 }

@@ -69,14 +69,12 @@ NetValue added(const NetCall& call) {
     same.shape = sum;
     return same;
   }
-  if (data.step >= 0 && fits_as_bias(operands->constant, *data.shape, outputs)) {
-    // Not copied whole: it may be a Reorder of millions.
-    const NetStep& step = call.state().steps[static_cast<std::size_t>(data.step)];
-    if (step.form<Dense>() != nullptr && !std::get<NetLayer>(step.what).bias) {
-      auto biased = std::get<NetLayer>(step.what);
-      biased.bias = operands->constant.constant;
-      return call.data_after(std::int32_t{step.before}, std::move(biased), *sum);
-    }
+  const NetStep* step = call.step_of(data);
+  if (step != nullptr && step->form<Dense>() != nullptr && !std::get<NetLayer>(step->what).bias &&
+      fits_as_bias(operands->constant, *data.shape, outputs)) {
+    auto biased = std::get<NetLayer>(step->what);
+    biased.bias = operands->constant.constant;
+    return call.data_after(std::int32_t{step->before}, std::move(biased), *sum);
   }
   return with_constant(call, Operation::add);
 }
@@ -135,10 +133,9 @@ NetValue multiply(const NetCall& call) {
   const auto shape = broadcast(a.shape, b.shape);
   const bool each = shape && element_count(*shape) == element_count(*a.shape);  // no outer product
   for (const auto& [x, gate] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
-    if (gate->step < 0 || !each) continue;
-    const NetStep& step = call.state().steps[static_cast<std::size_t>(gate->step)];
-    const auto* work = std::get_if<NetActivation>(&step.what);
-    if (work != nullptr && work->kind == Activation::sigmoid && step.before == x->step) {
+    const NetStep* step = call.step_of(*gate);
+    const auto* work = step != nullptr && each ? std::get_if<NetActivation>(&step->what) : nullptr;
+    if (work != nullptr && work->kind == Activation::sigmoid && step->before == x->step) {
       return call.data_after(x->step, NetActivation{Activation::silu}, *shape);
     }
   }

@@ -27,19 +27,10 @@ const std::map<std::string_view, NetOperator>& operators() {
   return kTable;
 }
 
-/// The row of the call; an empty one if there is none.
-const NetOperator& row_of(const NetCall& call) {
-  static const NetOperator kNone;
+/// The row of the call; nullptr if there is none.
+const NetOperator* row_of(const NetCall& call) {
   const auto found = operators().find(call.node().type);
-  return found == operators().end() ? kNone : found->second;
-}
-
-std::optional<Dims> broadcast_inputs(const NetCall& call) {
-  std::optional<Dims> shape = Dims{};
-  for (std::size_t i = 0; i < call.input_count(); ++i) {
-    shape = broadcast(shape, call.input(i).shape);
-  }
-  return shape;
+  return found == operators().end() ? nullptr : &found->second;
 }
 
 std::string advice(std::string_view name) {
@@ -53,10 +44,11 @@ std::string advice(std::string_view name) {
   return fmt::format("supported are {}", fmt::join(names, ", "));
 }
 
-NetValue unsupported(const NetCall& call) {
+NetValue unsupported(const NetCall& call, const NetOperator* row) {
+  const bool has_shape = row != nullptr && row->keeps_shape;
   return call.other({"E0612", fmt::format("needs {}, which is not supported", call.who()),
                      advice(call.node().type)},
-                    row_of(call).keeps_shape ? broadcast_inputs(call) : std::nullopt);
+                    has_shape ? call.common_shape() : std::nullopt);
 }
 
 /// The operator's result if what was thought to be a formula was not one.
@@ -80,19 +72,20 @@ std::optional<NetValue> with_parts(const NetCall& call, const NetOperator& row) 
 }  // namespace
 
 NetValue evaluate(const NetCall& call) {
-  const NetOperator& row = row_of(call);
-  const bool known = call.node().is_usual();
-  if (auto value = known ? folded(call, row.folding) : std::nullopt) return *value;
-  if (!known || row.run == nullptr) return unsupported(call);
-  NetValue value = along_time(call, row.time, row.run(call));
+  const NetOperator* row = row_of(call);
+  if (row == nullptr || !call.node().is_usual()) return unsupported(call, row);
+  if (auto value = folded(call, row->folding)) return *value;
+  if (row->run == nullptr) return unsupported(call, row);
+  NetValue value = along_time(call, row->time, row->run(call));
   if (value.kind != NetValue::Kind::other || value.part.role != NetPart::Role::none) return value;
-  const auto again = with_parts(call, row);
+  const auto again = with_parts(call, *row);
   return again ? *again : value;
 }
 
 NetValue later_output(const NetCall& call, const NetValue& first, int i) {
-  const auto later = row_of(call).later;
-  return later != nullptr ? later(call, first, i) : call.misused("whose second output is used");
+  const NetOperator* row = row_of(call);
+  if (row == nullptr || row->later == nullptr) return call.misused("whose second output is used");
+  return row->later(call, first, i);
 }
 
 }  // namespace eagerx::gen

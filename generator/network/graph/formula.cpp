@@ -72,13 +72,10 @@ class Formula {
     rest = is(a_, role) ? &b_ : &a_;
     return true;
   }
-  const NetStep* step_of(const NetValue& data) const {
-    return data.step < 0 ? nullptr : &call_.state().steps[static_cast<std::size_t>(data.step)];
-  }
   /// Data that is x times (or divided by) a number: the step of x.
   bool is_scaled(const NetValue& data, Elementwise::Operation operation, float number,
                  std::int32_t& before) const {
-    const NetStep* step = is_data(data) ? step_of(data) : nullptr;
+    const NetStep* step = is_data(data) ? call_.step_of(data) : nullptr;
     const auto* work = step != nullptr ? step->form<Elementwise>() : nullptr;
     if (work == nullptr || work->operation != operation) return false;
     NetValue constant;
@@ -208,7 +205,7 @@ class Formula {
 
   /// gamma or beta of a LayerNorm that has none yet.
   Result parameter_of_norm(const NetValue& data, const NetValue& constant, bool is_gamma) const {
-    const NetStep* step = is_data(data) ? step_of(data) : nullptr;
+    const NetStep* step = is_data(data) ? call_.step_of(data) : nullptr;
     const auto* work = step != nullptr ? std::get_if<NetNorm>(&step->what) : nullptr;
     if (work == nullptr || work->beta || constant.kind != Kind::constant ||
         constant.constant.transposed || element_count(constant.constant.dims) != step->count ||

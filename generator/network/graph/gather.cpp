@@ -42,19 +42,17 @@ std::optional<Integers> places_of(const NetCall& call, const NetValue& value) {
 
 NetValue gather_values(const NetCall& call, const NetValue& x) {
   const std::optional<Integers> which = places_of(call, call.input(1));
-  const auto rank = static_cast<std::int64_t>(x.shape ? x.shape->size() : 0);
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
+  const auto axis = call.axis(x.shape ? x.shape->size() : 0);
   const std::optional<Dims>& form = call.input(1).shape;
   const bool one = which && which->size() == 1 && form && form->size() <= 1;
   const bool has_many = x.kind == Kind::data && which && which->size() > 1 && form &&
-                        form->size() == 1 && axis >= 0 && axis < rank;
-  if (has_many) return picked_by_list(call, x, static_cast<std::size_t>(axis), *which);
-  if (!one || axis < 0 || axis >= rank) return call.misused("of several values");
-  const std::int64_t size = (*x.shape)[static_cast<std::size_t>(axis)];
+                        form->size() == 1 && axis;
+  if (has_many) return picked_by_list(call, x, *axis, *which);
+  if (!one || !axis) return call.misused("of several values");
+  const std::int64_t size = (*x.shape)[*axis];
   const std::int64_t index = which->front() < 0 ? which->front() + size : which->front();
   if (index < 0 || index >= size) return call.misused("with an index that is not there");
-  return picked(call, x, static_cast<std::size_t>(axis), index, 1, 1, !form->empty());
+  return picked(call, x, *axis, index, 1, 1, !form->empty());
 }
 
 NetValue gather(const NetCall& call) {

@@ -100,11 +100,10 @@ struct Padded {
 
 Padded padded(const NetCall& call, const NetValue& x) {
   Padded result{nullptr, x.step, *x.shape};
-  if (x.step < 0) return result;
-  const NetStep& step = call.state().steps[static_cast<std::size_t>(x.step)];
-  result.pad = std::get_if<NetPad>(&step.what);
+  const NetStep* step = call.step_of(x);
+  result.pad = step != nullptr ? std::get_if<NetPad>(&step->what) : nullptr;
   if (result.pad == nullptr) return result;
-  result.before = step.before;
+  result.before = step->before;
   const std::size_t rank = result.dims.size();
   result.dims[rank - 1] -= std::int64_t{result.pad->left} + result.pad->right;
   if (rank == 4) result.dims[2] -= std::int64_t{result.pad->top} + result.pad->bottom;

@@ -17,17 +17,23 @@ struct NetFolding {
   bool takes_one = false;  // and leaves b alone
 };
 
-/// All there is to say of one operator. ONNX's names, as all exporters have such operators.
+/// All there is to say of one operator, under ONNX's name. It cannot be without a rule of time.
 struct NetOperator {
+  using Run = NetValue (*)(const NetCall&);
+  using Later = NetValue (*)(const NetCall&, const NetValue& first, int i);
+
+  NetOperator(std::string_view called, Run runs, NetTimeRule times, NetFolding folds = {},
+              bool keeps = false, Later gives = nullptr)
+      : name(called), run(runs), time(times), folding(folds), keeps_shape(keeps), later(gives) {}
+
   std::string_view name;
-  NetValue (*run)(const NetCall&) = nullptr;  // nullptr: it is refused, but what follows is known
-  NetTimeRule time = nullptr;                 // nullptr: it may look at anything
-  NetFolding folding{};
+  Run run;           // its shape, and its step; nullptr: it is refused, but what follows is known
+  NetTimeRule time;  // nullptr: it may look at anything
+  NetFolding folding;
   /// The result has the shape that the inputs broadcast to. The action may not come through a
   /// refused operator, but its shape may: SAC exports `Expand(mean, Shape(mean + std * noise))`.
-  bool keeps_shape = false;
-  /// Result `i` (from 1), if `first` is result 0. nullptr: there is no other.
-  NetValue (*later)(const NetCall&, const NetValue& first, int i) = nullptr;
+  bool keeps_shape;
+  Later later;  // result `i` (from 1), if `first` is result 0; nullptr: there is no other
 };
 
 /// Operators that compute (layers.cpp), that only move or shape (shapes.cpp), that pick

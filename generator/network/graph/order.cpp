@@ -189,11 +189,10 @@ NetValue joined_branches(const NetCall& call, const std::vector<NetValue>& value
 /// Parts of one layer, or of the observation, or of several layers, side by side.
 NetValue joined_data(const NetCall& call) {
   const NetValue& first = call.input(0);
-  const auto rank = static_cast<std::int64_t>(first.shape->size());
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
-  if (axis < 0 || axis >= rank) return call.misused("with an axis that is not there");
-  const auto place = static_cast<std::size_t>(axis);
+  const auto given = call.axis(first.shape->size());
+  if (!given) return call.misused("with an axis that is not there");
+  const std::size_t place = *given;
+  const auto axis = static_cast<std::ptrdiff_t>(place);
   const auto inner = [&](const Dims& dims) {
     return count_of(Dims(dims.begin() + axis, dims.end()));
   };
@@ -227,10 +226,7 @@ NetValue joined_data(const NetCall& call) {
   }
   NetValue whole = first;
   whole.step = parts.front().first;
-  const std::int64_t there = whole.step < 0
-                                 ? call.state().observed
-                                 : call.state().steps[static_cast<std::size_t>(whole.step)].count;
-  bool same = there == static_cast<std::int64_t>(order.from.size());
+  bool same = call.count_after(whole.step) == static_cast<std::int64_t>(order.from.size());
   for (std::size_t i = 0; same && i < order.from.size(); ++i) same = order.from[i] == i;
   if (!same) return reordered(call, whole, std::move(order), std::move(shape));
   whole.shape = std::move(shape);
@@ -338,12 +334,9 @@ NetValue split_part(const NetCall& call, int i) {
   if ((x.kind != Kind::data && x.kind != Kind::state) || !x.shape) {
     return call.misused("on something that is not a layer");
   }
-  const auto rank = static_cast<std::int64_t>(x.shape->size());
-  std::int64_t axis = call.integer("axis", 0);
-  if (axis < 0) axis += rank;
-  if (axis < 0 || axis >= rank) return call.misused("with an axis that is not there");
-  const auto place = static_cast<std::size_t>(axis);
-  const std::int64_t size = (*x.shape)[place];
+  const auto place = call.axis(x.shape->size());
+  if (!place) return call.misused("with an axis that is not there");
+  const std::int64_t size = (*x.shape)[*place];
   const std::int64_t parts = call.integer("num_outputs", call.node().outputs);
   // Every output looks at the sizes of all.
   const NetAttribute* given = call.attribute("split");
@@ -363,7 +356,7 @@ NetValue split_part(const NetCall& call, int i) {
     const std::int64_t count = (*sizes)[k];
     if (count < 1 || count > size - first) break;
     if (k == static_cast<std::size_t>(i)) {
-      return picked(call, x, place, first, count, 1, true);
+      return picked(call, x, *place, first, count, 1, true);
     }
     first += count;
   }

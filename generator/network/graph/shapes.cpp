@@ -57,26 +57,21 @@ NetValue identity(const NetCall& call) {
   return call.input(0);
 }
 
-/// ONNX's number of a type.
-constexpr std::int64_t number_of(NetType type) {
-  return static_cast<std::int64_t>(type);
-}
-
 std::string_view shown_type(std::int64_t type) {
-  return type_name(type > 0 && type < 100 ? type : 0).value_or("an unknown type");
+  return onnx_type_name(type > 0 && type < 100 ? type : 0).value_or("an unknown type");
 }
 
 /// Integers become reals where they can be read as such: what is calculated from them afterwards
 /// is not rounded. In half precision it would be, and in short integers they would wrap.
 NetValue cast_integers(const NetCall& call, const Integers& integers, std::int64_t to) {
   const NetValue& x = call.input(0);
-  if (to == number_of(NetType::float32) || to == number_of(NetType::float64)) {
+  if (to == onnx_number(ElementType::float32) || to == onnx_number(ElementType::float64)) {
     if (!call.spend(static_cast<std::int64_t>(integers.size()))) return call.too_much();
     return made_constant(call, {integers.begin(), integers.end()}, *x.shape);
   }
-  const bool narrows = to == number_of(NetType::int32);
-  const bool stays = narrows || to == number_of(NetType::int64);
-  const bool is_truth = to == number_of(NetType::boolean);
+  const bool narrows = to == onnx_number(ElementType::int32);
+  const bool stays = narrows || to == onnx_number(ElementType::int64);
+  const bool is_truth = to == onnx_number(ElementType::boolean);
   if (!stays && !is_truth) {
     return call.misused(fmt::format("to {}", shown_type(to)), x.shape);
   }
@@ -97,12 +92,12 @@ NetValue cast_to(const NetCall& call, std::int64_t to) {
   if (const auto integers = integers_of(x); integers && x.shape) {
     return cast_integers(call, *integers, to);
   }
-  if (x.kind == Kind::data && to == number_of(NetType::boolean)) {
+  if (x.kind == Kind::data && to == onnx_number(ElementType::boolean)) {
     if (const auto condition = condition_of(call, x)) return *condition;
   }
-  const bool is_real = x.kind == Kind::constant && to != number_of(x.constant.tensor->type) &&
-                       to != number_of(NetType::float64);  // else its numbers are rounded
-  if ((x.kind == Kind::data || is_real) && to != number_of(NetType::float32)) {
+  const bool is_real = x.kind == Kind::constant && to != onnx_number(x.constant.tensor->type) &&
+                       to != onnx_number(ElementType::float64);  // else its numbers are rounded
+  if ((x.kind == Kind::data || is_real) && to != onnx_number(ElementType::float32)) {
     return call.misused(fmt::format("to {}", shown_type(to)), x.shape);
   }
   return x;
@@ -115,8 +110,8 @@ NetValue cast(const NetCall& call) {
 /// To the type of the second input.
 NetValue cast_like(const NetCall& call) {
   const NetValue& like = call.input(1);
-  if (like.kind == Kind::data) return cast_to(call, number_of(NetType::float32));
-  if (like.kind == Kind::constant) return cast_to(call, number_of(like.constant.tensor->type));
+  if (like.kind == Kind::data) return cast_to(call, onnx_number(ElementType::float32));
+  if (like.kind == Kind::constant) return cast_to(call, onnx_number(like.constant.tensor->type));
   return call.misused("to an unknown type", call.input(0).shape);
 }
 
@@ -313,14 +308,14 @@ std::vector<NetOperator> shape_operators() {
   return {{"Identity", identity, time_of_each},
           {"Cast", cast, time_of_each},
           {"CastLike", cast_like, time_of_each},
-          {"Constant", constant},
+          {"Constant", constant, nullptr},
           {"Flatten", flatten, time_of_flatten},
           {"Reshape", reshape, time_of_reshape},
           {"Squeeze", squeeze, time_of_squeeze},
           {"Expand", expand, time_of_each},
           {"Unsqueeze", unsqueeze, time_of_unsqueeze},
-          {"Shape", shape_of},
-          {"ConstantOfShape", constant_of_shape}};
+          {"Shape", shape_of, nullptr},
+          {"ConstantOfShape", constant_of_shape, nullptr}};
 }
 
 }  // namespace eagerx::gen

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generator/network/element_type.hpp"
 #include "generator/network/problem.hpp"
 #include "generator/network/shape.hpp"
 
@@ -25,25 +26,10 @@ inline constexpr std::size_t kMaxRank = 8;
 /// A shape, or axes, or places.
 using Integers = std::vector<std::int64_t>;
 
-/// Types that are read, with ONNX's numbers.
-enum class NetType : std::uint8_t {
-  float32 = 1,
-  int32 = 6,
-  int64 = 7,
-  boolean = 9,
-  float16 = 10,
-  float64 = 11,
-  bfloat16 = 16,
-};
-/// ONNX's name of its type `number`, as "FLOAT"; nothing if there is none.
-std::optional<std::string_view> type_name(std::int64_t number);
-/// Bytes of one element; nothing for types that are not read.
-std::optional<std::size_t> type_bytes(std::int64_t number);
-
 /// A tensor whose size was checked: `bytes` holds all elements of `dims`.
 struct NetTensor {
   std::string name;
-  NetType type = NetType::float32;
+  ElementType type = ElementType::float32;
   Dims dims{};
   std::string_view bytes{};  // row-major, little-endian
   std::string own{};         // what `bytes` shows, if it lies nowhere else
