@@ -190,25 +190,17 @@ NetValue clip(const NetCall& call) {
   return value;
 }
 
-NetValue maximum(const NetCall& call) {
+template <Operation What>
+NetValue limit(const NetCall& call) {
   if (call.input_count() == 1) return call.input(0);
   if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
   const NetValue& a = call.input(0);
   const NetValue& b = call.input(1);
   if (a.kind == Kind::data && b.kind == Kind::data) {
-    if (auto value = larger_of(call, a, b)) return *value;
+    const auto value = What == Operation::at_least ? larger_of(call, a, b) : smaller_of(call, a, b);
+    if (value) return *value;
   }
-  return with_constant(call, Operation::at_least);
-}
-NetValue minimum(const NetCall& call) {
-  if (call.input_count() == 1) return call.input(0);
-  if (call.input_count() != 2) return call.misused("of several values", call.input(0).shape);
-  const NetValue& a = call.input(0);
-  const NetValue& b = call.input(1);
-  if (a.kind == Kind::data && b.kind == Kind::data) {
-    if (auto value = smaller_of(call, a, b)) return *value;
-  }
-  return with_constant(call, Operation::at_most);
+  return with_constant(call, What);
 }
 
 /// Of two inputs.
@@ -324,8 +316,8 @@ std::vector<NetOperator> elementwise_operators() {
           {"Neg", negate, time_of_each, opposite, true},
           {"Reciprocal", nullptr, nullptr, inverse},
           {"Clip", clip, time_of_each},
-          {"Max", maximum, time_of_each, largest, true},
-          {"Min", minimum, time_of_each, smallest, true},
+          {"Max", limit<Operation::at_least>, time_of_each, largest, true},
+          {"Min", limit<Operation::at_most>, time_of_each, smallest, true},
           {"Pow", formula_only<NetFormula::power>, time_of_each, {}, true},
           {"Sum", sum, time_of_each, {}, true},
           {"Selu", selu, time_of_each, {}, true},
