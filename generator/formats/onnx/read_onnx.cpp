@@ -17,10 +17,12 @@
 #include "generator/formats/onnx/graph.hpp"
 #include "generator/formats/onnx/guard.hpp"
 #include "generator/formats/onnx/inputs.hpp"
-#include "generator/network/graph/lower.hpp"
+#include "generator/formats/onnx/node.hpp"
 #include "generator/formats/onnx/onnx.pb.h"
-#include "generator/network/graph/value.hpp"
 #include "generator/formats/onnx/outputs.hpp"
+#include "generator/network/graph/evaluate.hpp"
+#include "generator/network/graph/lower.hpp"
+#include "generator/network/graph/operators.hpp"
 #include "generator/network/limits.hpp"
 
 namespace eagerx::gen {

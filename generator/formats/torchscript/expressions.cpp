@@ -30,6 +30,11 @@ bool is_whole_slice(const std::vector<TorchValue>& arguments) {
   return given(2, 0) == 0 && given(3, size) >= size && given(4, 1) == 1;
 }
 
+bool is_view(std::string_view name) {
+  const TorchRow* row = torch_row(name);
+  return row != nullptr && row->is_view;
+}
+
 /// Whether the result is the first argument.
 bool is_same(const std::string& name) {
   constexpr std::array kSame = {"contiguous", "detach",          "dropout",
@@ -258,7 +263,7 @@ std::optional<TorchValue> TorchInterpreter::operation(const std::string& name,
   const TorchCall call(name, where(), arguments, std::move(named), state_);
   auto result = run_torch_operator(call, problem_);
   if (!result || !has_tensor || !result->is_tensor()) return result;
-  if (const TorchRow* row = torch_row(name); row != nullptr && row->is_view) {
+  if (is_view(name)) {
     result->tensor->is_part = true;
     arguments.front().tensor->is_part = true;
   }
