@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 #include <targets/common/from_number.hpp>
-#include <targets/environments/json.hpp>
+#include <runtime/host/base/number.hpp>
 #include <type_traits>
 #include <vector>
 
@@ -186,7 +186,7 @@ class Layout {
         if (x < static_cast<float>(element(space.low, i)) ||
             x > static_cast<float>(element(space.high, i))) {
           problem = "`" + std::string(name) + "` is out of its space: element " +
-                    std::to_string(i) + " is " + number_text(x);
+                    std::to_string(i) + " is " + host::number_text(x);
         }
       }
       if (!(drawn.*member) && missing != 0 && missing != size_of<Message>)

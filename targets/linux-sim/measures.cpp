@@ -1,10 +1,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/measures.hpp>
-#include <targets/linux-sim/nearest.hpp>
+#include <runtime/host/base/nearest.hpp>
 
 namespace eagerx::linux_sim {
 namespace {
@@ -14,9 +15,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Six digits are enough for people.
 std::string shown(double value) {
   constexpr double kDigits = 1e6;
-  if (!std::isfinite(value) || value == 0.0) return number_text(value);
+  if (!std::isfinite(value) || value == 0.0) return host::number_text(value);
   const double scale = kDigits / std::pow(10.0, std::floor(std::log10(std::fabs(value))) + 1.0);
-  return number_text(static_cast<float>(std::round(value * scale) / scale));
+  return host::number_text(static_cast<float>(std::round(value * scale) / scale));
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ int Measures::variable_of(const std::string& name, std::size_t index, bool index
       std::vector<std::string> names;
       names.reserve(readables.size());
       for (const Readable& each : readables) names.push_back(each.name);
-      const std::string near = nearest_name(name, names);
+      const std::string near = host::nearest_name(name, names);
       std::string list = "time";
       for (const std::string& each : names) list += ", " + each;
       problem = "there is no `" + name + "`" +

@@ -1,12 +1,12 @@
 #include <algorithm>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/run_watch.hpp>
 #include <targets/linux-sim/spaces.hpp>
 
 namespace eagerx::linux_sim {
 
-RunWatch::RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace)
+RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace)
     : Watch(told.options.plan, told.options.agent, csv),
       facts_(program.facts()),
       told_(told),
@@ -34,9 +34,9 @@ void RunWatch::listen_to(OutsideAgent& agent) {
 }
 
 bool RunWatch::go_on() {
-  stop_if_told();
+  host::stop_if_told();
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
-  if (interrupted() || csv_.failed() || trace_.failed() || left_space()) return false;
+  if (host::interrupted() || csv_.failed() || trace_.failed() || left_space()) return false;
   if (outside_ == nullptr) return true;
   const bool goes_on = outside_->go_on();
   is_over_ = is_over_ || outside_->wants_reset();
@@ -45,7 +45,7 @@ bool RunWatch::go_on() {
 
 bool RunWatch::ends_early() const {
   const bool leaves_something = outside_ != nullptr && outside_->leaves_something();
-  return has_begun() && (interrupted() || left_space() || leaves_something);
+  return has_begun() && (host::interrupted() || left_space() || leaves_something);
 }
 
 EpisodeKey RunWatch::key(EpisodeKey planned) {
@@ -169,7 +169,7 @@ void RunWatch::finish(Summary& summary) {
   summary.paced = pacer_.paces();
   summary.overruns = pacer_.overruns();
   summary.worst_overrun_s = pacer_.worst_s();
-  summary.interrupted = interrupted();
+  summary.interrupted = host::interrupted();
 }
 
 void RunWatch::hand_on(bool now) {

@@ -15,7 +15,7 @@
 #include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <targets/linux-sim/task_record.hpp>
-#include <targets/linux-sim/text_file.hpp>
+#include <runtime/host/base/text_file.hpp>
 #include <targets/linux-sim/watch.hpp>
 
 namespace eagerx::linux_sim {
@@ -31,7 +31,7 @@ struct Told {
 
 class RunWatch : public Watch {
  public:
-  RunWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace);
+  RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace);
   virtual ~RunWatch() = default;
 
   /// Before the run, if its agent is outside.
@@ -91,8 +91,8 @@ class RunWatch : public Watch {
   std::vector<std::uint32_t> sizes_;  // [observations]
   StateRecord record_;
   TaskRecord task_record_;
-  TextFile& csv_;
-  TextFile& trace_;
+  host::TextFile& csv_;
+  host::TextFile& trace_;
   Pacer pacer_;
   Progress progress_;
   std::int64_t began_ns_ = 0;

@@ -3,9 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/space.hpp>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <targets/linux-sim/nearest.hpp>
+#include <runtime/host/base/nearest.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <type_traits>
 
@@ -76,7 +77,7 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
 std::string unknown_state(const std::string& name, const std::vector<std::string>& known) {
   std::string list;
   for (const std::string& state : known) list += (list.empty() ? "" : ", ") + state;
-  const std::string near = nearest_name(name, known);
+  const std::string near = host::nearest_name(name, known);
   return "error: this program has no state `" + name +
          "`\nhelp: " + (near.empty() ? "" : "did you mean `" + near + "`? ") +
          (known.empty() ? "it has none" : "it has " + list) +
@@ -114,9 +115,9 @@ std::string problem_of(const StateSetting& setting, const std::vector<double>& l
                        : i < size                   ? setting.number(group, i)
                                                     : low[at];
       if (is_within(x, low[at], high[at])) continue;
-      return about(setting) + number_text(x) + " is out of the space of the state, from " +
-             number_text(static_cast<float>(low[at])) + " to " +
-             number_text(static_cast<float>(high[at])) +
+      return about(setting) + host::number_text(x) + " is out of the space of the state, from " +
+             host::number_text(static_cast<float>(low[at])) + " to " +
+             host::number_text(static_cast<float>(high[at])) +
              "\nhelp: a wider one is written in the graph: `states: {…: {uniform: space, space: "
              "{low: "
              "…, high: …}}}`";

@@ -33,14 +33,4 @@ bool parse_local_address(std::string_view text, Address& address) {
   return true;
 }
 
-std::string hash_text(std::uint64_t hash) {
-  constexpr unsigned kBits = 64, kBitsPerDigit = 4;
-  std::string text = "0x";
-  for (unsigned shift = kBits; shift > 0;) {
-    shift -= kBitsPerDigit;
-    text += "0123456789abcdef"[(hash >> shift) & 0xfU];
-  }
-  return text;
-}
-
 }  // namespace eagerx::publish

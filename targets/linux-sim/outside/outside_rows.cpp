@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <runtime/host/trace/json_text.hpp>
+#include <runtime/host/base/number.hpp>
+#include <runtime/host/base/json.hpp>
 #include <string_view>
 #include <targets/common/from_number.hpp>
 #include <targets/linux-sim/describe.hpp>
@@ -46,9 +47,9 @@ void append_bounds(std::string& text, const Field& field, const void* bounds) {
     if (!std::isfinite(bound)) {
       text += "null";
     } else if (field.type.scalar == Scalar::f32) {
-      text += number_text(static_cast<float>(bound));
+      text += host::number_text(static_cast<float>(bound));
     } else {
-      text += number_text(bound);
+      text += host::number_text(bound);
     }
   }
   text += ']';
@@ -56,7 +57,7 @@ void append_bounds(std::string& text, const Field& field, const void* bounds) {
 
 void append_field(std::string& text, const Field& field, std::size_t first) {
   text += R"({"name": )";
-  trace_log::append_json_string(text, field.name);
+  host::append_json_string(text, field.name);
   text += R"(, "shape": [)";
   if (field.most > 1) text += std::to_string(field.most);
   for (std::size_t i = 0; i < field.type.dimensions; ++i)
@@ -140,7 +141,7 @@ std::string OutsideRows::problem_of_states(const float* row, const bool* drawn) 
       };
       if (field.low != nullptr && (from[i] < bound(field.low) || from[i] > bound(field.high)))
         return "`" + std::string(field.name) + "` is out of its space: element " +
-               std::to_string(i) + " is " + number_text(from[i]);
+               std::to_string(i) + " is " + host::number_text(from[i]);
     }
     if ((drawn == nullptr || !drawn[f]) && missing != 0 && missing != field.type.size)
       return "`" + std::string(field.name) + "` is not drawn: set all of its elements, or none";

@@ -9,7 +9,7 @@ namespace eagerx::linux_sim {
 /// Tells others where steps end, too.
 class PublishWatch : public RunWatch {
  public:
-  PublishWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
+  PublishWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
                Publishing& publishing)
       : RunWatch(program, told, csv, trace), publishing_(publishing) {}
 

@@ -10,7 +10,7 @@ namespace eagerx::linux_sim {
 /// step of an episode; nothing else waits for anybody.
 class RemoteWatch : public PublishWatch {
  public:
-  RemoteWatch(GraphProgram& program, const Told& told, TextFile& csv, TextFile& trace,
+  RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
               Publishing& publishing, Remote& remote);
 
   bool go_on() override;

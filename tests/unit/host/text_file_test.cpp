@@ -1,5 +1,5 @@
-// Files of linux-sim programs: everything arrives, in order, whoever writes it.
-#include "targets/linux-sim/text_file.hpp"
+// Files that programs write while they run: everything arrives, in order, whoever writes it.
+#include "runtime/host/base/text_file.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ extern "C" int clock_gettime(clockid_t clock, timespec* time) noexcept {
   return result;
 }
 
-namespace eagerx::linux_sim {
+namespace eagerx::host {
 namespace {
 
 // On 0d2dc587 it waits for an hour, and what a program has written stays in its memory.
@@ -197,4 +197,4 @@ TEST(TextFile, IsFreeBehindItsEndThoughAForkedProcessHasItStill) {
 }
 
 }  // namespace
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host

@@ -1,14 +1,13 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
-#include <targets/linux-sim/interrupt.hpp>
+#include <runtime/host/base/interrupt.hpp>
 
-namespace eagerx::linux_sim {
+namespace eagerx::host {
 namespace {
 
 // Ends a run. With all real-time signals these are what would end the program by default.
@@ -19,7 +18,7 @@ constexpr std::array kCrashes{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, 
 constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
 
 // Signal handlers and threads read and write these; all are lock-free.
-std::atomic<bool> caught = false;
+Interrupt caught = false;
 std::atomic<int> seen_at_end = 0;               // the signal that end_as_told() ends with
 std::atomic<int> stop_signal = 0;               // that wants the program to stop
 std::atomic<std::int64_t> first_ctrl_c_ms = 0;  // 0: there was none
@@ -151,6 +150,14 @@ void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+const Interrupt& watch_interrupts(std::initializer_list<int> signals, Second second) {
+  struct sigaction action {};
+  action.sa_handler = [](int) { caught = true; };
+  if (second == Second::ends) action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  for (const int signal : signals) sigaction(signal, &action, nullptr);
+  return caught;
+}
+
 bool interrupted() {
   return caught.load(std::memory_order_relaxed);
 }
@@ -192,8 +199,8 @@ void end_as_told() {
   raise(signal);
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host
 
 bool eagerx_is_interrupted() {
-  return eagerx::linux_sim::ends_reset();
+  return eagerx::host::ends_reset();
 }

@@ -1,7 +1,22 @@
 // Signals: every way to stop a program that a signal handler can see is a safe one.
 #pragma once
 
-namespace eagerx::linux_sim {
+#include <atomic>
+#include <cstdint>
+#include <initializer_list>
+
+namespace eagerx::host {
+
+/// Whether somebody wants the end. Set by a signal, read by all threads.
+using Interrupt = std::atomic<bool>;
+static_assert(Interrupt::is_always_lock_free);  // a handler of signals may write it
+
+/// What a second signal of a kind does: what it does to any program, or nothing more.
+enum class Second : std::uint8_t { ends, does_nothing };
+
+/// For programs that nothing waits for: from now on `signals` set what is returned, and
+/// interrupted(). Where the second one does nothing, a system call that waits ends early.
+const Interrupt& watch_interrupts(std::initializer_list<int> signals, Second second);
 
 /// From now on signals that would end the program set a flag, and the run ends after the current
 /// step, or slot of a reset that waits for something. A second Ctrl-C within a second does nothing
@@ -51,7 +66,7 @@ class MadeSafe {
   ~MadeSafe() { on_stop(nullptr, nullptr); }
 };
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host
 
 extern "C" {
 /// Whether a signal wants the run to end or to stop: for resets of hardware, which know nothing of

@@ -6,7 +6,10 @@
 #include <string>
 #include <string_view>
 
-namespace eagerx::environments {
+namespace eagerx::host {
+
+/// Text of others as a string of JSON, behind `to`. What is no UTF-8 stays what it is.
+void append_json_string(std::string& to, std::string_view text);
 
 /// Writes what it is told to; the caller opens and closes. Commas come by themselves.
 class Json {
@@ -34,10 +37,4 @@ class Json {
   bool wants_comma_ = false;
 };
 
-/// The shortest text that reads back to the same bits.
-std::string number_text(float value);
-
-/// FNV-1a, 64 bits, as "0x0123456789abcdef".
-std::string hash_of(std::string_view text);
-
-}  // namespace eagerx::environments
+}  // namespace eagerx::host

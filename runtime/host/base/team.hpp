@@ -5,20 +5,27 @@
 
 #include <atomic>
 #include <cstdint>
+#include <exception>
+#include <functional>
+#include <mutex>
 #include <thread>
 #include <type_traits>
 #include <vector>
 
-namespace eagerx::environments {
+namespace eagerx::host {
 
 /// Cores that this process may use, at least 1.
 unsigned usable_cores();
 
-/// The caller is member 0. Members that have nothing to do spin for some microseconds, then sleep.
+/// The caller is member 0. Members that have nothing to do spin for some microseconds, then sleep,
+/// and get no signals.
 class Team {
  public:
-  /// Throws std::system_error if the system has no more threads.
-  explicit Team(unsigned size);
+  enum class Size : std::uint8_t { exact, at_most };
+
+  /// `size` members from 1 to 65535. If the system has no more threads: throws std::system_error,
+  /// or takes as many as there are.
+  explicit Team(unsigned size, Size kind = Size::exact);
   Team(const Team&) = delete;
   Team& operator=(const Team&) = delete;
   ~Team();
@@ -27,20 +34,26 @@ class Team {
   /// False in a process that fork() made, where only the caller lives.
   bool is_complete() const;
 
-  /// job(i) for each i < `members`, at once; returns when all have returned. 1 <= members <=
-  /// size().
+  /// job(i) for each i < `members`, at once; returns when all have returned, and throws what one of
+  /// them has thrown. 1 <= members <= size().
   template <class Job>
   void run(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
     call_ = [](void* what, unsigned i) { (*static_cast<std::remove_reference_t<Job>*>(what))(i); };
     job_ = &job;
     begin(members);
-    job(0U);
-    wait();
+    call(0);
+    end();
   }
+
+  /// work(part) for 0 … parts - 1, each once, by whichever member is free; returns when all have
+  /// returned. Throws the exception of the first part that has thrown one; the others are done.
+  void run_parts(std::size_t parts, const std::function<void(std::size_t)>& work);
 
  private:
   void begin(unsigned members);
+  void call(unsigned i) noexcept;
+  void end();
   void wait() const;
   void work(unsigned i);
   void stop();
@@ -51,8 +64,10 @@ class Team {
   std::atomic<unsigned> at_work_{0};
   void (*call_)(void*, unsigned) = nullptr;
   void* job_ = nullptr;
+  std::mutex mutex_;
+  std::exception_ptr failure_;  // what a job has thrown; written under the mutex
   pid_t process_;
   std::vector<std::thread> threads_;
 };
 
-}  // namespace eagerx::environments
+}  // namespace eagerx::host

@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace eagerx::linux_sim {
+namespace eagerx::host {
 
 /// Who waits for the disk: the caller, when a buffer is full, or a thread of the file's own. The
 /// caller then waits only when all of kBackgroundBuffers are full.
@@ -134,4 +134,4 @@ class TextFile {
   std::thread writer_;
 };
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host

@@ -1,5 +1,5 @@
-// targets/linux-sim/interrupt.hpp: which signals end a run, how often, and what comes first.
-#include "targets/linux-sim/interrupt.hpp"
+// runtime/host/base/interrupt.hpp: which signals end a run, how often, and what comes first.
+#include "runtime/host/base/interrupt.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <thread>
 
-namespace eagerx::linux_sim {
+namespace eagerx::host {
 namespace {
 
 // A closed terminal: from the shell first, from the kernel when the shell has ended. In between,
@@ -164,4 +164,4 @@ TEST(CatchInterrupts, NohupStays) {
 }
 
 }  // namespace
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host

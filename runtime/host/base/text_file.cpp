@@ -11,13 +11,13 @@
 #include <climits>
 #include <cstring>
 #include <ctime>
-#include <runtime/host/background.hpp>
-#include <targets/linux-sim/files.hpp>
-#include <targets/linux-sim/interrupt.hpp>
-#include <targets/linux-sim/text_file.hpp>
+#include <runtime/host/base/background.hpp>
+#include <runtime/host/base/files.hpp>
+#include <runtime/host/base/interrupt.hpp>
+#include <runtime/host/base/text_file.hpp>
 #include <utility>
 
-namespace eagerx::linux_sim {
+namespace eagerx::host {
 namespace {
 
 constexpr long kIdleMs = 500;
@@ -77,7 +77,7 @@ void TextFile::start(Writing writing) {
   for (Buffer& buffer : buffers_) buffer.text = std::make_unique<char[]>(kBufferBytes);
   if (in_background) {
     empty_.release(kBackgroundBuffers - 1);  // all but the one that is being filled
-    writer_ = host::thread_without_signals([this] { write_in_background(); });
+    writer_ = thread_without_signals([this] { write_in_background(); });
   }
 }
 
@@ -223,4 +223,4 @@ bool TextFile::wait_for_reader() {
   return false;
 }
 
-}  // namespace eagerx::linux_sim
+}  // namespace eagerx::host

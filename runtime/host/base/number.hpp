@@ -1,0 +1,30 @@
+// Numbers as text that reads back to the same bits, whatever the locale.
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+
+namespace eagerx::host {
+
+/// The shortest text that reads back to the same bits.
+template <class T>
+std::string number_text(T value) {
+  constexpr std::size_t kLongest = 32;  // -2.2250738585072014e-308 has 24
+  std::array<char, kLongest> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+/// All of `text` as a number from `low` to `high`, into `value`; false leaves it as it is.
+template <class T>
+bool read_number(std::string_view text, T low, T high, T& value) {
+  T read{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), read);
+  if (error != std::errc{} || end != text.data() + text.size() || !(read >= low && read <= high))
+    return false;
+  value = read;
+  return true;
+}
+
+}  // namespace eagerx::host
