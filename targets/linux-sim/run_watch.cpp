@@ -27,42 +27,23 @@ RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
   tunes_ = told.settings.tunes();
 }
 
-void RunWatch::listen_to(OutsideAgent& agent) {
-  outside_ = &agent;
-  paces_ = true;
-  tunes_ = tunes_ || std::ranges::any_of(told_.fields.states, &Field::tunable);
-}
-
 bool RunWatch::go_on() {
   host::stop_if_told();
   if (pictures_ != nullptr && pictures_->ends_run()) return false;
-  if (host::interrupted() || csv_.failed() || trace_.failed() || left_space()) return false;
-  if (outside_ == nullptr) return true;
-  const bool goes_on = outside_->go_on();
-  is_over_ = is_over_ || outside_->wants_reset();
-  return goes_on;
+  return !(host::interrupted() || csv_.failed() || trace_.failed() || left_space());
 }
 
 bool RunWatch::ends_early() const {
-  const bool leaves_something = outside_ != nullptr && outside_->leaves_something();
-  return has_begun() && (host::interrupted() || left_space() || leaves_something);
-}
-
-EpisodeKey RunWatch::key(EpisodeKey planned) {
-  return outside_ != nullptr ? outside_->key(planned) : planned;
+  return has_begun() && (host::interrupted() || left_space());
 }
 
 std::uint64_t RunWatch::lateness() const {
-  const std::uint64_t late = pacer_.late_in_a_row();
-  return outside_ != nullptr ? std::max(late, outside_->late_in_a_row()) : late;
+  return pacer_.late_in_a_row();
 }
 
 bool RunWatch::begin_episode(EpisodeKey key, StateRow states) {
-  bool changed = set_states(key, states);
-  if (outside_ != nullptr) {
-    changed = outside_->apply_states(states) || changed;
-    is_over_ = false;
-  }
+  const bool changed = set_states(key, states);
+  is_over_ = false;
   record_.begin(states);
   task_record_.end_episode();
   if (measures_of_run.is_used()) {
@@ -106,19 +87,19 @@ void RunWatch::reset(std::uint32_t episode) {
     is_over_ = measures_of_run.is_over();
   }
   hand_on(pacer_.is_slow());
-  if (outside_ != nullptr) outside_->reset(episode);
 }
 
-void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
+bool RunWatch::count(Seq step, bool has_ended, const OutcomeView& outcome) {
   ++steps_;
   task_record_.step(outcome);
   if (measures_of_run.is_used()) {
     measures_of_run.step(step, facts_.seconds(step));
     is_over_ = measures_of_run.is_over();
   }
-  const bool is_longest = step == plan_.steps;
-  has_ended = has_ended || is_longest || is_over_;
-  if (outside_ != nullptr) outside_->step(step, has_ended, is_longest, outcome);
+  return has_ended || step == plan_.steps || is_over_;
+}
+
+void RunWatch::pace(Seq step, bool has_ended) {
   hand_on(has_ended || pacer_.is_slow());
   progress_.step(steps_);
   if (pictures_ != nullptr) {
@@ -136,7 +117,6 @@ void RunWatch::state_columns() {
 }
 
 const void* RunWatch::given_action(Seq step) {
-  if (outside_ != nullptr) return outside_->action();
   return step < told_.table.size() ? told_.table[step] : nullptr;
 }
 

@@ -7,7 +7,6 @@
 #include <targets/linux-sim/faults.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/options.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
 #include <targets/linux-sim/pictures/pictures.hpp>
 #include <targets/linux-sim/progress.hpp>
@@ -34,22 +33,21 @@ class RunWatch : public Watch {
   RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace);
   virtual ~RunWatch() = default;
 
-  /// Before the run, if its agent is outside.
-  void listen_to(OutsideAgent& agent);
-
   bool go_on() override;
   bool ends_early() const override;
   bool begin_episode(EpisodeKey key, StateRow states) override;
   StateRow states() final { return states_.row(); }
   bool tune(std::uint32_t episode, Seq step, StateRow states) override;
   void reset(std::uint32_t episode) override;
-  void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
+  void step(Seq step, bool has_ended, const OutcomeView& outcome) override {
+    pace(step, count(step, has_ended, outcome));
+  }
   void state_column_names() final;
   void state_columns() final;
   const void* given_action(Seq step) override;
-  ObservationRow outside_observation() final { return outside_->observation(); }
-  void applied(const void* action) final { outside_->applied(action); }
-  EpisodeKey key(EpisodeKey planned) final;
+  ObservationRow outside_observation() override { return {}; }
+  void applied(const void* /*action*/) override {}
+  EpisodeKey key(EpisodeKey planned) override { return planned; }
   ObservationRow observations() final { return {observations_.data(), sizes_.data()}; }
   ObservationRow seen(Seq step) final { return told_.faults.seen(step, observations()); }
   void given(Seq step, void* action) override { told_.faults.given(step, action); }
@@ -69,9 +67,14 @@ class RunWatch : public Watch {
   }
   /// The same of what is set before a step, all of it tunable.
   virtual bool set_parameters(Seq step, StateRow states) {
-    const bool changed = told_.settings.apply_at(step, states);
-    return (outside_ != nullptr && outside_->apply_parameters(states)) || changed;
+    return told_.settings.apply_at(step, states);
   }
+  /// The two parts of step(), between which an agent outside has its answer. A class that has more
+  /// to do in one of them has its own, and its own step().
+  /// What has become of a step. Returns whether the episode has ended.
+  bool count(Seq step, bool has_ended, const OutcomeView& outcome);
+  /// Waits until the step is over.
+  void pace(Seq step, bool has_ended);
   StateRow current_states() const { return record_.current(); }
   /// Between two steps.
   void time_stood_still(std::int64_t ns) { pacer_.pause(ns); }
@@ -85,7 +88,6 @@ class RunWatch : public Watch {
   const GraphFacts& facts_;
   const Told& told_;
   Pictures* pictures_;
-  OutsideAgent* outside_ = nullptr;
   StateMemory states_;
   MessageRows observations_;
   std::vector<std::uint32_t> sizes_;  // [observations]

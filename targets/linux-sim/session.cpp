@@ -11,7 +11,7 @@
 #include <targets/linux-sim/float_environment.hpp>
 #include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
-#include <targets/linux-sim/outside/outside_agent.hpp>
+#include <targets/linux-sim/outside/outside_watch.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
 #include <targets/linux-sim/publish/remote_watch.hpp>
 #include <targets/linux-sim/recorder.hpp>
@@ -106,14 +106,17 @@ class Session {
 
  private:
   /// By a `Watch`, or one that asks another process for actions, too.
+  template <class Watch, class... More>
+  int run_watched(More&... more) {
+    if (agent_ != nullptr)
+      return run_by<AgentWatch<Watch>>(*agent_, program_, told_, csv_, trace_, more...);
+    if (outside_)
+      return run_by<OutsideWatch<Watch>>(*outside_, program_, told_, csv_, trace_, more...);
+    return run_by<Watch>(program_, told_, csv_, trace_, more...);
+  }
   template <class Watch, class... Arguments>
-  int run_watched(Arguments&... arguments) {
-    if (agent_ == nullptr) {
-      Watch watch(program_, told_, csv_, trace_, arguments...);
-      step_all(watch);
-      return end(watch);
-    }
-    AgentWatch<Watch> watch(*agent_, program_, told_, csv_, trace_, arguments...);
+  int run_by(Arguments&... arguments) {
+    Watch watch(arguments...);
     step_all(watch);
     return end(watch);
   }
@@ -157,7 +160,6 @@ class Session {
   }
 
   void step_all(RunWatch& watch) {
-    if (outside_) watch.listen_to(*outside_);
     const bool is_traced = this->is_traced();
     if (is_traced && trace_.is_open()) {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,

@@ -19,8 +19,13 @@ class PublishWatch : public RunWatch {
     RunWatch::reset(episode);
   }
   void step(Seq step, bool has_ended, const OutcomeView& outcome) override {
+    pace(step, count(step, has_ended, outcome));
+  }
+
+ protected:
+  bool count(Seq step, bool has_ended, const OutcomeView& outcome) {
     publishing_.step(episode_, step);
-    RunWatch::step(step, has_ended, outcome);
+    return RunWatch::count(step, has_ended, outcome);
   }
 
  private:

@@ -141,9 +141,9 @@ void RemoteWatch::reset(std::uint32_t episode) {
   is_reset_wanted_ = false;
 }
 
-void RemoteWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
-  PublishWatch::step(step, has_ended, outcome);
-  in_episode_ = step != plan_.steps && !is_over_ && !has_ended;
+void RemoteWatch::pace(Seq step, bool has_ended) {
+  PublishWatch::pace(step, has_ended);
+  in_episode_ = !has_ended;
   if (to_go_ > 0 && --to_go_ == 0) finish_service();
 }
 

@@ -17,12 +17,15 @@ class RemoteWatch : public PublishWatch {
   bool begin_episode(EpisodeKey key, StateRow states) override;
   bool tune(std::uint32_t episode, Seq step, StateRow states) override;
   void reset(std::uint32_t episode) override;
-  void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
+  void step(Seq step, bool has_ended, const OutcomeView& outcome) override {
+    pace(step, count(step, has_ended, outcome));
+  }
   void given(Seq step, void* action) override;
 
  protected:
   bool set_states(EpisodeKey key, StateRow states) override;
   bool set_parameters(Seq step, StateRow states) override;
+  void pace(Seq step, bool has_ended);
 
  private:
   /// One number for each element, if there are any.
