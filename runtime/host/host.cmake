@@ -18,6 +18,13 @@ eagerx_compiled_library(
   LINK eagerx::runtime Threads::Threads
   OPTIONS -fPIC ${eagerx_host_options})
 eagerx_compiled_library(
+  eagerx_expression UNITY
+  SOURCES ${eagerx_host_folder}/expression/calculation.cpp ${eagerx_host_folder}/expression/grammar.cpp
+          ${eagerx_host_folder}/expression/text.cpp ${eagerx_host_folder}/expression/typed.cpp
+  FOLDERS ${eagerx_host_folder}/base ${eagerx_host_folder}/expression ${eagerx_host_folder}/../eagerx
+  LINK eagerx_base
+  OPTIONS ${eagerx_host_options})
+eagerx_compiled_library(
   eagerx_trace UNITY
   SOURCES ${eagerx_host_folder}/trace/channel_name.cpp ${eagerx_host_folder}/trace/dtype.cpp
           ${eagerx_host_folder}/trace/json_text.cpp ${eagerx_host_folder}/trace/log_clock.cpp

@@ -101,7 +101,6 @@ void RemoteWatch::finish_service() {
 }
 
 bool RemoteWatch::begin_episode(EpisodeKey key, StateRow states) {
-  is_over_ = false;
   const bool changed = PublishWatch::begin_episode(key, states);
   remote_.tell_states(states);
   return changed;

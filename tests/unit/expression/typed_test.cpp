@@ -1,5 +1,5 @@
 // Expressions of tasks: types, and the C++ that they become.
-#include "generator/expression/typed.hpp"
+#include "generator/expression/expression.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,23 +1,30 @@
 // The text of an expression, taken piece by piece from the left.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <runtime/host/expression/expression.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "generator/expression/expression.hpp"
-#include "generator/read/tree.hpp"
+namespace eagerx::expression {
 
-namespace eagerx::gen {
+/// What is wrong, and from which byte of the text on.
+struct Problem {
+  std::size_t place = 0;
+  std::string message;
+  std::string help;  // empty: nothing to say
+};
 
 /// After the first problem nothing can be taken any more, so that only that one is told of.
-class ExpressionText {
+class Text {
  public:
-  /// `code` of its problems.
-  ExpressionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics);
+  /// `text` must outlive it. More than 1000 characters are a problem.
+  explicit Text(std::string_view text);
 
-  [[nodiscard]] bool good() const { return good_; }
+  [[nodiscard]] bool good() const { return !problem_; }
+  [[nodiscard]] const std::optional<Problem>& problem() const { return problem_; }
   /// Blanks aside: where the next piece begins, and whether there is none.
   std::size_t place();
   bool at_end();
@@ -31,6 +38,9 @@ class ExpressionText {
   std::string take_name();
   /// "name" or "group.name"
   std::string take_dotted_name();
+  /// "node.port", "engine/node.port": a slash before the first dot belongs to a name if a letter
+  /// follows it and it does not divide `time`.
+  std::string take_port_name();
   /// Digits, and whatever is written together with them.
   std::string take_number();
   std::optional<Expression::Op> take_comparison();
@@ -44,25 +54,20 @@ class ExpressionText {
 
   /// Counts how deep a descent is, so that no text can exhaust the stack.
   struct Nested {
-    explicit Nested(ExpressionText& text);
+    explicit Nested(Text& text);
     ~Nested() { --text_.depth_; }
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;
 
    private:
-    ExpressionText& text_;
+    Text& text_;
   };
 
  private:
-  [[nodiscard]] Span span_at(std::size_t place) const;
-
-  const YamlValue& yaml_;
-  const std::string& text_;
-  std::string code_;
-  Diagnostics& diagnostics_;
+  std::string_view text_;
   std::size_t at_ = 0;
   std::size_t depth_ = 0;
-  bool good_ = true;
+  std::optional<Problem> problem_;
 };
 
-}  // namespace eagerx::gen
+}  // namespace eagerx::expression

@@ -1,11 +1,10 @@
-#include "generator/expression/text.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
+#include <runtime/host/base/nearest.hpp>
+#include <runtime/host/expression/text.hpp>
+#include <utility>
 
-namespace eagerx::gen {
+namespace eagerx::expression {
 namespace {
 
 using Tree = Expression::Op;
@@ -34,51 +33,50 @@ constexpr std::array<Operator, 6> kComparisons = {{{"<=", Tree::less_equal},
 
 }  // namespace
 
-ExpressionText::ExpressionText(const YamlValue& yaml, std::string code, Diagnostics& diagnostics)
-    : yaml_(yaml), text_(yaml.text), code_(std::move(code)), diagnostics_(diagnostics) {
+Text::Text(std::string_view text) : text_(text) {
   if (text_.size() > kLongest)
-    fail(0, fmt::format("an expression has at most {} characters", kLongest));
+    fail(0, "an expression has at most " + std::to_string(kLongest) + " characters");
 }
 
-std::size_t ExpressionText::place() {
+std::size_t Text::place() {
   while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n' || text_[at_] == '\t'))
     ++at_;
   return at_;
 }
 
-bool ExpressionText::at_end() {
+bool Text::at_end() {
   return place() >= text_.size();
 }
 
-bool ExpressionText::peek(char c) {
-  return good_ && !at_end() && text_[at_] == c;
+bool Text::peek(char c) {
+  return good() && !at_end() && text_[at_] == c;
 }
 
-bool ExpressionText::take(char c) {
+bool Text::take(char c) {
   if (!peek(c)) return false;
   ++at_;
   return true;
 }
 
-void ExpressionText::require(char c) {
-  if (!take(c)) fail(place(), fmt::format("expected `{}`, found {}", c, next()));
+void Text::require(char c) {
+  if (!take(c)) fail(place(), std::string("expected `") + c + "`, found " + next());
 }
 
-bool ExpressionText::take_word(std::string_view word) {
+bool Text::take_word(std::string_view word) {
   const std::size_t begin = at_;
   if (take_name() == word) return true;
   at_ = begin;
   return false;
 }
 
-std::string ExpressionText::take_name() {
+std::string Text::take_name() {
   const std::size_t begin = place();
-  if (!good_ || at_end() || !is_letter(text_[at_])) return {};
+  if (!good() || at_end() || !is_letter(text_[at_])) return {};
   while (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) ++at_;
-  return text_.substr(begin, at_ - begin);
+  return std::string(text_.substr(begin, at_ - begin));
 }
 
-std::string ExpressionText::take_dotted_name() {
+std::string Text::take_dotted_name() {
   std::string name = take_name();
   const bool goes_on =
       !name.empty() && at_ + 1 < text_.size() && text_[at_] == '.' && is_letter(text_[at_ + 1]);
@@ -87,27 +85,40 @@ std::string ExpressionText::take_dotted_name() {
   return name + "." + take_name();
 }
 
-std::string ExpressionText::take_number() {
+std::string Text::take_port_name() {
   const std::size_t begin = place();
-  if (!good_ || at_end() || (!is_digit(text_[at_]) && text_[at_] != '.')) return {};
+  if (!good() || at_end() || !is_letter(text_[at_])) return {};
+  bool dot = false;
+  const auto belongs = [&](char c) {
+    if (c != '/') return is_letter(c) || is_digit(c) || c == '.';
+    const bool letter = at_ + 1 < text_.size() && is_letter(text_[at_ + 1]);
+    return letter && !dot && text_.substr(begin, at_ - begin) != "time";
+  };
+  for (; at_ < text_.size() && belongs(text_[at_]); ++at_) dot = dot || text_[at_] == '.';
+  return std::string(text_.substr(begin, at_ - begin));
+}
+
+std::string Text::take_number() {
+  const std::size_t begin = place();
+  if (!good() || at_end() || (!is_digit(text_[at_]) && text_[at_] != '.')) return {};
   const auto belongs = [&](char c) {
     const bool exponent = at_ > begin && (text_[at_ - 1] == 'e' || text_[at_ - 1] == 'E');
     return is_digit(c) || is_letter(c) || c == '.' || (exponent && (c == '+' || c == '-'));
   };
   while (at_ < text_.size() && belongs(text_[at_])) ++at_;
-  return text_.substr(begin, at_ - begin);
+  return std::string(text_.substr(begin, at_ - begin));
 }
 
-std::optional<Tree> ExpressionText::take_comparison() {
+std::optional<Tree> Text::take_comparison() {
   for (const auto& [text, op] : kComparisons) {
-    if (!good_ || std::string_view(text_).substr(place(), text.size()) != text) continue;
+    if (!good() || text_.substr(place(), text.size()) != text) continue;
     at_ += text.size();
     return op;
   }
   return std::nullopt;
 }
 
-std::string ExpressionText::next() {
+std::string Text::next() {
   if (at_end()) return "the end";
   std::size_t end = at_;
   while (end < text_.size() && (is_letter(text_[end]) || is_digit(text_[end]))) ++end;
@@ -116,36 +127,23 @@ std::string ExpressionText::next() {
   while (end == at_ || (end < text_.size() &&
                         (static_cast<unsigned char>(text_[end]) & kContinuedMask) == kContinued))
     ++end;
-  return fmt::format("`{}`", text_.substr(at_, end - at_));
+  return "`" + std::string(text_.substr(at_, end - at_)) + "`";
 }
 
-void ExpressionText::fail(std::size_t place, std::string message, std::string help) {
-  if (!good_) return;
-  good_ = false;
-  auto& problem = diagnostics_.error(code_, span_at(place), std::move(message));
-  problem.help = std::move(help);
+void Text::fail(std::size_t place, std::string message, std::string help) {
+  if (good()) problem_ = {place, std::move(message), std::move(help)};
 }
 
-std::string ExpressionText::suggest(const std::string& word,
-                                    const std::vector<std::string>& known) {
-  const std::string near = nearest(word, known);
-  if (!near.empty()) return fmt::format("did you mean `{}`?", near);
-  return known.empty() ? "" : fmt::format("there is {}", fmt::join(known, ", "));
+std::string Text::suggest(const std::string& word, const std::vector<std::string>& known) {
+  const std::string near = host::nearest_name(word, known);
+  if (!near.empty()) return "did you mean `" + near + "`?";
+  std::string all;
+  for (const std::string& each : known) all += (all.empty() ? "there is " : ", ") + each;
+  return all;
 }
 
-ExpressionText::Nested::Nested(ExpressionText& text) : text_(text) {
+Text::Nested::Nested(Text& text) : text_(text) {
   if (++text_.depth_ > kDeepest) text_.fail(text_.at_, "nested too deeply");
 }
 
-/// From `place` to the end of the text; all of it where it was written with escapes or over several
-/// lines.
-Span ExpressionText::span_at(std::size_t place) const {
-  const std::size_t quotes = yaml_.quoted ? 2 : 0;
-  if (yaml_.span.length != text_.size() + quotes) return yaml_.span;
-  Span span = yaml_.span;
-  span.column += static_cast<std::uint32_t>(place + quotes / 2);
-  span.length = static_cast<std::uint32_t>(std::max<std::size_t>(text_.size() - place, 1));
-  return span;
-}
-
-}  // namespace eagerx::gen
+}  // namespace eagerx::expression

@@ -1,29 +1,35 @@
-// Expressions of a task, with types: what each part is, and which variables it reads.
+// Expressions about what a run says (tasks, --until, --measure), with types: what each part is, and
+// which variables it reads.
 //
 //   names:    variables, each a number, a list of numbers, or true or false; `time` in seconds
-//   since
-//             the reset; `pi`
+//             since the reset; `pi`
 //   numbers:  + - * / ^ and functions go element by element; one number goes with every list
 //   lists:    sum, norm, mean, and min or max of one list make one number of it
 //   before:   before(x) is the variable x one step before
 //   where:    where(condition, a, b) is a if it holds, else b
 #pragma once
 
-#include "generator/diagnostics/diagnostics.hpp"
-#include "generator/expression/expression.hpp"
-#include "generator/read/tree.hpp"
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <runtime/host/expression/text.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
-namespace eagerx::gen {
+namespace eagerx::expression {
 
 /// What a name stands for.
-struct ExpressionVariable {
+struct Variable {
   std::string name;
   bool is_condition = false;         // true or false, else a number
   std::vector<std::uint64_t> shape;  // []: one
 };
 
 /// A number, a list of them, or true or false.
-struct TypedExpression {
+struct Typed {
   enum class Op : std::uint8_t {
     number,
     truth,
@@ -62,29 +68,42 @@ struct TypedExpression {
   std::size_t variable = 0;  // variable, before
   std::uint32_t count = 0;   // element: which, row-major; power: the exponent
   std::string function;      // its name in C++
-  std::vector<TypedExpression> operands;
+  std::vector<Typed> operands;
 
   [[nodiscard]] bool is_list() const { return !shape.empty(); }
   /// Of a list.
   [[nodiscard]] std::uint64_t size() const;
 };
 
-enum class ExpressionType : bool { number, condition };
+enum class Type : bool { number, condition };
 
-/// An expression with the type that is wanted: one number, or one truth. Problems, at their place
-/// in the text: E0339. nullopt then.
-std::optional<TypedExpression> read_typed_expression(
-    const YamlValue& text, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
-    Diagnostics& diagnostics);
+/// A function of numbers, by its name in eagerx/math.hpp.
+struct Function {
+  std::string_view name;
+  std::size_t arguments;
+};
+/// Those that go element by element, besides min, max and angle_of.
+std::span<const Function> functions();
+
+/// What names stand for, and what to do about one that stands for nothing.
+struct Names {
+  const std::vector<Variable>& variables;
+  NameForm form = NameForm::plain;
+  std::function<std::string(const std::string& name)> help;  // empty: what there is
+};
+
+/// The whole text as an expression of the type that is wanted: one number, or one truth. nullopt
+/// after a problem.
+std::optional<Typed> read_typed(Text& text, const Names& names, Type wanted);
 
 /// Whether it reads a variable or the time; else it is the same after every step.
-bool varies(const TypedExpression& expression);
+bool varies(const Typed& expression);
 
 /// Calls f(part) for the expression and everything in it.
 template <class F>
-void for_each_part(const TypedExpression& expression, F&& f) {
+void for_each_part(const Typed& expression, F&& f) {
   f(expression);
-  for (const TypedExpression& operand : expression.operands) for_each_part(operand, f);
+  for (const Typed& operand : expression.operands) for_each_part(operand, f);
 }
 
-}  // namespace eagerx::gen
+}  // namespace eagerx::expression

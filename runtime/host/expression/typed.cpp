@@ -1,27 +1,18 @@
 #include "generator/expression/typed.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <numbers>
 #include <numeric>
+#include <runtime/host/expression/typed.hpp>
 #include <utility>
 
-#include "generator/expression/text.hpp"
-#include "generator/read/scalar.hpp"
-
-namespace eagerx::gen {
+namespace eagerx::expression {
 namespace {
 
-using Op = TypedExpression::Op;
+using Op = Typed::Op;
 using Tree = Expression::Op;
 
-/// Functions of numbers by their names in eagerx/math.hpp.
-struct Function {
-  std::string_view name;
-  std::size_t arguments;
-};
 constexpr std::array kFunctions = {
     Function{"abs", 1},   Function{"sqrt", 1},  Function{"exp", 1},     Function{"log", 1},
     Function{"log10", 1}, Function{"sin", 1},   Function{"cos", 1},     Function{"tan", 1},
@@ -38,25 +29,29 @@ constexpr std::array kReductions = {Reduction{"sum", Op::sum}, Reduction{"mean",
                                     Reduction{"norm", Op::norm}};
 
 std::string list_text(const std::vector<std::uint64_t>& shape) {
-  return fmt::format("a list of shape [{}]", fmt::join(shape, ", "));
+  std::string text;
+  for (const std::uint64_t each : shape) text += (text.empty() ? "" : ", ") + std::to_string(each);
+  return "a list of shape [" + text + "]";
+}
+
+std::string quoted(const std::string& text) {
+  return "`" + text + "`";
 }
 
 class Typer {
  public:
-  Typer(const YamlValue& yaml, const std::vector<ExpressionVariable>& variables,
-        Diagnostics& diagnostics)
-      : text_(yaml, "E0339", diagnostics), variables_(variables) {}
+  Typer(Text& text, const Names& names) : text_(text), names_(names) {}
 
-  std::optional<TypedExpression> read(ExpressionType wanted) {
-    const auto tree = parse_expression(text_, NameForm::plain);
+  std::optional<Typed> read(Type wanted) {
+    const auto tree = parse(text_, names_.form);
     if (!tree) return std::nullopt;
-    TypedExpression all = make(*tree);
-    if (wanted == ExpressionType::condition) {
+    Typed all = make(*tree);
+    if (wanted == Type::condition) {
       expect_condition(all, tree->begin);
     } else {
       expect_number(all, tree->begin);
       if (all.is_list())
-        fail(tree->begin, fmt::format("this is {}, not one number", list_text(all.shape)),
+        fail(tree->begin, "this is " + list_text(all.shape) + ", not one number",
              "make one number of it with sum, norm, mean, min or max, or take an element: `x[0]`");
     }
     return text_.good() ? std::optional(std::move(all)) : std::nullopt;
@@ -67,24 +62,24 @@ class Typer {
     text_.fail(place, std::move(message), std::move(help));
   }
 
-  static TypedExpression number(double value) {
-    TypedExpression result;
+  static Typed number(double value) {
+    Typed result;
     result.value = value;
     return result;
   }
 
   /// -1 is a number, as people read it.
-  static TypedExpression negated(TypedExpression whole) {
-    const TypedExpression& operand = whole.operands[0];
+  static Typed negated(Typed whole) {
+    const Typed& operand = whole.operands[0];
     return operand.op == Op::number ? number(-operand.value) : whole;
   }
 
-  TypedExpression make(const Expression& tree) {
+  Typed make(const Expression& tree) {
     switch (tree.op) {
       case Tree::number:
-        return number(parse_number(tree.text).value_or(0.0));
+        return number(parse_digits(tree.text).value_or(0.0));
       case Tree::truth: {
-        TypedExpression result;
+        Typed result;
         result.op = Op::truth;
         result.is_condition = true;
         result.truth = tree.truth;
@@ -98,7 +93,7 @@ class Typer {
       case Tree::index:
         return element(tree);
       case Tree::power: {
-        TypedExpression result = element_wise(Op::power, tree, 1);
+        Typed result = element_wise(Op::power, tree, 1);
         result.count = tree.count;
         return result;
       }
@@ -124,47 +119,47 @@ class Typer {
   }
 
   /// A list of one number is that number.
-  static TypedExpression single(TypedExpression whole) {
+  static Typed single(Typed whole) {
     if (!whole.is_list() || whole.size() != 1) return whole;
-    TypedExpression result;
+    Typed result;
     result.op = Op::element;
     result.is_condition = whole.is_condition;
     result.operands.push_back(std::move(whole));
     return result;
   }
 
-  TypedExpression name(const Expression& tree) {
+  Typed name(const Expression& tree) {
     if (tree.text == "pi") return number(std::numbers::pi);
-    TypedExpression result;
+    Typed result;
     if (tree.text == "time") {
       result.op = Op::time;
       return result;
     }
     result.op = Op::variable;
-    const auto found = std::ranges::find(variables_, tree.text, &ExpressionVariable::name);
-    if (found == variables_.end()) {
+    const auto found = std::ranges::find(names_.variables, tree.text, &Variable::name);
+    if (found == names_.variables.end()) {
       report_unknown(tree);
       return {};
     }
-    result.variable = static_cast<std::size_t>(found - variables_.begin());
+    result.variable = static_cast<std::size_t>(found - names_.variables.begin());
     result.is_condition = found->is_condition;
     result.shape = found->shape;
     return result;
   }
 
   void report_unknown(const Expression& tree) {
-    if (tree.text.find('.') != std::string::npos)
-      return fail(tree.begin, fmt::format("unknown name `{}`", tree.text),
-                  fmt::format("give it a name under `inputs:`: `x: {}`", tree.text));
-    std::vector<std::string> known;
-    for (const auto& variable : variables_) known.push_back(variable.name);
-    known.insert(known.end(), {"time", "pi"});
-    fail(tree.begin, fmt::format("unknown name `{}`", tree.text),
-         ExpressionText::suggest(tree.text, known));
+    std::string help = names_.help ? names_.help(tree.text) : std::string();
+    if (help.empty()) {
+      std::vector<std::string> known;
+      for (const Variable& variable : names_.variables) known.push_back(variable.name);
+      known.insert(known.end(), {"time", "pi"});
+      help = Text::suggest(tree.text, known);
+    }
+    fail(tree.begin, "unknown name " + quoted(tree.text), std::move(help));
   }
 
-  TypedExpression element(const Expression& tree) {
-    TypedExpression result;
+  Typed element(const Expression& tree) {
+    Typed result;
     result.op = Op::element;
     result.count = tree.count;
     const Expression& of = tree.operands[0];
@@ -172,21 +167,21 @@ class Typer {
     result.operands.push_back(of.op == Tree::name   ? name(of)
                               : of.op == Tree::call ? call(of)
                                                     : make(of));
-    const TypedExpression& list = result.operands[0];
+    const Typed& list = result.operands[0];
     result.is_condition = list.is_condition;
     if (!text_.good()) return result;
     if (!list.is_list()) {
       fail(tree.begin, "this is no list, so it has no elements");
     } else if (tree.count >= list.size()) {
-      fail(tree.begin, fmt::format("{} has no element {}", list_text(list.shape), tree.count),
-           fmt::format("elements are counted from 0, row by row: 0 to {}", list.size() - 1));
+      fail(tree.begin, list_text(list.shape) + " has no element " + std::to_string(tree.count),
+           "elements are counted from 0, row by row: 0 to " + std::to_string(list.size() - 1));
     }
     return result;
   }
 
   /// Operands that are numbers or lists of one shape.
-  TypedExpression element_wise(Op op, const Expression& tree, std::size_t count) {
-    TypedExpression result;
+  Typed element_wise(Op op, const Expression& tree, std::size_t count) {
+    Typed result;
     result.op = op;
     for (std::size_t i = 0; i < count; ++i) {
       result.operands.push_back(make(tree.operands[i]));
@@ -196,25 +191,24 @@ class Typer {
     return result;
   }
 
-  void join_shape(TypedExpression& result, const TypedExpression& operand, std::size_t place) {
+  void join_shape(Typed& result, const Typed& operand, std::size_t place) {
     if (!operand.is_list()) return;
     if (result.is_list() && result.shape != operand.shape)
       return fail(
-          place,
-          fmt::format("{} does not go with {}", list_text(operand.shape), list_text(result.shape)),
+          place, list_text(operand.shape) + " does not go with " + list_text(result.shape),
           "lists go together element by element: they need one shape");
     result.shape = operand.shape;
   }
 
   /// A list has no order, and is neither true nor false as a whole.
-  void expect_one(const TypedExpression& operand, std::size_t place) {
+  void expect_one(const Typed& operand, std::size_t place) {
     if (operand.is_list())
-      fail(place, fmt::format("{} cannot stand in a condition", list_text(operand.shape)),
+      fail(place, list_text(operand.shape) + " cannot stand in a condition",
            "compare one number of it: `max(abs(x)) < 1`, `norm(x) < 1`, `x[0] < 1`");
   }
 
-  TypedExpression comparison(const Expression& tree) {
-    TypedExpression result;
+  Typed comparison(const Expression& tree) {
+    Typed result;
     result.op = comparison_of(tree.op);
     result.is_condition = true;
     for (const Expression& operand : tree.operands) {
@@ -226,19 +220,19 @@ class Typer {
   }
 
   /// `x in (a, b)` is x == a or x == b.
-  TypedExpression membership(const Expression& tree) {
-    TypedExpression all;
+  Typed membership(const Expression& tree) {
+    Typed all;
     for (std::size_t i = 1; i < tree.operands.size(); ++i) {
       Expression equal;
       equal.op = Tree::equal;
       equal.begin = tree.begin;
       equal.operands = {tree.operands[0], tree.operands[i]};
-      TypedExpression one = comparison(equal);
+      Typed one = comparison(equal);
       if (i == 1) {
         all = std::move(one);
         continue;
       }
-      TypedExpression either;
+      Typed either;
       either.op = Op::logical_or;
       either.is_condition = true;
       either.operands.push_back(std::move(all));
@@ -248,8 +242,8 @@ class Typer {
     return all;
   }
 
-  TypedExpression logical(const Expression& tree) {
-    TypedExpression result;
+  Typed logical(const Expression& tree) {
+    Typed result;
     result.op = tree.op == Tree::logical_and  ? Op::logical_and
                 : tree.op == Tree::logical_or ? Op::logical_or
                                               : Op::logical_not;
@@ -281,7 +275,7 @@ class Typer {
 
   // Functions.
 
-  TypedExpression call(const Expression& tree) {
+  Typed call(const Expression& tree) {
     const std::string& name = tree.text;
     if (const auto* found = std::ranges::find(kFunctions, name, &Function::name);
         found != kFunctions.end())
@@ -296,67 +290,67 @@ class Typer {
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
-    fail(tree.begin, fmt::format("unknown function `{}`", name),
-         ExpressionText::suggest(name, known));
+    fail(tree.begin, "unknown function " + quoted(name),
+         Text::suggest(name, known));
     return {};
   }
 
-  bool takes(const Expression& tree, std::size_t count, const char* form) {
+  bool takes(const Expression& tree, std::size_t count, const std::string& form) {
     if (tree.operands.size() == count) return true;
     fail(tree.begin,
-         fmt::format("`{}` takes {} argument{}, not {}", tree.text, count, count == 1 ? "" : "s",
-                     tree.operands.size()),
-         fmt::format("write `{}`", form));
+         quoted(tree.text) + " takes " + std::to_string(count) +
+             (count == 1 ? " argument, not " : " arguments, not ") +
+             std::to_string(tree.operands.size()),
+         "write " + quoted(form));
     return false;
   }
 
-  TypedExpression function(const Expression& tree, const std::string& name, std::size_t arguments) {
-    static constexpr std::array kForms = {"{}(x)", "{}(x, y)", "{}(x, low, high)"};
-    if (name == "atan2" && !takes(tree, arguments, "atan2(y, x)")) return {};
-    if (!takes(tree, arguments, fmt::format(fmt::runtime(kForms[arguments - 1]), name).c_str()))
-      return {};
-    TypedExpression result = element_wise(Op::function, tree, arguments);
+  Typed function(const Expression& tree, const std::string& name, std::size_t arguments) {
+    static constexpr std::array kForms = {"(x)", "(x, y)", "(x, low, high)"};
+    const char* const form = name == "atan2" ? "(y, x)" : kForms[arguments - 1];
+    if (!takes(tree, arguments, name + form)) return {};
+    Typed result = element_wise(Op::function, tree, arguments);
     result.function = name;
     return result;
   }
 
   /// From cosine and sine, as an encoder or a decomposed angle gives them.
-  TypedExpression angle(const Expression& tree) {
+  Typed angle(const Expression& tree) {
     if (!takes(tree, 2, "angle_of(cosine, sine)")) return {};
-    TypedExpression result = element_wise(Op::function, tree, 2);
+    Typed result = element_wise(Op::function, tree, 2);
     result.function = "atan2";
     std::swap(result.operands[0], result.operands[1]);
     return result;
   }
 
-  TypedExpression reduction(const Expression& tree, Op op) {
-    if (!takes(tree, 1, fmt::format("{}(x)", tree.text).c_str())) return {};
-    TypedExpression result;
+  Typed reduction(const Expression& tree, Op op) {
+    if (!takes(tree, 1, tree.text + "(x)")) return {};
+    Typed result;
     result.op = op;
     result.operands.push_back(make(tree.operands[0]));
     expect_number(result.operands[0], tree.operands[0].begin);
     if (result.operands[0].is_list()) return result;
-    TypedExpression one = std::move(result.operands[0]);
+    Typed one = std::move(result.operands[0]);
     if (op != Op::norm) return one;
-    TypedExpression length;
+    Typed length;
     length.op = Op::function;
     length.function = "abs";
     length.operands.push_back(std::move(one));
     return length;
   }
 
-  TypedExpression extreme(const Expression& tree) {
+  Typed extreme(const Expression& tree) {
     const bool least = tree.text == "min";
     if (tree.operands.size() == 1) return reduction(tree, least ? Op::least : Op::most);
-    TypedExpression all = element_wise(Op::function, tree, 2);
+    Typed all = element_wise(Op::function, tree, 2);
     all.function = tree.text;
     for (std::size_t i = 2; i < tree.operands.size(); ++i) {
-      TypedExpression more;
+      Typed more;
       more.op = Op::function;
       more.function = tree.text;
       more.operands.push_back(std::move(all));
       more.operands.push_back(make(tree.operands[i]));
-      for (const TypedExpression& operand : more.operands) {
+      for (const Typed& operand : more.operands) {
         expect_number(operand, tree.operands[i].begin);
         join_shape(more, operand, tree.operands[i].begin);
       }
@@ -365,10 +359,10 @@ class Typer {
     return all;
   }
 
-  TypedExpression before(const Expression& tree) {
+  Typed before(const Expression& tree) {
     if (!takes(tree, 1, "before(x)")) return {};
-    TypedExpression result =
-        tree.operands[0].op == Tree::name ? name(tree.operands[0]) : TypedExpression();
+    Typed result =
+        tree.operands[0].op == Tree::name ? name(tree.operands[0]) : Typed();
     if (text_.good() && result.op != Op::variable)
       fail(tree.operands[0].begin, "`before` takes the name of an input",
            "write `before(x)[0]` for an element, `before(x)^2` for a square");
@@ -377,9 +371,9 @@ class Typer {
     return result;
   }
 
-  TypedExpression choice(const Expression& tree) {
+  Typed choice(const Expression& tree) {
     if (!takes(tree, 3, "where(condition, x, y)")) return {};
-    TypedExpression result;
+    Typed result;
     result.op = Op::choose;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t place = tree.operands[i].begin;
@@ -395,38 +389,40 @@ class Typer {
     return result;
   }
 
-  void expect_number(const TypedExpression& operand, std::size_t place) {
+  void expect_number(const Typed& operand, std::size_t place) {
     if (operand.is_condition)
       fail(place, "expected a number, found true or false",
            "make a number of it: `where(x < 1, 1, 0)`");
   }
-  void expect_condition(const TypedExpression& operand, std::size_t place) {
+  void expect_condition(const Typed& operand, std::size_t place) {
     if (!operand.is_condition)
       fail(place, "expected true or false, found a number", "compare it: `x > 0`");
   }
 
-  ExpressionText text_;
-  const std::vector<ExpressionVariable>& variables_;
+  Text& text_;
+  const Names& names_;
 };
 
 }  // namespace
 
-std::uint64_t TypedExpression::size() const {
+std::span<const Function> functions() {
+  return kFunctions;
+}
+
+std::uint64_t Typed::size() const {
   return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
-std::optional<TypedExpression> read_typed_expression(
-    const YamlValue& text, const std::vector<ExpressionVariable>& variables, ExpressionType wanted,
-    Diagnostics& diagnostics) {
-  return Typer(text, variables, diagnostics).read(wanted);
+std::optional<Typed> read_typed(Text& text, const Names& names, Type wanted) {
+  return Typer(text, names).read(wanted);
 }
 
-bool varies(const TypedExpression& expression) {
+bool varies(const Typed& expression) {
   bool result = false;
-  for_each_part(expression, [&](const TypedExpression& part) {
+  for_each_part(expression, [&](const Typed& part) {
     result = result || part.op == Op::variable || part.op == Op::before || part.op == Op::time;
   });
   return result;
 }
 
-}  // namespace eagerx::gen
+}  // namespace eagerx::expression

@@ -1,24 +1,22 @@
 // Expressions from their text: recursive descent, loosest operators first.
-#include <fmt/format.h>
-
+#include <charconv>
+#include <runtime/host/base/number.hpp>
+#include <runtime/host/expression/text.hpp>
 #include <utility>
 
-#include "generator/expression/text.hpp"
-#include "generator/read/scalar.hpp"
-
-namespace eagerx::gen {
+namespace eagerx::expression {
 namespace {
 
 using Tree = Expression::Op;
 
 class Grammar {
  public:
-  Grammar(ExpressionText& text, NameForm names) : text_(text), names_(names) {}
+  Grammar(Text& text, NameForm names) : text_(text), names_(names) {}
 
   std::optional<Expression> read() {
     Expression all = disjunction();
     if (!text_.at_end())
-      text_.fail(text_.place(), fmt::format("expected the end, found {}", text_.next()));
+      text_.fail(text_.place(), "expected the end, found " + text_.next());
     return text_.good() ? std::optional(std::move(all)) : std::nullopt;
   }
 
@@ -39,7 +37,7 @@ class Grammar {
   }
 
   Expression disjunction() {
-    const ExpressionText::Nested nested(text_);
+    const Text::Nested nested(text_);
     Expression left = conjunction();
     while (text_.take_word("or")) left = joined(Tree::logical_or, std::move(left), conjunction());
     return left;
@@ -52,7 +50,7 @@ class Grammar {
   }
 
   Expression negation() {
-    const ExpressionText::Nested nested(text_);
+    const Text::Nested nested(text_);
     const std::size_t begin = text_.place();
     if (!text_.take_word("not")) return comparison();
     return of(Tree::logical_not, begin, {negation()});
@@ -111,7 +109,7 @@ class Grammar {
   }
 
   Expression sign() {
-    const ExpressionText::Nested nested(text_);
+    const Text::Nested nested(text_);
     const std::size_t begin = text_.place();
     if (!text_.take('-')) return power();
     return of(Tree::negate, begin, {sign()});
@@ -136,12 +134,14 @@ class Grammar {
     Expression list = operand();
     while (text_.take('[')) {
       const std::size_t place = text_.place();
-      const auto index = parse_int(text_.take_number());
-      if (!index || *index < 0 || *index > kLargestIndex)
+      const std::string digits = text_.take_number();
+      std::uint32_t index = 0;
+      if ((digits.size() > 1 && digits[0] == '0') ||
+          !host::read_number(digits, 0U, kLargestIndex, index))
         text_.fail(place, "expected the number of an element, from 0");
       text_.require(']');
       Expression result = of(Tree::index, list.begin, {});
-      result.count = static_cast<std::uint32_t>(index.value_or(0));
+      result.count = index;
       result.operands.push_back(std::move(list));
       list = std::move(result);
     }
@@ -158,9 +158,10 @@ class Grammar {
     if (names_ == NameForm::dollar && text_.take('$')) return dollar();
     if (std::string digits = text_.take_number(); !digits.empty())
       return number(std::move(digits), begin);
-    std::string word = text_.take_dotted_name();
+    std::string word =
+        names_ == NameForm::port ? text_.take_port_name() : text_.take_dotted_name();
     if (word.empty()) {
-      text_.fail(begin, fmt::format("expected a value, found {}", text_.next()));
+      text_.fail(begin, "expected a value, found " + text_.next());
       return {};
     }
     if (text_.peek('(')) return call(std::move(word), begin);
@@ -198,16 +199,7 @@ class Grammar {
 
   Expression number(std::string digits, std::size_t begin) {
     Expression result = of(Tree::number, begin, {});
-    if (const auto whole = parse_int(digits)) {
-      result.value = *whole;
-    } else if (const auto exact =
-                   is_decimal_text(digits) ? Rational::parse(digits) : std::nullopt) {
-      result.value = *exact;
-    } else {
-      const auto real = is_decimal_text(digits) ? parse_number(digits) : std::nullopt;
-      if (!real) text_.fail(begin, fmt::format("`{}` is no number", digits));
-      result.value = real.value_or(0.0);
-    }
+    if (!parse_digits(digits)) text_.fail(begin, "`" + digits + "` is no number");
     result.text = std::move(digits);
     return result;
   }
@@ -223,17 +215,28 @@ class Grammar {
     return result;
   }
 
-  static constexpr std::int64_t kLargestIndex = 1'000'000'000;
+  static constexpr std::uint32_t kLargestIndex = 1'000'000'000;
 
-  ExpressionText& text_;
+  Text& text_;
   NameForm names_;
   int depth_ = 0;  // of `$(`
 };
 
 }  // namespace
 
-std::optional<Expression> parse_expression(ExpressionText& text, NameForm names) {
+std::optional<double> parse_digits(std::string_view digits) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const char *const begin = digits.data(), *const end = begin + digits.size();
+  // from_chars also takes "007", "inf" and "nan".
+  const bool leading_zero = digits.size() > 1 && digits[0] == '0' && is_digit(digits[1]);
+  if (leading_zero || digits.empty() || !(is_digit(digits[0]) || digits[0] == '.')) return {};
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  return error == std::errc() && rest == end ? std::optional(value) : std::nullopt;
+}
+
+std::optional<Expression> parse(Text& text, NameForm names) {
   return Grammar(text, names).read();
 }
 
-}  // namespace eagerx::gen
+}  // namespace eagerx::expression
