@@ -89,7 +89,8 @@ void RunWatch::reset(std::uint32_t episode) {
   hand_on(pacer_.is_slow());
 }
 
-bool RunWatch::count(Seq step, bool has_ended, const OutcomeView& outcome) {
+// Part of step() in the run of every program; a call where somebody stands in between.
+[[gnu::always_inline]] inline bool RunWatch::counted(Seq step, bool has_ended, const OutcomeView& outcome) {
   ++steps_;
   task_record_.step(outcome);
   if (measures_of_run.is_used()) {
@@ -99,7 +100,7 @@ bool RunWatch::count(Seq step, bool has_ended, const OutcomeView& outcome) {
   return has_ended || step == plan_.steps || is_over_;
 }
 
-void RunWatch::pace(Seq step, bool has_ended) {
+[[gnu::always_inline]] inline void RunWatch::paced(Seq step, bool has_ended) {
   hand_on(has_ended || pacer_.is_slow());
   progress_.step(steps_);
   if (pictures_ != nullptr) {
@@ -107,6 +108,16 @@ void RunWatch::pace(Seq step, bool has_ended) {
     pacer_.set_speed(step, pictures_->speed());
   }
   if (pacer_.paces()) pacer_.wait_for(step);
+}
+
+bool RunWatch::count(Seq step, bool has_ended, const OutcomeView& outcome) {
+  return counted(step, has_ended, outcome);
+}
+void RunWatch::pace(Seq step, bool has_ended) {
+  paced(step, has_ended);
+}
+void RunWatch::step(Seq step, bool has_ended, const OutcomeView& outcome) {
+  paced(step, counted(step, has_ended, outcome));
 }
 
 void RunWatch::state_column_names() {

@@ -39,9 +39,7 @@ class RunWatch : public Watch {
   StateRow states() final { return states_.row(); }
   bool tune(std::uint32_t episode, Seq step, StateRow states) override;
   void reset(std::uint32_t episode) override;
-  void step(Seq step, bool has_ended, const OutcomeView& outcome) override {
-    pace(step, count(step, has_ended, outcome));
-  }
+  void step(Seq step, bool has_ended, const OutcomeView& outcome) override;
   void state_column_names() final;
   void state_columns() final;
   const void* given_action(Seq step) override;
@@ -82,6 +80,8 @@ class RunWatch : public Watch {
   const Pacer& pacer() const { return pacer_; }
 
  private:
+  bool counted(Seq step, bool has_ended, const OutcomeView& outcome);
+  void paced(Seq step, bool has_ended);
   void measure_states();
   void hand_on(bool now);
 

@@ -8,6 +8,9 @@
 #include <runtime/host/base/interrupt.hpp>
 
 namespace eagerx::host {
+
+Interrupt caught = false;
+
 namespace {
 
 // Ends a run. With all real-time signals these are what would end the program by default.
@@ -18,7 +21,6 @@ constexpr std::array kCrashes{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGSYS, 
 constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
 
 // Signal handlers and threads read and write these; all are lock-free.
-Interrupt caught = false;
 std::atomic<int> seen_at_end = 0;               // the signal that end_as_told() ends with
 std::atomic<int> stop_signal = 0;               // that wants the program to stop
 std::atomic<std::int64_t> first_ctrl_c_ms = 0;  // 0: there was none
@@ -156,10 +158,6 @@ const Interrupt& watch_interrupts(std::initializer_list<int> signals, Second sec
   if (second == Second::ends) action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
   for (const int signal : signals) sigaction(signal, &action, nullptr);
   return caught;
-}
-
-bool interrupted() {
-  return caught.load(std::memory_order_relaxed);
 }
 
 void on_stop(void (*f)(void*), void* context) {

@@ -26,8 +26,12 @@ const Interrupt& watch_interrupts(std::initializer_list<int> signals, Second sec
 /// for SIGINT and SIGTERM. To be called by the main thread, before others begin.
 void catch_interrupts();
 
+/// Written by handlers of signals.
+extern Interrupt caught;
 /// True after a signal that ends the run.
-bool interrupted();
+inline bool interrupted() {
+  return caught.load(std::memory_order_relaxed);
+}
 
 /// What else ends a reset that waits for something: whoever decides is gone. nullptr: nothing.
 void on_gone(bool (*is_gone)(void*), void* context);

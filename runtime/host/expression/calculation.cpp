@@ -7,7 +7,7 @@
 namespace eagerx::expression {
 namespace {
 
-using Op = Calculation::Op;
+using Code = Calculation::Op;
 using Step = Calculation::Step;
 
 // As in the code that is generated for a task.
@@ -55,9 +55,9 @@ class Writer {
     if (!problem_.empty()) return;
     switch (part.op) {
       case Typed::Op::number:
-        return add({.op = Op::number, .number = part.value});
+        return add({.op = Code::number, .number = part.value});
       case Typed::Op::truth:
-        return add({.op = Op::number, .number = part.truth ? 1.0 : 0.0});
+        return add({.op = Code::number, .number = part.truth ? 1.0 : 0.0});
       case Typed::Op::time:
         return read({});
       case Typed::Op::variable:
@@ -86,46 +86,46 @@ class Writer {
       case Typed::Op::power:
         return call(part.count == 2 ? "square" : "cube");
       case Typed::Op::negate:
-        return add({.op = Op::negate});
+        return add({.op = Code::negate});
       case Typed::Op::logical_not:
-        return add({.op = Op::logical_not});
+        return add({.op = Code::logical_not});
       case Typed::Op::choose:
-        return add({.op = Op::choose});
+        return add({.op = Code::choose});
       case Typed::Op::add:
-        return add({.op = Op::add});
+        return add({.op = Code::add});
       case Typed::Op::subtract:
-        return add({.op = Op::subtract});
+        return add({.op = Code::subtract});
       case Typed::Op::multiply:
-        return add({.op = Op::multiply});
+        return add({.op = Code::multiply});
       case Typed::Op::divide:
-        return add({.op = Op::divide});
+        return add({.op = Code::divide});
       case Typed::Op::less:
-        return add({.op = Op::less});
+        return add({.op = Code::less});
       case Typed::Op::less_equal:
-        return add({.op = Op::less_equal});
+        return add({.op = Code::less_equal});
       case Typed::Op::greater:
-        return add({.op = Op::greater});
+        return add({.op = Code::greater});
       case Typed::Op::greater_equal:
-        return add({.op = Op::greater_equal});
+        return add({.op = Code::greater_equal});
       case Typed::Op::equal:
-        return add({.op = Op::equal});
+        return add({.op = Code::equal});
       case Typed::Op::not_equal:
-        return add({.op = Op::not_equal});
+        return add({.op = Code::not_equal});
       case Typed::Op::logical_and:
-        return add({.op = Op::logical_and});
+        return add({.op = Code::logical_and});
       default:
-        return add({.op = Op::logical_or});
+        return add({.op = Code::logical_or});
     }
   }
 
   void call(std::string_view name) {
-    if (name == "min") return add({.op = Op::least});
-    if (name == "max") return add({.op = Op::most});
-    if (name == "clamp") return add({.op = Op::clamp});
+    if (name == "min") return add({.op = Code::least});
+    if (name == "max") return add({.op = Code::most});
+    if (name == "clamp") return add({.op = Code::clamp});
     for (const One& each : kOne)
-      if (each.name == name) return add({.op = Op::one, .one = each.function});
+      if (each.name == name) return add({.op = Code::one, .one = each.function});
     for (const Two& each : kTwo)
-      if (each.name == name) return add({.op = Op::two, .two = each.function});
+      if (each.name == name) return add({.op = Code::two, .two = each.function});
     problem_ = "`" + std::string(name) + "` cannot be calculated here";
   }
 
@@ -133,11 +133,11 @@ class Writer {
   void reduce(const Typed& part) {
     const Typed& list = part.operands[0];
     const bool extreme = part.op == Typed::Op::least || part.op == Typed::Op::most;
-    const Op join = part.op == Typed::Op::least  ? Op::least
-                    : part.op == Typed::Op::most ? Op::most
-                                                 : Op::add;
+    const Code join = part.op == Typed::Op::least  ? Code::least
+                    : part.op == Typed::Op::most ? Code::most
+                                                 : Code::add;
     if (extreme && list.size() == 0) problem_ = "a list without elements has no least or most";
-    if (!extreme) add({.op = Op::number});
+    if (!extreme) add({.op = Code::number});
     for (std::uint64_t i = 0; i < list.size() && problem_.empty(); ++i) {
       write(list, i);
       if (part.op == Typed::Op::norm) call("square");
@@ -145,17 +145,17 @@ class Writer {
     }
     if (part.op == Typed::Op::norm) call("sqrt");
     if (part.op != Typed::Op::mean) return;
-    add({.op = Op::number, .number = static_cast<double>(list.size())});
-    add({.op = Op::divide});
+    add({.op = Code::number, .number = static_cast<double>(list.size())});
+    add({.op = Code::divide});
   }
 
   void read(const Read& what) {
-    if (const auto place = places_(what)) return add({.op = Op::read, .place = *place});
+    if (const auto place = places_(what)) return add({.op = Code::read, .place = *place});
     problem_ = "it reads too many different numbers";
   }
 
   void add(Step step) {
-    constexpr int kOperands[] = {0, 0, 1, 1, 1, 2, 3, 3};  // of those before Op::add
+    constexpr int kOperands[] = {0, 0, 1, 1, 1, 2, 3, 3};  // of those before Code::add
     const auto op = static_cast<std::size_t>(step.op);
     height_ += 1 - (op < std::size(kOperands) ? kOperands[op] : 2);
     steps_.push_back(step);
@@ -171,33 +171,33 @@ class Writer {
 
 double joined(const Step& step, double a, double b) {
   switch (step.op) {
-    case Op::two:
+    case Code::two:
       return step.two(a, b);
-    case Op::add:
+    case Code::add:
       return a + b;
-    case Op::subtract:
+    case Code::subtract:
       return a - b;
-    case Op::multiply:
+    case Code::multiply:
       return a * b;
-    case Op::divide:
+    case Code::divide:
       return a / b;
-    case Op::least:
+    case Code::least:
       return a < b || a != a ? a : b;
-    case Op::most:
+    case Code::most:
       return a > b || a != a ? a : b;
-    case Op::less:
+    case Code::less:
       return a < b ? 1.0 : 0.0;
-    case Op::less_equal:
+    case Code::less_equal:
       return a <= b ? 1.0 : 0.0;
-    case Op::greater:
+    case Code::greater:
       return a > b ? 1.0 : 0.0;
-    case Op::greater_equal:
+    case Code::greater_equal:
       return a >= b ? 1.0 : 0.0;
-    case Op::equal:
+    case Code::equal:
       return a == b ? 1.0 : 0.0;
-    case Op::not_equal:
+    case Code::not_equal:
       return a != b ? 1.0 : 0.0;
-    case Op::logical_and:
+    case Code::logical_and:
       return a != 0.0 && b != 0.0 ? 1.0 : 0.0;
     default:
       return a != 0.0 || b != 0.0 ? 1.0 : 0.0;
@@ -219,26 +219,26 @@ double Calculation::value(const double* values) const {
   for (const Step& step : steps_) {
     double& last = stack[size > 0 ? size - 1 : 0];
     switch (step.op) {
-      case Op::number:
+      case Code::number:
         stack[size++] = step.number;
         break;
-      case Op::read:
+      case Code::read:
         stack[size++] = values[step.place];
         break;
-      case Op::negate:
+      case Code::negate:
         last = -last;
         break;
-      case Op::logical_not:
+      case Code::logical_not:
         last = last != 0.0 ? 0.0 : 1.0;
         break;
-      case Op::one:
+      case Code::one:
         last = step.one(last);
         break;
-      case Op::clamp:
+      case Code::clamp:
         size -= 2;
         stack[size - 1] = eagerx::clamp(stack[size - 1], stack[size], stack[size + 1]);
         break;
-      case Op::choose:
+      case Code::choose:
         size -= 2;
         stack[size - 1] = stack[size - 1] != 0.0 ? stack[size] : stack[size + 1];
         break;

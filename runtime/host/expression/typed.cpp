@@ -1,5 +1,3 @@
-#include "generator/expression/typed.hpp"
-
 #include <algorithm>
 #include <array>
 #include <numbers>
