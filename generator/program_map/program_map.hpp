@@ -49,7 +49,6 @@ struct ProgramMap {
   [[nodiscard]] Owner owner(const std::string& member) const;
 };
 
-
 std::string to_text(const ProgramMap& map);
 
 /// Reads the text of the file `path`. Problems: E0911, with the line.

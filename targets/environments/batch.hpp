@@ -11,6 +11,7 @@
 #include <eagerx/random.hpp>
 #include <map>
 #include <memory>
+#include <runtime/host/base/team.hpp>
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/agent.hpp>
@@ -22,7 +23,6 @@
 #include <targets/environments/problem.hpp>
 #include <targets/environments/set_states.hpp>
 #include <targets/environments/task.hpp>
-#include <runtime/host/base/team.hpp>
 #include <targets/environments/traced.hpp>
 #include <targets/environments/tuning.hpp>
 #include <targets/environments/workload.hpp>

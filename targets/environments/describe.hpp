@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <eagerx/message.hpp>
-#include <string>
 #include <runtime/host/base/hash.hpp>
 #include <runtime/host/base/json.hpp>
+#include <string>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/pack_kernel.hpp>
 #include <targets/environments/task.hpp>

@@ -12,9 +12,9 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/common/from_number.hpp>
-#include <runtime/host/base/number.hpp>
 #include <type_traits>
 #include <vector>
 

@@ -11,11 +11,11 @@
 #include <eagerx/math/rounding_check.hpp>
 #include <exception>
 #include <new>
+#include <runtime/host/base/json.hpp>
 #include <string>
 #include <system_error>
 #include <targets/environments/batch.hpp>
 #include <targets/environments/describe.hpp>
-#include <runtime/host/base/json.hpp>
 #include <targets/environments/packs_of_processor.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>

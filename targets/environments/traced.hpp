@@ -8,11 +8,11 @@
 #include <eagerx/trace.hpp>
 #include <eagerx/trace_text.hpp>
 #include <memory>
+#include <runtime/host/base/text_file.hpp>
 #include <string>
 #include <targets/common/run.hpp>
 #include <targets/environments/pictures.hpp>
 #include <targets/environments/problem.hpp>
-#include <runtime/host/base/text_file.hpp>
 #include <type_traits>
 #include <utility>
 

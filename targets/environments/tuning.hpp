@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/base/json.hpp>
 #include <string>
 #include <targets/common/run.hpp>
-#include <runtime/host/base/json.hpp>
 #include <targets/environments/layout.hpp>
 #include <targets/environments/problem.hpp>
 

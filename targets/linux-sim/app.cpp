@@ -1,6 +1,7 @@
 #include <cstdio>
 #include <eagerx/version.hpp>
 #include <optional>
+#include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/number.hpp>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
@@ -11,7 +12,6 @@
 #include <targets/linux-sim/float_environment.hpp>
 #include <targets/linux-sim/graph_program.hpp>
 #include <targets/linux-sim/identify.hpp>
-#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/recorder.hpp>

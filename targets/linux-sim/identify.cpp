@@ -1,4 +1,3 @@
-#include <runtime/host/base/files.hpp>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -6,6 +5,8 @@
 #include <cstdio>
 #include <cstring>
 #include <optional>
+#include <runtime/host/base/files.hpp>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/identify/identification.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <runtime/host/trace/replay.hpp>
@@ -15,7 +16,6 @@
 #include <targets/linux-sim/identify.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/say.hpp>
-#include <runtime/host/base/text_file.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {

@@ -21,7 +21,8 @@ struct Variable {
   Kind kind = Kind::time;
   std::uint32_t number = 0;  // of the channel, the observation, the state
   std::size_t element = 0;
-  std::optional<std::size_t> now = std::nullopt;  // of its value one step before: where the value is
+  std::optional<std::size_t> now =
+      std::nullopt;  // of its value one step before: where the value is
   friend bool operator==(const Variable&, const Variable&) = default;
 };
 

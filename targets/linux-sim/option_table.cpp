@@ -110,7 +110,8 @@ bool set_size(Options& options, std::string_view value) {
   constexpr int kLeast = 16, kMost = 4096;
   const std::size_t x = value.find('x');
   Rendering& to = options.rendering;
-  return x != std::string_view::npos && host::read_number(value.substr(0, x), kLeast, kMost, to.width) &&
+  return x != std::string_view::npos &&
+         host::read_number(value.substr(0, x), kLeast, kMost, to.width) &&
          host::read_number(value.substr(x + 1), kLeast, kMost, to.height);
 }
 bool set_publish(Options& options, std::string_view value) {

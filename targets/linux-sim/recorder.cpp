@@ -1,5 +1,6 @@
 #include <eagerx/trace_text.hpp>
 #include <optional>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/identify/experiment.hpp>
 #include <runtime/host/trace/replay.hpp>
 #include <targets/linux-sim/elements.hpp>
@@ -9,7 +10,6 @@
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/recorder.hpp>
 #include <targets/linux-sim/scene_record.hpp>
-#include <runtime/host/base/text_file.hpp>
 
 namespace eagerx::linux_sim {
 namespace {

@@ -6,7 +6,8 @@
 
 namespace eagerx::linux_sim {
 
-RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace)
+RunWatch::RunWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
+                   host::TextFile& trace)
     : Watch(told.options.plan, told.options.agent, csv),
       facts_(program.facts()),
       told_(told),
@@ -90,7 +91,8 @@ void RunWatch::reset(std::uint32_t episode) {
 }
 
 // Part of step() in the run of every program; a call where somebody stands in between.
-[[gnu::always_inline]] inline bool RunWatch::counted(Seq step, bool has_ended, const OutcomeView& outcome) {
+[[gnu::always_inline]] inline bool RunWatch::counted(Seq step, bool has_ended,
+                                                     const OutcomeView& outcome) {
   ++steps_;
   task_record_.step(outcome);
   if (measures_of_run.is_used()) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <runtime/host/base/text_file.hpp>
 #include <string>
 #include <targets/linux-sim/action_file.hpp>
 #include <targets/linux-sim/faults.hpp>
@@ -14,7 +15,6 @@
 #include <targets/linux-sim/state_settings.hpp>
 #include <targets/linux-sim/summary.hpp>
 #include <targets/linux-sim/task_record.hpp>
-#include <runtime/host/base/text_file.hpp>
 #include <targets/linux-sim/watch.hpp>
 
 namespace eagerx::linux_sim {

@@ -4,12 +4,12 @@
 #include <eagerx/float_environment.hpp>
 #include <eagerx/trace_text.hpp>
 #include <optional>
+#include <runtime/host/base/interrupt.hpp>
 #include <string>
 #include <string_view>
 #include <targets/linux-sim/dds/agent_watch.hpp>
 #include <targets/linux-sim/files.hpp>
 #include <targets/linux-sim/float_environment.hpp>
-#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/measures.hpp>
 #include <targets/linux-sim/outside/outside_watch.hpp>
 #include <targets/linux-sim/publish/publish_watch.hpp>
@@ -123,7 +123,8 @@ class Session {
 
   int open() {
     const bool in_real_time = options_.real_time_factor > 0.0 || program_.is_real();
-    const host::Writing writing = in_real_time ? host::Writing::real_time : host::Writing::background;
+    const host::Writing writing =
+        in_real_time ? host::Writing::real_time : host::Writing::background;
     if (!open_output(csv_, options_.csv, writing) || !open_output(trace_, options_.trace, writing))
       return kBadFile;
     if (csv_.is_same_file(trace_))
@@ -165,7 +166,7 @@ class Session {
       const TracedGraph graph{facts_.name,     facts_.engine,   facts_.rate_num,
                               facts_.rate_den, facts_.channels, facts_.channel_count};
       TraceText<host::TextFile>::head(trace_, graph, options_.plan.seed, options_.plan.environment,
-                                agent_name(options_), options_.trace_time);
+                                      agent_name(options_), options_.trace_time);
       recorder_of_run.write_to(&trace_, options_.trace_time);
       if (options_.trace_scenes) recorder_of_run.keep_scenes(&trace_);
     }

@@ -61,7 +61,8 @@ void StateRecord::trace(host::TextFile& out, std::uint32_t episode) const {
   }
 }
 
-void StateRecord::trace_set(host::TextFile& out, std::uint32_t episode, Seq step, StateRow states) const {
+void StateRecord::trace_set(host::TextFile& out, std::uint32_t episode, Seq step,
+                            StateRow states) const {
   for (std::size_t i = 0; i < states_.size(); ++i) {
     if (!states.has_value[i]) continue;
     out.text("# set ");

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/trace/log_file.hpp>
 #include <targets/linux-sim/fields.hpp>
 #include <targets/linux-sim/summary.hpp>
-#include <runtime/host/base/text_file.hpp>
 #include <vector>
 
 namespace eagerx::linux_sim {

@@ -3,10 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/space.hpp>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <runtime/host/base/nearest.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 #include <type_traits>
 

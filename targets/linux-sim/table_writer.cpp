@@ -1,5 +1,5 @@
-#include <targets/linux-sim/table_writer.hpp>
 #include <runtime/host/base/text_file.hpp>
+#include <targets/linux-sim/table_writer.hpp>
 
 namespace eagerx::linux_sim {
 

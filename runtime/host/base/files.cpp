@@ -28,8 +28,7 @@ Draft::~Draft() {
 
 int Draft::write(std::string_view bytes) {
   constexpr mode_t kEverybodyReads = 0644;
-  const int file =
-      open(draft_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kEverybodyReads);
+  const int file = open(draft_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, kEverybodyReads);
   if (file < 0) return errno;
   is_there_ = true;
   const int error = write_all(file, bytes);
@@ -55,8 +54,8 @@ bool is_dev_null(const struct stat& status) {
 
 int print(std::FILE* out, std::string_view text) {
   errno = 0;
-  const bool done = std::fwrite(text.data(), 1, text.size(), out) == text.size() &&
-                    std::fflush(out) == 0;
+  const bool done =
+      std::fwrite(text.data(), 1, text.size(), out) == text.size() && std::fflush(out) == 0;
   return done ? 0 : errno;
 }
 

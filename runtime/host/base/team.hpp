@@ -40,7 +40,7 @@ class Team {
   void run(unsigned members, Job&& job) {
     if (members == 1) return job(0U);
     call_ = [](void* what, unsigned i) { (*static_cast<std::remove_reference_t<Job>*>(what))(i); };
-    job_ = &job;
+    job_ = const_cast<void*>(static_cast<const void*>(&job));  // call_ knows what it is
     begin(members);
     call(0);
     end();

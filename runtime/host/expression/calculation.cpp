@@ -40,10 +40,9 @@ struct Two {
   std::string_view name;
   double (*function)(double, double);
 };
-constexpr std::array kTwo = {
-    Two{"atan2", [](double y, double x) { return eagerx::atan2(y, x); }},
-    Two{"pow", [](double x, double y) { return eagerx::pow(x, y); }},
-    Two{"fmod", [](double x, double y) { return eagerx::fmod(x, y); }}};
+constexpr std::array kTwo = {Two{"atan2", [](double y, double x) { return eagerx::atan2(y, x); }},
+                             Two{"pow", [](double x, double y) { return eagerx::pow(x, y); }},
+                             Two{"fmod", [](double x, double y) { return eagerx::fmod(x, y); }}};
 
 class Writer {
  public:
@@ -134,8 +133,8 @@ class Writer {
     const Typed& list = part.operands[0];
     const bool extreme = part.op == Typed::Op::least || part.op == Typed::Op::most;
     const Code join = part.op == Typed::Op::least  ? Code::least
-                    : part.op == Typed::Op::most ? Code::most
-                                                 : Code::add;
+                      : part.op == Typed::Op::most ? Code::most
+                                                   : Code::add;
     if (extreme && list.size() == 0) problem_ = "a list without elements has no least or most";
     if (!extreme) add({.op = Code::number});
     for (std::uint64_t i = 0; i < list.size() && problem_.empty(); ++i) {

@@ -62,7 +62,7 @@ class Calculation {
     double (*one)(double) = nullptr;
     double (*two)(double, double) = nullptr;
   };
-  static constexpr std::size_t kDeepest = 64;     // values on the stack
+  static constexpr std::size_t kDeepest = 64;  // values on the stack
   static constexpr std::size_t kMostSteps = 10'000;
 
  private:

@@ -15,8 +15,7 @@ class Grammar {
 
   std::optional<Expression> read() {
     Expression all = disjunction();
-    if (!text_.at_end())
-      text_.fail(text_.place(), "expected the end, found " + text_.next());
+    if (!text_.at_end()) text_.fail(text_.place(), "expected the end, found " + text_.next());
     return text_.good() ? std::optional(std::move(all)) : std::nullopt;
   }
 
@@ -158,8 +157,7 @@ class Grammar {
     if (names_ == NameForm::dollar && text_.take('$')) return dollar();
     if (std::string digits = text_.take_number(); !digits.empty())
       return number(std::move(digits), begin);
-    std::string word =
-        names_ == NameForm::port ? text_.take_port_name() : text_.take_dotted_name();
+    std::string word = names_ == NameForm::port ? text_.take_port_name() : text_.take_dotted_name();
     if (word.empty()) {
       text_.fail(begin, "expected a value, found " + text_.next());
       return {};

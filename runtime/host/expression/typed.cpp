@@ -192,9 +192,8 @@ class Typer {
   void join_shape(Typed& result, const Typed& operand, std::size_t place) {
     if (!operand.is_list()) return;
     if (result.is_list() && result.shape != operand.shape)
-      return fail(
-          place, list_text(operand.shape) + " does not go with " + list_text(result.shape),
-          "lists go together element by element: they need one shape");
+      return fail(place, list_text(operand.shape) + " does not go with " + list_text(result.shape),
+                  "lists go together element by element: they need one shape");
     result.shape = operand.shape;
   }
 
@@ -288,8 +287,7 @@ class Typer {
     std::vector<std::string> known = {"sum", "norm",     "mean",   "min",
                                       "max", "angle_of", "before", "where"};
     for (const Function& each : kFunctions) known.emplace_back(each.name);
-    fail(tree.begin, "unknown function " + quoted(name),
-         Text::suggest(name, known));
+    fail(tree.begin, "unknown function " + quoted(name), Text::suggest(name, known));
     return {};
   }
 
@@ -359,8 +357,7 @@ class Typer {
 
   Typed before(const Expression& tree) {
     if (!takes(tree, 1, "before(x)")) return {};
-    Typed result =
-        tree.operands[0].op == Tree::name ? name(tree.operands[0]) : Typed();
+    Typed result = tree.operands[0].op == Tree::name ? name(tree.operands[0]) : Typed();
     if (text_.good() && result.op != Op::variable)
       fail(tree.operands[0].begin, "`before` takes the name of an input",
            "write `before(x)[0]` for an element, `before(x)^2` for a square");

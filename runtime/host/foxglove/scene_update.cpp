@@ -3,8 +3,8 @@
 #include <charconv>
 #include <cmath>
 #include <eagerx/scene.hpp>
-#include <runtime/host/foxglove/scene_update.hpp>
 #include <runtime/host/base/json.hpp>
+#include <runtime/host/foxglove/scene_update.hpp>
 #include <string_view>
 #include <vector>
 

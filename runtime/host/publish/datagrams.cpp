@@ -7,9 +7,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
-#include <runtime/host/publish/datagrams.hpp>
 #include <runtime/host/base/hash.hpp>
 #include <runtime/host/base/json.hpp>
+#include <runtime/host/publish/datagrams.hpp>
 #include <runtime/host/trace/json_text.hpp>
 
 namespace eagerx::publish {

@@ -121,7 +121,8 @@ bool Decoder::take_greeting(const std::uint8_t* payload, std::size_t size, std::
                std::to_string(link::kProtocol);
   } else if (greeting.graph != layout_.hash) {
     refusal_ = "the board runs another graph, or the same of another time: its hash is " +
-               host::hex_text(greeting.graph) + ", that of `" + layout_.graph + "` is " + host::hex_text(layout_.hash);
+               host::hex_text(greeting.graph) + ", that of `" + layout_.graph + "` is " +
+               host::hex_text(layout_.hash);
   } else if (greeting.runtime != layout_.runtime) {
     refusal_ = "the board has runtime " + version(greeting.runtime) + ", the layout is of " +
                version(layout_.runtime);

@@ -27,8 +27,9 @@ namespace {
 
 /// All that results depend on, in a line.
 std::string identity_of(const std::string& library, const Plan& plan) {
-  std::string text = fmt::format("library {:016x} seed {} runs {} steps {}", host::fnv1a(client::read_file(library)),
-                                 plan.seed, plan.runs, plan.longest);
+  std::string text =
+      fmt::format("library {:016x} seed {} runs {} steps {}",
+                  host::fnv1a(client::read_file(library)), plan.seed, plan.runs, plan.longest);
   for (const Variation& one : plan.variations)
     text += fmt::format(" {}={}:{}", one.name, one.low, one.high);
   for (const target::PlacedFault& one : plan.faults) text += " " + text_of(one.fault);

@@ -1,9 +1,9 @@
 // eagerx-campaign LIBRARY: many episodes of a graph with its agent in the loop.
-#include <csignal>
-#include <runtime/host/base/interrupt.hpp>
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <runtime/host/base/interrupt.hpp>
 #include <string_view>
 
 #include "targets/environments/campaign/campaign.hpp"
@@ -39,7 +39,8 @@ int run_ranks(int argc, char** argv, Ranks& ranks) {
     if (is_all) return client::kDone;
   }
   const client::Library library(ranks.is_first() ? options.library : file_of(bytes));
-  return run_campaign(options, library, ranks, host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
+  return run_campaign(options, library, ranks,
+                      host::watch_interrupts({SIGINT, SIGTERM}, host::Second::ends));
 }
 
 int run(int argc, char** argv) {

@@ -9,8 +9,8 @@ namespace eagerx::campaign {
 namespace {
 
 using client::number;
-using host::read_number;
 using client::refuse;
+using host::read_number;
 
 /// "pendulum.mass=0.1:0.2"
 Variation variation(const std::string& text) {

@@ -2,11 +2,11 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/dds/topics.hpp>
 #include <runtime/host/trace/log_clock.hpp>
 #include <targets/linux-sim/dds/remote_agent.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/pacer.hpp>
 
 namespace eagerx::linux_sim {

@@ -1,6 +1,5 @@
 #include <fcntl.h>
 #include <poll.h>
-#include <runtime/host/base/number.hpp>
 #include <sys/socket.h>
 #include <sys/uio.h>
 
@@ -11,10 +10,11 @@
 #include <ctime>
 #include <eagerx/version.hpp>
 #include <limits>
+#include <runtime/host/base/interrupt.hpp>
 #include <runtime/host/base/json.hpp>
+#include <runtime/host/base/number.hpp>
 #include <targets/linux-sim/describe.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <runtime/host/base/interrupt.hpp>
 #include <targets/linux-sim/options.hpp>
 #include <targets/linux-sim/outside/outside_agent.hpp>
 #include <targets/linux-sim/pacer.hpp>
@@ -378,7 +378,7 @@ std::string OutsideAgent::description() const {
   const std::string render = facts_.is_shown
                                  ? "{\"rate_hz\": " +
                                        host::number_text(static_cast<double>(facts_.render_num) /
-                                                   static_cast<double>(facts_.render_den)) +
+                                                         static_cast<double>(facts_.render_den)) +
                                        "}"
                                  : "null";
   return "{\"version\": " + std::to_string(kOutsideVersion) + ", \"generator\": \"" +

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <runtime/host/base/number.hpp>
 #include <runtime/host/base/json.hpp>
+#include <runtime/host/base/number.hpp>
 #include <string_view>
 #include <targets/common/from_number.hpp>
 #include <targets/linux-sim/describe.hpp>

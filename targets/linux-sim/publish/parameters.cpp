@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <targets/linux-sim/elements.hpp>
 #include <runtime/host/base/nearest.hpp>
+#include <targets/linux-sim/elements.hpp>
 #include <targets/linux-sim/publish/parameters.hpp>
 #include <targets/linux-sim/state_settings.hpp>
 

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <eagerx/trace.hpp>
 #include <runtime/host/base/background.hpp>
+#include <runtime/host/base/nearest.hpp>
 #include <runtime/host/dds/dds_sink.hpp>
 #include <runtime/host/foxglove/server.hpp>
 #include <runtime/host/publish/datagrams.hpp>
 #include <targets/linux-sim/dds/graph_of.hpp>
 #include <targets/linux-sim/elements.hpp>
-#include <runtime/host/base/nearest.hpp>
 #include <targets/linux-sim/publish/publishing.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
 #include <targets/linux-sim/say.hpp>

@@ -1,9 +1,9 @@
 #include <chrono>
 #include <cstring>
 #include <optional>
+#include <runtime/host/base/text_file.hpp>
 #include <runtime/host/trace/mcap.hpp>
 #include <targets/linux-sim/publish/recording.hpp>
-#include <runtime/host/base/text_file.hpp>
 
 namespace eagerx::linux_sim {
 namespace {

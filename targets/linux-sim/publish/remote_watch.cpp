@@ -18,8 +18,8 @@ void put(const Field& field, void* message, const std::vector<double>& numbers) 
 
 }  // namespace
 
-RemoteWatch::RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv, host::TextFile& trace,
-                         Publishing& publishing, Remote& remote)
+RemoteWatch::RemoteWatch(GraphProgram& program, const Told& told, host::TextFile& csv,
+                         host::TextFile& trace, Publishing& publishing, Remote& remote)
     : PublishWatch(program, told, csv, trace, publishing),
       remote_(remote),
       fields_(told.fields),

@@ -1,9 +1,9 @@
+#include "runtime/host/base/nearest.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
-
-#include "runtime/host/base/nearest.hpp"
 
 namespace eagerx::host {
 namespace {

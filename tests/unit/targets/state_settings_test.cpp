@@ -79,20 +79,22 @@ TEST(StateSettingTest, Forms) {
 TEST(StateSettingTest, NumbersAreWithinTheSpace) {
   const std::vector<double> low = {0.0, -1.0};
   const std::vector<double> high = {1.0, 1.0};
-  const auto said = [&](const char* text) { return problem_of(*parse_setting(text), low, high); };
-  EXPECT_EQ(said("a=0.5"), "");
-  EXPECT_EQ(said("a=0.5,-0.5"), "");
-  EXPECT_NE(said("a=-0.5").find("-0.5 is out of the space"), std::string::npos);
-  EXPECT_NE(said("a=1,2,3").find("there are 3 numbers"), std::string::npos);
-  EXPECT_EQ(said("a=uniform:0,1"), "");
-  EXPECT_EQ(said("a=uniform:0,-1,1,0"), "");
-  EXPECT_NE(said("a=uniform:1,0"), "");
-  EXPECT_NE(said("a=uniform:0,1,2"), "");
-  EXPECT_NE(said("a=log_uniform:0,1"), "");
-  EXPECT_EQ(said("a=normal:5,1"), "");
-  EXPECT_NE(said("a=normal:5,-1"), "");
-  EXPECT_EQ(said("a=choice:0,0.5,1"), "");
-  EXPECT_NE(said("a=choice:0,0.5,2"), "");
+  const auto problem = [&](const char* text) {
+    return problem_of(*parse_setting(text), low, high);
+  };
+  EXPECT_EQ(problem("a=0.5"), "");
+  EXPECT_EQ(problem("a=0.5,-0.5"), "");
+  EXPECT_NE(problem("a=-0.5").find("-0.5 is out of the space"), std::string::npos);
+  EXPECT_NE(problem("a=1,2,3").find("there are 3 numbers"), std::string::npos);
+  EXPECT_EQ(problem("a=uniform:0,1"), "");
+  EXPECT_EQ(problem("a=uniform:0,-1,1,0"), "");
+  EXPECT_NE(problem("a=uniform:1,0"), "");
+  EXPECT_NE(problem("a=uniform:0,1,2"), "");
+  EXPECT_NE(problem("a=log_uniform:0,1"), "");
+  EXPECT_EQ(problem("a=normal:5,1"), "");
+  EXPECT_NE(problem("a=normal:5,-1"), "");
+  EXPECT_EQ(problem("a=choice:0,0.5,1"), "");
+  EXPECT_NE(problem("a=choice:0,0.5,2"), "");
 }
 
 }  // namespace
