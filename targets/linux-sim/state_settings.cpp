@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <eagerx/space.hpp>
 #include <runtime/host/base/nearest.hpp>
@@ -27,17 +26,11 @@ bool read_numbers(std::string_view text, std::vector<double>& numbers) {
   while (true) {
     const std::size_t comma = std::min(text.find(','), text.size());
     double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + comma, value);
-    if (error != std::errc() || end != text.data() + comma || !std::isfinite(value)) return false;
+    if (!host::read_number(text.substr(0, comma), value) || !std::isfinite(value)) return false;
     numbers.push_back(value);
     if (comma == text.size()) return true;
     text.remove_prefix(comma + 1);
   }
-}
-
-bool read_step(std::string_view text, Seq& step) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), step);
-  return error == std::errc() && end == text.data() + text.size();
 }
 
 std::string about(const StateSetting& setting) {
@@ -66,7 +59,7 @@ std::optional<StateSetting> parse_setting(std::string_view text) {
     break;
   }
   if (const std::size_t at = value.find('@'); at != std::string_view::npos) {
-    if (setting.kind != Kind::value || !read_step(value.substr(at + 1), setting.step.emplace()))
+    if (setting.kind != Kind::value || !host::read_number(value.substr(at + 1), setting.step.emplace()))
       return std::nullopt;
     value = value.substr(0, at);
   }

@@ -1,13 +1,12 @@
-#include <charconv>
 #include <cstdint>
+#include <runtime/host/base/number.hpp>
 #include <runtime/host/publish/address.hpp>
 
 namespace eagerx::publish {
 
 bool is_port(std::string_view text) {
   std::uint16_t port = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), port);
-  return error == std::errc() && end == text.data() + text.size() && port > 0;
+  return host::read_number(text, port) && port > 0;
 }
 
 bool parse_address(std::string_view text, Address& address) {

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -20,20 +18,9 @@ std::size_t numbers_of(const Field& field) {
   return field.type.size * field.most;
 }
 
-/// The double that is written as the float32 is, 0.05 for 0.05F: what is set is what a command line
-/// with the same digits sets.
-double same_decimal(float x) {
-  constexpr std::size_t kMostDigits = 24;
-  std::array<char, kMostDigits> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), x);
-  double result = x;
-  std::from_chars(text.data(), written.ptr, result);
-  return result;
-}
-
 template <class T>
 T state_from_row(float x) {
-  if constexpr (std::is_same_v<T, double>) return same_decimal(x);
+  if constexpr (std::is_same_v<T, double>) return host::same_decimal(x);
   return target::from_number<T>(x);
 }
 
